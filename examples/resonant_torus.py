@@ -26,7 +26,7 @@ from chaplygin import integrate
 from chaplygin.explicit import SeparatedSystem
 from chaplygin.explicit.genus_two.curve import Curve
 from chaplygin.explicit.genus_two.periods import Lattice, lattice
-from chaplygin.explicit.genus_two.separated_motion import chain
+from chaplygin.explicit.genus_two.separated_motion import steps_from_torus
 from chaplygin.explicit.genus_two_solution import GenusTwo, solve_on_torus
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.formulas import ball_function
@@ -151,7 +151,7 @@ def _orbit(solution: GenusTwo, phase: Any, common: Any) -> Orbit:
     origin = [torus.v_0[0] + phase, torus.v_0[1]]
     system = motion.separable.system
     wanted = (*components(motion.separable.clock), *system.symbols)
-    arguments, steps = chain(motion.separable, wanted)
+    arguments, steps = steps_from_torus(motion.separable, wanted)
     function = ball_function(arguments, wanted, steps)
     fixed = [motion.values[s] for s in arguments[6:]]
 

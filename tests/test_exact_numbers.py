@@ -16,7 +16,7 @@ from chaplygin.formulas.expansion import TaylorExpansion
 from chaplygin.formulas.taylor import Rational
 from chaplygin.mechanics.constraints.integrability import nonholonomy_at
 from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates
-from chaplygin.parsing.exact_decimals import exact_number, exactly
+from chaplygin.parsing.exact_decimals import exact_number, with_exact_decimals
 from chaplygin.search.modular_jets import Evaluator, prime
 
 x = real_symbol("x")
@@ -58,12 +58,12 @@ def test_numbers_of_mpmath_by_their_digits():
 
 def test_nothing_is_guessed_in_formulas():
     formula = 0.333333333333333 * x + sp.sqrt(2) * 1.41421356237310
-    found = exactly(formula)
+    found = with_exact_decimals(formula)
     assert not found.has(sp.Float)
     assert found.coeff(x) == sp.Rational("0.333333333333333")
     assert found - found.coeff(x) * x == sp.sqrt(2) * sp.Rational("1.41421356237310")
-    assert exactly(x + 1) == x + 1
-    assert exactly(0.5) == sp.S.Half
+    assert with_exact_decimals(x + 1) == x + 1
+    assert with_exact_decimals(0.5) == sp.S.Half
 
 
 @pytest.mark.parametrize("number", [math.inf, math.nan, mpmath.inf, sp.oo, sp.nan, sp.pi, "1", x])

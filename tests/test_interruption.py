@@ -11,13 +11,14 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin.interruption import ending, interruptible
+from chaplygin.interruption import interruptible, message_on_interrupt
 
 #: Ctrl-C may be ignored where tests are run in the background, and would be in the program too.
 HEARING = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 BEGIN = f"""{HEARING}
 import hashlib, sys, time
-from chaplygin.interruption import concluding, ending, interruptible, say
+from chaplygin.interruption import interruptible, message_on_interrupt
+from chaplygin.interruption import print_interruption, results_on_interrupt
 
 def ready():
     print("ready", flush=True)
@@ -58,7 +59,7 @@ def block(text: str) -> str:
 
 def test_machine_code_does_not_hold_up_the_end() -> None:
     script = block(f"""
-with ending(lambda: "half of it is kept"):
+with message_on_interrupt(lambda: "half of it is kept"):
     ready()
     machine_code({LONG})
 """)
@@ -82,7 +83,7 @@ def test_each_command_says_it_where_ctrl_c_is_ignored(
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         for words in ("a third is kept", "a half is kept"):
-            with pytest.raises(KeyboardInterrupt), interruptible(), ending(words):
+            with pytest.raises(KeyboardInterrupt), interruptible(), message_on_interrupt(words):
                 raise KeyboardInterrupt
             assert capsys.readouterr().err == f"interrupted: {words}\n"
     finally:
@@ -91,14 +92,14 @@ def test_each_command_says_it_where_ctrl_c_is_ignored(
 
 def test_what_is_saved_is_waited_for() -> None:
     script = block("""
-with ending("nothing was written", "the rest is being saved"):
+with message_on_interrupt("nothing was written", "the rest is being saved"):
     try:
         ready()
         time.sleep(60)
     except KeyboardInterrupt:
         time.sleep(2)
         print("saved")
-say("all of it was saved")
+print_interruption("all of it was saved")
 sys.exit(130)
 """)
     code, out, err, _ = interrupted(script)
@@ -113,7 +114,7 @@ sys.exit(130)
 @pytest.mark.slow
 def test_results_that_machine_code_holds_up_are_printed() -> None:
     script = block("""
-with concluding("the results are about to be printed"):
+with results_on_interrupt("the results are about to be printed"):
     ready()
     try:
         machine_code(4_000_000)
@@ -204,7 +205,7 @@ main()
 @pytest.mark.slow
 def test_a_second_interruption_ends_at_once() -> None:
     script = block(f"""
-with concluding("the results are about to be printed"):
+with results_on_interrupt("the results are about to be printed"):
     ready()
     machine_code({LONG})
 """)

@@ -179,7 +179,7 @@ class Body:
         )
         how = repr((self.numbers, start.tolist(), until, FINE, BITS, FINEST))
         name = hashlib.sha256(f"{what}\0{text}\0{how}".encode()).hexdigest()
-        return cache.remember(f"reference-{name}", compute)[0]
+        return cache.cached_entry(f"reference-{name}", compute)[0]
 
 
 def _reduced(system: System) -> System:

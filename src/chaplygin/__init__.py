@@ -1,4 +1,4 @@
-"""A laboratory for nonholonomic mechanics: say what rolls on what.
+"""A laboratory for nonholonomic mechanics: equations, laws, motions and reports.
 
 >>> import chaplygin
 >>> ball = chaplygin.Body(1.0, (1.0, 1.5, 2.1), chaplygin.Ball(1.0))

@@ -15,7 +15,7 @@ def main() -> None:
         signal.signal(signal.SIGINT, _end)
     import threading
 
-    from .interruption import CODE, GRACE, interruptible
+    from .interruption import EXIT_CODE, GRACE_PERIOD, interruptible
 
     if heard:
         signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -25,9 +25,9 @@ def main() -> None:
 
             command()
     except SystemExit as end:
-        if end.code == CODE:
+        if end.code == EXIT_CODE:
             # do not wait for threads that compute what nobody wants any more
-            timer = threading.Timer(GRACE, os._exit, (CODE,))
+            timer = threading.Timer(GRACE_PERIOD, os._exit, (EXIT_CODE,))
             timer.daemon = True
             timer.start()
         raise

@@ -1,4 +1,4 @@
-"""Ctrl-C: within a second a command says what was kept and how to go on, and ends with code 130.
+"""Ctrl-C: a command ends within a second, says what it has saved, and exits with code 130.
 
 Machine code that runs for long lets Python act on Ctrl-C only when it is done.  So a thread listens
 besides, which does what is to be done where the command itself has not come to it.
@@ -18,13 +18,13 @@ from dataclasses import dataclass
 from types import FrameType
 
 #: Exit code of what was interrupted.
-CODE = 130
+EXIT_CODE = 130
 
 #: What is said where nothing else is.
-NOTHING = "nothing was saved; the same command starts from the beginning"
+NOTHING_SAVED = "nothing was saved; the same command starts from the beginning"
 
 #: Seconds in which a command may end by itself.
-GRACE = 0.6
+GRACE_PERIOD = 0.6
 
 
 @dataclass(frozen=True)
@@ -56,11 +56,11 @@ class _State:
         return self.ending.patient or bool(self.was_interrupted and self.ending.saving)
 
 
-_NOTHING = _Ending(lambda: NOTHING)
+_NOTHING = _Ending(lambda: NOTHING_SAVED)
 _STATE = _State([])
 
 
-def say(words: str = "") -> None:
+def print_interruption(words: str = "") -> None:
     """Say that the program was interrupted, and these words, or those of the block it is in.
 
     The latter are said once.
@@ -74,7 +74,7 @@ def say(words: str = "") -> None:
 
 
 @contextmanager
-def ending(words: str | Callable[[], str], saving: str = "") -> Iterator[None]:
+def message_on_interrupt(words: str | Callable[[], str], saving: str = "") -> Iterator[None]:
     """While the block runs, an interruption ends the program at once with these words.
 
     Parameters
@@ -89,12 +89,12 @@ def ending(words: str | Callable[[], str], saving: str = "") -> Iterator[None]:
         try:
             yield
         except KeyboardInterrupt:
-            say()
+            print_interruption()
             raise
 
 
 @contextmanager
-def concluding(saving: str) -> Iterator[None]:
+def results_on_interrupt(saving: str) -> Iterator[None]:
     """While the block runs, an interruption is left to it, since it has results to print.
 
     Parameters
@@ -141,7 +141,7 @@ def interruptible() -> Iterator[None]:
     except KeyboardInterrupt:
         _conclude()
     except SystemExit as end:
-        if end.code == CODE:
+        if end.code == EXIT_CODE:
             _conclude()
         raise
     except Exception:
@@ -179,12 +179,12 @@ def _without_interruptions(
 
 def _conclude() -> None:
     """Leave no process behind, and end."""
-    say()
+    print_interruption()
     _end_children()
     # a string that was executed when it was interrupted makes Python end by SIGINT under -m,
     # unless another is executed after it
     exec("")
-    raise SystemExit(CODE)
+    raise SystemExit(EXIT_CODE)
 
 
 def _listen(ear: socket.socket, over: threading.Event) -> None:
@@ -195,15 +195,15 @@ def _listen(ear: socket.socket, over: threading.Event) -> None:
             if heard[0] != signal.SIGINT:
                 continue
             times += 1
-            if over.wait(0 if times > 1 else GRACE):
+            if over.wait(0 if times > 1 else GRACE_PERIOD):
                 return
             with contextlib.suppress(OSError, ValueError):
                 if times == 1 and _STATE.saves:
-                    say(f"{_STATE.ending.saving}; Ctrl-C again ends at once")
+                    print_interruption(f"{_STATE.ending.saving}; Ctrl-C again ends at once")
                     continue
-                say()
+                print_interruption()
             _end_children()
-            os._exit(CODE)
+            os._exit(EXIT_CODE)
 
 
 def _end_children() -> None:

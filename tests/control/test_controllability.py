@@ -147,7 +147,7 @@ def test_commutators_satisfy_jacobi_and_are_skew() -> None:
 def test_the_determinant_of_two_rotors_in_a_homogeneous_ball() -> None:
     """It is γ₃ times two definite forms, for I = 2/5, D = 1; found by Gröbner bases apart."""
     fields = control_fields(robot(E[:2], inertia=(0.4, 0.4, 0.4)))
-    longer = fields.longer().longer()
+    longer = fields.with_next_commutators().with_next_commutators()
     value = minor([field for level in longer.levels for _, field in level])
     expected = z * (25 * z**2 - 63) * (25 * z**2 + 203)
     ratio, remainder = divmod(value, expected)

@@ -48,8 +48,8 @@ def kept(place: Path) -> Path:
 def both(name: str) -> tuple[bool, bool]:
     """Whether a verdict and a piece of code are found after they were kept."""
     memory.store_verdict(name, PROVEN)
-    cache.remember(name, lambda: (b"code", 1))
-    return memory.load_verdict(name) == PROVEN, cache.remember(name, lambda: (b"new", 2))[1]
+    cache.cached_entry(name, lambda: (b"code", 1))
+    return memory.load_verdict(name) == PROVEN, cache.cached_entry(name, lambda: (b"new", 2))[1]
 
 
 def test_what_is_written_is_read(kept: Path) -> None:
@@ -206,8 +206,8 @@ def test_code_of_another_version_is_compiled_again(place: Path) -> None:
     """A pickle of something that is not there any more."""
     gone = b"\x80\x04\x8c\x10chaplygin.no_one\x8c\x04gone\x93."
     private_files.write_private(place / "name.code", gone)
-    assert cache.remember("name", lambda: "made anew") == ("made anew", False)
-    assert cache.remember("name", lambda: "not made") == ("made anew", True)
+    assert cache.cached_entry("name", lambda: "made anew") == ("made anew", False)
+    assert cache.cached_entry("name", lambda: "not made") == ("made anew", True)
 
 
 def test_another_version_of_a_library_makes_other_names(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -15,7 +15,11 @@ from flint import acb, acb_mat, arb, ctx
 from chaplygin import solve
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.explicit.genus_two.separated_motion import SeparatedMotion, chain, separate
+from chaplygin.explicit.genus_two.separated_motion import (
+    SeparatedMotion,
+    separate,
+    steps_from_torus,
+)
 from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 from chaplygin.explicit.genus_two_solution import solve_on_torus
 from chaplygin.explicit.rigorous import rigorous_motion
@@ -51,7 +55,7 @@ def motion() -> SeparatedMotion:
 
 def clock(motion: SeparatedMotion) -> Branch:
     rate = components(VESELOVA.clock)
-    return Branch(rate, motion.values, chain(VESELOVA, rate)[1])
+    return Branch(rate, motion.values, steps_from_torus(VESELOVA, rate)[1])
 
 
 @pytest.fixture(scope="module")

@@ -29,7 +29,11 @@ from chaplygin.formulas.number_fields import ball_precision
 from chaplygin.proof.fields.budget import Budget
 from chaplygin.proof.fields.function_field import FunctionField
 from chaplygin.proof.level.level_set import LevelSet
-from chaplygin.proof.level.positivity_conditions import orienting, positives, unmet
+from chaplygin.proof.level.positivity_conditions import (
+    positive_formulas,
+    sign_determining_bases,
+    unmet_conditions,
+)
 from chaplygin.proof.prover import prove
 from chaplygin.proof.rank import rank_defect
 from chaplygin.proof.remarks import remark
@@ -200,7 +204,7 @@ def test_a_time_whose_sign_is_not_settled_is_named():
 
     def needed(time: sp.Expr) -> list[sp.Expr]:
         law = replace(ONTO_PLANE, time=time)
-        return [formula for _, formula in positives(law, ground)]
+        return [formula for _, formula in positive_formulas(law, ground)]
 
     assert needed(sp.S.One) == needed(1 + SQUARE) == needed(sp.exp(x) / sp.sqrt(x)) == []
     assert needed(x) == [x]
@@ -218,7 +222,7 @@ def test_a_time_that_is_never_positive_is_not_proven():
     ground = LevelSet(slow, law.on)
     with ball_precision():
         for seed in range(8):
-            ((what, value),) = unmet(law, ground, numbers(ground, seed))
+            ((what, value),) = unmet_conditions(law, ground, numbers(ground, seed))
             assert what == "dτ/dt"
             assert value < 0
     try:
@@ -230,8 +234,8 @@ def test_a_time_that_is_never_positive_is_not_proven():
 def test_definitions_that_are_roots_need_no_sign():
     rooted = replace(TURN, definitions={q: sp.sqrt(1 + x), w: x - 1})
     ground = LevelSet(rooted)
-    assert positives(replace(ONTO_PLANE, time=1 / q), ground) == ()
-    assert positives(replace(ONTO_PLANE, time=q * w), ground) == (("dτ/dt", w),)
+    assert positive_formulas(replace(ONTO_PLANE, time=1 / q), ground) == ()
+    assert positive_formulas(replace(ONTO_PLANE, time=q * w), ground) == (("dτ/dt", w),)
 
 
 # --- measures ------------------------------------------------------------------------------
@@ -240,9 +244,9 @@ def test_definitions_that_are_roots_need_no_sign():
 def test_a_density_that_is_nowhere_real_is_not_proven():
     law = Measure("law", {-1 - SQUARE: half})
     ground = LevelSet(TURN)
-    assert [formula for _, formula in positives(law, ground)] == [-1 - SQUARE]
+    assert [formula for _, formula in positive_formulas(law, ground)] == [-1 - SQUARE]
     with ball_precision():
-        assert all(unmet(law, ground, numbers(ground, seed)) for seed in range(8))
+        assert all(unmet_conditions(law, ground, numbers(ground, seed)) for seed in range(8))
     try:
         assert not prove(TURN, law)
     except InputError as refusal:
@@ -252,14 +256,14 @@ def test_a_density_that_is_nowhere_real_is_not_proven():
 def test_bases_under_roots_must_be_positive_and_odd_ones_give_the_sign():
     ground = LevelSet(replace(TURN, parameters=(A,)))
     law = Measure("law", {z: half, SQUARE: 3, z - 1: -2, z + 1: a, z + 2: -1, z + 3: 0, z + 4: 1})
-    assert [formula for _, formula in positives(law, ground)] == [z, z + 1]
-    assert [formula for _, formula in orienting(law, ground)] == [SQUARE, z + 2, z + 4]
+    assert [formula for _, formula in positive_formulas(law, ground)] == [z, z + 1]
+    assert [formula for _, formula in sign_determining_bases(law, ground)] == [SQUARE, z + 2, z + 4]
     on_level = Measure("law", {z + 1: a}, on=(a - 3,))
     ground = LevelSet(ground.system, on_level.on)
-    assert positives(on_level, ground) == ()
-    assert [formula for _, formula in orienting(on_level, ground)] == [z + 1]
+    assert positive_formulas(on_level, ground) == ()
+    assert [formula for _, formula in sign_determining_bases(on_level, ground)] == [z + 1]
     assert prove(TURN, Measure("law", {z**2 + 1: half}))
-    assert orienting(ONTO_PLANE, LevelSet(TURN)) == ()
+    assert sign_determining_bases(ONTO_PLANE, LevelSet(TURN)) == ()
 
 
 def test_a_condition_that_follows_from_others_changes_no_volume():

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..interruption import NOTHING, ending
+from ..interruption import NOTHING_SAVED, message_on_interrupt
 from .terminal.options import Force, Override, What, inform, study_of
 from .terminal.output_destination import STANDARD_OUTPUT, check_output
 from .terminal.progress import progress
@@ -81,7 +81,10 @@ def command(
             f"second frame; it must be at most {abs(study.until) * rate:g}"
         )
     steps = round(count)
-    with ending(NOTHING), progress(f"integrating: {study.system.title}") as report:
+    with (
+        message_on_interrupt(NOTHING_SAVED),
+        progress(f"integrating: {study.system.title}") as report,
+    ):
         if suffix == ".glb":
             _model(study, steps, output)
         else:

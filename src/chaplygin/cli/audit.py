@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..interruption import CODE, concluding, say
+from ..interruption import EXIT_CODE, print_interruption, results_on_interrupt
 from .terminal.options import Force, Json, console, inform, print_json
 from .terminal.output_destination import STANDARD_OUTPUT, beside, check_output, name_of, output_file
 from .terminal.progress import progress, waiting
@@ -54,7 +54,7 @@ def command(
     with waiting("reading the claims of the paper"):
         from ..borisov_mamaev.audit import audit, page
 
-    with concluding("the verdicts reached so far are about to be printed"):
+    with results_on_interrupt("the verdicts reached so far are about to be printed"):
         with progress("judging the claims of the paper") as report:
             judgements, left = audit(section, workers, report)
         with beside(output):
@@ -69,11 +69,11 @@ def command(
             inform(f"page: {name_of(output)}")
     if left:
         page_too = "" if output is None else " and no page was written"
-        say(
+        print_interruption(
             f"{left} claims were not judged{page_too}; verdicts are saved, and the same command "
             "resumes"
         )
-        raise typer.Exit(CODE)
+        raise typer.Exit(EXIT_CODE)
     if any(j.corrected is not None and j.corrected.decision == "refuted" for j in judgements):
         raise typer.Exit(1)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..interruption import CODE, concluding, say
+from ..interruption import print_interruption, results_on_interrupt
 from .terminal.options import Effort, Json, Override, What, inform, operations, print_json, study_of
 from .terminal.progress import progress
 
@@ -126,7 +126,7 @@ def command(
         parameter_degree=parameter_degree,
         effort=allowed,
     )
-    with concluding("the results found so far are about to be printed"):
+    with results_on_interrupt("the results found so far are about to be printed"):
         results, complete = _results(kind, question)
         decision = _existence(study) if kind == "measure" and complete else None
         elapsed = time.monotonic() - began
@@ -147,7 +147,7 @@ def command(
                 lines = str(decision).splitlines()
                 typer.echo("\n" + "\n".join(_paragraph(line) for line in lines))
     if not complete:
-        raise typer.Exit(CODE)
+        raise typer.Exit(EXIT_CODE)
     raise typer.Exit(0 if results or decision else 1)
 
 
@@ -179,7 +179,7 @@ def _results(kind: str, question: Question) -> tuple[list[SearchResult], bool]:
 
             results.extend(search(question, update))
     except KeyboardInterrupt:
-        say("the results found up to then follow")
+        print_interruption("the results found up to then follow")
         return results, False
     return results, True
 

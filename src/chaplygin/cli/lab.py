@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from ..interruption import CODE, ending
+from ..interruption import EXIT_CODE, message_on_interrupt
 from .terminal.options import Override, is_name, study_of
 from .terminal.progress import waiting
 
@@ -75,8 +75,10 @@ def command(
             webbrowser.open(address)
 
     try:
-        with ending("the laboratory is closed; experiments and charts that were saved stay"):
+        with message_on_interrupt(
+            "the laboratory is closed; experiments and charts that were saved stay"
+        ):
             serve(folder, name, port, announce)
     except KeyboardInterrupt:
         # no worker is left, and the libraries take a second to be unloaded
-        os._exit(CODE)
+        os._exit(EXIT_CODE)

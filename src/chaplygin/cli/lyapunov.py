@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..interruption import CODE, NOTHING, ending, say
+from ..interruption import EXIT_CODE, NOTHING_SAVED, message_on_interrupt, print_interruption
 from .terminal.options import (
     Force,
     Json,
@@ -83,7 +83,9 @@ def command(
         start = sample_level(system, 1, numbers, seed=seed)[0].tolist()
     length = TIMES_LONGER * study.until if until is None else until
     interrupted = ""
-    with ending(NOTHING, "the spectrum of the motion so far is being evaluated"):
+    with message_on_interrupt(
+        NOTHING_SAVED, "the spectrum of the motion so far is being evaluated"
+    ):
         try:
             with progress(study.system.title) as report:
                 spectrum = lyapunov_spectrum(
@@ -118,8 +120,8 @@ def command(
         if output is not None:
             inform(f"written to {name_of(output)}")
     if interrupted:
-        say(interrupted)
-        raise typer.Exit(CODE)
+        print_interruption(interrupted)
+        raise typer.Exit(EXIT_CODE)
 
 
 def _print(spectrum: Spectrum, reversors: Any) -> None:
@@ -127,7 +129,7 @@ def _print(spectrum: Spectrum, reversors: Any) -> None:
     from rich.markup import escape
     from rich.table import Table
 
-    from ..analysis.lyapunov.report import remarks, significant_digits, word
+    from ..analysis.lyapunov.report import remarks, sign_word, significant_digits
 
     typer.echo(spectrum.system.title)
     typer.echo(
@@ -140,7 +142,7 @@ def _print(spectrum: Spectrum, reversors: Any) -> None:
     table.add_column("error", justify="right", no_wrap=True)
     table.add_column("")
     for number, item in enumerate(spectrum.exponents, 1):
-        table.add_row(f"λ{number}", *significant_digits(item.value, item.error), word(item))
+        table.add_row(f"λ{number}", *significant_digits(item.value, item.error), sign_word(item))
     total, mean = spectrum.total, spectrum.volume.divergence
     if spectrum.exponents:
         table.add_row("sum", *significant_digits(total.value, total.error), word_of_sum(total))

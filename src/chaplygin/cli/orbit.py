@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..interruption import NOTHING, ending
+from ..interruption import NOTHING_SAVED, message_on_interrupt
 from .terminal.options import (
     Direction,
     Force,
@@ -101,7 +101,7 @@ def command(
     begin = [float(x) for x in study.start[: len(system.symbols)]]
     where = (on, value, DIRECTIONS[direction], angle)
 
-    with progress(study.system.title) as update, ending(NOTHING):
+    with progress(study.system.title) as update, message_on_interrupt(NOTHING_SAVED):
         orbit, branch = orbit_near(
             system, begin, study.until, where, how, hold or [], varied, update
         )

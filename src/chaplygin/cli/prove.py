@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
-from ..interruption import CODE, concluding, say
+from ..interruption import EXIT_CODE, print_interruption, results_on_interrupt
 from .terminal.options import (
     NO_LAWS,
     Effort,
@@ -58,7 +58,7 @@ def command(
     if certificate is not None:
         check_output("--certificate", certificate, force, json, what, binary=False)
     claims = _selected_laws(_claims(what, overrides), only or [], what)
-    with concluding("the verdicts reached so far are about to be printed"):
+    with results_on_interrupt("the verdicts reached so far are about to be printed"):
         done = _attempts(claims, allowed, certificate is not None)
         with beside(certificate):
             if json:
@@ -68,11 +68,11 @@ def command(
         if certificate is not None:
             _write(certificate, [attempt.verdict for attempt in done])
     if len(done) < len(claims):
-        say(
+        print_interruption(
             f"{len(claims) - len(done)} of {len(claims)} laws have no verdict; verdicts are saved, "
             "and the same command resumes"
         )
-        raise typer.Exit(CODE)
+        raise typer.Exit(EXIT_CODE)
     if not all(attempt.verdict for attempt in done):
         raise typer.Exit(1)
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from ..interruption import CODE, NOTHING, ending, say
+from ..interruption import EXIT_CODE, NOTHING_SAVED, message_on_interrupt, print_interruption
 from .terminal.options import Force, Json, Override, Precision, What, inform, print_json, study_of
 from .terminal.output_destination import beside, check_output, deliver, name_of
 from .terminal.progress import progress
@@ -40,7 +40,9 @@ def command(
 
     place = name_of(output)
     failure: RunError | None = None
-    with ending(NOTHING, f"the trajectory computed so far is being written to {place}"):
+    with message_on_interrupt(
+        NOTHING_SAVED, f"the trajectory computed so far is being written to {place}"
+    ):
         with progress(study.system.title) as report:
             try:
                 trajectory = study.trajectory(report)
@@ -50,11 +52,11 @@ def command(
                 trajectory, failure = error.partial, error
         deliver(dataset_of(study, trajectory, complete=failure is None), output, force)
     if isinstance(failure, InterruptionError):
-        say(
+        print_interruption(
             f"the trajectory up to t = {failure.time:.9g} is in {place}; the same command with "
             "--force starts from the beginning"
         )
-        raise typer.Exit(CODE)
+        raise typer.Exit(EXIT_CODE)
     if failure is not None:
         inform(f"the trajectory up to then is in {place}")
         raise failure

@@ -1,4 +1,4 @@
-"""``chaplygin study``: the main job, from words to a report."""
+"""``chaplygin study``: from an experiment file to a report."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from ..interruption import NOTHING, ending
+from ..interruption import NOTHING_SAVED, message_on_interrupt
 from .terminal.options import (
     Force,
     Json,
@@ -74,10 +74,10 @@ def command(
 
     def words() -> str:
         if not is_begun(folder):
-            return NOTHING
+            return NOTHING_SAVED
         return f"the part that is done is in {folder}; the same command resumes there"
 
-    with ending(words), progress(f"integrating: {study.system.title}") as report:
+    with message_on_interrupt(words), progress(f"integrating: {study.system.title}") as report:
         budget = ProofBudget(each, altogether, lambda what: report.say(f"proving: {what}"))
         try:
             trajectory, failure = write_study(study, folder, force, budget, report)

@@ -203,7 +203,7 @@ def _growth(fields: ControlFields, point: tuple[fmpq, fmpq, fmpq]) -> tuple[int,
         done = not fields.levels[-1] or dimensions[-1] == DIMENSION
         if done or still or len(fields.levels) == STEPS:
             break
-        fields = fields.longer()
+        fields = fields.with_next_commutators()
     while len(dimensions) > 1 and dimensions[-1] == dimensions[-2]:
         dimensions.pop()
     return tuple(dimensions)
@@ -224,7 +224,7 @@ class _Search:
 
     def _extend(self) -> None:
         if self._rows:
-            self._fields = self._fields.longer()
+            self._fields = self._fields.with_next_commutators()
         rows = self._fields.forms
         self._rows += rows
         self._levels += [len(self._fields.levels)] * len(rows)

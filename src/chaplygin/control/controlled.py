@@ -14,7 +14,7 @@ from ..core.system import Parameter, System, flat_pairs
 from ..errors import InputError
 from ..mechanics.lagrangian.mechanism import TIME
 from ..parsing import parse
-from ..parsing.exact_decimals import exactly
+from ..parsing.exact_decimals import with_exact_decimals
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ def input_formulas(
         formula = (
             parse(text, known, f"input {symbol}")
             if isinstance(text, str)
-            else exactly(sp.sympify(text))
+            else with_exact_decimals(sp.sympify(text))
         )
         unknown = sorted(map(str, formula.free_symbols - set(known.values())))
         if unknown:

@@ -46,7 +46,7 @@ class ControlFields:
     levels: tuple[tuple[tuple[str, Field], ...], ...]
     scale: fmpq_mpoly
 
-    def longer(self) -> ControlFields:
+    def with_next_commutators(self) -> ControlFields:
         """The same with one more level of commutators."""
         first, last = self.levels[0], self.levels[-1]
         words = []

@@ -90,7 +90,7 @@ def _spins(state: FloatArray, fields: FloatArray) -> FloatArray:
     return spins
 
 
-def hanging(
+def motion_with_lowest_mass(
     robot: SphericalRobot, mass: MovingMass, plan: Transcription, attitude: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """A motion without spin along the path, the moving mass at its lowest place.

@@ -20,7 +20,7 @@ from .collocation import Transcription
 from .compiled_equations import CompiledEquations
 from .controlled import ControlledSystem
 from .equations import controlled_system, driftless_system
-from .guess import hanging, least_inputs, unit_quaternion
+from .guess import least_inputs, motion_with_lowest_mass, unit_quaternion
 from .path import PlanePath
 from .plan import MotionPlan, distances, inputs_motion
 from .robot import SphericalRobot
@@ -96,7 +96,9 @@ def motion_along(
         system, path, intervals, stages, None if attitude is None else quaternion
     )
     if robot.moving_mass is not None:
-        begin, states, inputs = hanging(robot, robot.moving_mass, problem, quaternion)
+        begin, states, inputs = motion_with_lowest_mass(
+            robot, robot.moving_mass, problem, quaternion
+        )
         guess, spent = problem.unknowns_of(begin, states, inputs), 0
     else:
         guess, spent = _guess_with_rotors(problem, quaternion, attitude is None, iterations)

@@ -13,7 +13,7 @@ from ..core.vectors import Vector, to_components
 from ..errors import InputError
 from ..mechanics.lagrangian.plan import Plan
 from ..parsing import FUNCTIONS, Formula, NamedQuantity
-from ..parsing.exact_decimals import exactly
+from ..parsing.exact_decimals import with_exact_decimals
 from .file.toml import Tables
 
 _WRITABLE = (
@@ -104,4 +104,4 @@ def _formula_text(formula: Formula) -> str:
     for part in sp.preorder_traversal(value):
         if not isinstance(part, _WRITABLE) and part not in _CONSTANTS:
             raise InputError(f"{type(part).__name__} in {formula} cannot be written to a file")
-    return str(sp.sstr(exactly(value)))
+    return str(sp.sstr(with_exact_decimals(value)))

@@ -1,4 +1,4 @@
-"""One door to numbers: trajectories of a System, compiled once and cached."""
+"""Numerical integration: trajectories, ensembles and sections of a System."""
 
 import lazy_loader
 

@@ -29,7 +29,7 @@ SPHERICAL: Level = (I.symbols[0] - I.symbols[1], I.symbols[1] - I.symbols[2])
 _ALIKE = (I.symbols, b)
 
 
-def collinear() -> sp.Expr:
+def collinearity() -> sp.Expr:
     """Vanishes where the points (I_i b_i², I_i − m b_i²) of the plane lie on a line."""
     x = [i * s**2 for i, s in zip(I.symbols, b, strict=True)]
     y = [i - m * s**2 for i, s in zip(I.symbols, b, strict=True)]
@@ -70,7 +70,7 @@ def _special(rolling: Rolling) -> tuple[Level, ...]:
     if isinstance(shape, Ellipsoid) and not any(shape.centre) and not shape.turn:
         shifted = tuple(i - m * s**2 for i, s in zip(I.symbols, b, strict=True))
         along = (shifted[0] - shifted[1], shifted[1] - shifted[2])
-        return ((collinear(),), along) if rubber and plane else (along,)
+        return ((collinearity(),), along) if rubber and plane else (along,)
     return ()
 
 

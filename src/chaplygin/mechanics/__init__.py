@@ -1,4 +1,4 @@
-"""From what one can touch (a body, a surface, a contact) to a System."""
+"""Equations of motion: from bodies, surfaces and contacts, or a Lagrangian, to a System."""
 
 import lazy_loader
 

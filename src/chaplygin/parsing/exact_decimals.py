@@ -56,7 +56,7 @@ def exact_number(number: object) -> sympy.Rational:
     return _shortest(float(number))
 
 
-def exactly(formula: object) -> sympy.Basic:
+def with_exact_decimals(formula: object) -> sympy.Basic:
     """A formula in which every decimal number is the rational number that it says.
 
     Parameters

@@ -1,4 +1,4 @@
-"""Laws stated, proved and searched for."""
+"""Exact proofs and refutations of laws."""
 
 import lazy_loader
 

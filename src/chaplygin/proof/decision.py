@@ -35,16 +35,16 @@ from .level.alternatives import Alternative, alternatives
 from .level.level_formulas import EmptyLevelSetError
 from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim, polynomial_problems
-from .level.positivity_conditions import orienting, positives
-from .level.sample_points import far, near
-from .random_test import Trial, backwards, trials
+from .level.positivity_conditions import positive_formulas, sign_determining_bases
+from .level.sample_points import moderate_number, number_near_default
+from .random_test import Trial, point_of_reversed_time, trials
 from .rank import DIMENSION
 from .remarks import remark
 from .symbolic_proof import Proof, proof
 from .verdict import Verdict
 from .witness_points import Witness, witness, witness_point
 
-FURTHER = (near,) * 6 + (far,) * 40
+FURTHER = (number_near_default,) * 6 + (moderate_number,) * 40
 """Points tried where a remainder is left, before a law is called undecided."""
 
 
@@ -223,12 +223,12 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
         sample = sample or {name: float(value) for name, value in trial.field.values.items()}
         attained = attained or trial.lack is None
     if first is None:
-        last = backwards(law, points)
+        last = point_of_reversed_time(law, points)
         if last is not None and last.witness is not None:
             refuted = checker.refutation(claim, points, last)
             if refuted is not None:
                 return refuted
-        if isinstance(law, Measure) and positives(law, level):
+        if isinstance(law, Measure) and positive_formulas(law, level):
             return _Part((), Proof(0, failure=NOWHERE))
     outcome = proof(law, level, sample, budget, attained)
     if outcome.lack is not None and first is not None:
@@ -248,7 +248,7 @@ def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:
         return ()
     return tuple(
         (f"{what} > 0", f"{formula} > 0")
-        for what, formula in positives(law, level)
+        for what, formula in positive_formulas(law, level)
         if level.sign(formula) is not Sign.POSITIVE
     )
 
@@ -271,14 +271,14 @@ def _symbols(level: LevelSet) -> FunctionField:
 def _of_density(law: Measure, level: LevelSet) -> str:
     real = [
         f"{text(formula)} > 0"
-        for _, formula in positives(law, level)
+        for _, formula in positive_formulas(law, level)
         if level.sign(formula) is not Sign.POSITIVE
         # an even power is positive where the density is defined at all
         and not (formula.is_Pow and formula.exp.is_even)
     ]
     signed = [
         f"({text(formula)})"
-        for _, formula in orienting(law, level)
+        for _, formula in sign_determining_bases(law, level)
         if abs(level.sign(formula)) != Sign.POSITIVE
     ]
     return (f"; ρ is real where {', '.join(real)}" if real else "") + (

@@ -15,8 +15,8 @@ from ..formulas.errors import NotExactError, OutOfReachError
 from ..formulas.number_fields import Balls, Rationals
 from .fields.field import Field, FieldElement
 from .level.level_set import Draw, LevelSet
-from .level.positivity_conditions import unmet
-from .level.sample_points import broad, far, near
+from .level.positivity_conditions import unmet_conditions
+from .level.sample_points import moderate_number, number_near_default, number_of_any_magnitude
 from .rank import rank_defect
 from .residuals import Residuals, condition_rates, residuals
 
@@ -47,14 +47,23 @@ class Trial:
     lack: tuple[str, str] | None = None
 
 
-def everything(law: Law, level: LevelSet, field: Field) -> Residuals:
+def all_residuals(law: Law, level: LevelSet, field: Field) -> Residuals:
     """All residuals: of the level being invariant, and of the law."""
     yield from condition_rates(level, field)
     yield from residuals(law, level, field)
 
 
 def trials(
-    law: Law, level: LevelSet, draws: Sequence[Draw] = (near, near, far, far, far, far)
+    law: Law,
+    level: LevelSet,
+    draws: Sequence[Draw] = (
+        number_near_default,
+        number_near_default,
+        moderate_number,
+        moderate_number,
+        moderate_number,
+        moderate_number,
+    ),
 ) -> Iterator[Trial]:
     """A law at random points of the domain; fewer than asked for where there are not enough.
 
@@ -68,22 +77,24 @@ def trials(
     generator = random.Random(SEED)
     compute = partial(_trial_at, law, level)
     for draw in draws:
-        trial = _first(compute, level, generator, draw) or _first(compute, level, generator, broad)
+        trial = _first(compute, level, generator, draw) or _first(
+            compute, level, generator, number_of_any_magnitude
+        )
         if trial is None:
             return
         yield trial
 
 
-def backwards(law: Law, level: LevelSet) -> Trial | None:
+def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:
     """A point of the domain at which the time of an isomorphism does not run forward."""
     if not isinstance(law, Isomorphism):
         return None
 
     def trial_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
-        (witness, *_) = unmet(law, level, field) or (None,)
+        (witness, *_) = unmet_conditions(law, level, field) or (None,)
         return Trial(field, values, witness)
 
-    return _first(trial_at, level, random.Random(SEED), near)
+    return _first(trial_at, level, random.Random(SEED), number_near_default)
 
 
 def _first(
@@ -112,10 +123,10 @@ def _first(
 def _trial_at(
     law: Law, level: LevelSet, field: Rationals | Balls, values: Mapping[str, fmpq | arb]
 ) -> Trial:
-    if unmet(law, level, field):
+    if unmet_conditions(law, level, field):
         # the law makes no sense here
         raise ZeroDivisionError
-    for what, residual in everything(law, level, field):
+    for what, residual in all_residuals(law, level, field):
         if not field.vanishes(residual):
             return Trial(field, values, (what, residual))
     try:

@@ -28,7 +28,7 @@ from ..formulas.errors import OutOfReachError
 from ..formulas.jets import Evaluator, Jet
 from .fields.field import Field, FieldElement
 from .level.alternatives import alternatives
-from .level.closedness import closing, up_to_time
+from .level.closedness import rows_of_equations_and_identities, up_to_time
 from .level.level_set import LevelSet
 from .level.named_formulas import components
 from .level.separability import of_separation
@@ -189,7 +189,7 @@ def _component_equations(law: Isomorphism, field: Field, there: Evaluator) -> tu
 @rank_defect.register
 def _(law: Reduction, level: LevelSet, field: Field) -> tuple[str, str] | None:
     """The equations must determine all rates, or the ratios of two independent ones at least."""
-    stated, known, unknowns = closing(law, level, field)
+    stated, known, unknowns = rows_of_equations_and_identities(law, level, field)
     wanted = unknowns
     if up_to_time(law, level):
         tied = rank(field, known)

@@ -24,7 +24,7 @@ from .fields.formal_roots import FormalRoots
 from .fields.function_field import FunctionField
 from .fields.quotient_ring import Element
 from .level.level_set import LevelSet
-from .random_test import everything
+from .random_test import all_residuals
 from .rank import rank_defect
 
 MOST_RUNS = 48
@@ -156,7 +156,7 @@ def _run(
 
 def _zero_residuals(law: Law, level: LevelSet, field: FunctionField) -> tuple[int, str]:
     count = 0
-    for what, residual in everything(law, level, field):
+    for what, residual in all_residuals(law, level, field):
         if not field.vanishes(cast(Element, residual)):
             return count, (
                 f"{what} vanishes at the points tried, but does not reduce to zero: a "

@@ -19,7 +19,7 @@ from .modular_jets import Integers, inverse, power, prime
 from .modular_linalg import combination, independent_columns, nullspace, product, rank
 from .phase_space import Sample
 from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, reconstructed_laws
-from .result import Progress, Question, SearchResult, silent
+from .result import Progress, Question, SearchResult, no_progress
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import VectorInvariants, component_scalars
 
@@ -31,7 +31,7 @@ _SEED = 20080830
 
 
 @arguments_checked
-def integrals(question: Question, progress: Progress = silent) -> Iterator[SearchResult]:
+def integrals(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:
     """First integrals of the form P/Qˢ with P polynomial and Q a divisor, one after the other.
 
     An integral that is a polynomial in earlier ones and functions of the parameters is not

@@ -21,7 +21,7 @@ from ..proof.prover import prove
 from .modular_jets import Integers, inverse, prime
 from .modular_linalg import combination, rational
 from .phase_space import Sample, SearchSpace
-from .result import Progress, Question, SearchResult, silent
+from .result import Progress, Question, SearchResult, no_progress
 
 _POINTS = 40
 _SETS = 6
@@ -32,7 +32,7 @@ Exponents = tuple[int, ...]
 
 
 @arguments_checked
-def measures(question: Question, progress: Progress = silent) -> Iterator[SearchResult]:
+def measures(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:
     """Invariant measures with a density made of powers of the bases of the question.
 
     The simplest are tried first; the search ends with the first number of factors for which

@@ -19,7 +19,7 @@ Progress = Callable[[float, str], None]
 """Called with the fraction done and a few words about what comes next."""
 
 
-def silent(fraction: float, words: str) -> None:
+def no_progress(fraction: float, words: str) -> None:
     """Progress that nobody watches."""
 
 

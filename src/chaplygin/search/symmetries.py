@@ -17,7 +17,7 @@ from .modular_jets import Integers, prime
 from .modular_linalg import independent_columns, nullspace, product
 from .phase_space import Sample
 from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, reconstructed_laws
-from .result import Progress, Question, SearchResult, silent
+from .result import Progress, Question, SearchResult, no_progress
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import component_scalars
 
@@ -26,7 +26,7 @@ _SEED = 20080830
 
 
 @arguments_checked
-def symmetries(question: Question, progress: Progress = silent) -> Iterator[SearchResult]:
+def symmetries(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:
     """Polynomial vector fields u with [u, v] = 0, tangent to the phase space.
 
     v itself, and what follows from known symmetries on multiplication with integrals, is left

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.analysis.orbits import return_map as module
-from chaplygin.analysis.orbits.periodic import onto
+from chaplygin.analysis.orbits.periodic import projection_to_domain
 from chaplygin.analysis.orbits.return_map import Circle, ReturnMap, parameters_to_state, rotations
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio
 from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import torus
@@ -46,7 +46,7 @@ def test_slopes_keep_integrals_and_agree_with_differences():
     for direction in tangent:
         step = 1e-5 * direction
         ends = [
-            made.image(onto(made, point + sign * step, made.sizes(point))).points
+            made.image(projection_to_domain(made, point + sign * step, made.sizes(point))).points
             for sign in (1, -1)
         ]
         assert slope @ direction == pytest.approx((ends[0] - ends[1])[0] / 2e-5, abs=1e-6)

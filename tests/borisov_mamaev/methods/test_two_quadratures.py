@@ -7,7 +7,13 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from chaplygin.borisov_mamaev.methods.two_quadratures import f, h, level_factor, roots_that_move, w
+from chaplygin.borisov_mamaev.methods.two_quadratures import (
+    f,
+    h,
+    level_factor,
+    moving_root_counts,
+    w,
+)
 from chaplygin.catalogue.ball_on_sphere import ball_around_sphere_coordinates as chart
 
 INERTIA, LEVER = np.array([1.0, 1.5, 2.1]), 0.9
@@ -66,7 +72,7 @@ def test_trajectories_solve_the_quadratures():
 
 
 def test_two_roots_depend_on_the_level_and_one_of_chaplygins():
-    assert roots_that_move() == (2, 1)
+    assert moving_root_counts() == (2, 1)
     numbers = {chart.tau: TAU, chart.d: LEVER, **dict(zip(chart.A.symbols, A, strict=True))}
     roots = [
         np.sort_complex(

@@ -13,12 +13,12 @@ import sympy as sp
 from chaplygin.core.vectors import real_symbol, to_components, vectors
 from chaplygin.explicit.genus_two.attitude_one_axis import (
     Reference,
-    farthest,
+    farthest_from_axis,
     rate,
     references,
     rotated_triad,
     spin_identity,
-    spinning,
+    spin_rate,
 )
 from chaplygin.explicit.genus_two.separation import nu, nuprime
 from chaplygin.explicit.separations.ball_sphere import hollow_ball
@@ -82,7 +82,7 @@ def test_the_attitude_of_a_motion():
     psi = real_symbol("psi")
     system = BALL.system
     known = {nu: BALL.direction, nuprime: BALL.turning}
-    formula = spinning(BALL, references(BALL)[0]).subs(
+    formula = spin_rate(BALL, references(BALL)[0]).subs(
         [
             pair
             for name, value in known.items()
@@ -135,9 +135,9 @@ def test_the_farthest_reference():
     angles = np.linspace(0, 2 * np.pi, 40, endpoint=False)
     circle = 3 * np.array([np.cos(angles), np.sin(angles), 0 * angles])
     axes = [np.eye(3)[:, [i]] for i in range(3)]
-    assert farthest(circle, axes) == 2
+    assert farthest_from_axis(circle, axes) == 2
     across = np.array([-np.sin(angles), np.cos(angles), 0.1 + 0 * angles])
-    assert farthest(circle + np.array([[0], [0], [5]]), [*axes[:2], across]) == 2
+    assert farthest_from_axis(circle + np.array([[0], [0], [5]]), [*axes[:2], across]) == 2
 
 
 def test_no_reference_is_needed_beside_the_normal():

@@ -57,7 +57,7 @@ def entries(folder: Path) -> list[Path]:
 
 
 def remember(name: str = "name", value: object = (1, 2)) -> tuple[object, bool]:
-    return cache.remember(name, lambda: value)
+    return cache.cached_entry(name, lambda: value)
 
 
 def test_the_variable_chooses_the_folder(place):

@@ -15,7 +15,7 @@ from ...core.vectors import to_components
 from ...flow.linearisation.tangent_space import orthonormal
 from ...formulas.array_formulas import Formulas
 from .averages import Average, average
-from .zero_exponents import TrivialDirections, vanish
+from .zero_exponents import TrivialDirections, vanishes_to_rounding
 
 #: Points of Gauss's rule in an interval, for the mean of the divergence.
 NODES = 16
@@ -101,7 +101,7 @@ def _densities(
         level = [to_components(condition) for condition in law.on]
         if any(condition.free_symbols & moving for condition in level):
             continue
-        if not vanish(system, level, ends[0], parameters, sizes):
+        if not vanishes_to_rounding(system, level, ends[0], parameters, sizes):
             continue
         density = Formulas(system, [to_components(law.value)])(ends, parameters)[:, 0]
         # volumes are those of the surface: the form of the law times the size of the gradients

@@ -139,7 +139,7 @@ class Spectrum(WithOverview):
     def overview(self) -> Overview:
         """The exponents with their errors, and the zeros that are forced."""
         shown = [
-            " ± ".join(significant_digits(one.value, one.error)) + f", {word(one)}"
+            " ± ".join(significant_digits(one.value, one.error)) + f", {sign_word(one)}"
             for one in self.exponents
         ]
         forced = [z.name if z.name == z.kind else f"{z.kind} {z.name}" for z, _ in self.trivial]
@@ -174,7 +174,7 @@ def kaplan_yorke(exponents: Sequence[float] | FloatArray) -> float:
     return float(count + excess / abs(ordered[count]))
 
 
-def word(item: Average) -> str:
+def sign_word(item: Average) -> str:
     """An exponent in a word."""
     if not item.halves_agree:
         return "not converged"
@@ -311,7 +311,7 @@ def record(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, 
         "until": spectrum.until,
         "counted_from": spectrum.began,
         "interval": spectrum.interval,
-        "exponents": [_average(item) | {"word": word(item)} for item in spectrum.exponents],
+        "exponents": [_average(item) | {"word": sign_word(item)} for item in spectrum.exponents],
         "removed": [
             {"name": item.name, "kind": item.kind, "seen": rate} for item, rate in spectrum.trivial
         ],

@@ -122,7 +122,7 @@ def trivial_directions(
     """
     state = np.array([start], dtype=np.float64)
     measures = state_scales_at(system, state[:, None], parameters)[0] if sizes is None else sizes
-    at = _At(system, state, measures, parameters)
+    at = _LocalSystem(system, state, measures, parameters)
     across, along = _Span(), _Span()
     removed: list[TrivialExponent] = []
     dependent: list[str] = []
@@ -157,7 +157,7 @@ def trivial_directions(
     return TrivialDirections(space, tuple(removed), tuple(dependent), measures)
 
 
-def vanish(
+def vanishes_to_rounding(
     system: System,
     level: Sequence[sp.Expr],
     state: FloatArray,
@@ -220,7 +220,7 @@ class _Span:
 
 
 @dataclass(frozen=True)
-class _At:
+class _LocalSystem:
     """A system at one state."""
 
     system: System
@@ -250,13 +250,15 @@ class _At:
 
     def on_level(self, level: Sequence[sp.Expr], span: _Span) -> bool:
         """Whether the state lies on a level, which deviations within the span keep."""
-        return vanish(self.system, level, self.state[0], self.parameters, self.sizes) and all(
+        return vanishes_to_rounding(
+            self.system, level, self.state[0], self.parameters, self.sizes
+        ) and all(
             np.linalg.norm(span.remainder(row)) <= DEPENDENT * np.linalg.norm(row)
             for row in self.slopes(level)[0]
         )
 
 
-def _conditions(at: _At) -> Iterator[_Item]:
+def _conditions(at: _LocalSystem) -> Iterator[_Item]:
     """Relations, then integrals: those that hold everywhere first."""
     system = at.system
     for relation in system.relations:
@@ -271,7 +273,7 @@ def _conditions(at: _At) -> Iterator[_Item]:
             yield _Item(TrivialExponent(law.name, "integral"), (value,), _level(law))
 
 
-def _fields(at: _At) -> Iterator[_Item]:
+def _fields(at: _LocalSystem) -> Iterator[_Item]:
     """Variables on which nothing depends, symmetries, and the flow.
 
     The flow comes last: where it leads along the others it forces no zero of its own, and where a
@@ -298,7 +300,7 @@ def _level(law: Law) -> tuple[sp.Expr, ...]:
 
 
 def _tangent(
-    at: _At, fields: Sequence[_Item], across: _Span
+    at: _LocalSystem, fields: Sequence[_Item], across: _Span
 ) -> Iterator[tuple[TrivialExponent, Any]]:
     """Fields tangent to the conditions, and combinations of the others that are.
 

@@ -22,7 +22,7 @@ from ...flow.gauss import gauss_integrator
 from ...flow.machine_code.double_double_conversion import from_pairs
 from ...formulas.multiprecision import slopes
 from .maps import normalised_functions
-from .periodic import NoOrbitError, Orbit, held_values, periodic_difference, shortest
+from .periodic import NoOrbitError, Orbit, held_values, minimal_norm_step, periodic_difference
 from .return_map import ReturnMap
 
 #: Digits of mpmath; steps at most; a step at which the iteration rests, relative to the state.
@@ -133,7 +133,7 @@ class _Problem:
         )
         ends = closing * self.sizes / sizes[:, None]
         matrix = np.vstack([ends, np.column_stack([rows, np.zeros(len(rows))])])
-        return shortest(matrix, np.concatenate([gaps / sizes, excess])) * self.sizes
+        return minimal_norm_step(matrix, np.concatenate([gaps / sizes, excess])) * self.sizes
 
     def _period(self, index: int) -> mpmath.mpf:
         """A period with all digits, where it is a turn."""

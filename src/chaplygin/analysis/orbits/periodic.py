@@ -172,13 +172,13 @@ def held_values(
     return {name: known[name] for name in hold}
 
 
-def shortest(slopes: FloatArray, residuals: FloatArray) -> FloatArray:
+def minimal_norm_step(slopes: FloatArray, residuals: FloatArray) -> FloatArray:
     """The shortest step that annuls residuals to first order, as far as they can be."""
     solution = np.linalg.lstsq(slopes, -residuals, rcond=FAMILY)[0]
     return np.asarray(solution, dtype=np.float64)
 
 
-def onto(section_map: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
+def projection_to_domain(section_map: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
     """The points of the domain of a map that are next to given ones, to rounding."""
     for _ in range(8):
         misses, slopes = normalised_functions(
@@ -219,11 +219,11 @@ def newton_solution(
             slopes = np.concatenate([slopes, direction[None]])
         return residuals, slopes
 
-    points = onto(equations.map, points, sizes)
+    points = projection_to_domain(equations.map, points, sizes)
     residuals, slopes = scaled_residuals(points)
     last = np.inf
     for _ in range(STEPS):
-        step = shortest(slopes, residuals).reshape(points.shape)
+        step = minimal_norm_step(slopes, residuals).reshape(points.shape)
         size, scale = float(np.abs(step).max()), 1.0 + float(np.abs(points / sizes).max())
         if size >= 0.9 * last and size < 1e-10 * scale:
             break
@@ -239,7 +239,7 @@ def newton_solution(
     scale = 1.0 + float(np.abs(points / sizes).max())
     if np.abs(residuals).max() > CLOSURE * scale:
         raise NoOrbitError("Newton's method found no periodic orbit near the guess", points)
-    last_step = shortest(slopes, residuals).reshape(points.shape) * sizes
+    last_step = minimal_norm_step(slopes, residuals).reshape(points.shape) * sizes
     return points, float(np.abs(last_step).max())
 
 
@@ -252,7 +252,7 @@ def _damped_step(
 ) -> tuple[FloatArray, FloatArray, FloatArray] | None:
     """The step, or half, a quarter, … of it, that reduces the residuals."""
     for power in range(HALVINGS):
-        place = onto(equations.map, points + step * 0.5**power, equations.sizes)
+        place = projection_to_domain(equations.map, points + step * 0.5**power, equations.sizes)
         try:
             residuals, slopes = scaled_residuals(place)
         except NoOrbitError:
@@ -311,7 +311,7 @@ def find_periodic(
             f"for the coordinates {', '.join(names)}"
         )
     sizes = section_map.sizes(points)
-    points = onto(section_map, points, sizes)
+    points = projection_to_domain(section_map, points, sizes)
     values = held_values(section_map, points[0], hold)
     while len(points) < period:
         points = np.concatenate([points, section_map.image(points[-1:]).points])

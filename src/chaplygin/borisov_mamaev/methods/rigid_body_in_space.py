@@ -26,7 +26,7 @@ COORDINATES = (*alpha.symbols, *beta.symbols, *gamma.symbols, *R.symbols)
 POTENTIAL = sp.Function("U")(*gamma.symbols)
 
 
-def turn(axis: int) -> VectorField:
+def rotation_field(axis: int) -> VectorField:
     """ξ_k of (1.11): −Σ ε_kij (α_i ∂/∂α_j + β_i ∂/∂β_j + γ_i ∂/∂γ_j)."""
     components = {}
     for direction in (alpha, beta, gamma):
@@ -37,7 +37,7 @@ def turn(axis: int) -> VectorField:
     return components
 
 
-def shift(axis: int) -> VectorField:
+def translation_field(axis: int) -> VectorField:
     """ζ_k of (1.11), with the component k: α_k ∂/∂R_1 + β_k ∂/∂R_2 + γ_k ∂/∂R_3."""
     directions = (alpha, beta, gamma)
     return {R.symbols[i]: direction.symbols[axis] for i, direction in enumerate(directions)}

@@ -45,7 +45,7 @@ def level_factor() -> sp.Expr:
     return value
 
 
-def roots_that_move() -> tuple[int, int]:
+def moving_root_counts() -> tuple[int, int]:
     """The numbers of roots that depend on f/h: around a sphere, and on a plane.
 
     A root of q that does not would be one of its part with h, w = 1/τ or e₂/e₃, where the part with
@@ -83,7 +83,7 @@ def _separations() -> tuple[tuple[System, Law], ...]:
     )
 
 
-def alike() -> Verdict:
+def both_hyperelliptic() -> Verdict:
     """Both problems are separated on curves of genus two."""
     return conclusion_verdict(
         "alike",
@@ -92,10 +92,10 @@ def alike() -> Verdict:
     )
 
 
-def not_the_same() -> Verdict:
+def quadratures_differ() -> Verdict:
     """No Chaplygin ball has the quadratures of a ball around a sphere on all levels."""
-    around, own = roots_that_move()
-    rests_on = alike()
+    around, own = moving_root_counts()
+    rests_on = both_hyperelliptic()
     shown = bool(rests_on) and (around, own) == (2, 1)
     return computed_verdict(
         "quadratures",

@@ -12,7 +12,7 @@ import sympy as sp
 
 from ...core.system import System
 from ...core.vectors import to_components
-from ...parsing.exact_decimals import exactly
+from ...parsing.exact_decimals import with_exact_decimals
 from ...proof.verdict import Verdict
 
 Point = Mapping[sp.Symbol, sp.Expr]
@@ -24,7 +24,7 @@ def _jets(system: System, point: Point) -> tuple[dict[sp.Symbol, sp.Expr], dict[
     slopes: dict[sp.Symbol, Point] = {s: {s: sp.S.One} for s in system.symbols}
     for symbol, formula in system.scalar_definitions:
         slopes[symbol] = _slopes(formula, values, slopes)
-        values[symbol] = exactly(formula.xreplace(values))
+        values[symbol] = with_exact_decimals(formula.xreplace(values))
     return values, slopes
 
 

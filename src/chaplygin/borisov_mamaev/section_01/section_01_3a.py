@@ -31,7 +31,13 @@ from ...mechanics.shapes.shapes import Ellipsoid
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.derived_verdicts import computed_verdict
-from ..methods.rigid_body_in_space import COORDINATES, bracket, moving, shift, turn
+from ..methods.rigid_body_in_space import (
+    COORDINATES,
+    bracket,
+    moving,
+    rotation_field,
+    translation_field,
+)
 
 alpha, beta, gamma, R, omega, v, r, c = vectors("alpha beta gamma R omega v r c")
 I, B = Diagonal("I"), Diagonal("B")
@@ -102,7 +108,7 @@ def rational_rotation() -> sp.ImmutableDenseMatrix:
 def turning() -> Case:
     """The rate of any function of the attitude is Σ ω_k ξ_k of it."""
     function = sp.Function("h_f")(*COORDINATES[:9])
-    total = sp.Add(*(w * lie_derivative(turn(k), function) for k, w in enumerate(omega)))
+    total = sp.Add(*(w * lie_derivative(rotation_field(k), function) for k, w in enumerate(omega)))
     return body(), Identity("turning", Rate(function) - total)
 
 
@@ -114,7 +120,7 @@ def shifting_printed() -> Case:
 
 def shifting() -> Case:
     """The rate of R is Σ v_k ζ_k of it."""
-    fields = [_multiple(shift(k), w) for k, w in enumerate(v)]
+    fields = [_multiple(translation_field(k), w) for k, w in enumerate(v)]
     total = [sp.Add(*(field[symbol] for field in fields)) for symbol in R]
     return body(), Identity("shifting", rate(R) - constant(total))
 
@@ -125,9 +131,13 @@ def commutators() -> Case:
     for i, j in product(THREE, repeat=2):
         k = next((n for n in THREE if sp.LeviCivita(i, j, n) != 0), 0)
         sign = sp.LeviCivita(i, j, k)
-        residuals += _same(bracket(turn(i), turn(j)), _multiple(turn(k), sign))
-        residuals += _same(bracket(turn(i), shift(j)), _multiple(shift(k), sign))
-        residuals += _same(bracket(shift(i), shift(j)), {})
+        residuals += _same(
+            bracket(rotation_field(i), rotation_field(j)), _multiple(rotation_field(k), sign)
+        )
+        residuals += _same(
+            bracket(rotation_field(i), translation_field(j)), _multiple(translation_field(k), sign)
+        )
+        residuals += _same(bracket(translation_field(i), translation_field(j)), {})
     return body(), Identity("commutators", tuple(residuals))
 
 

@@ -36,7 +36,7 @@ from ..methods.arbitrary_motion import (
     reduced_equation,
     tensor,
 )
-from ..methods.rigid_body_in_space import POTENTIAL, constrained, shift, turn
+from ..methods.rigid_body_in_space import POTENTIAL, constrained, rotation_field, translation_field
 
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
 lambda_, X = vectors("lambda X")
@@ -94,10 +94,10 @@ def suslov() -> Case:
     residuals = []
     for i in THREE:
         turned = _frame_terms(i, ((omega, angular), (v, linear)))
-        force = lie_derivative(turn(i), lagrangian) + sp.diff(work, omega.symbols[i])
+        force = lie_derivative(rotation_field(i), lagrangian) + sp.diff(work, omega.symbols[i])
         residuals.append(Rate(angular[i]) - turned - force)
         turned = _frame_terms(i, ((omega, linear),))
-        force = lie_derivative(shift(i), lagrangian) + sp.diff(work, v.symbols[i])
+        force = lie_derivative(translation_field(i), lagrangian) + sp.diff(work, v.symbols[i])
         residuals.append(Rate(linear[i]) - turned - force)
     return free_with_reactions(), Identity("suslov", tuple(residuals))
 

@@ -17,7 +17,7 @@ from ..claim import Case, Claim, Remark
 from ..methods import unspecified_systems
 from ..methods.derived_verdicts import computed_verdict
 from ..methods.growth_vector import growth, holonomic_count_verdict
-from ..methods.rigid_body_in_space import COORDINATES, shift, turn
+from ..methods.rigid_body_in_space import COORDINATES, rotation_field, translation_field
 from ..section_01.section_01_3a import rational_rotation
 
 omega, gamma, r, R = vectors("omega gamma r R")
@@ -75,7 +75,7 @@ def field_of(coefficients: Coefficients) -> VectorField:
     The factor γ₃ makes the components polynomials; it does not change the span.
     """
     total: dict[sp.Symbol, sp.Expr] = {}
-    for numbers, basis in zip(coefficients, (turn, shift), strict=True):
+    for numbers, basis in zip(coefficients, (rotation_field, translation_field), strict=True):
         for axis, number in enumerate(numbers):
             for symbol, value in basis(axis).items():
                 total[symbol] = total.get(symbol, sp.S.Zero) + g_3 * number * value

@@ -18,7 +18,7 @@ from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import laws_named
 from ..methods.derived_verdicts import conclusion_verdict, contrary
-from ..methods.two_quadratures import alike, not_the_same
+from ..methods.two_quadratures import both_hyperelliptic, quadratures_differ
 
 M, n, J, A, d, k = ball.M, ball.n, ball.J, ball.A, ball.d, ball.k
 u, v = chart.u, chart.v
@@ -143,8 +143,8 @@ def with_area() -> Case:
 
 
 def as_chaplygins_problem() -> Verdict:
-    """The statement that `not_the_same` contradicts."""
-    return contrary(not_the_same())
+    """The statement that `quadratures_differ` contradicts."""
+    return contrary(quadratures_differ())
 
 
 def like_chaplygins_problem() -> Verdict:
@@ -153,7 +153,7 @@ def like_chaplygins_problem() -> Verdict:
     return conclusion_verdict(
         "alike",
         "(8.6) with the right Φ is linear in the velocities; reduced to e(3) and separated",
-        (*reducing, (reduced(), e3.to_ball()), alike()),
+        (*reducing, (reduced(), e3.to_ball()), both_hyperelliptic()),
     )
 
 

@@ -1,1 +1,1 @@
-"""Bodies that are no balls, or whose centre of mass is not in their centre, on a plane."""
+"""Bodies on a plane that are not balls, and balls with displaced centre of mass."""

@@ -76,7 +76,7 @@ def disk_parameters(p: Numbers) -> tuple[Parameter, ...]:
     )
 
 
-def flat() -> Guard:
+def not_flat() -> Guard:
     """The domain: a disk that does not lie flat."""
     return Guard("flat", 1 - gamma_3**2, "the disk lies flat")
 
@@ -209,7 +209,7 @@ def build(p: Numbers) -> System:
             Observable("normal_force", dot(N, gamma), "normal force", "N"),
             Observable("edge_force", dot(N, cross(xi, gamma)), "force across the edge", "N"),
         ),
-        guards=(flat(), lift_off(dot(N, gamma))),
+        guards=(not_flat(), lift_off(dot(N, gamma))),
         reconstruction=in_space(v),
     )
 

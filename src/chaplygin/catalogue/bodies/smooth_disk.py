@@ -52,7 +52,7 @@ from ...mechanics.rolling.attitude import (
 )
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import inertia_parameters, lie_poisson
-from .disk_on_ice import AXIS, HALF, INERTIA, MOMENTUM, disk_parameters, flat, lift_off
+from .disk_on_ice import AXIS, HALF, INERTIA, MOMENTUM, disk_parameters, lift_off, not_flat
 
 M, omega, gamma, b, bdot, X = vectors("M omega gamma b bdot X")
 I, A = Diagonal("I"), Diagonal("A")
@@ -216,7 +216,7 @@ def build(p: Numbers) -> System:
         name="smooth-disk",
         title=TITLE,
         summary=SUMMARY,
-        guards=(flat(), lift_off(N)),
+        guards=(not_flat(), lift_off(N)),
         reconstruction=_upright(),
     )
 

@@ -49,7 +49,7 @@ def skew(name: str) -> sp.Matrix:
     return matrix
 
 
-def above(matrix: sp.Matrix) -> dict[tuple[int, int], sp.Expr]:
+def upper_entries(matrix: sp.Matrix) -> dict[tuple[int, int], sp.Expr]:
     """The entries above the diagonal."""
     return {(i, j): matrix[i, j] for i, j in PAIRS}
 
@@ -119,7 +119,7 @@ def ball(numbers: Numbers) -> System:
     spin = {omega[i, j]: (k[i, j] - heavier * turned[i, j]) / moment(i, j) for i, j in PAIRS}
     lever = k * gamma
     pfaffian = k[0, 1] * k[2, 3] - k[0, 2] * k[1, 3] + k[0, 3] * k[1, 2]
-    rates = above(k * omega - omega * k)
+    rates = upper_entries(k * omega - omega * k)
     return System(
         name="chaplygin-ball-4d",
         title=BALL,
@@ -146,7 +146,7 @@ def ball(numbers: Numbers) -> System:
             ),
             Integral(
                 "square",
-                sp.Add(*(s**2 for s in above(k).values())),
+                sp.Add(*(s**2 for s in upper_entries(k).values())),
                 "square of the momentum",
                 source=SOURCE,
                 unit="kg^2 m^4/s^2",

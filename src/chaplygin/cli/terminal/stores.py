@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ...interruption import NOTHING, ending
+from ...interruption import NOTHING_SAVED, message_on_interrupt
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -220,13 +220,13 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
 
     def words() -> str:
         if not share:
-            return NOTHING
+            return NOTHING_SAVED
         command = "the same command without --force" if force else "the same command"
         return f"{share:.0%} is computed and saved in {store}; {command} resumes from there"
 
     begun = store.exists()
     try:
-        with ending(words):
+        with message_on_interrupt(words):
             yield update
     except InputError:
         # of what cannot be computed nothing is left, so that the command can be corrected

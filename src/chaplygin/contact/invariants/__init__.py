@@ -1,1 +1,1 @@
-"""What friction keeps and what it takes: laws of sliding bodies, for proof."""
+"""Laws of bodies that slide with friction, in the form in which they are proved."""

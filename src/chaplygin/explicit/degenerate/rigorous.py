@@ -20,7 +20,7 @@ from flint import acb, arb, ctx
 from ...arguments import NumberOrText
 from ...formulas.balls import ball, components
 from ...mechanics.rolling.attitude import place_rates
-from ..genus_two.separated_motion import chain
+from ..genus_two.separated_motion import steps_from_torus
 from ..one_degree.chebyshev_integrals import Integrals, integrals, working_bits
 from ..one_degree.functions import BALLS, B
 from ..one_degree.inverse import enclosed_root
@@ -109,7 +109,7 @@ class Rigorous:
 
     def _function(self, formulas: Sequence[sp.Expr]) -> Callable[..., list[Any]]:
         """Formulas of the system as a function of ν and ν′."""
-        arguments, steps = chain(self.solution.separable, formulas)
+        arguments, steps = steps_from_torus(self.solution.separable, formulas)
         function = analytic(arguments, formulas, steps)
         constants = [self.solution.exact.values[s] for s in arguments[6:]]
         return lambda nu, nuprime: function(*nu, *nuprime, *constants)

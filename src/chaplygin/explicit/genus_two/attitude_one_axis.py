@@ -77,7 +77,7 @@ def rotated_triad(
     )
 
 
-def farthest(fixed: FloatArray, candidates: Sequence[FloatArray]) -> int:
+def farthest_from_axis(fixed: FloatArray, candidates: Sequence[FloatArray]) -> int:
     """The candidate whose direction stays farthest from ±κ.
 
     Parameters
@@ -128,7 +128,7 @@ def references(of: SeparatedSystem) -> tuple[Reference, ...]:
     return (moving, *axes)
 
 
-def spinning(of: SeparatedSystem, reference: Reference) -> sp.Expr:
+def spin_rate(of: SeparatedSystem, reference: Reference) -> sp.Expr:
     """ψ̇ about the first vector that `of` says is fixed, in ν, ν′ and the system's symbols."""
     fixed = to_components(of.fixed[0])
     length = sp.sqrt(to_components(norm_squared(of.fixed[0])))
@@ -140,7 +140,7 @@ def spinning(of: SeparatedSystem, reference: Reference) -> sp.Expr:
 
 
 def spin_identity(of: SeparatedSystem, reference: Reference) -> Identity:
-    """The law that the angle about the fixed vector grows at the rate `spinning`.
+    """The law that the angle about the fixed vector grows at the rate `spin_rate`.
 
     With κ and a the first two vectors of the triad the rate is (ȧ + ω×a, κ×a), and κ is fixed.
     """
@@ -152,7 +152,7 @@ def spin_identity(of: SeparatedSystem, reference: Reference) -> Identity:
         "spin",
         (
             *to_components(still),
-            to_components(dot(velocity, cross(kappa, a))) - spinning(of, reference),
+            to_components(dot(velocity, cross(kappa, a))) - spin_rate(of, reference),
         ),
         "the rate of turning about a direction that stays in space",
         {

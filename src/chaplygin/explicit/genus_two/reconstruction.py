@@ -17,7 +17,7 @@ from ...errors import InputError
 from ...formulas.balls import components, number
 from ...mechanics.rolling.attitude import attitude, place_rates
 from .attitude import Cover, Triad, cover
-from .attitude_one_axis import farthest, references, spinning
+from .attitude_one_axis import farthest_from_axis, references, spin_rate
 from .floquet_attitude import FloquetReduction, reduction
 from .phases import phase_grid
 from .quadrature import Quadrature, quadrature, series
@@ -76,8 +76,8 @@ def spinning_pair(motion: SeparatedMotion) -> tuple[sp.MatrixExpr, sp.MatrixExpr
     fixed = on_arrays(motion, components(of.fixed[0]))(*at_grid)
     choice = references(of)
     directions = [on_arrays(motion, components(e.vector))(*at_grid) for e in choice]
-    best = choice[farthest(fixed, directions)]
-    return of.fixed[0], best.vector, spinning(of, best)
+    best = choice[farthest_from_axis(fixed, directions)]
+    return of.fixed[0], best.vector, spin_rate(of, best)
 
 
 @dataclass(frozen=True)

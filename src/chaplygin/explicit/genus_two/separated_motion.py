@@ -94,7 +94,7 @@ def separate(
     return SeparatedMotion(separable, state, values, curve, motion)
 
 
-def chain(
+def steps_from_torus(
     separable: SeparatedSystem, formulas: Sequence[sp.Expr]
 ) -> tuple[tuple[sp.Symbol, ...], Steps]:
     """Arguments and steps by which formulas of the system follow from ν and ν′.
@@ -135,7 +135,7 @@ class MotionValues(Protocol):
 
 def on_balls(motion: MotionValues, formulas: Sequence[sp.Expr]) -> Callable[..., tuple[Any, ...]]:
     """Formulas as a function of the six components of ν and ν′, in balls."""
-    arguments, steps = chain(motion.separable, formulas)
+    arguments, steps = steps_from_torus(motion.separable, formulas)
     evaluate = ball_function(arguments, tuple(formulas), steps)
     fixed = [motion.values[s] for s in arguments[6:]]
     return lambda *six: evaluate(*six, *fixed)
@@ -145,7 +145,7 @@ def on_arrays(
     motion: MotionValues, formulas: Sequence[sp.Expr], further: Sequence[sp.Symbol] = ()
 ) -> Callable[..., FloatArray]:
     """Formulas as a function of ν, ν′, each three arrays (n,), and of `further` arrays (n,)."""
-    arguments, steps = chain(motion.separable, formulas)
+    arguments, steps = steps_from_torus(motion.separable, formulas)
     evaluate = array_function((*arguments, *further), tuple(formulas), steps)
     fixed = [number(motion.values[s]) for s in arguments[6:]]
 

@@ -45,21 +45,21 @@ class Affine:
     half: tuple[float, float]
 
     @cached_property
-    def sway(self) -> FloatArray:
+    def linear_bound(self) -> FloatArray:
         """A bound of |x₁δ₁ + x₂δ₂|."""
         moduli: FloatArray = np.abs(self.slopes)
         sway: FloatArray = moduli[0] * self.half[0] + moduli[1] * self.half[1]
         return sway * (1 + ROUNDING)
 
     @cached_property
-    def spread(self) -> FloatArray:
+    def deviation_bound(self) -> FloatArray:
         """A bound of |x − x₀|."""
-        return (self.sway + self.rest) * (1 + ROUNDING)
+        return (self.linear_bound + self.rest) * (1 + ROUNDING)
 
     @cached_property
     def size(self) -> FloatArray:
         """A bound of |x|."""
-        return (np.abs(self.middle) + self.spread) * (1 + ROUNDING)
+        return (np.abs(self.middle) + self.deviation_bound) * (1 + ROUNDING)
 
     def __add__(self, other: Affine | arb | float) -> Affine:
         if not isinstance(other, Affine):
@@ -81,7 +81,7 @@ class Affine:
             return Affine(self.middle * value, self.slopes * value, rest, self.half)
         x, y = self.middle, other.middle
         rest = (
-            self.sway * other.sway
+            self.linear_bound * other.linear_bound
             + self.rest * other.size
             + other.rest * self.size
             + ROUNDING * self.size * other.size
@@ -92,7 +92,7 @@ class Affine:
 
     def clear(self, sign: int = 1) -> BoolArray:
         """The boxes on which x, times a sign, surely avoids (−∞, 0]."""
-        room = self.spread + ROUNDING * self.size
+        room = self.deviation_bound + ROUNDING * self.size
         return (self.middle.real * sign > room) | (np.abs(self.middle.imag) > room)
 
     def _through(
@@ -104,14 +104,16 @@ class Affine:
         safe: BoolArray,
     ) -> Affine:
         """f(x) from f(x₀), f′(x₀), a bound of ½|f″| on the disc of x, and the error of f(x₀)."""
-        rest = np.abs(slope) * self.rest + curvature * self.spread**2 + error
-        rest = rest * (1 + ROUNDING) + ROUNDING * (np.abs(value) + np.abs(slope) * self.spread)
+        rest = np.abs(slope) * self.rest + curvature * self.deviation_bound**2 + error
+        rest = rest * (1 + ROUNDING) + ROUNDING * (
+            np.abs(value) + np.abs(slope) * self.deviation_bound
+        )
         return Affine(value, slope * self.slopes, np.where(safe, rest, np.inf), self.half)
 
     @property
     def _least(self) -> FloatArray:
         """A lower bound of |x|."""
-        return np.abs(self.middle) * (1 - ROUNDING) - self.spread
+        return np.abs(self.middle) * (1 - ROUNDING) - self.deviation_bound
 
     def inverse(self, sign: int = 1) -> Affine:
         """1/x, where x times the sign is clear."""

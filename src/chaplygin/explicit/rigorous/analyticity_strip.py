@@ -139,7 +139,9 @@ def least(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -> floa
     with ctx.workprec(BITS):
         for boxes in _sizes(periods):
             values = _values(torus, branch, (0.0, 0.0), periods, boxes)
-            bound = min(float((value.middle.real - value.spread).min()) for value in values)
+            bound = min(
+                float((value.middle.real - value.deviation_bound).min()) for value in values
+            )
             if bound > 0:
                 return bound
     raise InputError(_CLOSE)

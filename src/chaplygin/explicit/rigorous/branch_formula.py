@@ -16,7 +16,7 @@ from flint import arb
 
 from ...formulas.balls import Values
 from ...formulas.program import BallArithmetic, Steps, StraightLineProgram
-from ..genus_two.separated_motion import SeparatedMotion, chain
+from ..genus_two.separated_motion import SeparatedMotion, steps_from_torus
 from ..genus_two.separation import nu, nuprime
 from .affine import Affine
 
@@ -100,7 +100,7 @@ class Branch:
     @classmethod
     def of(cls, motion: SeparatedMotion, formulas: Sequence[sp.Expr]) -> Branch:
         """Formulas of a separable system along a motion."""
-        return cls(formulas, motion.values, chain(motion.separable, formulas)[1])
+        return cls(formulas, motion.values, steps_from_torus(motion.separable, formulas)[1])
 
     def at(self, vector: Sequence[Any], rate: Sequence[Any]) -> list[Any]:
         """Values at real ν and ν′ (arb).

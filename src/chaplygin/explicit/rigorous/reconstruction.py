@@ -14,7 +14,7 @@ from ...formulas.balls import components
 from ...mechanics.rolling.attitude import attitude, place_rates
 from ..genus_two.attitude_one_axis import rotated_triad
 from ..genus_two.reconstruction import spinning_pair
-from ..genus_two.separated_motion import SeparatedMotion, chain
+from ..genus_two.separated_motion import SeparatedMotion, steps_from_torus
 from ..one_degree.vectors import quaternion_near, quaternion_products
 from .branch_formula import Branch
 
@@ -166,5 +166,5 @@ def path_rates(separated_motion: SeparatedMotion, pair: Pair) -> PathRates | Non
         shares.append(tuple(own))
     triad = list(zip(_TRIAD, _triad(pair.first, pair.second), strict=True))
     needed = [*functions, *(formula for _, formula in triad)]
-    _, steps = chain(separated_motion.separable, needed)
+    _, steps = steps_from_torus(separated_motion.separable, needed)
     return PathRates(Branch(functions, separated_motion.values, (*steps, *triad)), tuple(shares))

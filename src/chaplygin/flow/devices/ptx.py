@@ -45,5 +45,5 @@ def cached_ptx(key: str, text: Callable[[], str]) -> str:
     text : callable
     """
     versions = (ARCHITECTURE, *map(str, llvm.llvm_version_info), llvmlite.__version__)
-    ptx, _ = cache.remember(cache.code_name(key, *versions), lambda: compile_ptx(text()))
+    ptx, _ = cache.cached_entry(cache.code_name(key, *versions), lambda: compile_ptx(text()))
     return ptx

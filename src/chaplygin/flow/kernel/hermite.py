@@ -18,7 +18,7 @@ def cubic(
     return a, b, w.op("fsub", w.op("fsub", rise, a), d), d
 
 
-def root(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
+def crossing_step(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
     """The zero in a step of the cubic through values and slopes at both ends."""
     a, _, c, d = cubic(w, step, g, g_new, gdot, gdot_new)
     low, high = w.constant(0.0), w.constant(1.0)
@@ -39,7 +39,7 @@ def root(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -
     return w.op("fmul", x, step)
 
 
-def dipping(
+def double_crossing(
     w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str, slack: str
 ) -> tuple[str, str]:
     """The mask of cubics with one sign at the ends and, within their error, another in between.
@@ -80,7 +80,7 @@ def dipping(
     return w.compare("one", turn, zero), turn
 
 
-def hence(w: IRWriter, rate: str) -> str:
+def side_after_crossing(w: IRWriter, rate: str) -> str:
     """On the side of the section to which the motion goes."""
     near = w.call("copysign", w.constant(1e-300), rate)
     return w.choose(w.compare("one", rate, w.constant(0.0)), near, w.constant(0.0))

@@ -21,7 +21,7 @@ from ..machine_code.arithmetic import Arithmetic, V
 from ..machine_code.codegen import functions
 from ..machine_code.ir_writer import IRWriter, literal
 from .equations import Equations
-from .hermite import dipping, hence, root
+from .hermite import crossing_step, double_crossing, side_after_crossing
 from .outcomes import COLLAPSED, IN_VAIN, NOT_A_NUMBER, OVER, STATUS_MESSAGES, STEPS
 from .tableaux import Explicit
 
@@ -312,7 +312,10 @@ class RungeKuttaLoop(Generic[V]):
             # a start on the section is not a return to it
             reach = w.op("fmul", w.op("fmul", w.constant(1e-8), first), w.call("fabs", gdot))
             close = w.compare("ole", w.call("fabs", g), reach)
-            self.put("g", w.choose(fresh, w.choose(close, hence(w, gdot), g), self.get("g")))
+            self.put(
+                "g",
+                w.choose(fresh, w.choose(close, side_after_crossing(w, gdot), g), self.get("g")),
+            )
             self.put("g_here", w.choose(fresh, g, self.get("g_here")))
             self.put("gdot", w.choose(fresh, gdot, self.get("gdot")))
         if self.equations.guards:
@@ -557,7 +560,7 @@ class RungeKuttaLoop(Generic[V]):
         falls = w.conjunction(w.compare("ogt", g, zero), w.compare("ole", g_new, zero))
         x = float(sum(self.method.a[HALFWAY]))
         slack = w.op("fmul", w.constant(ERROR_MARGIN / (x * (1 - x)) ** 2), w.call("fabs", off))
-        dips, turn = dipping(w, step, g_here, g_new, gdot, gdot_new, slack)
+        dips, turn = double_crossing(w, step, g_here, g_new, gdot, gdot_new, slack)
         dips = w.conjunction(
             w.conjunction(running, mask),
             w.conjunction(dips, w.complement(w.disjunction(rises, falls))),
@@ -571,7 +574,7 @@ class RungeKuttaLoop(Generic[V]):
         fault = w.choose(dips, zero, fault)
         place = w.variable(w.type, zero)
         with w.branch(w.any(crossed)):
-            w.store(w.type, root(w, step, g, g_new, gdot, gdot_new), place)
+            w.store(w.type, crossing_step(w, step, g, g_new, gdot, gdot_new), place)
         ahead = w.load(w.type, place)
         saved = self.get("saved")
         saved = w.choose(crossed, following, saved)
@@ -605,7 +608,7 @@ class RungeKuttaLoop(Generic[V]):
         self.put("mode", mode)
         self.put("tries", tries)
         # a section that was just crossed is not crossed again, but may be crossed back
-        self.put("g", w.choose(moved, w.choose(back, hence(w, gdot_new), g_new), g))
+        self.put("g", w.choose(moved, w.choose(back, side_after_crossing(w, gdot_new), g_new), g))
         self.put("g_here", w.choose(moved, g_new, self.get("g_here")))
         self.put("gdot", w.choose(moved, gdot_new, gdot))
         return moved, following, event, fault

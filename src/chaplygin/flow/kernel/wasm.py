@@ -54,7 +54,7 @@ def wasm_module(texts: Sequence[str], exports: Sequence[str]) -> bytes:
     text = text.replace("@llvm.fma.", "@llvm.fmuladd.")
     text = re.sub(r"@llvm\.(min|max)num\.", r"@llvm.\1imum.", text)
     name = cache.code_name("wasm", _FEATURES, str(llvm.llvm_version_info), text)
-    code, _ = cache.remember(name, lambda: optimised_object(text + ATTRIBUTES, _machine()))
+    code, _ = cache.cached_entry(name, lambda: optimised_object(text + ATTRIBUTES, _machine()))
     return module_of_object(code, exports)
 
 

@@ -79,7 +79,7 @@ def _file_version(path: Path) -> tuple[int, int] | None:
 _in_memory: dict[Path, tuple[object, tuple[int, int] | None]] = {}
 
 
-def remember(name: str, compute: Callable[[], Entry]) -> tuple[Entry, bool]:
+def cached_entry(name: str, compute: Callable[[], Entry]) -> tuple[Entry, bool]:
     """The entry called `name`, computed if there is none, and whether there was one."""
     path = folder() / f"{name}.code"
     if path in _in_memory and _in_memory[path][1] == _file_version(path):

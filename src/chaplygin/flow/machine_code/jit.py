@@ -170,7 +170,7 @@ def load_code(
         assembly, work_size = text()
         return object_code(assembly), work_size
 
-    (code, work_size), from_cache = cache.remember(name, compute)
+    (code, work_size), from_cache = cache.cached_entry(name, compute)
     return Native(*link(name, code, signatures), from_cache, work_size)
 
 

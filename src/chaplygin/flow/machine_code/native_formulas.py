@@ -124,6 +124,6 @@ def native_formulas(key: str, size: int, terms: Callable[[], Sequence[Term]]) ->
         text, shape = formulas_text("evaluate", terms(), size)
         return object_code(text), shape
 
-    (code, shape), from_cache = code_cache.remember(name, compute)
+    (code, shape), from_cache = code_cache.cached_entry(name, compute)
     native = Native(*link(name, code, {"evaluate": SIGNATURE}), from_cache)
     return NativeFormulas(shape, native, "evaluate")

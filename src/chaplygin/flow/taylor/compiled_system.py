@@ -200,7 +200,7 @@ class _Plan:
     def compile(self) -> CompiledSystem:
         """The system in doubles."""
         name = jit.code_name(self.name)
-        (code, layout), from_cache = cache.remember(name, self.code)
+        (code, layout), from_cache = cache.cached_entry(name, self.code)
         native = _functions_of(name, code, tuple(layout.formulas))
         formulas = {
             name: NativeFormulas(shape, native, name) for name, shape in layout.formulas.items()
@@ -225,7 +225,7 @@ class _Plan:
 
         double = replace(self, precision="double", tolerance=1e-15).compile()
         residuals = {name: block[0] for name, block in self._blocks.items()}
-        code, from_cache = cache.remember(
+        code, from_cache = cache.cached_entry(
             cache.code_name(self.name, version("heyoka")),
             lambda: heyoka_code(
                 self.system_in_space,

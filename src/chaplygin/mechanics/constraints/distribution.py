@@ -16,7 +16,7 @@ import sympy as sp
 from ...core.named_formulas import expand
 from ...core.vectors import real_symbol
 from ...errors import InputError
-from ...parsing.exact_decimals import exactly
+from ...parsing.exact_decimals import with_exact_decimals
 from ..lagrangian.mechanism import TIME, Mechanism
 from ..lagrangian.structure_functions import Coefficients, VectorField, lie_derivative
 from .exact_points import ConfigurationSpace, ParameterValue
@@ -83,7 +83,7 @@ class Distribution:
     @cached_property
     def with_numbers(self) -> Distribution:
         """The distribution with numbers for its parameters."""
-        table = {s: exactly(v) for s, v in self.constants}
+        table = {s: with_exact_decimals(v) for s, v in self.constants}
         return replace(
             self,
             relations=tuple(f.xreplace(table) for f in self.relations),

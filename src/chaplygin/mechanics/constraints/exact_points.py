@@ -19,7 +19,7 @@ from ...core.named_formulas import expand
 from ...errors import InputError
 from ...formulas.expansion import Angles, TaylorExpansion, angles
 from ...formulas.taylor import IrrationalError, Numbers, Series
-from ...parsing.exact_decimals import exactly
+from ...parsing.exact_decimals import with_exact_decimals
 
 ATTEMPTS = 60
 
@@ -147,7 +147,7 @@ def point_at(
     InputError
         If a relation does not hold at the point.
     """
-    fixed = {s: exactly(v) for s, v in point.items()}
+    fixed = {s: with_exact_decimals(v) for s, v in point.items()}
     return _first_success(space, fixed, numbers, rng)
 
 
@@ -209,7 +209,7 @@ def _point_attempt(
 
 
 def _rational(value: ParameterValue) -> sp.Expr:
-    return exactly(sp.sympify(value))
+    return with_exact_decimals(sp.sympify(value))
 
 
 def _circle(

@@ -19,7 +19,7 @@ from ...core.laws import Identity, Integral, Law
 from ...core.system import System
 from ...core.vectors import real_symbol
 from ...errors import InputError
-from ...parsing.exact_decimals import exact_number, exactly
+from ...parsing.exact_decimals import exact_number, with_exact_decimals
 from ..lagrangian.mechanism import Mechanism
 from ..lagrangian.poincare_suslov import equations
 from ..lagrangian.substituted_parameters import with_parameters
@@ -27,8 +27,8 @@ from .base_coordinates import Base, base
 from .canonical import canonical, canonical_law
 from .closed_form import ClosedFormParts, closed_forms
 from .factors import HalfAngleChart, natural_factors
-from .gyroscopic_form import Flux, flux, indefinite
-from .horizontal_lift import Lift, Local, lift
+from .gyroscopic_form import Flux, flux, indefinite_factors
+from .horizontal_lift import Lift, PointwiseForm, lift
 from .integrals import Linear, linear_integrals
 from .momenta import ReducedMomenta, motion
 from .multiplier import Multiplier, is_closed, multiplier, obstruction_point, over_rational, poles
@@ -110,7 +110,7 @@ def _reduction(mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None) -
     integrals = _integrals(mechanism, moved, here)
     up = lift(here, integrals, _levels(mechanism, len(integrals), levels))
     chosen = energy_like_integral(mechanism, moved, up)
-    local = Local(up, chosen.integral, mechanism.name)
+    local = PointwiseForm(up, chosen.integral, mechanism.name)
     chart = HalfAngleChart.of(here.coordinates, local.symbols)
     parameters = [p.symbol for p in mechanism.parameters]
     forms = {here.motion.metric.as_immutable(): None}
@@ -125,7 +125,7 @@ def _form(
     mechanism: Mechanism,
     here: Base,
     up: Lift,
-    local: Local,
+    local: PointwiseForm,
     chart: HalfAngleChart,
     parts: ClosedFormParts,
     multiplier: Multiplier | None,
@@ -158,7 +158,7 @@ def _form(
         multiplier=multiplier,
         obstruction=obstruction,
         closed_form=bool(multiplier) or (obstruction is None and is_closed(local, chart)),
-        singular=() if multiplier is None else indefinite(mechanism, here, multiplier),
+        singular=() if multiplier is None else indefinite_factors(mechanism, here, multiplier),
         flux=monopole,
         system=system,
         gyroscopic=gyroscopic,
@@ -204,7 +204,7 @@ def _levels(
                 f"{mechanism.name}: {len(values)} levels are given, but it is reduced on levels of "
                 f"{count} linear integrals"
             )
-        return [exactly(c) for c in values]
+        return [with_exact_decimals(c) for c in values]
     used = {p.symbol for p in mechanism.parameters} | set(mechanism.symbols)
     used |= {s for s, _ in mechanism.steps}
     names = ["c"] if count == 1 else [f"c_{i + 1}" for i in range(count)]

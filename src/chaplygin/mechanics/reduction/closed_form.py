@@ -10,7 +10,7 @@ from flint import fmpq_mpoly
 
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
-from .horizontal_lift import Local
+from .horizontal_lift import PointwiseForm
 from .linear_algebra import inverse, product
 from .rational_evaluation import Formulas
 from .rational_functions import Quotient, quotients
@@ -44,7 +44,10 @@ class ClosedFormParts:
 
 
 def closed_forms(
-    local: Local, chart: HalfAngleChart, parameters: Sequence[sp.Symbol], vector: Vector | None
+    local: PointwiseForm,
+    chart: HalfAngleChart,
+    parameters: Sequence[sp.Symbol],
+    vector: Vector | None,
 ) -> ClosedFormParts:
     """All parts of (4.4), with parameters and constants as symbols."""
     lift, owner = local.lift, local.owner

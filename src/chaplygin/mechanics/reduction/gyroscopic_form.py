@@ -25,7 +25,7 @@ from ..constraints.zero_test import vanishes
 from ..lagrangian.mechanism import Mechanism
 from .base_coordinates import Base
 from .integrals import solutions
-from .multiplier import Multiplier, as_positive, over_rational
+from .multiplier import Multiplier, over_rational, positive_symbols
 from .rational_evaluation import Formulas
 
 HALF = sp.Rational(1, 2)
@@ -138,7 +138,9 @@ def _constant_density(base: Base, vector: Vector, form: sp.Expr) -> sp.Expr | No
     return g if g.is_finite is not False and vanishes(density - g, [unit]) else None
 
 
-def indefinite(mechanism: Mechanism, base: Base, multiplier: Multiplier) -> tuple[sp.Expr, ...]:
+def indefinite_factors(
+    mechanism: Mechanism, base: Base, multiplier: Multiplier
+) -> tuple[sp.Expr, ...]:
     """Factors of N that have both signs on the sphere, at the default parameters."""
     vector = base.normal
     if vector is None:
@@ -217,7 +219,7 @@ def _through_ellipsoid(
             for k in (0, 1)
         ]
         shown = density - g * sp.sin(theta) / F - _curl((w[0], w[1]), (theta, phi), F)
-        signs = as_positive(mechanism.parameters)
+        signs = positive_symbols(mechanism.parameters)
         back = {positive: s for s, positive in signs.items()}
         solid = sp.sqrt(sp.factor(form.det().xreplace(signs))).xreplace(back)
         value = _one_root(sp.factor(4 * sp.pi * g / solid))

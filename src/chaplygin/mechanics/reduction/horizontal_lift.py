@@ -156,7 +156,7 @@ def lift(base: Base, integrals: Sequence[Linear], levels: Sequence[sp.Expr]) -> 
 
 
 @dataclass(frozen=True)
-class Chaplygin:
+class ChaplyginFormAtPoint:
     """The parts of (4.4) at one point.
 
     Attributes
@@ -182,7 +182,7 @@ class Chaplygin:
 
 
 @dataclass(frozen=True)
-class Local:
+class PointwiseForm:
     """Evaluates (4.4) at points, exactly."""
 
     lift: Lift
@@ -211,7 +211,7 @@ class Local:
         both = {*self._place.symbols, *self._moving.symbols} - set(u)
         return tuple(sorted(both, key=str))
 
-    def at(self, point: Point, like: Value) -> Chaplygin:
+    def at(self, point: Point, like: Value) -> ChaplyginFormAtPoint:
         """The parts of (4.4) at a point.
 
         Raises
@@ -251,7 +251,7 @@ class Local:
         second = (forward + back) / 2 - still
         other = (force(1, 0, 1) + force(1, 0, -1)) / 2 - force(1, 0, 0)
         carried = [a + b for a, b in zip(product(Q, y), h, strict=True)]
-        return Chaplygin(
+        return ChaplyginFormAtPoint(
             metric=G,
             linear=[_dot(v, carried) for v in Y],
             a=[slope(1, 0, 0) / 2 - other, second - slope(0, 1, 1) / 2],

@@ -17,7 +17,7 @@ from flint import fmpq, fmpq_mpoly
 from ...core.system import Parameter
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
-from .horizontal_lift import Local
+from .horizontal_lift import PointwiseForm
 from .linear_algebra import reduced_echelon_form
 from .rational_evaluation import Point, random_rational, rational_near
 from .rational_functions import Quotient, Value, quotients
@@ -64,7 +64,7 @@ class Obstruction:
     vanishing: tuple[sp.Expr, ...]
 
 
-def as_positive(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
+def positive_symbols(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
     """Parameters that must be positive, as positive symbols."""
     return {
         p.symbol: sp.Symbol(str(p.symbol), positive=True)
@@ -74,14 +74,18 @@ def as_positive(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
 
 
 def _form_at(
-    local: Local, chart: HalfAngleChart, values: Sequence[Value], numbers: Point, like: Value
+    local: PointwiseForm,
+    chart: HalfAngleChart,
+    values: Sequence[Value],
+    numbers: Point,
+    like: Value,
 ) -> tuple[Value, Value]:
     """The 1-form at a point of the chart."""
     place = {**numbers, **chart.point([like * v for v in values])}
     return local.at(place, like).form(like)
 
 
-def _parameters(local: Local, chart: HalfAngleChart) -> list[sp.Symbol]:
+def _parameters(local: PointwiseForm, chart: HalfAngleChart) -> list[sp.Symbol]:
     moving = {*chart.coordinates, *chart.point([fmpq(2), fmpq(3)])}
     return [s for s in local.symbols if s not in moving]
 
@@ -90,7 +94,7 @@ def _parameters(local: Local, chart: HalfAngleChart) -> list[sp.Symbol]:
 
 
 def curl(
-    local: Local,
+    local: PointwiseForm,
     chart: HalfAngleChart,
     values: Sequence[fmpq],
     numbers: Point,
@@ -138,7 +142,7 @@ def poles(multiplier: Multiplier) -> tuple[sp.Expr, ...]:
 
 
 def obstruction_point(
-    local: Local, chart: HalfAngleChart, parameters: Sequence[Parameter]
+    local: PointwiseForm, chart: HalfAngleChart, parameters: Sequence[Parameter]
 ) -> Obstruction | None:
     """A point at which the form is not closed, or None.
 
@@ -166,11 +170,11 @@ def obstruction_point(
             exact = fmpq(int(value.p), int(value.q))
             at = {**numbers, **dict(zip(chart.variables, values, strict=True))}
             shown = {str(s): str(v) for s, v in at.items()}
-            return Obstruction(shown, exact, open_unless(local, chart, parameters))
+            return Obstruction(shown, exact, exceptional_factors(local, chart, parameters))
     return None
 
 
-def is_closed(local: Local, chart: HalfAngleChart) -> bool:
+def is_closed(local: PointwiseForm, chart: HalfAngleChart) -> bool:
     """Whether the form is closed, with everything as symbols."""
     one, names = quotients([*chart.variables, *_parameters(local, chart)])
     at = [names[t] for t in chart.variables]
@@ -179,8 +183,8 @@ def is_closed(local: Local, chart: HalfAngleChart) -> bool:
     return bool(change == _derivative(second, 0) * chart.speed(0, at[0]))
 
 
-def open_unless(
-    local: Local, chart: HalfAngleChart, signed_parameters: Sequence[Parameter]
+def exceptional_factors(
+    local: PointwiseForm, chart: HalfAngleChart, signed_parameters: Sequence[Parameter]
 ) -> tuple[sp.Expr, ...]:
     """Factors in the parameters that the curl has at every point, and that may vanish."""
     rng = random.Random(SEED + 1)
@@ -192,7 +196,7 @@ def open_unless(
         above = sp.fraction(sp.together(form))[0]
         shared = above if shared is None else sp.gcd(shared, above)
     factors = [base for base, _ in sp.factor_list(shared)[1]]
-    signs = as_positive(signed_parameters)
+    signs = positive_symbols(signed_parameters)
     return tuple(
         f
         for f in factors
@@ -204,7 +208,10 @@ def open_unless(
 
 
 def multiplier(
-    local: Local, chart: HalfAngleChart, factors: Sequence[fmpq_mpoly], vector: Vector | None
+    local: PointwiseForm,
+    chart: HalfAngleChart,
+    factors: Sequence[fmpq_mpoly],
+    vector: Vector | None,
 ) -> Multiplier | None:
     """N as a product of powers of the factors; None if it is none.
 
@@ -233,7 +240,7 @@ def multiplier(
 
 
 def _exponents(
-    local: Local,
+    local: PointwiseForm,
     chart: HalfAngleChart,
     factors: Sequence[fmpq_mpoly],
     numbers: Point,

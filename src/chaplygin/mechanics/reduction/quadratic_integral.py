@@ -17,7 +17,7 @@ from ...core.vectors import Vector, norm_squared, real_symbol
 from ...errors import InputError
 from ...printing.formula import text
 from ..lagrangian.mechanism import Mechanism
-from .horizontal_lift import Lift, Local, Point, Quadratic, energy, in_momenta
+from .horizontal_lift import Lift, Point, PointwiseForm, Quadratic, energy, in_momenta
 from .integrals import QuadraticForm, quadratic_integrals, solutions
 from .momenta import ReducedMomenta
 from .rational_evaluation import plain_symbols, rational_point
@@ -45,7 +45,7 @@ class EnergyLikeIntegral:
 class _LinearParts:
     """E₁ of several integrals at a point: one row for each coordinate of the base."""
 
-    locals: Sequence[Local]
+    locals: Sequence[PointwiseForm]
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
@@ -70,13 +70,13 @@ def energy_like_integral(
     """
     base, owner = lift.base, mechanism.name
     first = energy(motion, base)
-    if solutions(mechanism, base, _LinearParts([Local(lift, first, owner)]), 1):
+    if solutions(mechanism, base, _LinearParts([PointwiseForm(lift, first, owner)]), 1):
         return EnergyLikeIntegral(first, "the energy")
     tied = base.motion.constraints.rows > 0
     forms = [] if tied else quadratic_integrals(mechanism, motion, base)
     others = [in_momenta(motion, base, form.matrix, form.potential) for form in forms]
     known = [first, *others]
-    parts = _LinearParts([Local(lift, each, owner) for each in known])
+    parts = _LinearParts([PointwiseForm(lift, each, owner) for each in known])
     for chosen in solutions(mechanism, base, parts, len(known)):
         combined = [known[i].multiple(factor) for i, factor in chosen.items()]
         total = combined[0]
@@ -93,7 +93,7 @@ def energy_like_integral(
 
 def _regular(lift: Lift, integral: Quadratic, owner: str) -> bool:
     """Whether E₂ is not degenerate."""
-    local = Local(lift, integral, owner)
+    local = PointwiseForm(lift, integral, owner)
     place = rational_point(
         [*plain_symbols(local.symbols), *lift.base.coordinates], random.Random(SEED)
     )

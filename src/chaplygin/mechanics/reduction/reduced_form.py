@@ -15,7 +15,7 @@ from ...printing.formula import text
 from .base_coordinates import Base
 from .closed_form import ClosedFormParts
 from .gyroscopic_form import Flux
-from .horizontal_lift import Local
+from .horizontal_lift import PointwiseForm
 from .integrals import Linear
 from .multiplier import Multiplier, Obstruction, poles
 
@@ -90,7 +90,7 @@ class ChaplyginForm(WithOverview):
     gyroscopic: sp.Expr | None
     lifted: System | None
     hamiltonian: System | None
-    local: Local
+    local: PointwiseForm
     on: tuple[sp.Expr, ...] = ()
 
     def claims(self) -> Iterator[tuple[System, Law]]:

@@ -18,7 +18,7 @@ from ..fields.quotient_ring import Element, Poly
 from ..fields.unreduced_fields import UnreducedField
 from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
-from ..random_test import everything
+from ..random_test import all_residuals
 from .sign_reasons import monic
 
 
@@ -70,7 +70,8 @@ class ProofSetting:
         polys = [numerator(field, value) for _, value in self.conditions]
         field.signs = level.signs_with(field, polys)
         self.residuals = [
-            (what, cast(Element, value)) for what, value in everything(_formulas(law), level, field)
+            (what, cast(Element, value))
+            for what, value in all_residuals(_formulas(law), level, field)
         ]
         self.divisors = list(divisors(claim, law, level, field))
 

@@ -59,7 +59,7 @@ def up_to_time(law: Reduction, level: LevelSet) -> bool:
     return _rates(law, level).homogeneous
 
 
-def closing(
+def rows_of_equations_and_identities(
     law: Reduction, level: LevelSet, field: Field
 ) -> tuple[list[list[FieldElement]], list[list[FieldElement]], int]:
     """Rows of the equations, rows of identities, and the number of unknown rates.

@@ -20,7 +20,7 @@ from ..fields.quotient_ring import Poly
 from .components import Component, Decomposition
 from .level_formulas import conditions_text
 from .level_fractions import LevelFractions, polynomial_of
-from .sample_points import near, number_text, on_sphere, real_root
+from .sample_points import number_near_default, number_text, point_on_sphere, real_root
 
 DECOMPOSITION = 5_000_000
 """Term operations for the components of a level."""
@@ -81,7 +81,7 @@ class LevelSet(LevelFractions):
         )
 
     def point(
-        self, generator: random.Random, draw: Draw = near
+        self, generator: random.Random, draw: Draw = number_near_default
     ) -> tuple[dict[str, fmpq | arb], bool]:
         """A random point that satisfies the conditions, and whether it is exactly rational.
 
@@ -120,7 +120,7 @@ class LevelSet(LevelFractions):
         mains = {main for main, _ in chain}
         values: dict[str, fmpq | arb] = {}
         for main, terms in chain:
-            values |= on_sphere(main, terms, (mains - {main}) | {*values}, generator) or {}
+            values |= point_on_sphere(main, terms, (mains - {main}) | {*values}, generator) or {}
         defaults = {str(p.symbol): p.default for p in self.system.parameters}
         exchanged = {str(s) for s in self.generators if s in self._definitions}
         involved = {n for _, terms in chain for named in terms for n, power in named if power}

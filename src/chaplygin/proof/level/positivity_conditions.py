@@ -22,7 +22,7 @@ from .time_derivatives import without_rates
 NamedFormula = tuple[str, sp.Expr]
 
 
-def positives(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
+def positive_formulas(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
     """Quantities that a law needs to be positive, each in words and as a formula.
 
     Of an isomorphism it is dτ/dt; of a measure every base of its density that stands under a root,
@@ -49,7 +49,7 @@ def positives(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
     return tuple((what, formula) for what, formula in settled if formula != 1)
 
 
-def orienting(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
+def sign_determining_bases(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
     """The bases of a density with odd exponents, which decide its sign.
 
     Where the product of all of them has one sign, the density or its negative is positive; where it
@@ -65,7 +65,9 @@ def orienting(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
     return tuple((what, formula) for what, formula in bases if not formula.is_number)
 
 
-def unmet(law: Law, level: LevelSet, field: Field) -> tuple[tuple[str, FieldElement], ...]:
+def unmet_conditions(
+    law: Law, level: LevelSet, field: Field
+) -> tuple[tuple[str, FieldElement], ...]:
     """Quantities that are not positive at a point though a law needs them.
 
     Raises
@@ -77,7 +79,7 @@ def unmet(law: Law, level: LevelSet, field: Field) -> tuple[tuple[str, FieldElem
     """
     evaluate = level.evaluator(field)
     failures = []
-    for what, formula in positives(law, level):
+    for what, formula in positive_formulas(law, level):
         value = evaluate.value(formula)
         if value > 0:
             continue

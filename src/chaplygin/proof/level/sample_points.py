@@ -14,24 +14,28 @@ from ...formulas.number_fields import exact_root
 from .triangular_set import Terms
 
 
-def near(default: float | None, generator: random.Random, both_signs: bool = False) -> fmpq:
+def number_near_default(
+    default: float | None, generator: random.Random, both_signs: bool = False
+) -> fmpq:
     """A random rational number, near the default of a parameter; not 1."""
     if default is None or default == 0:
         reach = generator.choice([17, 17, 60])
         sign, above = generator.choice([-1, 1]), generator.randint(3, reach)
         below = generator.randint(11, 19)
         return fmpq(sign * above, below + (above == below))
-    near = Fraction(repr(float(default))) * Fraction(generator.randint(90, 115), 100)
-    return fmpq(near.numerator, near.denominator)
+    value = Fraction(repr(float(default))) * Fraction(generator.randint(90, 115), 100)
+    return fmpq(value.numerator, value.denominator)
 
 
-def far(default: float | None, generator: random.Random, both_signs: bool = False) -> fmpq:
+def moderate_number(
+    default: float | None, generator: random.Random, both_signs: bool = False
+) -> fmpq:
     """A random rational number of any size, with small whole numbers among them.
 
     Of either sign, unless the default has the only sign that is admissible.
     """
     if default and generator.random() < (0.5 if both_signs else 0.2):
-        return near(default, generator)
+        return number_near_default(default, generator)
     if not default and generator.random() < 0.3:
         return fmpq(generator.choice([-3, -2, -1, 1, 2, 3]))
     scale = Fraction(repr(float(default or 1.0)))
@@ -41,14 +45,16 @@ def far(default: float | None, generator: random.Random, both_signs: bool = Fals
     return fmpq(value.numerator, value.denominator)
 
 
-def broad(default: float | None, generator: random.Random, both_signs: bool = False) -> fmpq:
+def number_of_any_magnitude(
+    default: float | None, generator: random.Random, both_signs: bool = False
+) -> fmpq:
     """A random rational number of any order of magnitude, for quantities in whatever units."""
-    value = far(default, generator, both_signs)
+    value = moderate_number(default, generator, both_signs)
     power = generator.randint(-13, 13)
     return value * fmpq(10) ** power if default is None else value
 
 
-def on_sphere(
+def point_on_sphere(
     main: str, terms: Terms, fixed: set[str], generator: random.Random
 ) -> dict[str, fmpq] | None:
     """A rational point of x² + y² + … = c, if the relation is one and c is a square."""
