@@ -26,7 +26,6 @@ from ..formulas.errors import NotExactError, OutOfReachError, UnknownSymbolError
 from ..formulas.relative_zero import ROUNDING
 from ..mechanics.rolling.attitude import attitude, attitude_relations, quaternion_rate, unit_length
 from .base.derived_solution import DerivedSolution
-from .base.no_closed_form import CIRCULATIONS
 from .base.problem import Problem, rates_at, rational_points
 from .base.solution import Solution
 from .one_degree.functions import N
@@ -90,29 +89,26 @@ class FluidSolution(DerivedSolution):
             return tuple(self._state(self.inner.rigorous(time, digits), lambda x: x))
 
 
-def circulations(system: System) -> tuple[Vector, ...]:
-    """The circulation vectors of the fluids in the state of a system."""
-    names = [name for name in system.state if isinstance(name, Vector)]
-    return tuple(name for name in names if str(name) in CIRCULATIONS)
-
-
-def solve_with_fluid(problem: Problem, solve: Callable[[Problem], Solution]) -> Solution | None:
+def solve_with_fluid(
+    problem: Problem, fluids: tuple[Vector, ...], solve: Callable[[Problem], Solution]
+) -> Solution | None:
     """The motion of a body with fluid; None unless each cavity is a sphere or has no circulation.
 
     Parameters
     ----------
     problem : Problem
-        With circulation vectors in its state.
+    fluids : tuple of Vector
+        The circulation vectors in its state.
     solve : callable
         Solves the problem of the rigid body.
     """
-    system, fluids = problem.system, circulations(problem.system)
+    system = problem.system
     if system.state != (system.state[0], gamma, *fluids) or system.state[0] not in (M, omega):
         return None
     spherical = [name for name in fluids if _is_spherical(problem, name)]
     if not all(name in spherical or _is_potential(problem, name) for name in fluids):
         return None
-    rigid = _rigid_body(problem)
+    rigid = _rigid_body(problem, fluids)
     numbers = {s: exact(x) for s, x in problem.parameters.items()}
     try:
         if not _moves_as(rigid, system, fluids, spherical, numbers):
@@ -183,13 +179,13 @@ def _place(system: System, name: Vector) -> range:
     return range(place.start, place.stop)
 
 
-def _rigid_body(problem: Problem) -> System:
+def _rigid_body(problem: Problem, fluids: tuple[Vector, ...]) -> System:
     """The equivalent rigid body: N = 0, and a motion in space even where the problem has none."""
     system = problem.system
     if problem.rolling is not None:
         rigid = problem.rolling.equivalent.system(system.name, system.title)
     else:
-        none = dict.fromkeys(circulations(system), zero)
+        none = dict.fromkeys(fluids, zero)
         own = {str(name)[1:] for name in none}
         gone = {f"{letter}{number}" for letter in "WC" for number in own}
         kept = [p for p in system.parameters if str(p.symbol).rpartition("_")[0] not in gone]

@@ -106,7 +106,7 @@ def in_principal_axes(problem: Problem, rolling: Rolling) -> tuple[Problem, arb_
 def about_fixed_point(problem: Problem) -> tuple[Problem, arb_mat] | None:
     """A free body or one of the Veselova system with a full tensor of inertia, in principal axes.
 
-    Recognised by its equations.
+    Recognised by its equations; the parameters of the problem are the tensor's.
 
     Returns
     -------
@@ -119,8 +119,6 @@ def about_fixed_point(problem: Problem) -> tuple[Problem, arb_mat] | None:
         If two principal moments are so near that they do not tell the axes.
     """
     system, full = problem.system, Symmetric("I")
-    if problem.rolling is not None or set(full.symbols) != set(problem.parameters):
-        return None
     numbers = {s: exact(x) for s, x in problem.parameters.items()}
     tensors = {Diagonal("I"): full, Diagonal("A"): Symmetric("A")}
     for name in ABOUT_FIXED_POINT:

@@ -23,16 +23,15 @@ from ..arguments import NumberOrText
 from ..catalogue import entry
 from ..catalogue.catalogue_entry import bruns_factor
 from ..core.isomorphism import Isomorphism
-from ..core.matrices import NamedMatrix
+from ..core.matrices import Column, NamedMatrix
 from ..core.system import System, flat_pairs
-from ..core.vectors import Diagonal, real_symbol, to_components
+from ..core.vectors import Diagonal, Symmetric, Vector, real_symbol, to_components
 from ..formulas.balls import ball, ball_values, exact
 from ..formulas.relative_zero import RESOLUTION, ROUNDING
 from ..mechanics.rolling.equations import Rolling
-from .base.no_closed_form import Condition, degenerate, refusal
+from .base.no_closed_form import CIRCULATIONS, Condition, degenerate, refusal
 from .base.problem import Problem, rational, same_field
 from .base.solution import Solution
-from .body_with_fluid import circulations, solve_with_fluid
 from .change_of_symbols import in_symbols_of, translation
 from .genus_two.separation import SeparatedSystem
 from .principal_axes import about_fixed_point, in_principal_axes, to_original_axes
@@ -62,11 +61,10 @@ def solution_of(problem: Problem) -> Solution:
         If none is known; the message says what is.
     """
     problem = problem.well_posed()
-    if circulations(problem.system):
-        solution = solve_with_fluid(problem, solution_of)
-        if solution is None:
-            raise refusal(problem)
-        return solution
+    vectors = [name for name in problem.system.state if isinstance(name, Vector)]
+    fluids = tuple(name for name in vectors if str(name) in CIRCULATIONS)
+    if fluids:
+        return _solve_with_fluid(problem, fluids)
     if problem.rolling is None:
         problem = replace(problem, rolling=rolling_of(problem.system, problem.parameters))
     for recogniser in RECOGNISERS:
@@ -75,6 +73,15 @@ def solution_of(problem: Problem) -> Solution:
             return solution
     near = find_match(problem)
     raise refusal(problem, () if near is None else near.level)
+
+
+def _solve_with_fluid(problem: Problem, fluids: tuple[Vector, ...]) -> Solution:
+    from .body_with_fluid import solve_with_fluid
+
+    solution = solve_with_fluid(problem, fluids, solution_of)
+    if solution is None:
+        raise refusal(problem)
+    return solution
 
 
 # --- systems that separate -----------------------------------------------------------------
@@ -317,6 +324,8 @@ def _solve_in_principal_axes(problem: Problem) -> Solution | None:
 
 
 def _solve_about_fixed_point(problem: Problem) -> Solution | None:
+    if problem.rolling is not None or set(Symmetric("I").symbols) != set(problem.parameters):
+        return None
     turned = about_fixed_point(problem)
     if turned is None:
         return None
@@ -361,7 +370,7 @@ def _solve_free_body(problem: Problem) -> Solution | None:
 def _solve_in_three_dimensions(problem: Problem) -> Solution | None:
     from .three_dimensions import solve_in_three_dimensions
 
-    if not any(isinstance(name, NamedMatrix) for name in problem.system.state):
+    if not any(isinstance(name, Column | NamedMatrix) for name in problem.system.state):
         return None
     return solve_in_three_dimensions(problem, solution_of)
 
