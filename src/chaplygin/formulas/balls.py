@@ -15,7 +15,7 @@ from flint import acb, arb, fmpq
 from ..arguments import arguments_checked
 from ..core.vectors import to_components
 from ..errors import InputError
-from .program import REAL, Steps, StraightLineProgram
+from .straight_line_program import REAL, Steps, StraightLineProgram
 
 #: Balls (arb or acb) by the symbol that names them.
 Values: TypeAlias = Mapping[sp.Symbol, Any]

@@ -19,7 +19,7 @@ import sympy as sp
 
 from ...core.system import System
 from ...core.vectors import to_components, vectors
-from ...formulas.program import FieldArithmetic, StraightLineProgram
+from ...formulas.straight_line_program import FieldArithmetic, StraightLineProgram
 
 M, omega, gamma = vectors("M omega gamma")
 

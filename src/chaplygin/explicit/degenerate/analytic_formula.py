@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from ...formulas.program import ANALYTIC, Steps, StraightLineProgram
+from ...formulas.straight_line_program import ANALYTIC, Steps, StraightLineProgram
 from ...mechanics.rolling.attitude import attitude
 from ..one_degree.vectors import cross
 

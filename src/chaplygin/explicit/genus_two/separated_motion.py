@@ -23,7 +23,7 @@ from ...formulas.balls import (
     components,
     number,
 )
-from ...formulas.program import Steps
+from ...formulas.straight_line_program import Steps
 from ..base.exact_start import on_phase_space, with_definitions
 from .curve import Curve
 from .separation import SeparatedSystem, nu, nuprime

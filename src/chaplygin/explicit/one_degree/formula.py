@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from ...formulas.program import ENTIRE, StraightLineProgram
+from ...formulas.straight_line_program import ENTIRE, StraightLineProgram
 
 
 @lru_cache(maxsize=512)

@@ -15,7 +15,7 @@ import sympy as sp
 from flint import arb
 
 from ...formulas.balls import Values
-from ...formulas.program import BallArithmetic, Steps, StraightLineProgram
+from ...formulas.straight_line_program import BallArithmetic, Steps, StraightLineProgram
 from ..genus_two.separated_motion import SeparatedMotion, steps_from_torus
 from ..genus_two.separation import nu, nuprime
 from .affine import Affine

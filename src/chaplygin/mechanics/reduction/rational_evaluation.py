@@ -16,7 +16,7 @@ from flint import fmpq
 
 from ...core.vectors import real_symbol
 from ...errors import InputError
-from ...formulas.program import FieldArithmetic, StraightLineProgram
+from ...formulas.straight_line_program import FieldArithmetic, StraightLineProgram
 from .rational_functions import Value
 
 Point = Mapping[sp.Symbol, Value]

@@ -9,7 +9,7 @@ from flint import acb, arb, ctx, fmpq
 from chaplygin.core.named_formulas import needed_steps
 from chaplygin.errors import InputError
 from chaplygin.formulas.balls import ball_function
-from chaplygin.formulas.program import ANALYTIC, ENTIRE, REAL, StraightLineProgram
+from chaplygin.formulas.straight_line_program import ANALYTIC, ENTIRE, REAL, StraightLineProgram
 
 x, y, z = sp.symbols("x y z", real=True)
 
