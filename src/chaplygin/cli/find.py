@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..interruption import print_interruption, results_on_interrupt
+from ..interruption import EXIT_CODE, print_interruption, results_on_interrupt
 from .terminal.options import Effort, Json, Override, What, inform, operations, print_json, study_of
 from .terminal.progress import progress
 
