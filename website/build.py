@@ -13,7 +13,7 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import claims
@@ -117,7 +117,7 @@ def generated(most: int | None) -> Iterator[tuple[str, str]]:
     found = list(exhibits(store, most, asked, say))
     yield from gallery.pages(found, store, FILES / "live")
     say("audit of the paper")
-    judgements, left = audit()
+    judgements, left = audit(report=tenths("audit of the paper"))
     if left:
         sys.exit("interrupted: the same command resumes")
     yield from claims.pages(judgements)
@@ -132,6 +132,19 @@ def generated(most: int | None) -> Iterator[tuple[str, str]]:
 def say(what: str) -> None:
     """Say what is being done."""
     print(what, file=sys.stderr, flush=True)
+
+
+def tenths(what: str) -> Callable[[float], None]:
+    """Says how far something is, at every tenth."""
+    last = 0
+
+    def report(share: float) -> None:
+        nonlocal last
+        if int(10 * share) > last:
+            last = int(10 * share)
+            say(f"{what}: {10 * last}%")
+
+    return report
 
 
 def files(folder: Path) -> list[Path]:

@@ -8,6 +8,7 @@ A fence marked ``sh run`` is run by a shell, one marked ``python not-run`` is on
 from __future__ import annotations
 
 import re
+import sys
 from typing import Any
 
 #: A live page of the gallery, with its address inside.
@@ -65,6 +66,8 @@ def live_pages(text: str) -> list[str]:
 def _read(app: Any, name: str, source: list[str]) -> None:
     text = with_notebook(source[0], name) if name.startswith("docs/course/") else source[0]
     source[0] = with_cells(with_live_pages(text, "../" * name.count("/")))
+    if source[0].startswith(HEADER):
+        print(f"page: {name}", file=sys.stderr, flush=True)
 
 
 def _name_shells(app: Any, tree: Any) -> None:

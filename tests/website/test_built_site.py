@@ -62,7 +62,9 @@ def chromium() -> Iterator[Any]:
 def pages() -> list[Path]:
     """One page of each folder, and all of those without many like them."""
     found = [path for path in sorted(SITE.rglob("*.html")) if "_static" not in path.parts]
-    many = [path for path in found if path.parent.name in ("names", "systems", "examples", "live")]
+    many = [
+        path for path in found if path.parent.name in ("names", "systems", "experiments", "live")
+    ]
     return [*(path for path in found if path not in many), *many[::8]]
 
 
