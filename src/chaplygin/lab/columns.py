@@ -13,7 +13,7 @@ from ..errors import InputError
 from ..experiment.section_coordinates import is_angle
 from ..experiment.study import Study
 from ..flow.trajectory import recorded_quantities
-from ..flow.variable_metadata import variable_metadata
+from ..flow.variable_metadata import labels_of, variable_metadata
 from ..formulas.array_evaluation import formula
 from ..printing.formula import latex
 from ..printing.mathml import mathml
@@ -165,7 +165,8 @@ def scalars_of(study: Study, system: System) -> tuple[Scalar, ...]:
         )
     for item in recorded_quantities(system):
         name = item.name.removeprefix("law_")
-        for i, component in enumerate(item.formulas, 1):
+        places = labels_of(item.frame, len(item.formulas))
+        for i, component in zip(places, item.formulas, strict=True):
             own = f"{name}_{i}" if item.is_vector else name
             if any(scalar.name == own for scalar in scalars) or item.frame == "quaternion":
                 continue

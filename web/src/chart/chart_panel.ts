@@ -10,6 +10,7 @@ import { SERIF } from "../page/type";
 import { unitText } from "../page/units";
 import type { SectionPanel } from "../section/section_panel";
 import { rangeAround } from "../controls/slider";
+import { singleInputs } from "../controls/start_inputs";
 import { Sheet, type Place } from "../sheet/sheet";
 import type { Frame, Range } from "../sheet/frame";
 import { cellStart, chartRun, type ChartGround, type ChartRun, type ChartSetting } from "./compute";
@@ -316,7 +317,7 @@ function choicesOf({ model }: Lab): Choice[] {
     const letters = mathml ? plain(mathml) : name;
     return unitText(unit) ? `${letters}  (${unitText(unit)})` : letters;
   };
-  const inputs = model.start_inputs.map(({ name, mathml, unit, value, low, high }) => ({ name, value, text: text(mathml, name, unit), range: [low, high] as Range }));
+  const inputs = singleInputs(model).map(({ name, mathml, unit, value, low, high }) => ({ name, value, text: text(mathml, name, unit), range: [low, high] as Range }));
   const parameters = model.parameters
     .map(({ name, mathml, unit, value, low, high }) => ({ name, value, text: text(mathml, name, unit), range: rangeAround(value, low, high) }));
   return [...inputs, ...parameters];

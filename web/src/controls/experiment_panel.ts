@@ -5,7 +5,7 @@ import type { PageModel } from "../model";
 import { element } from "../page/dom";
 import { changed, opening } from "../page/experiment";
 import { formula } from "../page/mathml";
-import { startInputs } from "./start_inputs";
+import { singleInputs, startInputs } from "./start_inputs";
 import { rangeAround, slider, type Slider } from "./slider";
 
 /** The panel; where nothing can be changed, one sentence that says why. */
@@ -15,10 +15,7 @@ export function experimentPanel(lab: Lab): HTMLElement {
     return element("p", { class: "lab-hint" }, "This page plays the motion that was computed for it: under friction the equations change at events, so there are no sliders here. To change start or parameters, edit the experiment file (among what can be saved) and run it.");
   }
   const usual = usualValues(model);
-  // the entries of a matrix of rotation cannot be turned one by one
-  const entries = model.start_inputs.filter(({ name }) => name.startsWith("attitude_"));
-  const turned = model.start_inputs.filter((input) => entries.length <= 4 || !entries.includes(input));
-  const starts = turned.map((input) => {
+  const starts = singleInputs(model).map((input) => {
     const made = slider({ ...input, symbol: symbolOf(input) }, () => lab.mark(), (value) => {
       const inputs = startInputs(lab);
       const next = changed(inputs, input.name, value, usual.inputs.get(input.name) ?? NaN);

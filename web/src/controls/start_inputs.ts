@@ -1,6 +1,7 @@
 /** The numbers that give a start, whatever it was given by. */
 
 import type { Lab } from "../lab";
+import type { PageModel } from "../model";
 import { row } from "../playback/motion";
 
 /** The start inputs of the experiment; those of a state are read off the motion where it records them. */
@@ -25,3 +26,9 @@ function recorded(lab: Lab, name: string, t: number): number | undefined {
   return row(lab.shown.value.motion, column.name, column.width, t)?.[index];
 }
 
+
+/** The inputs that can be changed one by one: not the entries of a matrix of rotation. */
+export function singleInputs(model: PageModel): PageModel["start_inputs"] {
+  const entries = model.start_inputs.filter(({ name }) => name.startsWith("attitude_"));
+  return entries.length <= 4 ? model.start_inputs : model.start_inputs.filter((input) => !entries.includes(input));
+}

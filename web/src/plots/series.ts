@@ -1,6 +1,6 @@
 /** Quantities over time: which there are, and their values. */
 
-import type { PageModel } from "../model";
+import type { Column, PageModel } from "../model";
 import { plain } from "../page/mathml";
 import { unitText } from "../page/units";
 import type { Motion } from "../playback/motion";
@@ -31,13 +31,29 @@ export function seriesGroups(model: PageModel, motion: Motion): SeriesGroup[] {
     const isLaw = column.name.startsWith("law_");
     const name = (isLaw ? column.name.slice(4) : column.name).replaceAll("_", " ");
     const text = isLaw ? `drift of ${name}` : letter(column.mathml) ?? name;
-    const names = AXES[column.axes] ?? [];
+    const names = indicesOf(column);
     const components = Array.from({ length: column.width }, (_, k) => ({
       label: column.width === 1 ? text : `${text}${lowered(names[k] ?? String(k + 1))}`,
       values: isLaw ? values.map((value) => value - (values[0] ?? 0)) : component(values, column.width, k),
     }));
     return [{ ...column, text, unit: unitText(column.unit), components }];
   });
+}
+
+/** The indices of the components; pairs of them for skew matrices and rotations. */
+function indicesOf({ name, axes, width }: Column): readonly string[] {
+  const known = AXES[axes];
+  if (known !== undefined) return known;
+  if (axes === "pair") {
+    const size = (1 + Math.round(Math.sqrt(1 + 8 * width))) / 2;
+    return pairs(size).filter(([i, j]) => i < j).map(([i, j]) => `${i}${j}`);
+  }
+  return name === "attitude" ? pairs(Math.round(Math.sqrt(width))).map(([i, j]) => `${i}${j}`) : [];
+}
+
+function pairs(size: number): [number, number][] {
+  const numbers = Array.from({ length: size }, (_, k) => k + 1);
+  return numbers.flatMap((i) => numbers.map((j): [number, number] => [i, j]));
 }
 
 /** The formula of a column as text where it is a letter, not a name. */
@@ -50,8 +66,8 @@ function component(values: Float64Array, width: number, index: number): Float64A
   return width === 1 ? values : Float64Array.from({ length: values.length / width }, (_, k) => values[width * k + index] ?? NaN);
 }
 
-const LOWERED: Record<string, string> = { "1": "₁", "2": "₂", "3": "₃", "4": "₄", "5": "₅", "6": "₆" };
+const LOWERED = "₀₁₂₃₄₅₆₇₈₉";
 
 function lowered(name: string): string {
-  return LOWERED[name] ?? `_${name}`;
+  return /^[0-9]+$/.test(name) ? [...name].map((digit) => LOWERED[Number(digit)]).join("") : `_${name}`;
 }
