@@ -8,6 +8,7 @@ from typing import Any
 
 import chaplygin as ch
 from chaplygin.contact import (
+    AirFilm,
     ContensouErismann,
     ContourResistance,
     Coulomb,
@@ -15,8 +16,10 @@ from chaplygin.contact import (
     FrictionalContact,
     FrictionLaw,
     NormalViscous,
+    PowerFriction,
     RollingResistance,
     SpinFriction,
+    UserFriction,
     Viscous,
     ViscousRolling,
 )
@@ -34,7 +37,9 @@ def situation(case: dict[str, Any]) -> FrictionalContact:
     given, shape, surface = case["body"], case["body"]["shape"], case["surface"]
     centre = tuple(shape.get("centre", (0.0, 0.0, 0.0)))
     if shape["kind"] == "ball":
-        form: ch.Ball | ch.Ellipsoid = ch.Ball(shape["radius"], centre=centre)
+        form: ch.Ball | ch.Disk | ch.Ellipsoid = ch.Ball(shape["radius"], centre=centre)
+    elif shape["kind"] == "disk":
+        form = ch.Disk(shape["radius"], centre=centre)
     else:
         form = ch.Ellipsoid(tuple(shape["axes"]), turn=shape.get("turn", 0.0), centre=centre)
     inertia = tuple(tuple(row) if isinstance(row, list) else row for row in given["inertia"])
@@ -53,6 +58,11 @@ def laws(case: dict[str, Any]) -> tuple[FrictionLaw, ...]:
         result.append(ContensouErismann(given["mu"], given["patch"]))
     elif "mu" in given:
         result.append(Coulomb(given["mu"]))
+    if "force" in given:
+        user = {name: given.get(name) for name in ("mu_static", "values")}
+        result.append(UserFriction(given["force"], given.get("couple", 0), **user))
+    if "air" in given:
+        result.append(AirFilm(given["air"], case["body"]["shape"]["radius"]))
     if "viscous" in given or "spin_viscous" in given:
         result.append(Viscous(given.get("viscous", 0.0), given.get("spin_viscous", 0.0)))
     kinds = {
@@ -62,6 +72,9 @@ def laws(case: dict[str, Any]) -> tuple[FrictionLaw, ...]:
         "rolling_viscous": ViscousRolling,
         "contour": ContourResistance,
     }
+    if "slip_order" in given:
+        result.append(PowerFriction(given["slip"], given["slip_order"]))
+        del kinds["slip"]
     result += [kind(given[name]) for name, kind in kinds.items() if name in given]
     return tuple(result)
 

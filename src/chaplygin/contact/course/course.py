@@ -198,6 +198,8 @@ class Course(RollingTransitions):
                 "sliding begins while the body does not roll, where resistance to rolling has no "
                 "direction: start it with some rolling",
             )
+        if self._dry.unknown_onset:
+            raise EndError("no beginning", self._dry.unknown_onset)
         if self._dry.patch and direction[3]:
             self._spin_sign = math.copysign(1.0, direction[3])
         slide = onset_of_sliding(

@@ -77,6 +77,16 @@ class DryFriction:
     unknown_in_impacts: str = ""
 
     @property
+    def unknown_onset(self) -> str:
+        """Why sliding that begins is not followed; empty if it is."""
+        if not self.viscous or self.order.is_integer():
+            return ""
+        return (
+            f"sliding begins, but friction of order {self.order:g} is not smooth there; beside mu "
+            "only whole orders are followed from rest"
+        )
+
+    @property
     def never_slips(self) -> bool:
         """Whether friction has no limit."""
         return math.isinf(self.mu)

@@ -21,10 +21,12 @@ from ..friction.prescribed import (
     DEGREE,
     HEADING_COEFFICIENTS,
     LATITUDE_COEFFICIENTS,
+    PrescribedPower,
     PrescribedRolling,
     prescribed_direction,
 )
 from ..friction.rolling_friction import ContourResistance, RollingResistance
+from ..friction.viscous_friction import PowerFriction
 from ..impact.mobility import Mobility
 from .compiled import OMEGA, VELOCITY, CompiledContact
 from .mode_integrator import ModeIntegrator, with_values
@@ -183,7 +185,14 @@ def onset_of_sliding(
     first = direction[:3] / np.linalg.norm(direction[:3])
     values |= _first_values(first)
     stand_in = prescribed_direction(law, mode.range)
-    laws = tuple(stand_in if item is law else item for item in situation.laws)
+    laws = tuple(
+        stand_in
+        if item is law
+        else PrescribedPower(item)
+        if isinstance(item, PowerFriction) and not item.is_smooth
+        else item
+        for item in situation.laws
+    )
     integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), values)
     return _with_shortened_duration(
         _Trial(integrator, first, latitude, patch), time, state, longest

@@ -22,6 +22,7 @@ from .modes import Mode, Range
 from .rolling_friction import ContourResistance, RollingResistance
 from .symbols import contour_couple, gamma, slip
 from .user_friction import UserFriction
+from .viscous_friction import PowerFriction, power_viscous
 
 #: Time since sliding began, in units of its length, which is a parameter.
 clock, duration = real_symbol("clock"), real_symbol("duration")
@@ -99,6 +100,35 @@ class PrescribedRolling(FrictionLaw):
         (coefficient,) = (p.symbol for p in self.law.parameters)
         along_contour = isinstance(self.law, ContourResistance)
         return Reaction(q=-coefficient * (contour_couple if along_contour else direction))
+
+
+@dataclass(frozen=True)
+class PrescribedPower(FrictionLaw):
+    """Friction of a whole order along the prescribed direction of a slip that begins.
+
+    Parameters
+    ----------
+    law : PowerFriction
+        The law in whose place it stands.
+    """
+
+    law: PowerFriction
+    words = "friction of a power of the slip, of prescribed direction"
+
+    @property
+    def name(self) -> str:
+        """That of the law in whose place it stands."""
+        return self.law.name
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """ν."""
+        return self.law.parameters
+
+    def reaction(self, mode: Mode) -> Reaction:
+        """The force against the direction; the length of the slip is not smooth at its start."""
+        size = power_viscous * dot(slip, direction) ** int(self.law.order)
+        return Reaction(p=-size * direction)
 
 
 @dataclass(frozen=True)
