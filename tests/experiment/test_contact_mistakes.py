@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -272,6 +274,16 @@ def test_a_number_too_far_from_one_is_named(name: str) -> None:
     with pytest.raises(ch.InputError) as error:
         ch.prepare(ch.loads(text, "f.toml")).trajectory()
     assert str(error.value) == f"f.toml, {sentence}: choose other units or numbers"
+
+
+BILLIARD = Path(__file__).parents[2] / "examples" / "billiard_ball.toml"
+
+
+def test_of_a_motion_that_ends_at_once_the_number_farthest_from_one_is_named() -> None:
+    """The state stopped being a number after 7e-11 s, and nobody knew why."""
+    study = ch.prepare(ch.load(BILLIARD, ["contact.mu=1e9"]))
+    with pytest.raises(ch.RunError, match=r"number; of the numbers given, mu = 1e\+09 is the fart"):
+        study.trajectory()
 
 
 def test_a_time_without_end_is_refused() -> None:

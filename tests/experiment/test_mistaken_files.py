@@ -311,6 +311,27 @@ def test_one_sentence(name: str, text: str | bytes, ask: Ask) -> None:
         (BALL + "[body]\nmass = 2\n", "Cannot declare body twice"),
         (r(BALL, "[body]", "[[body]]"), "not several tables, which [[...]] makes"),
         (
+            r(BALL, "mass = 1.0", "mass = -1,5 # kg"),
+            "line 2: not valid TOML: Expected newline or end of document after a statement "
+            "(column 10); a decimal number has a point: -1.5",
+        ),
+        (
+            BALL + '[field]\npotential = "K*gamma_1"\n',
+            "sqrt, tan, tanh; [field.parameters] declares names of your own\n",
+        ),
+        (
+            r(SURF, "h * cos(x)", "H * cos(x)"),
+            "; [surface.parameters] declares names of your own\n",
+        ),
+        (
+            r(DISK, 'kind = "disk"\nradius = 0.012875', 'kind = "revolution"\nsupport = "b"'),
+            "; [body.shape.parameters] declares names of your own\n",
+        ),
+        (
+            '[frame]\ncoordinates = ["x"]\n[lagrangian]\nkinetic = "M*xdot**2/2"\n[start]\nx = 0\n',
+            "; [parameters] declares names of your own\n",
+        ),
+        (
             BALL + '[field]\npotential = "log(gamma_1)"\n',
             "normal_force is nan there; a formula divides by zero, or takes a root",
         ),

@@ -145,8 +145,10 @@ class TaylorRun:
             for _ in quantity.formulas:
                 value = float(next(values))
                 if not math.isfinite(value):
-                    reason = self._extreme_numbers(state, self._has_values) or NO_VALUE
-                    raise InputError(f"start: {quantity.name} is {value} there; {reason}")
+                    extremes = self._extreme_numbers(state, self._has_values)
+                    if extremes:
+                        raise InputError(f"start: {extremes} ({quantity.name} would be {value})")
+                    raise InputError(f"start: {quantity.name} is {value} there; {NO_VALUE}")
 
     def _extreme_numbers(
         self, state: WorkingArray, possible: Callable[[WorkingArray, WorkingArray], bool]

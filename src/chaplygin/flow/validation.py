@@ -72,6 +72,11 @@ def require_on_phase_space(
     if (excess <= 1).all():
         return
     worst = np.unravel_index(np.argmax(np.nan_to_num(excess, nan=np.inf)), excess.shape)
+    for symbol, number in zip(system.symbols, points[worst[0]], strict=True):
+        if not np.isfinite(number):
+            raise InputError(
+                f"{system.name}: start {worst[0]} has {symbol} = {number:g}, which must be finite"
+            )
     raise InputError(
         f"{system.name}: start {worst[0]} misses the phase space; "
         f"{system.relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"

@@ -38,7 +38,9 @@ nearest = arguments_checked(_nearest)
 
 
 @arguments_checked
-def parse(text: str, names: Mapping[str, sympy.Symbol], where: str = "") -> sympy.Expr:
+def parse(
+    text: str, names: Mapping[str, sympy.Symbol], where: str = "", further: str = ""
+) -> sympy.Expr:
     """Read a formula.
 
     Parameters
@@ -49,6 +51,9 @@ def parse(text: str, names: Mapping[str, sympy.Symbol], where: str = "") -> symp
         The symbols that it may contain, by the name under which they are written.
     where
         Where the formula stands (file, line, key), put before the message of an error.
+    further
+        Where further names can be declared, such as ``"[parameters]"``, for the message on an
+        unknown one.
 
     Returns
     -------
@@ -62,7 +67,8 @@ def parse(text: str, names: Mapping[str, sympy.Symbol], where: str = "") -> symp
         (``1/0``, ``sqrt(-1)``) or is absurdly large. The message is one sentence, followed by
         the formula and a caret under the offending character.
     """
-    source = Source(code_spelling(text), where, _in_order(names, RESERVED_WORDS))
+    words = _in_order(names, RESERVED_WORDS)
+    source = Source(code_spelling(text), where, words, further=further)
     return Scalars(source, {**CONSTANTS, **names}).read(syntax_tree(source), 0)
 
 
@@ -72,7 +78,9 @@ def _in_order(names: Iterable[str], reserved_words: Collection[str]) -> Collecti
 
 
 @arguments_checked
-def parse_formula(text: str, names: Mapping[str, NamedQuantity], where: str = "") -> Formula:
+def parse_formula(
+    text: str, names: Mapping[str, NamedQuantity], where: str = "", further: str = ""
+) -> Formula:
     """Read a formula in which vectors may occur.
 
     Parameters
@@ -84,6 +92,8 @@ def parse_formula(text: str, names: Mapping[str, NamedQuantity], where: str = ""
         ``gamma_1``, are known with it.
     where
         Where the formula stands, put before the message of an error.
+    further
+        Where further names can be declared.
 
     Returns
     -------
@@ -97,7 +107,7 @@ def parse_formula(text: str, names: Mapping[str, NamedQuantity], where: str = ""
     """
     scalars = {str(s): s for name in names.values() for s in _components(name)}
     words = _in_order([*names, *scalars], RESERVED_WORDS | PRODUCTS)
-    source = Source(code_spelling(text), where, words, brackets=True)
+    source = Source(code_spelling(text), where, words, brackets=True, further=further)
     return Vectors(source, {**CONSTANTS, **scalars}, names).read(syntax_tree(source), 0)
 
 

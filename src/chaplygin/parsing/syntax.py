@@ -46,12 +46,15 @@ class Source:
         Every name that may occur in it, functions among them.
     brackets : bool
         Whether it may contain vectors written by their components, ``[a, b, c]``.
+    further : str
+        Where further names can be declared; may be empty.
     """
 
     text: str
     where: str
     words: Collection[str]
     brackets: bool = False
+    further: str = ""
 
     def error(self, message: str, position: int) -> InputError:
         """Point at the character `position` of the formula."""
@@ -131,7 +134,8 @@ def _check_words(source: Source, tokens: Sequence[_Token]) -> None:
             raise source.error(message, token.position)
         if token.kind == "name" and token.word not in source.words:
             known = _CORRECTIONS.get(token.word) or nearest(token.word, source.words)
-            raise source.error(f"unknown name '{token.word}'{known}", token.position)
+            own = f"; {source.further} declares names of your own" if source.further else ""
+            raise source.error(f"unknown name '{token.word}'{known}{own}", token.position)
         if token.kind == "number" and len(token.word) > MAX_DIGITS:
             raise source.error(f"this number has more than {MAX_DIGITS} digits", token.position)
         previous = token.word

@@ -58,6 +58,9 @@ _HOPS = 4
 #: So much of the time must be made in a stretch.
 _LEAST_PROGRESS = 1e-12
 
+#: A motion that ends within this share of its time has hardly begun.
+_SOON = 1e-6
+
 #: So many events without progress of time end a motion.
 _MOST_AT_ONE_INSTANT = 60
 
@@ -190,16 +193,19 @@ class CourseState:
         return self._length / self._speed if self._speed else math.inf
 
     def _extremes(self) -> str:
-        """The numbers that make a step impossible, in words; empty once there was one."""
-        if self.time > self.moments[0]:
+        """The numbers that make a step impossible, in words, or that may; empty later on."""
+        if (passed := self.time - self.moments[0]) > _SOON * np.ptp(self.moments):
             return ""
         integrator, state = self._integrator(self.mode), self._with_height(self.state)
+        if passed:
+            numbers = zip(integrator.places, integrator.values, strict=True)
+            place, value = max(numbers, key=lambda pair: abs(math.log10(abs(pair[1] or 1.0))))
+            return f"of the numbers given, {place} = {value:g} is the farthest from 1"
         size = len(state)
         names = [*map(str, integrator.system.symbols), *integrator.places]
 
         def finite(numbers: Sequence[float]) -> bool:
-            values = np.array(numbers)
-            return integrator.has_step(values[:size], values[size:])
+            return integrator.has_step(np.array(numbers[:size]), np.array(numbers[size:]))
 
         return extremes_in_words(names, [*state, *integrator.values], finite)
 

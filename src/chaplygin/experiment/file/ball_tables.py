@@ -40,6 +40,8 @@ from .table import (
 class _SurfaceTable(FormulaTable):
     """The keys that all surfaces have."""
 
+    place: ClassVar[str] = "surface"
+
     kind: str
     given: Literal["support", "centre"] = Field(
         default="support", description='"support" or "centre"'
@@ -198,6 +200,7 @@ SmoothTable = (
 class BallFieldTable(FormulaTable):
     """Gravity in any direction, and a potential U(x, y, z) of the ball's centre."""
 
+    place: ClassVar[str] = "field"
     variables: ClassVar[tuple[str, ...]] = ("x", "y", "z", "m")
 
     gravity: Number = Field(default=9.81, ge=0, description="a finite number not below zero")

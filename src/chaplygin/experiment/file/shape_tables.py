@@ -19,6 +19,7 @@ from .table import FORMULA, POSITIVE, THREE, FormulaTable, Number, Positive, Vec
 class _ShapeTable(FormulaTable):
     """The keys that all shapes have: the position of the geometric centre."""
 
+    place: ClassVar[str] = "body.shape"
     shape_class: ClassVar[type[Shape]]
     shape_name: ClassVar[str]
     """The name of the shape in titles."""

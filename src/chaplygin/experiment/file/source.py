@@ -138,10 +138,14 @@ class Source:
         problem, line, column = match.groups()
         if line is None:
             return InputError(f"not valid TOML: {problem} (at the end)", self.name)
-        sentence = f"not valid TOML: {problem} (column {column})"
+        text = self.text.splitlines()[int(line) - 1 : int(line)]
+        comma = _DECIMAL_COMMA.search(text[0]) if text else None
+        hint = f"; a decimal number has a point: {comma[1]}.{comma[2]}" if comma else ""
+        sentence = f"not valid TOML: {problem} (column {column}){hint}"
         return InputError(sentence, f"{self.name}, line {line}")
 
 
+_DECIMAL_COMMA = re.compile(r"=\s*([-+]?\d+),(\d+)\s*(?:#.*)?$")
 _TUPLE = re.compile(r"\(('[^']*',? ?)+\)")
 
 

@@ -60,6 +60,8 @@ class FormulaTable(Table):
     """A table whose formulas may use named numbers."""
 
     variables: ClassVar[tuple[str, ...]] = ()
+    place: ClassVar[str]
+    """The path of the table in a file."""
 
     parameters: dict[str, Number] = Field(default={}, description="a table of named numbers")
 
@@ -100,7 +102,8 @@ class FormulaTable(Table):
         """Read a formula; None where wrong parameters leave its names unknown."""
         if "parameters" not in info.data:
             return None
-        return _expression(text, (*cls.variables, *info.data["parameters"]))
+        names = (*cls.variables, *info.data["parameters"])
+        return _expression(text, names, f"[{cls.place}.parameters]")
 
     @classmethod
     def _formula_in_space(cls, text: str, info: ValidationInfo, subject: str) -> str:
@@ -116,5 +119,5 @@ _CORRECTIONS = frozenset(
 )
 
 
-def _expression(text: str, names: tuple[str, ...]) -> sp.Expr:
-    return parse(text, {name: real_symbol(name) for name in names})
+def _expression(text: str, names: tuple[str, ...], further: str = "") -> sp.Expr:
+    return parse(text, {name: real_symbol(name) for name in names}, further=further)

@@ -145,6 +145,7 @@ class ContactTable(Table):
 class FieldTable(FormulaTable):
     """The forces: gravity along −z of space, and a couple with the potential U(γ)."""
 
+    place: ClassVar[str] = "field"
     variables: ClassVar[tuple[str, ...]] = (
         "gamma_1", "gamma_2", "gamma_3", "I_1", "I_2", "I_3", "m",
     )  # fmt: skip

@@ -76,7 +76,8 @@ class Names:
 
     def formula(self, text: str, *key: str) -> Formula:
         """A formula that stands at that place, scalar or vector."""
-        return parse_formula(text, self.by_name, self.experiment.where(*key))
+        where = self.experiment.where(*key)
+        return parse_formula(text, self.by_name, where, "[parameters]")
 
     def scalar(self, text: str, *key: str) -> sp.Expr:
         """A formula that must be a number."""
