@@ -261,7 +261,7 @@ def known(places: Sequence[object]) -> Iterator[str]:
 
 def table(place: object) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """Headings and statements of a place, each with the facts that it rests on."""
-    from chaplygin.analysis.classification.place import rows
+    from chaplygin.analysis.classification.classification import rows
     from chaplygin.printing.numerals import typographic_signs
 
     def sentence(statement: object) -> str:

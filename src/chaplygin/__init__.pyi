@@ -17,7 +17,7 @@ from . import (
 )
 from ._version import __version__ as __version__
 from .analysis.classification.classifier import classify as classify
-from .analysis.lyapunov.compute import lyapunov_spectrum as lyapunov_spectrum
+from .analysis.lyapunov.spectrum import lyapunov_spectrum as lyapunov_spectrum
 from .analysis.orbits.reversing_symmetries import reversors as reversors
 from .analysis.orbits.rotation import rotation_number as rotation_number
 from .borisov_mamaev.audit import audit as audit

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
 from chaplygin.analysis.lyapunov.indicators import (
     ExponentSum,
     FastLyapunovIndicator,
@@ -16,6 +15,7 @@ from chaplygin.analysis.lyapunov.indicators import (
     SmallerAlignmentIndex,
 )
 from chaplygin.analysis.lyapunov.report import Spectrum
+from chaplygin.analysis.lyapunov.spectrum import lyapunov_spectrum
 from chaplygin.analysis.lyapunov.zero_exponents import vanishes_to_rounding
 from chaplygin.catalogue import from_catalogue
 from chaplygin.flow.linearisation.state_scales import state_scales_at

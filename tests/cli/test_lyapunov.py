@@ -150,7 +150,7 @@ def test_mistakes(ask: Ask, arguments: tuple[str, ...], message: str) -> None:
 def test_ctrl_c_gives_the_spectrum_until_then(
     ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    followed = import_module("chaplygin.analysis.lyapunov.compute")
+    followed = import_module("chaplygin.analysis.lyapunov.spectrum")
     original = followed.propagate
 
     def stopped(count: int) -> Callable[..., Iterator[Any]]:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from chaplygin.catalogue import entry
 from chaplygin.errors import InputError
 from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.poincare import Place, Starts, coordinates_of, section_of
+from chaplygin.experiment.poincare import SectionSurface, Starts, coordinates_of, section_of
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.flow.ensemble.computation import compute
 from chaplygin.report.figures import poincare as section_figure
@@ -47,7 +47,7 @@ def test_coordinates() -> None:
 
 
 def test_a_single_motion_starts_where_the_experiment_does() -> None:
-    task, names = section_of(study(), Place("M_1"), Starts(), 3, until=1e3)
+    task, names = section_of(study(), SectionSurface("M_1"), Starts(), 3, until=1e3)
     assert names == ("l", "L_over_G")
     own = [float(value) for value in study().start[:6]]
     assert np.array_equal(task.work.starts, [own])
@@ -56,10 +56,10 @@ def test_a_single_motion_starts_where_the_experiment_does() -> None:
 
 @pytest.mark.slow
 def test_many_start_on_the_level_of_the_experiment() -> None:
-    task, _ = section_of(study(), Place("gamma_3"), Starts(7, seed=2), 3, until=100.0)
+    task, _ = section_of(study(), SectionSurface("gamma_3"), Starts(7, seed=2), 3, until=100.0)
     assert task.size == 7
     found = compute(task)
-    own = compute(section_of(study(), Place("M_1"), Starts(), 1, until=1e3)[0])
+    own = compute(section_of(study(), SectionSurface("M_1"), Starts(), 1, until=1e3)[0])
     for law in ("law_energy", "law_quadratic"):
         expected = float(own[law][0, 0])
         assert np.nanmax(np.abs(found[law] - expected)) < 1e-10 * abs(expected)
@@ -72,7 +72,7 @@ def test_a_body_under_gravity_is_followed_beyond_lift_off_only_when_that_is_wish
     names = {}
     for wish in ("stop", "warn"):
         made = study("rattleback", *options, f"run.on_liftoff={wish}")
-        task, _ = section_of(made, Place("gamma_3"), Starts(), 3, until=5.0)
+        task, _ = section_of(made, SectionSurface("gamma_3"), Starts(), 3, until=5.0)
         names[wish] = [guard.name for guard in task.work.returns.system.guards]
     assert set(names["warn"]) < set(names["stop"])
 
@@ -81,7 +81,7 @@ def test_a_body_under_gravity_is_followed_beyond_lift_off_only_when_that_is_wish
 def many() -> xr.Dataset:
     task, _ = section_of(
         study(),
-        *(Place("gamma_3"), Starts(5, {"energy": 1.0}), 30),
+        *(SectionSurface("gamma_3"), Starts(5, {"energy": 1.0}), 30),
         "phi = atan2(gamma_2, gamma_1), h = M_3/2",
         until=300.0,
     )

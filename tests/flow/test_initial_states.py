@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
+from chaplygin.analysis.lyapunov.spectrum import lyapunov_spectrum
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
 from chaplygin.explicit.solver import solve

@@ -70,8 +70,8 @@ def command(
         raise InputError(f"--until {until:g}: it must be positive and finite")
     numbers, chosen = None if level is None else level_of(level), device_of(device)
     study = study_of(what, overrides)
-    from ..analysis.lyapunov.compute import lyapunov_spectrum
     from ..analysis.lyapunov.report import Spectrum, record
+    from ..analysis.lyapunov.spectrum import lyapunov_spectrum
     from ..analysis.orbits.reversing_symmetries import reversors
     from ..experiment.single_system import without_reconstruction
     from ..flow.sampling.level_sampler import sample_level

@@ -118,12 +118,14 @@ def command(
     from shutil import rmtree
 
     from ..errors import InputError, RunError
-    from ..experiment.poincare import Place, Starts, section_of
+    from ..experiment.poincare import SectionSurface, Starts, section_of
     from ..flow.ensemble.computation import compute
     from ..report.drawing.files import save
     from ..report.figures.poincare import draw_section
 
-    place = Place(on, value, direction, angle, tuple(_slab(text) for text in within or ()))
+    surface = SectionSurface(
+        on, value, direction, angle, tuple(_slab(text) for text in within or ())
+    )
     chosen = Starts(starts, None if level is None else level_of(level), seed)
     if study.subject.changes_equations:
         from ..experiment.friction_ensembles.section import contact_section_task
@@ -137,7 +139,7 @@ def command(
             )
         task, names = contact_section_task(
             study,
-            place,
+            surface,
             points,
             coordinates=coordinates,
             until=study.until if until is None else until,
@@ -147,7 +149,7 @@ def command(
         limit = abs(study.until) * max(points, 1) if until is None else until
         task, names = section_of(
             study,
-            place,
+            surface,
             chosen,
             points,
             coordinates,
@@ -158,7 +160,7 @@ def command(
     if output != store:
         output.mkdir(exist_ok=True)
     vacate(store, force)
-    title = f"{study.system.title}, {place}"
+    title = f"{study.system.title}, {surface}"
     with progress(title) as report, resumable(store, report, force) as update:
         dataset = compute(task, store, client=client, progress=update)
     result = {"file": str(store), "figure": str(picture), **_summary(dataset)}
@@ -167,7 +169,7 @@ def command(
         # another section may be requested under the same name
         rmtree(store)
         reasons = ", ".join(result["outcomes"])
-        raise RunError(f"no motion passes {place}: {reasons}", result["longest"])
+        raise RunError(f"no motion passes {surface}: {reasons}", result["longest"])
     save(draw_section(dataset, names), picture)
     if json:
         print_json(result)

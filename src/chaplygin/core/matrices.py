@@ -18,7 +18,7 @@ from sympy.printing.latex import LatexPrinter
 from .display import formula_latex
 from .vectors import Components, Scalar, ScalarOfTensors, Vector, real_symbol, to_components
 
-Place: TypeAlias = tuple[int, int]
+IndexPair: TypeAlias = tuple[int, int]
 
 
 class Column(Vector):
@@ -50,7 +50,7 @@ class NamedMatrix(sp.MatrixSymbol):
         return self
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[IndexPair, ...]:
         """The places of the independent entries, in order."""
         raise NotImplementedError
 
@@ -80,7 +80,7 @@ class Skew(NamedMatrix):
     """A named skew matrix, by its entries ``name_12``, ``name_13``, … above the diagonal."""
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[IndexPair, ...]:
         """The places above the diagonal, row by row."""
         return tuple(combinations(range(int(self.shape[0])), 2))
 
@@ -97,7 +97,7 @@ class SymmetricMatrix(NamedMatrix):
     """A named symmetric matrix, by its entries ``name_11``, ``name_12``, …, ``name_nn``."""
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[IndexPair, ...]:
         """The upper triangle, row by row."""
         return tuple(combinations_with_replacement(range(int(self.shape[0])), 2))
 
@@ -112,7 +112,7 @@ class SquareMatrix(NamedMatrix):
     """A named n × n matrix with all entries independent."""
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[IndexPair, ...]:
         """All places, row by row."""
         rows = range(int(self.shape[0]))
         return tuple(product(rows, rows))

@@ -33,7 +33,7 @@ DIRECTIONS: Mapping[str, int] = {"rising": 1, "falling": -1, "both": 0}
 
 
 @dataclass(frozen=True)
-class Place:
+class SectionSurface:
     """The surface of section.
 
     Attributes
@@ -82,7 +82,7 @@ class Starts:
 
 def section_of(
     study: Study,
-    place: Place,
+    surface: SectionSurface,
     starts: Starts,
     points: int,
     coordinates: str = "",
@@ -96,7 +96,7 @@ def section_of(
     Parameters
     ----------
     study : Study
-    place : Place
+    surface : SectionSurface
     starts : Starts
     points : int
         Returns of each motion.
@@ -115,19 +115,19 @@ def section_of(
         If place, level or coordinates cannot be used.
     """
     system = without_reconstruction(study)
-    if place.direction not in DIRECTIONS:
+    if surface.direction not in DIRECTIONS:
         raise InputError(
-            f"--direction {place.direction}: it must be one of {', '.join(DIRECTIONS)}"
+            f"--direction {surface.direction}: it must be one of {', '.join(DIRECTIONS)}"
         )
     if not until > 0:
         raise InputError(f"--until {until:g}: it must be positive")
     where = poincare_section(
-        system, place.quantity, place.value, DIRECTIONS[place.direction], place.angle
+        system, surface.quantity, surface.value, DIRECTIONS[surface.direction], surface.angle
     )
-    for quantity, width in place.within:
+    for quantity, width in surface.within:
         where = slab(where, formula(system, quantity), width)
     names, quantities, columns = coordinates_of(
-        system, coordinates, study.variables, place.quantity
+        system, coordinates, study.variables, surface.quantity
     )
     states, sentence = _starts(study, system, starts)
     returns = PoincareMap(system, where, {}, tolerance, until=until, device=device)
@@ -138,7 +138,7 @@ def section_of(
         quantities,
         columns,
         {
-            "section": str(place),
+            "section": str(surface),
             "coordinates": list(names),
             "starts": sentence,
             "experiment": study.complete_toml(),

@@ -11,9 +11,9 @@ from markupsafe import Markup
 from matplotlib.figure import Figure
 
 from .._version import __version__
+from ..analysis.classification.classification import Classification, rows
 from ..analysis.classification.classifier import classify
 from ..analysis.classification.facts import ProofBudget
-from ..analysis.classification.place import Classification, rows
 from ..core.laws import Law
 from ..core.vectors import Vector, real_symbol
 from ..errors import RunError

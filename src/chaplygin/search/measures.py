@@ -28,8 +28,6 @@ _SETS = 6
 _MOST_BASES = 4
 _SEED = 20080830
 
-Exponents = tuple[int, ...]
-
 
 @arguments_checked
 def measures(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:

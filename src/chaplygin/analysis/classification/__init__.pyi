@@ -1,3 +1,3 @@
+from .classification import Classification as Classification
 from .classifier import classify as classify
 from .facts import ProofBudget as ProofBudget
-from .place import Classification as Classification

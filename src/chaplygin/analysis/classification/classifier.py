@@ -23,12 +23,12 @@ from ...proof.level.trigonometric import circles, without_angles
 from ...proof.verdict import Verdict
 from .applicable_laws import sorted_laws
 from .classes import DynamicalStructure, classes_and_dynamics
+from .classification import Classification
 from .configuration_measures import MeasureFacts, configuration_measure
 from .conserved_covectors import sources
 from .facts import Fact, ProofBudget, fact_of
 from .hamiltonian_forms import Forms, hamiltonian, measures
 from .lie_theorem import independent_symmetries, lie_symmetries
-from .place import Classification
 from .ranks import RankSample, rational_parameters, with_numeric_parameters
 from .sign_reversal import reversal
 from .statements import IntegrabilityClass

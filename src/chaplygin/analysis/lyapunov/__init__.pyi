@@ -1,4 +1,3 @@
-from .compute import lyapunov_spectrum as lyapunov_spectrum
 from .indicators import (
     FastLyapunovIndicator as FastLyapunovIndicator,
     MaximalExponent as MaximalExponent,
@@ -6,3 +5,4 @@ from .indicators import (
     SmallerAlignmentIndex as SmallerAlignmentIndex,
 )
 from .report import Spectrum as Spectrum, kaplan_yorke as kaplan_yorke
+from .spectrum import lyapunov_spectrum as lyapunov_spectrum

@@ -13,12 +13,11 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, dot, norm_squared, real_symbol
+from ...core.vectors import dot, norm_squared, real_symbol
 from ...errors import InputError
 from ..catalogue_entry import Entry, Numbers, Start
 from .rubber_ball_on_e3 import DET_J, J, M, gamma, k, on_e3
 
-A = Diagonal("A")
 h = real_symbol("h")
 
 NAME, TITLE = "power-potential-on-sphere", "Point on a sphere in a power of a quadratic form"

@@ -11,7 +11,7 @@ import sympy as sp
 
 from ...core.laws import ConformallyHamiltonian, Integral, Measure, PoissonStructure
 from ...core.system import Observable, Reconstruction, System
-from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors
+from ...core.vectors import Diagonal, cross, dot, norm_squared, vectors
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
@@ -25,7 +25,6 @@ from ..catalogue_entry import Entry, Numbers, Start
 
 M, omega, gamma = vectors("M omega gamma")
 I, A = Diagonal("I"), Diagonal("A")
-T = real_symbol("T")
 
 HALF = sp.Rational(1, 2)
 SOURCE = "§12, problem 4; Euler's top"

@@ -147,23 +147,23 @@ RODS = (
     "a list of rods, each of four formulas, such as "
     '[["x", "y", "x + a*cos(phi)", "y + a*sin(phi)"]]'
 )
-_Place = tuple[Text, Text]
-_Pose = tuple[Text, Text, Text]
+_PointTexts = tuple[Text, Text]
+_PoseTexts = tuple[Text, Text, Text]
 
 
 class PlanTable(Table):
     """The drawing of the mechanism in the plane; lengths in the unit of x and y."""
 
-    path: _Place = Field(default=("x", "y"), description=PLACE)
+    path: _PointTexts = Field(default=("x", "y"), description=PLACE)
     """The place whose path is drawn."""
     links: tuple[tuple[Text, Text, Text, Text], ...] = Field(default=(), description=RODS)
     """Rods from a place to another."""
-    wheels: tuple[_Pose, ...] = Field(default=(), description=POSES)
+    wheels: tuple[_PoseTexts, ...] = Field(default=(), description=POSES)
     """Wheels by place and heading."""
-    axles: tuple[_Pose, ...] = Field(default=(), description=POSES)
+    axles: tuple[_PoseTexts, ...] = Field(default=(), description=POSES)
     """Two wheels side by side, by the place between them and their heading."""
-    blades: tuple[_Pose, ...] = Field(default=(), description=POSES)
-    points: tuple[_Place, ...] = Field(default=(), description=PLACES)
+    blades: tuple[_PoseTexts, ...] = Field(default=(), description=POSES)
+    points: tuple[_PointTexts, ...] = Field(default=(), description=PLACES)
     """Marked by a ring, such as a centre of mass."""
 
 

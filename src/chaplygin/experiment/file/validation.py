@@ -81,7 +81,7 @@ def _short(text: str) -> str:
 
 
 @dataclass(frozen=True)
-class _Place:
+class _Location:
     """A key with its table and its description there, or a value by its name."""
 
     key: Key
@@ -100,24 +100,24 @@ class _Place:
         return "a finite number"
 
 
-def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
+def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Location:
     """The place to which a path of pydantic leads."""
-    place = _Place(())
+    place = _Location(())
     table: object = model
     for step in map(str, steps):
         if _is_choice(table):
             table = next(t for t in get_args(table) if t.model_fields["kind"].default == step)
         elif _is_table(table):
-            place = _Place((*place.key, step), table, table.model_fields.get(step))
+            place = _Location((*place.key, step), table, table.model_fields.get(step))
             table = _present(place.field.annotation) if place.field else None
         elif get_origin(table) is tuple and _is_table(get_args(table)[0]):
             # of several tables [[a]] the second is called a.2
             key = place.key if step == "0" else (*place.key, str(int(step) + 1))
-            place = _Place(key, table=get_args(table)[0])
+            place = _Location(key, table=get_args(table)[0])
             table = get_args(table)[0]
         elif get_origin(table) is dict:
             table = get_args(table)[1]
-            place = _Place((*place.key, step), table=table)
+            place = _Location((*place.key, step), table=table)
         else:
             break
     return place
@@ -160,7 +160,7 @@ def _as_written(data: object, key: Key) -> Key:
     return key
 
 
-def _sentence(details: ErrorDetails, place: _Place, value: object) -> tuple[Key, str]:
+def _sentence(details: ErrorDetails, place: _Location, value: object) -> tuple[Key, str]:
     allowed = place.allowed_values
     context = details.get("ctx", {})
     match details["type"]:

@@ -25,7 +25,7 @@ from ...flow.variable_metadata import (
     system_attributes,
     variable_metadata,
 )
-from ..poincare import DIRECTIONS, Place
+from ..poincare import DIRECTIONS, SectionSurface
 from ..study import Study
 from ..subjects.contact_subject import ContactSubject
 from .ensemble import mode_attributes, outcome_attributes
@@ -48,7 +48,7 @@ class ContactSection:
         The text of the file.
     members : Members or None
         Numbers of the file member by member; None for the start of the experiment alone.
-    place : Place
+    surface : SectionSurface
     count : int
         Points of each motion.
     until : float
@@ -59,7 +59,7 @@ class ContactSection:
 
     experiment: str
     members: Members | None
-    place: Place
+    surface: SectionSurface
     count: int
     until: float
     tolerance: float
@@ -123,22 +123,22 @@ class ContactSection:
                 arrays[name][place, number] = value[0]
 
     def _quantity(self, mode: ModeIntegrator, states: FloatArray, system: System) -> FloatArray:
-        difference = formula_at(self.place.quantity, mode, states, system) - self.place.value
-        return np.sin(difference) if self.place.angle else difference
+        difference = formula_at(self.surface.quantity, mode, states, system) - self.surface.value
+        return np.sin(difference) if self.surface.angle else difference
 
     def _counts(self, crossing: Crossing, system: System) -> bool:
         """Whether a crossing has the direction and lies in the slabs of the section."""
-        wanted = DIRECTIONS[self.place.direction]
+        wanted = DIRECTIONS[self.surface.direction]
         if wanted and crossing.rising != (wanted > 0):
             return False
         states, mode = crossing.state[None], crossing.integrator
-        if self.place.angle:
-            angle = float(formula_at(self.place.quantity, mode, states, system)[0])
-            if np.cos(angle - self.place.value) < 0:
+        if self.surface.angle:
+            angle = float(formula_at(self.surface.quantity, mode, states, system)[0])
+            if np.cos(angle - self.surface.value) < 0:
                 return False
         return all(
             abs(float(formula_at(text, mode, states, system)[0])) < width
-            for text, width in self.place.within
+            for text, width in self.surface.within
         )
 
     def part(self, first: int, last: int) -> ContactSection:
@@ -162,7 +162,7 @@ _TOO_FEW = 100
 
 def contact_section_task(
     study: Study,
-    place: Place,
+    surface: SectionSurface,
     points: int,
     members: Members | None = None,
     coordinates: str = "",
@@ -175,7 +175,7 @@ def contact_section_task(
     Parameters
     ----------
     study : Study
-    place : Place
+    surface : SectionSurface
         Its quantities are formulas in recorded quantities, such as ``gamma_3`` or ``slip_1``.
     points : int
         Of each motion.
@@ -196,16 +196,16 @@ def contact_section_task(
     subject = study.subject
     if not isinstance(subject, ContactSubject):
         raise InputError("contact_section_task: the experiment has no friction")
-    if place.direction not in DIRECTIONS:
+    if surface.direction not in DIRECTIONS:
         raise InputError(
-            f"--direction {place.direction}: it must be one of {', '.join(DIRECTIONS)}"
+            f"--direction {surface.direction}: it must be one of {', '.join(DIRECTIONS)}"
         )
     if points < 1:
         raise InputError(f"{points} points: there must be one at least")
     if not 0 < until < np.inf:
         raise InputError(f"--until {until:g}: it must be positive and finite")
     system = subject.system
-    for text in (place.quantity, *(quantity for quantity, _ in place.within)):
+    for text in (surface.quantity, *(quantity for quantity, _ in surface.within)):
         require_formula(text, system)
     chosen = _coordinates(coordinates or COORDINATES, system)
     experiment = study.complete_toml()
@@ -216,7 +216,7 @@ def contact_section_task(
     variables = section_variables(system, points, chosen)
     used = {dimension for item in variables.values() for dimension in item.dimensions}
     task = Task(
-        ContactSection(experiment, members, place, points, until, tolerance, chosen),
+        ContactSection(experiment, members, surface, points, until, tolerance, chosen),
         1 if members is None else members.size,
         1,
         variables,
@@ -229,7 +229,7 @@ def contact_section_task(
         {
             **system_attributes(system),
             "friction": subject.contact.setting,
-            "section": str(place),
+            "section": str(surface),
             "coordinates": [name for name, _ in chosen],
             "starts": "the start of the experiment" if members is None else str(members),
             "tolerance": tolerance,

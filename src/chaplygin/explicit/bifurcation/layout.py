@@ -18,7 +18,7 @@ from .arrangement import rational
 
 #: Abscissae (n,) in a column and the heights of its arcs there (n, arcs).
 Heights: TypeAlias = tuple[FloatArray, FloatArray]
-Place: TypeAlias = tuple[float, float]
+DrawnPoint: TypeAlias = tuple[float, float]
 
 #: Points of a line in each column, and of the grid for labels.
 POINTS, GRID = 33, (180, 126)
@@ -43,7 +43,7 @@ class Window:
     slope: Fraction
     offset: Fraction
 
-    def drawn_position(self, place: Sequence[Fraction | float]) -> Place:
+    def drawn_position(self, place: Sequence[Fraction | float]) -> DrawnPoint:
         """The drawn position of a point of the plane."""
         x, y = map(float, place)
         return x, y - float(self.slope) * x - float(self.offset)
@@ -129,7 +129,7 @@ class Grid:
         diagram: Diagram,
         frame: Window,
         lines: Mapping[int, Heights],
-        occupied_places: Sequence[Place] = (),
+        occupied_places: Sequence[DrawnPoint] = (),
     ) -> None:
         wide, tall = GRID
         self.frame = frame
@@ -166,20 +166,20 @@ class Grid:
         steps = (1 / (GRID[0] * LABEL[0]), 1 / (GRID[1] * LABEL[1]))
         return np.asarray(distance_transform_edt(framed, sampling=steps)[1:-1, 1:-1])
 
-    def place(self, index: tuple[int, int]) -> Place:
+    def place(self, index: tuple[int, int]) -> DrawnPoint:
         """A point of the grid in the plane."""
         return float(self.xs[index[0]]), float(self.ys[index[1]])
 
 
-def places(
+def label_positions(
     grid: Grid, text: Sequence[Region], empty: Sequence[Region]
-) -> dict[int, tuple[Place, Place | None]]:
+) -> dict[int, tuple[DrawnPoint, DrawnPoint | None]]:
     """A point inside each region and, if that is too narrow, one for its label.
 
     Keys are the numbers of the regions; 0 is the one for the regions without motions.
     """
     free = grid.in_regions(empty)
-    positions: dict[int, tuple[Place, Place | None]] = {}
+    positions: dict[int, tuple[DrawnPoint, DrawnPoint | None]] = {}
     for region in text:
         room = grid.label_scale(grid.in_regions([region]))
         if room.max() <= 0:

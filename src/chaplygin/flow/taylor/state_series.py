@@ -15,9 +15,6 @@ from .first_root import first_falling_root
 _ROUNDINGS = 100.0
 _EPS = float(np.finfo(float).eps)
 
-#: The step of a state that never changes.
-_LONGEST = 1e300
-
 
 @dataclass(frozen=True)
 class SeriesLayout:

@@ -16,10 +16,10 @@ from starlette.routing import Route
 from ...catalogue import CATALOGUE
 from ...errors import InputError
 from ..element import page
+from .access_control import AccessControl
 from .answers import Assignment
 from .charts import store_name
 from .folder import Folder
-from .guard import Guard
 from .requests import LARGEST, Chart, Listing, Saving, request_of
 from .workers import BusyError, Message, Pool
 
@@ -52,8 +52,8 @@ class Laboratory:
         """The path of the page."""
         return f"/{self.token}/"
 
-    def application(self) -> Guard:
-        """The application with its guard."""
+    def application(self) -> AccessControl:
+        """The application with its access control."""
         routes = [
             Route(self.base, self.show, methods=["GET"]),
             Route(f"{self.base}ask", self.ask, methods=["POST"]),
@@ -61,7 +61,7 @@ class Laboratory:
         application = Starlette(routes=routes)
         # an address that is almost right is wrong
         application.router.redirect_slashes = False
-        return Guard(application, self.token, self.port)
+        return AccessControl(application, self.token, self.port)
 
     async def show(self, request: Request) -> Response:
         """The page of a system: that of the command line, or the one named in the address."""

@@ -19,7 +19,7 @@ from ...core.arrays import FloatArray
 from ...core.vectors import real_symbol
 from .mechanism import Mechanism
 
-Place: TypeAlias = tuple[Any, Any]
+PlanePoint: TypeAlias = tuple[Any, Any]
 Pose: TypeAlias = tuple[Any, Any, Any]
 
 #: Frames of more coordinates are not inverted to find what stands on the ground.
@@ -46,12 +46,12 @@ class Plan:
         Places to be marked by a ring, such as a centre of mass.
     """
 
-    path: Place
+    path: PlanePoint
     links: tuple[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr], ...] = ()
     wheels: tuple[Pose, ...] = ()
     axles: tuple[Pose, ...] = ()
     blades: tuple[Pose, ...] = ()
-    points: tuple[Place, ...] = ()
+    points: tuple[PlanePoint, ...] = ()
 
 
 def plan_of(mechanism: Mechanism) -> Plan | None:
@@ -70,7 +70,7 @@ def plan_of(mechanism: Mechanism) -> Plan | None:
         arms = _arms(mechanism, form)
         if arms is None:
             continue
-        joints: list[Place] = [(x, y)]
+        joints: list[PlanePoint] = [(x, y)]
         for angle, length in arms:
             before = joints[-1]
             joints.append((before[0] + length * sp.cos(angle), before[1] + length * sp.sin(angle)))

@@ -17,7 +17,7 @@ from .rational_evaluation import circle
 if TYPE_CHECKING:
     from .reduced_form import ChaplyginForm
 
-Place = Sequence[float]
+Coordinates = Sequence[float]
 NODES = (16, 24, 36, 54, 81, 122)
 """Of Gauss and Legendre in cos θ, and twice as many equidistant ones in φ."""
 SMALL = 1e-13
@@ -26,8 +26,8 @@ SMALL = 1e-13
 @arguments_checked
 def log_multiplier(
     form: ChaplyginForm,
-    start: Place,
-    end: Place,
+    start: Coordinates,
+    end: Coordinates,
     values: Mapping[sp.Symbol, float] | None = None,
 ) -> tuple[float, float]:
     """∫ (A₂ dq₁ − A₁ dq₂) along the straight line from one place to another.

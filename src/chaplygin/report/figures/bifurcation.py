@@ -17,7 +17,7 @@ from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...explicit.bifurcation import Boundary, Diagram, Region
-from ...explicit.bifurcation.layout import Grid, Heights, Window, heights, places, window
+from ...explicit.bifurcation.layout import Grid, Heights, Window, heights, label_positions, window
 from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 
 #: Pale colours of regions with 1–2, 3–4 and more tori.
@@ -163,7 +163,7 @@ def _tori_text(region: Region) -> str:
 def _label(axes: Axes, diagram: Diagram, grid: Grid) -> None:
     empty = [region for region in diagram.regions if not region.tori]
     sentence = [region for region in diagram.regions if region.tori]
-    positions = places(grid, sentence, empty)
+    positions = label_positions(grid, sentence, empty)
     for region in sentence:
         if region.number not in positions:
             continue

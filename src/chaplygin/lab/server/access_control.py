@@ -28,7 +28,7 @@ _NOTHING = "There is nothing here. The address that chaplygin lab printed has al
 
 
 @dataclass(frozen=True)
-class Guard:
+class AccessControl:
     """An application that answers only what was asked in the right way.
 
     Parameters

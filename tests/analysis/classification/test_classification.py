@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
+from chaplygin.analysis.classification.classification import Classification
 from chaplygin.analysis.classification.classifier import classify
 from chaplygin.analysis.classification.conserved_covectors import sources
 from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.analysis.classification.lie_theorem import independent_symmetries, lie_symmetries
-from chaplygin.analysis.classification.place import Classification
 from chaplygin.analysis.classification.ranks import RankSample
 from chaplygin.analysis.classification.sign_test import sign
 from chaplygin.analysis.classification.statements import IgnoredLaw

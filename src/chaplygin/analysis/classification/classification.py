@@ -65,7 +65,7 @@ class Classification(WithOverview):
     dynamics : tuple of Statement
         The motions that are possible.
     ignored_laws : tuple of IgnoredLaw
-    levels : tuple of Place
+    levels : tuple of Classification
         Levels on which more is proven.
     reason : str
         Why nothing could be counted; empty where it could.
