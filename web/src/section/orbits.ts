@@ -1,6 +1,6 @@
 /** Orbits of a section: their points, and which of them is near a place. */
 
-import type { Engine, Values } from "../engine/engine";
+import type { Engine, SectionPoints, Values } from "../engine/engine";
 import type { PageModel } from "../model";
 
 /** What a section shows. */
@@ -59,27 +59,36 @@ export async function* sectionPieces(
 ): AsyncGenerator<Piece> {
   const [ix, iy] = [quantityIndex(model, setting.x), quantityIndex(model, setting.y)];
   const width = model.quantities.length;
-  let from: Float64Array = start;
+  const { on, value, direction } = setting;
+  const next = (from: Float64Array, time: number, wanted: number): Promise<SectionPoints> => {
+    const part = engine.section({ parameters, start: from, on, value, direction, points: wanted, until: longest - time });
+    // whoever has seen enough does not wait for it
+    part.catch(() => undefined);
+    return part;
+  };
   let time = 0;
-  let piece = FIRST_PIECE;
-  for (let done = 0; done < points; ) {
-    const { on, value, direction } = setting;
-    const began = performance.now();
-    const part = await engine.section({ parameters, start: from, on, value, direction, points: Math.min(piece, points - done), until: longest - time });
-    const count = part.rows.length / part.dimension;
-    if (count > 0) {
-      const values = await engine.quantities(parameters, part.rows, part.dimension);
-      time += part.times.at(-1) ?? 0;
-      yield { x: column(values, width, ix, model), y: column(values, width, iy, model), rows: part.rows, time, end: part.end?.reason ?? null };
-      from = part.rows.slice((count - 1) * part.dimension);
-    }
-    if (part.end !== null || count === 0) {
-      if (count === 0) yield { x: new Float64Array(0), y: new Float64Array(0), rows: part.rows, time, end: part.end?.reason ?? "it does not cross the section" };
+  let began = performance.now();
+  let coming: Promise<SectionPoints> | null = next(start, time, Math.min(FIRST_PIECE, points));
+  for (let done = 0; coming !== null; ) {
+    const { rows, times, dimension, end }: SectionPoints = await coming;
+    coming = null;
+    const count = rows.length / dimension;
+    done += count;
+    if (count === 0) {
+      yield { x: new Float64Array(0), y: new Float64Array(0), rows, time, end: end?.reason ?? "it does not cross the section" };
       return;
     }
-    done += count;
-    const share = PIECE_TIME / Math.max(1, performance.now() - began);
-    piece = Math.round(Math.min(5000, Math.max(50, piece * share)));
+    time += times.at(-1) ?? 0;
+    const asked = engine.quantities(parameters, rows, dimension);
+    if (end === null && done < points) {
+      // computed while this page shows what there is
+      const now = performance.now();
+      const piece = Math.round(Math.min(5000, Math.max(50, (count * PIECE_TIME) / Math.max(1, now - began))));
+      began = now;
+      coming = next(rows.slice((count - 1) * dimension), time, Math.min(piece, points - done));
+    }
+    const values = await asked;
+    yield { x: column(values, width, ix, model), y: column(values, width, iy, model), rows, time, end: end?.reason ?? null };
   }
 }
 
