@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -16,15 +17,18 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
+import chaplygin
 from chaplygin.contact import CompiledContact, Coulomb, contact_motion
 from chaplygin.contact.pressure.pressure import CoupledFriction, Ring, Uniform
 from chaplygin.contact.starts import start_in_space
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
 from chaplygin.experiment.models.experiment import load
+from contact.reference_bodies import rotation
+from contact.reference_forces import Direction, Mode, Problem
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "friction.md").read_text(encoding="utf-8")
-NAMES = ("tippe_top", "sliding_disk", "eulers_disk", "friction_figures")
+NAMES = ("tippe_top", "sliding_disk", "eulers_disk", "friction_figures", "disk_on_ice")
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +57,13 @@ def test_every_file_and_picture_of_the_page_exists() -> None:
     assert all((ROOT / name).exists() for name in named)
     assert len(pictures) >= 13
     assert all((ROOT / "docs" / name).exists() for name in pictures)
+
+
+def test_every_test_of_the_page_exists() -> None:
+    named = set(re.findall(r"`(test_\w+)`", PAGE))
+    texts = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").rglob("*.py"))
+    assert len(named) >= 25
+    assert [name for name in sorted(named) if f"def {name}(" not in texts] == []
 
 
 @pytest.mark.parametrize("name", sorted(set(re.findall(r"examples/(\w+)\.toml", PAGE))))
@@ -359,3 +370,59 @@ def test_a_wrong_coefficient_is_seen(examples: dict[str, ModuleType]) -> None:
     assert situation.law(Coulomb) == Coulomb(0.2)
     state = start_in_space(situation, (0, 0, 0.0285), (1, 0, 0, 0), (1, 0, 0), (-60, -20, 10))
     assert np.allclose(state[:16], run.states[0][:16], rtol=0, atol=1e-15)
+
+
+# --- a disk on ice -------------------------------------------------------------------------------
+
+
+def test_an_edge_that_holds_always_is_the_disk_on_ice_of_the_catalogue(
+    examples: dict[str, ModuleType],
+) -> None:
+    found = examples["disk_on_ice"].motion(1e3, 2.0, 3)
+    system = chaplygin.from_catalogue("disk-on-ice")
+    ideal = chaplygin.integrate(system, examples["disk_on_ice"].START, [0.0, 1.0, 2.0])
+    assert not found.changes
+    for name in ("omega", "gamma"):
+        np.testing.assert_allclose(found.samples[name], ideal[name], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.samples["edge_force"], ideal["edge_force"], atol=1e-11)
+
+
+def test_a_slipping_edge_against_newton_and_euler_in_space(
+    examples: dict[str, ModuleType],
+) -> None:
+    ice = examples["disk_on_ice"]
+    body = {
+        "mass": 1.0,
+        "inertia": [0.25, 0.25, 0.5],
+        "shape": {"kind": "disk", "radius": 1.0},
+    }
+    problem = Problem(body, {"kind": "plane"}, {"mu": 0.4}, 9.81)
+    start = ice.start()
+    q = np.array([1 + start["gamma"][2], start["gamma"][1], -start["gamma"][0], 0.0])
+    q /= np.linalg.norm(q)
+    turn = np.array(rotation(q.tolist()))
+    height = float(np.hypot(*start["gamma"][:2]))
+    momentum = turn @ (np.array(body["inertia"]) * start["omega"])
+    first = np.array([0.0, 0.0, height, *q, *(turn @ start["v"]), *momentum])
+
+    def side(y: np.ndarray) -> np.ndarray:
+        axis = np.array(rotation(y[3:7].tolist()))[:, 2]
+        along = np.cross([0.0, 0.0, 1.0], axis)
+        return np.cross(along / np.linalg.norm(along), [0.0, 0.0, 1.0])
+
+    def rate(t: float, y: np.ndarray) -> list[float]:
+        return problem.rate(y.tolist(), Mode(), Direction(slip=side(y).tolist()))
+
+    def slip(t: float, y: Any) -> float:
+        y = np.asarray(y)
+        there = problem.response(y.tolist(), Mode(), Direction(slip=side(y).tolist()))
+        return float(side(y) @ there.slip) + (1.0 if t < 0.01 else 0.0)
+
+    slip.terminal = True
+    run = solve_ivp(rate, (0, 1), first, "DOP853", events=slip, rtol=1e-13, atol=1e-13)
+    found = ice.motion(0.4, 1.0)
+    assert [what for _, what in found.changes[:2]] == ["holds", "slips"]
+    assert found.changes[0][0] == pytest.approx(run.t[-1], abs=1e-10)
+    assert f"{found.changes[0][0]:.9f} s" in PAGE
+    total = found.samples["total"]
+    assert np.ptp(total) < 1e-12 * total[0]
