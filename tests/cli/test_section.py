@@ -157,7 +157,7 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
         (["--on", "gamma"], "is a vector"),
         (["--on", "m"], "contains no state"),
         (["--direction", "up"], "--direction up: it must be one of rising, falling, both"),
-        (["--points", "0"], "0 points: there must be one at least"),
+        (["--points", "0"], "--points 0: there must be one at least"),
         (["-o", "ball.nc"], "--output ball.nc: its name must end in .zarr"),
         (["--starts", "0"], "--starts 0: there must be one at least"),
         (["--until", "-1"], "--until -1: it must be positive"),

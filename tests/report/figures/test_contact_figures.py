@@ -342,6 +342,14 @@ def test_impulses_of_impacts_stand_beside_the_forces() -> None:
     assert len(joints) == 1
 
 
+def test_rounding_across_the_normal_is_no_impulse() -> None:
+    data = billiard()
+    data["event_impulse"].values[:] = [3e-17, 0.0, 0.5]
+    normal, across = event_impulses(data)
+    assert np.allclose(normal, 0.5)
+    assert not across.any()
+
+
 def test_a_force_that_turns_fast_stays_on_its_circle() -> None:
     angles = np.array([0.0, 0.5, 2.0, 4.0])
     samples = np.stack([np.cos(angles), np.sin(angles)], axis=-1)

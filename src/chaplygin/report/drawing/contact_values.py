@@ -19,6 +19,9 @@ from .modes import event_times
 #: The normal force counts as none below this share of the largest.
 _NO_FORCE = 1e-9
 
+#: What is left of an impulse along the normal, relative to it, across the normal.
+_ROUNDING = 1e-13
+
 
 @dataclass(frozen=True)
 class FrictionLimits:
@@ -140,7 +143,10 @@ def event_impulses(dataset: xr.Dataset) -> tuple[FloatArray, FloatArray]:
     columns = [str(name) for name in dataset["state"].values]
     attitude = states[:, [columns.index(f"attitude_{part}") for part in "wxyz"]]
     gamma = _event_normals(dataset, states, columns)
-    return np.sum(impulses * gamma, axis=1), in_tangent_plane(impulses, gamma, attitude)
+    across = in_tangent_plane(impulses, gamma, attitude)
+    lengths = np.linalg.norm(impulses, axis=1)
+    across[np.linalg.norm(across, axis=1) <= _ROUNDING * lengths] = 0.0
+    return np.sum(impulses * gamma, axis=1), across
 
 
 def relative_impulses(dataset: xr.Dataset, limits: FrictionLimits) -> FloatArray:
