@@ -25,7 +25,7 @@ LONGER = {
     "flow/kernel/runge_kutta.py",
 }
 #: Files of a folder at most.
-FILES = 22
+FILES = 18
 
 
 def modules(home: Path) -> dict[str, Path]:

@@ -1,1 +1,1 @@
-"""Bodies and balls of n-dimensional space, n = 3 to 9, whose angular velocity is a skew matrix."""
+"""Bodies of n-dimensional space: inertia, starts, motion in space, and laws of all n."""

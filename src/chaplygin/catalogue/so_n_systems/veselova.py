@@ -28,8 +28,8 @@ from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import dot, norm_squared, real_symbol, to_components
 from ..catalogue_entry import Values
-from .elimination import solution
-from .entry_of_dimension import (
+from ..so_n.elimination import solution
+from ..so_n.entry_of_dimension import (
     SOURCE,
     SQUARE,
     D,
@@ -40,12 +40,18 @@ from .entry_of_dimension import (
     direction,
     momentum_and_direction,
 )
-from .inertia import SMALLEST, Inertia, MassTensor, Moments, pairs
-from .mass_tensor_identities import rate_of_pencil
-from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
-from .theorems import of_quadratic_integrals, of_veselova
-from .three_dimensions import onto_three_dimensions
-from .weighted_integrals import lemma, weighted_integrals
+from ..so_n.inertia import SMALLEST, Inertia, MassTensor, Moments, pairs
+from ..so_n.mass_tensor_identities import rate_of_pencil
+from ..so_n.motion_in_space import (
+    angular_velocity,
+    gamma_of,
+    motion_in_space,
+    omega_of,
+    unit_length,
+)
+from ..so_n.theorems import of_quadratic_integrals, of_veselova
+from ..so_n.three_dimensions import onto_three_dimensions
+from ..so_n.weighted_integrals import lemma, weighted_integrals
 
 HALF = sp.Rational(1, 2)
 DENSITY = "invariant measure; Δ up to a constant factor"

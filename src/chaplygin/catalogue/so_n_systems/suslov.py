@@ -29,11 +29,17 @@ from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import Components, dot, norm_squared, to_components
 from ..catalogue_entry import Values
-from .elimination import elimination
-from .entry_of_dimension import SOURCE, Family, cycle, direction
-from .inertia import Inertia, MassTensor, Moments
-from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
-from .theorems import of_suslov
+from ..so_n.elimination import elimination
+from ..so_n.entry_of_dimension import SOURCE, Family, cycle, direction
+from ..so_n.inertia import Inertia, MassTensor, Moments
+from ..so_n.motion_in_space import (
+    angular_velocity,
+    gamma_of,
+    motion_in_space,
+    omega_of,
+    unit_length,
+)
+from ..so_n.theorems import of_suslov
 
 HALF = sp.Rational(1, 2)
 

@@ -21,8 +21,7 @@ from ...core.matrices import Column, Jacobian, MatrixProduct, wedge
 from ...core.system import Parameter, System
 from ...core.vectors import norm_squared
 from ..catalogue_entry import Values
-from .chaplygin_ball import Delta, momentum_of, velocity_steps
-from .entry_of_dimension import (
+from ..so_n.entry_of_dimension import (
     SOURCE,
     SQUARE,
     Family,
@@ -32,11 +31,18 @@ from .entry_of_dimension import (
     direction,
     momentum_and_direction,
 )
-from .inertia import Inertia
-from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
-from .theorems import of_ball_on_level, of_quadratic_integrals
+from ..so_n.inertia import Inertia
+from ..so_n.motion_in_space import (
+    angular_velocity,
+    gamma_of,
+    motion_in_space,
+    omega_of,
+    unit_length,
+)
+from ..so_n.theorems import of_ball_on_level, of_quadratic_integrals
+from ..so_n.weighted_integrals import lemma
+from .chaplygin_ball import Delta, momentum_of, velocity_steps
 from .veselova import DENSITY, HALF, quadratic_integrals
-from .weighted_integrals import lemma
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -35,7 +35,7 @@ from ...core.system import Parameter, System
 from ...core.vectors import Vector, dot, norm_squared, real_symbol
 from ...errors import InputError
 from ..catalogue_entry import Numbers, Values
-from .entry_of_dimension import (
+from ..so_n.entry_of_dimension import (
     SOURCE,
     SQUARE,
     D,
@@ -47,8 +47,14 @@ from .entry_of_dimension import (
     momentum_and_direction,
     numbers_of,
 )
-from .inertia import Inertia, ProductMoments
-from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
+from ..so_n.inertia import Inertia, ProductMoments
+from ..so_n.motion_in_space import (
+    angular_velocity,
+    gamma_of,
+    motion_in_space,
+    omega_of,
+    unit_length,
+)
 
 HALF = sp.Rational(1, 2)
 W = real_symbol("W")

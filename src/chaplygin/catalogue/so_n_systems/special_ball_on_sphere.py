@@ -33,10 +33,10 @@ from ...core.matrices import Column
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import dot, norm_squared, to_components
+from ..so_n.entry_of_dimension import SOURCE, SQUARE, R
+from ..so_n.inertia import Inertia, ProductMoments
+from ..so_n.motion_in_space import gamma_of, omega_of
 from .ball_on_sphere import NORMAL, RATIO, OnSphere, a, epsilon, lift
-from .entry_of_dimension import SOURCE, SQUARE, R
-from .inertia import Inertia, ProductMoments
-from .motion_in_space import gamma_of, omega_of
 from .special_inertia import SpecialVeselova, W, cotangent
 
 HALF = sp.Rational(1, 2)

@@ -26,13 +26,19 @@ from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import outer, real_symbol, to_components
 from ..catalogue_entry import Values
-from .elimination import solution
-from .entry_of_dimension import MOMENTUM, SOURCE, D, Family, R, cycle, direction
-from .inertia import Inertia, MassTensor, Moments, pairs
-from .invariants import invariants
-from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
-from .theorems import of_ball
-from .three_dimensions import onto_three_dimensions
+from ..so_n.elimination import solution
+from ..so_n.entry_of_dimension import MOMENTUM, SOURCE, D, Family, R, cycle, direction
+from ..so_n.inertia import Inertia, MassTensor, Moments, pairs
+from ..so_n.invariants import invariants
+from ..so_n.motion_in_space import (
+    angular_velocity,
+    gamma_of,
+    motion_in_space,
+    omega_of,
+    unit_length,
+)
+from ..so_n.theorems import of_ball
+from ..so_n.three_dimensions import onto_three_dimensions
 
 HALF = sp.Rational(1, 2)
 DENSITY = "invariant measure; Δ up to a constant factor"

@@ -28,12 +28,12 @@ from ...core.system import Observable, Parameter, Reconstruction, System
 from ...core.vectors import Components, dot, real_symbol, to_components
 from ...errors import InputError
 from ..catalogue_entry import Numbers
+from ..so_n.entry_of_dimension import SOURCE, D, Family, R
+from ..so_n.equal_radii import bracket, hamiltonian
+from ..so_n.inertia import Inertia
+from ..so_n.motion_in_space import attitude_of, gamma_of, omega_of
+from ..so_n.theorems import of_ball, of_rubber_ball_on_sphere
 from .chaplygin_ball import DENSITY, ChaplyginBall, Delta, momentum_of
-from .entry_of_dimension import SOURCE, D, Family, R
-from .equal_radii import bracket, hamiltonian
-from .inertia import Inertia
-from .motion_in_space import attitude_of, gamma_of, omega_of
-from .theorems import of_ball, of_rubber_ball_on_sphere
 from .veselova import Veselova
 
 a, epsilon = real_symbol("a"), real_symbol("epsilon")
