@@ -246,6 +246,49 @@ lab rattleback --set m=-1
 lab suslov-nd --set dimension=40
 audit --section 2 -o no/a.html
 audit extra
+list veselova
+list --contact glue
+list --section one
+run chaplygin-ball -o a.nc --set run.until==1
+run chaplygin-ball -o a.nc --set run.until=1,5
+run chaplygin-ball -o a.nc --sett run.until=1
+run chaplygin-ball -o a.NC --set run.until=ten
+find integrals veselova --momenta Q
+find integrals veselova --on (
+find measure veselova --base 0
+find integrals veselova --degree 99
+solve veselova --at inf
+solve veselova --digits 1e5
+prove veselova --effort nan
+section veselova --on gamma_3 -o s.zarr --within gamma_1
+section veselova --on gamma_3 -o s.zarr --coordinates gamma_1
+section veselova --on gamma_3 -o s.zarr --coordinates a,b
+section veselova --on gamma_3 -o s.zarr --value nan
+section veselova --on gamma_3 -o s.zarr --coordinates andoyer:q
+section veselova --on gamma_3 -o s.zarr --level energy=-1 --starts 2
+chart veselova --of lyapunov --x I_1=1:2:3 --y I_1=1:2:3 -o c.zarr
+chart veselova --of lyapunov --x q=1:2:3 --y I_1=1:2:3 -o c.zarr
+chart veselova --of mean --x I_2=1:2:3 --y I_1=1:2:3 -o c.zarr
+chart veselova --of lyapunov --x I_2=1:2:3 --y I_1=1:2:3 -o c.zarr --let I_2=3
+chart veselova --of lyapunov --x I_2=1:2:3 --y I_1=1:2:3 -o c.zarr --hold q
+orbit veselova --on gamma_3 --period 0
+orbit veselova --on gamma_3 --follow q=2
+orbit veselova --on gamma_3 --tolerance 0
+orbit veselova --on gamma_3 --hold q
+sweep veselova --over I_1=a,b -o w.zarr
+sweep veselova --over I_1=1,2 --draw q -o w.zarr
+sweep veselova --over I_1=1,2 --record q -o w.zarr
+lyapunov veselova --level q=1
+lyapunov veselova --device tpu
+lyapunov veselova --tolerance 1e-40
+animate veselova -o v.gif --width 10
+bifurcation veselova --set I_1=I_2
+bifurcation chaplygin-ball-area --set I_2=-1
+ensemble veselova -o e.zarr --draw I_1=1:2
+ensemble veselova -o e.zarr --starts 5
+ensemble veselova -o e.zarr --seed -1 --starts 3 --level energy=1
+audit --section x
+run --help=3
 """.strip().splitlines()
 
 

@@ -24,6 +24,7 @@ gamma = [0, 0, 1]
 omega = [1, 0, 0]
 """
 SYS = '[system]\nname = "chaplygin-ball"\n'
+FREE = '[frame]\ncoordinates = ["x", "y"]\n[lagrangian]\nkinetic = "(xdot**2 + ydot**2)/2"\n'
 DISK, SURF, TRAILER, SUS, VOLT = (
     (EXAMPLES / f"{name}.toml").read_text()
     for name in ("coin", "ball_on_waves", "trailer", "suslov_problem", "volterra")
@@ -290,6 +291,41 @@ MISTAKES: list[tuple[str, str | bytes]] = [
     ("deep nesting", "x = " + "[" * 500 + "]" * 500),
     ("only title", 'title = "hallo"\n'),
     ("title number", "title = 3\n" + BALL),
+    ("mass in per cent", r(BALL, "mass = 1.0", "mass = 10%")),
+    ("mass without zero", r(BALL, "mass = 1.0", "mass = .5")),
+    ("mass fraction", r(BALL, "mass = 1.0", "mass = 1/2")),
+    ("mass half exponent", r(BALL, "mass = 1.0", "mass = 1e")),
+    ("inertia semicolons", r(BALL, "[1.0, 1.2, 1.5]", "[1,0; 1,2; 1,5]")),
+    ("products of inertia", r(BALL, "[1.0, 1.2, 1.5]", "[1.0, 1.2, 1.5]\nproducts = [0, 0, 0]")),
+    ("ragged inertia", r(BALL, "[1.0, 1.2, 1.5]", "[[1, 0, 0], [0, 1, 0], [0, 0]]")),
+    ("quotes of a word processor", r(BALL, '"ball"', "“ball”")),
+    ("lines of an old Macintosh", BALL.replace("\n", "\r")),
+    ("until in minutes", BALL + '[run]\nuntil = "1 min"\n'),
+    ("samples beyond memory", BALL + "[run]\nsamples = 100000000000\n"),
+    ("precision misspelt", BALL + '[run]\nprecision = "quadruple"\n'),
+    ("contact that sticks", BALL + '[contact]\nmodel = "sticky"\n'),
+    ("friction below zero", BALL + '[contact]\nmodel = "friction"\nmu = -0.3\n'),
+    ("friction in quotes", BALL + '[contact]\nmodel = "friction"\nmu = "0.3"\n'),
+    ("sphere of radius below zero", BALL + '[surface]\nkind = "sphere"\nradius = -2\n'),
+    ("sphere with inside", BALL + '[surface]\nkind = "sphere"\nradius = 2\ninside = true\n'),
+    ("surface saddle", BALL + '[surface]\nkind = "saddle"\n'),
+    ("gravity vector", BALL + "[field]\ngravity = [0, 0, -9.81]\n"),
+    ("potential equation", BALL + '[field]\npotential = "U = gamma_3"\n'),
+    ("potential program", BALL + '[field]\npotential = "lambda x: x"\n'),
+    ("potential list", BALL + '[field]\npotential = ["gamma_3"]\n'),
+    ("potential caret", BALL + '[field]\npotential = "gamma_3^2"\n'),
+    ("potential in LaTeX", BALL + "[field]\npotential = '\\gamma_3'\n"),
+    ("parameter pi", BALL + '[field]\npotential = "pi*gamma_3"\nparameters = {pi = 3}\n'),
+    ("start attitude", BALL + "attitude = [1, 0, 0, 0]\n"),
+    ("constraint on place", f'{FREE}[constraints]\nvelocity = ["x - y"]\n[start]\nx = 0\n'),
+    ("constraint twice", f'{FREE}[constraints]\nvelocity = ["xdot", "2*xdot"]\n[start]\nx = 0\n'),
+    ("kinetic energy linear", r(FREE, "(xdot**2 + ydot**2)/2", "xdot") + "[start]\nx = 0\n"),
+    ("coordinate twice", r(FREE, '"x", "y"', '"x", "x"') + "[start]\nx = 0\n"),
+    ("coordinate lambda", r(FREE, '"x", "y"', '"x", "y", "lambda"') + "[start]\nx = 0\n"),
+    ("parameter without value", FREE + '[parameters]\nm = {unit = "kg"}\n[start]\nx = 0\n'),
+    ("rate that is a number", '[equations]\nstate = ["x"]\nrates = {x = 1}\n[start]\nx = 1\n'),
+    ("system list", 'system = ["veselova"]\n'),
+    ("system parameter in words", SYS + "parameters = {I_1 = 'big'}\n"),
 ]
 
 
