@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from docutils import nodes
@@ -16,7 +17,11 @@ def _inline(writer: Any, node: nodes.math) -> None:
 
 
 def _display(writer: Any, node: nodes.math_block) -> None:
-    writer.body.append(f'<div class="formula">{mathml(node.astext(), "block")}</div>')
+    formula, number = re.fullmatch(r"(.*?)(?:\\tag\{(.*)\}\s*)?", node.astext(), re.S).groups()
+    written = mathml(formula, "block")
+    if number:
+        written += f'<span class="number">({number})</span>'
+    writer.body.append(f'<div class="formula">{written}</div>')
     raise nodes.SkipNode
 
 
