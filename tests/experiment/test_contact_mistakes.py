@@ -138,6 +138,10 @@ MISTAKES: dict[str, tuple[str, str]] = {
         BALL + '[contact]\nmodel = "frictoin"\n' + CONTACT,
         'line 8, contact.model: must be "marble", "rubber" or "friction", not the text "frictoin"',
     ),
+    "model misspelt, with mu": (
+        BALL + '[contact]\nmodel = "frictoin"\nmu = 0.3\n' + CONTACT,
+        'line 7, contact: model must be "marble", "rubber" or "friction", not the text "frictoin"',
+    ),
     "marble with mu": (
         BALL + '[contact]\nmodel = "marble"\nmu = 0.3\n' + CONTACT,
         'line 7, contact: mu is for a contact with friction: write model = "friction" with it, or '

@@ -135,6 +135,11 @@ class ContactTable(Table):
     def _without_friction(cls, table: object) -> object:
         keys = [key for key in table if key in FRICTION_KEYS] if isinstance(table, dict) else []
         if keys:
+            model = table.get("model", "marble")
+            if model not in ("marble", "rubber"):
+                raise ValueError(
+                    f'model must be "marble", "rubber" or "friction", not the text "{model}"'
+                )
             raise ValueError(
                 f'{keys[0]} is for a contact with friction: write model = "friction" with it, or '
                 "leave it out"
