@@ -133,7 +133,9 @@ class ContactTable(Table):
     @model_validator(mode="before")
     @classmethod
     def _without_friction(cls, table: object) -> object:
-        keys = [key for key in table if key in FRICTION_KEYS] if isinstance(table, dict) else []
+        if not isinstance(table, dict):
+            return table
+        keys = [key for key in table if key in FRICTION_KEYS]
         if keys:
             model = table.get("model", "marble")
             if model not in ("marble", "rubber"):
