@@ -104,7 +104,13 @@ def command(
     with progress(title) as report, resumable(output, report, force) as update:
         dataset = compute(task, output, client=client, progress=update)
     names = [name for name, _ in values]
-    save(drawn(dataset, names, label), picture)
+    figure_of_motions = drawn(dataset, names, label)
+    save(figure_of_motions, picture)
+    if figure_of_motions.axes[0].lines[0].get_linestyle() == "None":
+        inform(
+            "note: the samples are too far apart to be joined by lines; "
+            f"--set run.samples={10 * (len(study.times) - 1) + 1} takes ten times as many"
+        )
     result: dict[str, Any] = {
         "file": str(output),
         "figure": str(picture),

@@ -23,10 +23,12 @@ MOST = 200
 #: Yellow is left out, as too pale on white.
 COLOURS = mpl.colormaps["viridis"]
 PALEST = 0.92
+#: A curve may turn at this share of its samples at most: ten samples for a swing up and down.
+TURNS = 0.2
 
 
 def sweep(dataset: xr.Dataset, parameters: Sequence[str], quantity: str) -> Figure:
-    """A quantity against time, for every motion of a sweep.
+    """A quantity against time, for every motion of a sweep; samples too far apart stay points.
 
     Parameters
     ----------
@@ -44,6 +46,7 @@ def sweep(dataset: xr.Dataset, parameters: Sequence[str], quantity: str) -> Figu
     name, values = _curves(dataset, quantity)
     times = np.asarray(dataset["time"].values, dtype=float)
     shades = np.asarray(dataset[parameters[0]].values, dtype=float)
+    joined = are_close_enough(values)
     chosen = np.unique(np.linspace(0, len(values) - 1, min(len(values), MOST)).round().astype(int))
     few = len(values) <= FEW
     scale = Normalize(float(shades.min()), float(shades.max()))
@@ -58,7 +61,15 @@ def sweep(dataset: xr.Dataset, parameters: Sequence[str], quantity: str) -> Figu
             colour = (
                 SERIES[number % len(SERIES)] if few else COLOURS(PALEST * scale(shades[number]))
             )
-            axes.plot(times, values[number], color=colour, label=text if few else None)
+            axes.plot(
+                times,
+                values[number],
+                color=colour,
+                label=text if few else None,
+                linestyle="-" if joined else "",
+                marker="" if joined else ".",
+                markersize=4,
+            )
         axes.grid(axis="y", color=FAINT, linewidth=0.4)
         axes.set_axisbelow(True)
         axes.set_xlabel(time_label(dataset))
@@ -71,6 +82,13 @@ def sweep(dataset: xr.Dataset, parameters: Sequence[str], quantity: str) -> Figu
             label = with_unit(typeset(parameters[0]), unit_of(dataset, parameters[0]))
             figure.colorbar(ScalarMappable(scale, shown), ax=axes, label=label, pad=0.02)
     return figure
+
+
+def are_close_enough(values: FloatArray) -> bool:
+    """Whether lines between samples (motions, times) show the motions, and not a zigzag."""
+    steps = np.diff(values, axis=1)
+    turns = (steps[:, 1:] * steps[:, :-1] < 0).mean(axis=1) if values.shape[1] > 2 else np.zeros(1)
+    return bool((turns <= TURNS).all())
 
 
 def _curves(dataset: xr.Dataset, quantity: str) -> tuple[str, FloatArray]:
