@@ -241,14 +241,14 @@ def test_code_goes_by_the_machine_and_verdicts_do_not(monkeypatch: pytest.Monkey
 WRITER = """
 import sys
 from chaplygin.core.cache import folder
-from chaplygin.flow.kernel import code_cache as cache
+from chaplygin.flow.machine_code import code_cache as cache
 from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.verdict import Verdict
 cache._file_version = lambda path: object()
 for turn in range(60):
     name = f"name{turn % 3}"
     value = (name.encode() * 40_000, turn % 3)
-    made, found = cache.remember(name, lambda: value)
+    made, found = cache.cached_entry(name, lambda: value)
     assert made == value, turn
     verdict = Verdict(name, "proven", finding=name * 20_000, effort=1)
     memory.store_verdict(name, verdict)
@@ -302,14 +302,14 @@ def test_a_disk_that_fills_while_a_file_is_closed(
 
 READER = """
 import os
-from chaplygin.flow.kernel import code_cache as cache
+from chaplygin.flow.machine_code import code_cache as cache
 from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.verdict import Verdict
 if os.geteuid() == 0:  # to whom permissions mean nothing
     os.setgid(12345)
     os.setuid(12345)
 memory.store_verdict("name", Verdict("law", "proven"))
-made, found = cache.remember("name", lambda: "made")
+made, found = cache.cached_entry("name", lambda: "made")
 print(made, found, memory.load_verdict("name"))
 """
 
