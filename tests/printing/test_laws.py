@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from chaplygin.catalogue import from_catalogue
 from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import (
     ConformallyHamiltonian,
@@ -32,7 +33,7 @@ from chaplygin.core.vectors import (
 )
 from chaplygin.printing.formula import text
 from chaplygin.printing.laws import caption, condition_text, equation_sides, formulas, heading
-from chaplygin.printing.notation import LATEX, UNICODE
+from chaplygin.printing.notation import LATEX, UNICODE, Notation
 from chaplygin.printing.system import claims_html, law_html, law_latex, system_html, system_text
 
 M, gamma = vectors("M gamma")
@@ -237,3 +238,15 @@ def test_the_level_is_typeset_in_captions() -> None:
     page = law_html(Measure("m", {k: 1}, "named", on=(k + 1,)), body())
     assert "named, for <math" in page
     assert page.partition("caption")[2].count("<math") == 1
+
+
+@pytest.mark.parametrize(
+    ("system", "law", "rows"),
+    [("neumann", "hamiltonian", 1), ("rubber-ball-on-sphere", "ratio", 2)],
+)
+@pytest.mark.parametrize("notation", [UNICODE, LATEX])
+def test_no_name_is_said_to_be_itself(system: str, law: str, rows: int, notation: Notation) -> None:
+    """It was printed H = H, and J₁ = J₁."""
+    known = from_catalogue(system)
+    (stated,) = (item for item in known.laws if item.name == law)
+    assert len(equation_sides(stated, known, notation)) == rows

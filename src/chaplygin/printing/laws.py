@@ -142,8 +142,17 @@ def equation_sides(law: Law, system: System, notation: Notation) -> list[Side]:
     Returns
     -------
     list of (str, formula or str)
-        Left sides in the notation (empty for a remark among the equations), and right sides.
+        Left sides in the notation (empty for a remark among the equations), and right sides;
+        what would say that a name is itself, as H = H, is left out.
     """
+    write = text if notation is UNICODE else latex
+    sides = _all_sides(law, system, notation)
+    return [
+        (left, right) for left, right in sides if isinstance(right, str) or left != write(right)
+    ]
+
+
+def _all_sides(law: Law, system: System, notation: Notation) -> list[Side]:
     write = text if notation is UNICODE else latex
     match law:
         case Integral():
