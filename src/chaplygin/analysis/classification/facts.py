@@ -45,6 +45,11 @@ class Fact:
     system: str = ""
     functions: int = 1
 
+    @property
+    def is_own_law(self) -> bool:
+        """Whether it is a law that the system itself states; the page of a report asks."""
+        return not self.system and self.source != HERE
+
     def __str__(self) -> str:
         several = f"({self.functions} functions)" if self.functions > 1 else ""
         elsewhere = f"by the laws of: {self.system}" if self.system else ""
