@@ -12,6 +12,7 @@ import pytest
 
 import chaplygin as ch
 from chaplygin.core.overview import Overview
+from chaplygin.explicit import bifurcation_diagram
 from chaplygin.flow.ensemble.run import ensemble_task
 
 #: Lines and columns of a screen.
@@ -51,6 +52,10 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
         "PoissonStructure(name='bracket', source=",
     ),
     "catalogue": (lambda: ch.CATALOGUE, f"{len(ch.CATALOGUE)} systems"),
+    "bifurcation diagram": (
+        lambda: bifurcation_diagram("veselova"),
+        "Bifurcation diagram of veselova in the plane of h and F",
+    ),
     "task": (
         lambda: ensemble_task(ball()[0], [ball()[1][:6]] * 50, np.linspace(0.0, 1.0, 1001)),
         "Task(work=EnsembleWork(",

@@ -99,3 +99,10 @@ def test_ball_without_gravity_has_one_rotation() -> None:
     (rest,) = column.rests
     assert rest.stable
     assert math.isclose(float(rest.h), 0.5)
+
+
+def test_its_overview(diagram: Diagram) -> None:
+    first, columns, families = repr(diagram).splitlines()
+    assert first.endswith("in the plane of h and K")
+    assert columns.split() == ["columns", "6,", "K", "from", "0.5", "to", "4"]
+    assert families.split()[0] == "families"

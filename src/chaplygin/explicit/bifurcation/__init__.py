@@ -17,6 +17,7 @@ from flint import fmpq, fmpq_mpoly
 
 from ...arguments import NumberOrText, arguments_checked
 from ...core.named_formulas import by_dependence, definition_values
+from ...core.overview import Overview, WithOverview
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.balls import exact
@@ -31,8 +32,8 @@ from .regions import Boundary, Equilibrium, Kinds, Region
 __all__ = ["Boundary", "Diagram", "Equilibrium", "Region", "bifurcation_diagram", "locate"]
 
 
-@dataclass(frozen=True)
-class Diagram:
+@dataclass(frozen=True, repr=False)
+class Diagram(WithOverview):
     """The bifurcation diagram of a system in the plane of two integrals.
 
     Attributes
@@ -58,6 +59,20 @@ class Diagram:
     regions: tuple[Region, ...]
     boundaries: tuple[Boundary, ...]
     equilibria: tuple[Equilibrium, ...]
+
+    def overview(self) -> Overview:
+        """The plane, the numbers of tori and the boundaries."""
+        axes = " and ".join(str(axis.symbol) for axis in self.axes)
+        tori = (f"{r.tori} in region {r.number}" for r in self.regions if r.number)
+        stable = (f"{'stable' if b.stable else 'unstable'} {b.words}" for b in self.boundaries)
+        return Overview(
+            f"Bifurcation diagram of {self.plane.name} in the plane of {axes}",
+            (
+                ("tori", ", ".join(tori)),
+                ("boundaries", "; ".join(dict.fromkeys(stable))),
+                ("equilibria", str(len(self.equilibria) or "")),
+            ),
+        )
 
     @property
     def axes(self) -> tuple[Axis, Axis]:

@@ -23,6 +23,7 @@ from flint import arb, ctx, fmpq
 
 from ...arguments import NumberOrText, arguments_checked
 from ...core.arrays import FloatArray
+from ...core.overview import Overview, WithOverview
 from ...errors import InputError
 from ...formulas.balls import exact
 from ...mechanics.rolling.equations import Rolling
@@ -88,8 +89,8 @@ class Column:
             return self.counts[sum(bool(rotation.h < energy) for rotation in self.rests)]
 
 
-@dataclass(frozen=True)
-class Diagram:
+@dataclass(frozen=True, repr=False)
+class Diagram(WithOverview):
     """The bifurcation diagram.
 
     Attributes
@@ -105,6 +106,18 @@ class Diagram:
     columns: tuple[Column, ...]
     curves: tuple[FloatArray, ...]
     stable: tuple[bool, ...]
+
+    def overview(self) -> Overview:
+        """The spins and the families of permanent rotations."""
+        spins = [column.K for column in self.columns]
+        stable = sum(self.stable)
+        return Overview(
+            "Bifurcation diagram of a rubber body of revolution in the plane of h and K",
+            (
+                ("columns", f"{len(spins)}, K from {spins[0]:.4g} to {spins[-1]:.4g}"),
+                ("families", f"{stable} stable, {len(self.stable) - stable} unstable"),
+            ),
+        )
 
 
 @arguments_checked
