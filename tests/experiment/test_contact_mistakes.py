@@ -140,7 +140,23 @@ MISTAKES: dict[str, tuple[str, str]] = {
     ),
     "model misspelt, with mu": (
         BALL + '[contact]\nmodel = "frictoin"\nmu = 0.3\n' + CONTACT,
-        'line 7, contact: model must be "marble", "rubber" or "friction", not the text "frictoin"',
+        'line 8, contact.model: must be "marble", "rubber" or "friction", not the text "frictoin"',
+    ),
+    "model misspelt, with slip": (
+        BALL + '[contact]\nmodel = "frictoin"\nmu = 0.3\n' + CONTACT + "slip = [1, 0, 0]\n",
+        'line 8, contact.model: must be "marble", "rubber" or "friction", not the text "frictoin"',
+    ),
+    "model misspelt, with a start in space": (
+        BALL + '[contact]\nmodel = "coulomb"\n' + SPACE,
+        'line 8, contact.model: must be "marble", "rubber" or "friction", not the text "coulomb"',
+    ),
+    "model misspelt, with a body that may fly": (
+        BALL + '[contact]\nmodel = "frictoin"\n' + CONTACT + '[run]\non_liftoff = "fly"\n',
+        'line 8, contact.model: must be "marble", "rubber" or "friction", not the text "frictoin"',
+    ),
+    "marble misspelt": (
+        BALL + '[contact]\nmodel = "marbel"\n' + CONTACT + '[run]\non_liftoff = "warn"\n',
+        'line 8, contact.model: must be "marble", "rubber" or "friction", not the text "marbel"',
     ),
     "marble with mu": (
         BALL + '[contact]\nmodel = "marble"\nmu = 0.3\n' + CONTACT,

@@ -137,11 +137,6 @@ class ContactTable(Table):
             return table
         keys = [key for key in table if key in FRICTION_KEYS]
         if keys:
-            model = table.get("model", "marble")
-            if model not in ("marble", "rubber"):
-                raise ValueError(
-                    f'model must be "marble", "rubber" or "friction", not the text "{model}"'
-                )
             raise ValueError(
                 f'{keys[0]} is for a contact with friction: write model = "friction" with it, or '
                 "leave it out"

@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
@@ -25,9 +26,10 @@ from ...arguments import arguments_checked
 from ...errors import InputError
 from ...parsing import nearest
 from ..file.ball_tables import SmoothTable
+from ..file.contact_tables import FrictionStartTable
 from ..file.source import Source
 from ..file.table import Table
-from ..file.tables import OF_A_DIMENSION
+from ..file.tables import FRICTION_KEYS, OF_A_DIMENSION, StartTable
 from ..file.toml import Key, Tables
 from ..file.validation import validation_messages
 from .ball_model import BallExperiment
@@ -273,10 +275,24 @@ def _own_model(tables: Tables) -> type[Experiment]:
         return EquationsExperiment
     if "body" not in tables and tables.keys() & {"frame", "lagrangian", "constraints"}:
         return MechanismExperiment
-    contact = tables.get("contact")
-    if isinstance(contact, dict) and contact.get("model") == "friction":
+    if _means_friction(tables):
         return FrictionExperiment
     return BallExperiment if _is_ball_experiment(tables) else RollingExperiment
+
+
+def _means_friction(tables: Tables) -> bool:
+    """Whether the tables speak of friction, perhaps with the name of the model misspelt."""
+    contact, start = tables.get("contact"), tables.get("start")
+    if not isinstance(contact, dict):
+        return False
+    model = contact.get("model", "marble")
+    if model in ("marble", "rubber", "friction"):
+        return bool(model == "friction")
+    of_sliding = FrictionStartTable.model_fields.keys() - StartTable.model_fields.keys()
+    slides = isinstance(start, dict) and start.keys() & of_sliding
+    if slides or contact.keys() & {*FRICTION_KEYS}:
+        return True
+    return get_close_matches(str(model), ("marble", "rubber", "friction"), 1, 0.0) == ["friction"]
 
 
 def _decided_by_system(tables: Tables) -> dict[Key, str]:
