@@ -274,8 +274,20 @@ slip = [0, 0.9179257, -0.3967532]
 until = 1.0
 """
     study = study_of(case)
-    with pytest.raises(ch.InputError, match=r'Painlevé.* on_paradox = "impact"'):
+    with pytest.raises(ch.InputError, match=r'Painlevé.* on_paradox = "impact"') as error:
         study.trajectory()
+    # time, place and the determinant, by the formula of a point that slides
+    gamma = np.array([0, 0.3967532, 0.9179257])
+    arm = -np.array([1, 1, 25]) * gamma / np.sqrt(np.array([1, 1, 25]) @ gamma**2)
+    turn = np.diag([1 / 5.2, 1 / 5.2, 1 / 0.4])
+    force = gamma - 1.9 * np.array([0, gamma[2], -gamma[1]])
+    determinant = gamma @ (force + np.cross(turn @ np.cross(arm, force), arm))
+    assert determinant < 0
+    assert (
+        "no motion in contact is possible at t = 0 s with the contact at (0, 0, 0) m (Painlevé's "
+        "paradox: the normal acceleration of the contact for each unit of normal force, "
+        f"B = {determinant:.6g} /kg, is not positive, so that"
+    ) in str(error.value)
 
 
 #: Cases that are quick to compile.

@@ -16,7 +16,7 @@ from ..impact.impact import Impact
 from ..slip.stopping import WEAK, finish_stop
 from .compiled import WORK
 from .course_state import NO_SLIP, SLIP_FLOOR
-from .dynamic_jam import state_after_jam
+from .dynamic_jam import normal_response, state_after_jam
 from .end_reasons import NO_RETURN, SINGULAR, EndError
 from .events import EventKind
 from .mode_integrator import PAUSE
@@ -28,6 +28,7 @@ from .near_rest import (
     sudden_direction,
 )
 from .onset import onset_of_sliding
+from .paradox import paradox_words
 from .rolling_transitions import RollingTransitions
 
 #: Gaps, normal velocities and normal accelerations below this part of the typical ones are none.
@@ -38,12 +39,6 @@ _LOWEST = 1e-6
 
 #: Likewise for a slip that ends slowly.
 _WEAK_FLOOR = 1e-3
-
-
-_PARADOX = (
-    "no motion in contact is possible here (Painlevé's paradox: the friction of any normal force "
-    "would press the body into the support)"
-)
 
 
 class Course(RollingTransitions):
@@ -387,11 +382,14 @@ class Course(RollingTransitions):
             self._project(self.mode)
             # the work of so great a force changes with the slip, which it stops
             self.state[column] += balance - self._balance()
+        known = self._numbers()
+        response = normal_response(self._integrator(self.mode), known, self.state)
+        words = paradox_words(self.time, known, self.state, response, jam is not None)
         if self.rules.on_paradox == "stop":
-            raise EndError("paradox", _PARADOX)
+            raise EndError("paradox", words)
         before = self.state
         self.mode = replace(self.mode, rolling=True)
         result = self._collide(self.rules.restitution)
         if result.normal_impulse <= 0:
-            raise EndError("paradox", _PARADOX)
+            raise EndError("paradox", words)
         self._rebound("impact without collision", before, result)

@@ -6,6 +6,8 @@ of B is linear in time, and the impulse ∫N dt that is left is finite.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from ...core.arrays import FloatArray
@@ -27,10 +29,10 @@ def ends_in_jam(integrator: ModeIntegrator, numbers: ContactNumbers, state: Floa
         At `state`.
     state : array (size,)
     """
-    response = _response(integrator, numbers, state)
+    response = normal_response(integrator, numbers, state)
     mobility = numbers.mobility
     least = _JAMMING * float(mobility.gamma @ mobility.A @ mobility.gamma)
-    return bool(np.isfinite(state).all()) and response is not None and response < least
+    return bool(np.isfinite(state).all()) and response < least
 
 
 def state_after_jam(
@@ -55,11 +57,11 @@ def state_after_jam(
     part : float
         1, or 2 for a B that is negative by as much as it was positive.
     """
-    response = _response(integrator, numbers, state)
+    response = normal_response(integrator, numbers, state)
     rates = integrator.rates(state)
     short = 1e-9 * speed / float(np.linalg.norm(rates[VELOCITY]))
-    later = _response(integrator, numbers, state + short * rates)
-    if response is None or later is None or not 0 < later < response:
+    later = normal_response(integrator, numbers, state + short * rates)
+    if not 0 < later < response < math.inf:
         return None
     lasting = 0.5 * response * short / (response - later)
     pushed = 2 * part * lasting * rates
@@ -68,13 +70,21 @@ def state_after_jam(
     return state + pushed, lasting
 
 
-def _response(
+def normal_response(
     integrator: ModeIntegrator, numbers: ContactNumbers, state: FloatArray
-) -> float | None:
-    """B; None in a mode without friction in proportion to the normal force."""
+) -> float:
+    """B at a state; infinite in a mode without friction in proportion to the normal force.
+
+    Parameters
+    ----------
+    integrator : ModeIntegrator
+    numbers : ContactNumbers
+        At `state`.
+    state : array (size,)
+    """
     names = [guard.name for guard in integrator.system.guards]
     if "paradox" not in names:
-        return None
+        return math.inf
     margin = float(integrator.guard_values(state)[names.index("paradox")])
     mobility = numbers.mobility
     return margin + JAM * float(mobility.gamma @ mobility.A @ mobility.gamma)
