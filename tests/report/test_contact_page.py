@@ -20,8 +20,11 @@ from chaplygin.contact.friction.user_friction import UserFriction
 from chaplygin.contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
 from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
+from chaplygin.report import page as report_page
 from chaplygin.report.contact_section import law_row
 from chaplygin.report.drawing.contact_values import FrictionLimits, friction_limits
+from chaplygin.report.drawing.files import PAGE_COLOURS
+from chaplygin.report.drawing.modes import MODE_STYLES
 from chaplygin.report.figures.contact_time import LOSSES
 from chaplygin.report.study_output import write_study
 from unheard import Unheard
@@ -95,6 +98,15 @@ def test_what_dry_friction_can_hold(laws: tuple[FrictionLaw, ...], limits: Frict
     assert friction_limits(FrictionalContact(ball, laws=laws)) == limits
 
 
+def test_every_mode_has_a_colour_for_the_night() -> None:
+    """Sliding without rolling was dark red on a dark page."""
+    template = (Path(report_page.__file__).parent / "templates" / "report.html").read_text("utf-8")
+    night = template[template.index("prefers-color-scheme: dark") : template.index(".picture {")]
+    for mode, style in MODE_STYLES.items():
+        name = next(name for name, colour in PAGE_COLOURS.items() if colour == style.colour)
+        assert mode == "rest" or f"--{name}: #" in night
+
+
 @pytest.mark.slow
 def test_the_page_of_a_bouncing_ball(tmp_path: Path) -> None:
     (tmp_path / "figures").mkdir()
@@ -108,6 +120,8 @@ def test_the_page_of_a_bouncing_ball(tmp_path: Path) -> None:
     assert "place" not in links and "friction" in links
     for name in ("slip_and_spin", "slip_hodograph", "friction_cone", "energy_stack", "drift"):
         assert page.count(f'<figure id="{name}">') == 1
+    # in colours that follow the page: it was a white card at night
+    assert re.search(r'<figure id="contact_path">\s*<h4>.*?</h4>\s*<div class="chart ', page)
     # it falls 0.2 m and rises to a quarter of it
     (table,) = re.findall(r'<table class="events">.*?</table>', page, re.S)
     (first, *_) = re.findall(r'<td class="number">([\d.]+)</td><td>(.*?)</td>', table)

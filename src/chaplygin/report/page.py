@@ -25,6 +25,7 @@ from ..explicit.base.solution import Solution
 from ..flow.trajectory import Trajectory
 from ..lab.element import element
 from ..lab.study_page import study_model
+from ..mechanics.shapes.surfaces import Plane
 from ..printing.equations import equations_html
 from ..printing.formula import latex, text
 from ..printing.laws import heading
@@ -35,6 +36,7 @@ from ..proof.fields.budget import EFFORT
 from ..proof.verdict import Verdict
 from . import figures
 from .contact_section import contact_plates, contact_section
+from .drawing.modes import changes_mode
 from .summary import drift
 
 #: Term operations that the proof of one law may take, and those of all together: the first unless
@@ -144,7 +146,10 @@ def render(
         places = [_section(part) for part in (stands, *stands.levels)]
         uncounted = stands.uncounted_by_reason
     both, letters = figures.page_svgs(pictures, svgs)
-    drawn = {name: _figure_html(name, *svgs) for name, svgs in both.items()}
+    drawn = {
+        name: _figure_html("picture" if _is_picture(name, study, dataset) else "chart", *svgs)
+        for name, svgs in both.items()
+    }
     lab = element(study_model(study, dataset, verdicts), drawn.get("scene", ""))
     return environment.get_template("report.html").render(
         signed=typographic_signs,
@@ -214,9 +219,16 @@ def render(
     )
 
 
-def _figure_html(name: str, wide: str, narrow: str) -> Markup:
+def _is_picture(name: str, study: Study, dataset: xr.Dataset) -> bool:
+    """Whether the colours of a figure stay as they are."""
+    subject = study.subject
+    flat = isinstance(subject, ContactSubject) and isinstance(subject.surface, Plane)
+    # a path on a plane in the colours of modes has no shades
+    return name in PICTURES and not (name == "contact_path" and flat and changes_mode(dataset))
+
+
+def _figure_html(kind: str, wide: str, narrow: str) -> Markup:
     """A figure for wide and for narrow screens."""
-    kind = "picture" if name in PICTURES else "chart"
     return Markup(
         f'<div class="{kind} on-wide">{wide}</div><div class="{kind} on-narrow">{narrow}</div>'
     )

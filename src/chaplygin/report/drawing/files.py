@@ -24,6 +24,7 @@ from matplotlib.ticker import AutoLocator
 from ...arguments import arguments_checked
 from ...errors import InputError
 from ...experiment.files import atomic_file
+from .modes import MODE_STYLES
 from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE
 from .svg_paths import grouped_marks, short_path, with_shared_letters, with_shared_paths
 from .ticks import set_plain_ticks
@@ -41,7 +42,11 @@ PAGE_COLOURS = {
     "faint": FAINT,
     "alarm": ALARM,
     "paper": "#ffffff",
-    **{f"curve-{colour[1:]}": colour for colour in (*COMPONENTS, *SERIES) if colour != ALARM},
+    **{
+        f"curve-{colour[1:]}": colour
+        for colour in (*COMPONENTS, *SERIES, *(style.colour for style in MODE_STYLES.values()))
+        if colour not in (ALARM, INK)
+    },
 }
 """Colours of figures that a page may change, by the names of its style sheet."""
 
