@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import threading
 from collections.abc import Callable, Iterator
 from http.server import BaseHTTPRequestHandler, HTTPServer
@@ -10,13 +11,17 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_rgb
+from PIL import Image
 
 from browser import Opened, browsers
 from chaplygin.analysis.classification.facts import ProofBudget
+from chaplygin.experiment.contact.mode_intervals import mode_intervals
 from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.study import Study, dataset_of, prepare
 from chaplygin.lab.element import page
 from chaplygin.lab.study_page import study_model
+from chaplygin.report.drawing.modes import MODE_STYLES
 from chaplygin.report.study_output import write_study
 from unheard import Unheard
 
@@ -92,6 +97,54 @@ def test_a_page_computes_motions_sections_and_laws(chromium: Any, tmp_path: Path
     assert len(rows) == 20
     assert max(abs(row[names.index("gamma_1")]) for row in rows) < 1e-9
     assert opened.strangers == []
+
+
+#: The colour of the bar under the first plot, in the middle of a stretch of time.
+UNDER_THE_PLOT = """
+(share) => {
+  const plot = document.querySelector(".lab-plot .uplot");
+  const [over, canvas] = [plot.querySelector(".u-over"), plot.querySelector("canvas")];
+  const [inner, outer] = [over, canvas].map((each) => each.getBoundingClientRect());
+  const ratio = canvas.width / outer.width;
+  const x = (inner.left - outer.left + share * inner.width) * ratio;
+  const y = (inner.bottom - outer.top + 7) * ratio;
+  const [r, g, b] = canvas.getContext("2d").getImageData(Math.round(x), Math.round(y), 1, 1).data;
+  return [r, g, b];
+}
+"""
+
+
+def test_a_motion_with_friction_is_coloured_by_mode(chromium: Any, tmp_path: Path) -> None:
+    study = prepare(load(EXAMPLES / "bouncing_ball.toml", ["run.until=2", "run.samples=101"]))
+    dataset = dataset_of(study, study.trajectory())
+    intervals = mode_intervals(dataset)
+    names = {interval.mode for interval in intervals}
+    assert {"flight", "sliding"} <= names
+    opened = Opened(chromium, page_of(study, tmp_path)).ready()
+    for key in (".lab-scene .lab-modes", ".lab-deck .lab-modes"):
+        words = opened.page.locator(f"{key} > span").all_inner_texts()
+        assert words == [mode for mode in MODE_STYLES if mode in names]
+    low, high = float(dataset["time"][0]), float(dataset["time"][-1])
+    for interval in intervals:
+        if interval.end - interval.begin < 0.02 * (high - low):
+            continue
+        middle = (interval.begin + interval.end) / 2
+        opened.page.evaluate("t => window.chaplygin.seek(t)", middle)
+        now = opened.page.locator('.lab-deck .lab-modes > [aria-current="true"]')
+        assert now.all_inner_texts() == [interval.mode]
+        drawn = opened.page.evaluate(UNDER_THE_PLOT, (middle - low) / (high - low))
+        colour = np.array(to_rgb(MODE_STYLES[interval.mode].colour)) * 255
+        assert np.abs(np.array(drawn) - colour).max() <= 2
+    # the path in the scene has the colours of the modes, and none of those of time
+    picture = np.array(Image.open(io.BytesIO(opened.page.locator(".lab-canvas").screenshot())))
+
+    def pixels(colour: str) -> int:
+        off = picture[..., :3].astype(float) - np.array(to_rgb(colour)) * 255
+        return int((np.abs(off).max(axis=-1) < 12).sum())
+
+    assert pixels(MODE_STYLES["flight"].colour) > 50
+    assert pixels("#cf4f5b") == 0
+    assert opened.complaints == []
 
 
 def test_a_report_opens_with_the_scene_and_prints_the_still(chromium: Any, report: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from base64 import b64decode
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from chaplygin.experiment.study import dataset_of
 from chaplygin.experiment.subjects.plan import plan_motion
 from chaplygin.lab.columns import symbol_mathml
 from chaplygin.lab.page_model import page_model
+from chaplygin.report.drawing.modes import MODE_STYLES
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -55,6 +57,36 @@ def test_the_contact_force_is_the_sum_of_its_parts():
     np.testing.assert_allclose(force, normal + dataset["friction_force"], rtol=1e-12)
     # three components that are nearly cancelled weigh the body: m g less what it accelerates
     assert np.all(np.linalg.norm(force, axis=1) > 0.0)
+
+
+def test_modes_of_a_contact_change_at_its_events():
+    settings = ["run.until=2", "run.samples=21"]
+    study = ch.prepare(ch.load(EXAMPLES / "bouncing_ball.toml", settings))
+    dataset = dataset_of(study, study.trajectory())
+    modes = page_model(study, dataset)["recorded"]["modes"]
+    assert modes[0]["begin"] == 0.0 and modes[-1]["end"] == 2.0
+    assert [m["end"] for m in modes[:-1]] == [m["begin"] for m in modes[1:]]
+    changes = {m["begin"] for m in modes[1:]}
+    # no change is at a sample: they are the events' own instants
+    assert changes and changes <= set(dataset["event_time"].values)
+    assert not changes & set(dataset["time"].values)
+    assert {m["mode"] for m in modes} <= set(MODE_STYLES)
+
+
+def test_a_system_without_friction_has_no_modes():
+    assert of_system("rattleback")[-1]["recorded"]["modes"] == []
+
+
+def test_live_pages_and_still_figures_have_the_same_colours_of_modes():
+    palette = (Path(__file__).parents[2] / "web/src/page/palette.ts").read_text("utf-8")
+    day, night = (
+        dict(re.findall(r'"?([a-z ]+?)"?: "(#[0-9a-f]{6})"', block))
+        for block in re.findall(r"  modes: \{\n(.*?)\n  \},", palette, flags=re.S)
+    )
+    assert {mode.strip(): colour for mode, colour in day.items()} == {
+        mode: style.colour for mode, style in MODE_STYLES.items()
+    }
+    assert {mode.strip() for mode in night} == set(MODE_STYLES)
 
 
 def test_links_of_a_mechanism_are_those_of_its_drawing():

@@ -163,10 +163,19 @@ export interface Scene {
   size: number;
 }
 
+/** A time in which the mode of a contact with friction does not change. */
+export interface ModeInterval {
+  mode: string;
+  begin: number;
+  end: number;
+}
+
 /** A trajectory stored in the page. */
 export interface Recorded {
   times: Doubles;
   columns: Record<string, Doubles>;
+  /** One after the other, from the first sample to the last; none without friction. */
+  modes: ModeInterval[];
   end: { time: number; reason: string } | null;
 }
 

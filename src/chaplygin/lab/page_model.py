@@ -10,6 +10,7 @@ import xarray as xr
 from ..core.arrays import FloatArray
 from ..core.system import Parameter, System
 from ..errors import InputError
+from ..experiment.contact.mode_intervals import mode_intervals
 from ..experiment.section_coordinates import is_angle
 from ..experiment.study import Study
 from ..flow.variable_metadata import FRAMES, variable_metadata
@@ -267,7 +268,18 @@ def motion_record(study: Study, columns: Sequence[Column], dataset: xr.Dataset) 
     last = float(dataset["time"][-1])
     if not complete or abs(last) < study.until:
         end = {"time": last, "reason": events[-1] if events else "the integration failed"}
-    return {"times": doubles(part["time"].to_numpy()), "columns": written, "end": end}
+    return {
+        "times": doubles(part["time"].to_numpy()),
+        "columns": written,
+        "modes": _modes(dataset),
+        "end": end,
+    }
+
+
+def _modes(dataset: xr.Dataset) -> list[dict[str, Json]]:
+    """The times between changes of the mode of a contact; none where there are no modes."""
+    intervals = mode_intervals(dataset) if "mode" in dataset else []
+    return [{"mode": i.mode, "begin": i.begin, "end": i.end} for i in intervals]
 
 
 def _column_from_state(study: Study, column: Column, dataset: xr.Dataset) -> FloatArray:

@@ -15,6 +15,7 @@ from matplotlib.transforms import Bbox
 
 from chaplygin.contact.friction.modes import MODE_NAMES
 from chaplygin.errors import InputError
+from chaplygin.experiment.contact.mode_intervals import ModeInterval, mode_intervals
 from chaplygin.geometry.mesh import outline_from_contact
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.shapes.shapes import Ball
@@ -28,8 +29,6 @@ from chaplygin.report.drawing.files import page_svg
 from chaplygin.report.drawing.modes import (
     MODE_STYLES,
     ModeColours,
-    ModeInterval,
-    mode_intervals,
     mode_runs,
 )
 from chaplygin.report.drawing.shading import PlaneGround, SphereGround

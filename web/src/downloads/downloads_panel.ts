@@ -5,6 +5,7 @@ import type { Lab } from "../lab";
 import { element, save } from "../page/dom";
 import { plain } from "../page/mathml";
 import { daylight } from "../page/palette";
+import { changingModes } from "../playback/modes";
 import type { PlotsPanel } from "../plots/plots_panel";
 import type { ScenePanel } from "../scene/scene_panel";
 import type { SectionPanel } from "../section/section_panel";
@@ -62,7 +63,7 @@ export function downloadsPanel(given: Downloadable): HTMLElement {
   }
   add("Plots", "over time, as a drawing (SVG)", () => {
     const groups = plots.chosen().map((group) => ({ ...group, label: group.text, components: group.components.map((each) => ({ ...each, label: plain(each.label) })) }));
-    text(`${name}-plots.svg`, plotsSvg(model.title, lab.shown.value.motion.times, groups), "image/svg+xml");
+    text(`${name}-plots.svg`, plotsSvg(model.title, lab.shown.value.motion.times, groups, changingModes(lab.shown.value.motion)), "image/svg+xml");
   });
   if (scene !== null) addOfScene(given, scene, name, add);
   return list;

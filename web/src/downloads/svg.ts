@@ -1,7 +1,10 @@
 /** Pictures as drawings in text: plots over time and sections, in the style of the project's figures. */
 
+import type { ModeInterval } from "../model";
 import { extent, readable, ticks } from "../page/numbers";
 import { daylight } from "../page/palette";
+import { presentModes } from "../playback/modes";
+import { SLOPES } from "../plots/mode_bar";
 
 const FONT = "'STIX Two Text', 'Palatino Linotype', Palatino, Georgia, serif";
 const WIDTH = 640;
@@ -21,13 +24,18 @@ export interface Points {
 
 type Scale = (value: number) => number;
 
-/** Quantities over time, one plot above the other. */
-export function plotsSvg(title: string, times: ArrayLike<number>, groups: readonly Curves[]): string {
-  const height = BOX.top + groups.length * (BOX.height + BOX.gap) + 8;
+/** Room for the bar of modes under a plot, and its height. */
+const [ROOM, BAR] = [11, 8];
+
+/** Quantities over time, one plot above the other, with the modes of a contact under each. */
+export function plotsSvg(title: string, times: ArrayLike<number>, groups: readonly Curves[], modes: readonly ModeInterval[] = []): string {
+  const room = modes.length > 0 ? ROOM : 0;
+  const key = modes.length > 0 ? modeKey(modes, BOX.top + groups.length * (BOX.height + BOX.gap + room) + 8) : { content: "", height: 0 };
+  const height = BOX.top + groups.length * (BOX.height + BOX.gap + room) + 8 + key.height;
   const last = times[times.length - 1] ?? 1;
   const right: Scale = (t) => BOX.left + (t / (last || 1)) * (WIDTH - BOX.left - BOX.right);
   const parts = groups.map(({ label, unit, components }, n) => {
-    const top = BOX.top + n * (BOX.height + BOX.gap);
+    const top = BOX.top + n * (BOX.height + BOX.gap + room);
     const [low, high] = extent(components.flatMap(({ values }) => Array.from(values)));
     const down: Scale = (value) => top + ((high - value) / (high - low)) * BOX.height;
     const lines = components.map(({ values }, k) => {
@@ -41,10 +49,33 @@ export function plotsSvg(title: string, times: ArrayLike<number>, groups: readon
       const dash = ["", "7 3", "2 3"][k % 3] ?? "";
       return `<path d="M${x} ${top - 10}h22" stroke="${colour}" stroke-width="1.6"${dash ? ` stroke-dasharray="${dash}"` : ""}/>${text(x + 28, top - 6, name, "start", true)}`;
     });
-    const axes = frame(right, down, [0, last], [low, high], top, BOX.height, n === groups.length - 1 ? "t  (s)" : "", `${label}${unit ? `  (${unit})` : ""}`);
-    return axes + lines.join("") + (components.length > 1 ? names.join("") : "");
+    const axes = frame(right, down, [0, last], [low, high], top, BOX.height, n === groups.length - 1 ? "t  (s)" : "", `${label}${unit ? `  (${unit})` : ""}`, room);
+    const bar = modes.map(({ mode, begin, end }) => modeArea(mode, right(begin), right(Math.min(end, last)), top + BOX.height + ROOM - BAR)).join("");
+    return axes + bar + lines.join("") + (components.length > 1 ? names.join("") : "");
   });
-  return drawing(title, WIDTH, height, parts.join(""));
+  return drawing(title, WIDTH, height, (modes.length > 0 ? STRIPES : "") + parts.join("") + key.content);
+}
+
+const STRIPES = [0, 1]
+  .map((slope) => `<pattern id="stripes${slope}" width="4.5" height="4.5" patternUnits="userSpaceOnUse" patternTransform="rotate(${45 * slope})"><path d="M0 0V4.5" stroke="#fff" stroke-width="2"/></pattern>`)
+  .join("");
+
+function modeArea(mode: string, left: number, right: number, top: number): string {
+  const area = (fill: string): string => `<rect x="${left.toFixed(2)}" y="${top}" width="${Math.max(0, right - left).toFixed(2)}" height="${BAR}" fill="${fill}"/>`;
+  const slope = SLOPES[mode];
+  return area(daylight.modes[mode] ?? daylight.ink) + (slope === undefined ? "" : area(`url(#stripes${slope})`));
+}
+
+function modeKey(modes: readonly ModeInterval[], top: number): { content: string; height: number } {
+  let [x, y] = [BOX.left, top];
+  const entries = presentModes(modes, Object.keys(daylight.modes)).map((mode) => {
+    const width = 44 + 6.2 * mode.length;
+    if (x + width > WIDTH) [x, y] = [BOX.left, y + 18];
+    const entry = modeArea(mode, x, x + 20, y) + text(x + 26, y + 8, mode, "start");
+    x += width;
+    return entry;
+  });
+  return { content: entries.join(""), height: y - top + 20 };
 }
 
 /** Points of a section. */
@@ -70,18 +101,18 @@ function drawing(title: string, width: number, height: number, content: string):
   );
 }
 
-function frame(right: Scale, down: Scale, x: readonly [number, number], y: readonly [number, number], top: number, height: number, xLabel: string, yLabel: string): string {
+function frame(right: Scale, down: Scale, x: readonly [number, number], y: readonly [number, number], top: number, height: number, xLabel: string, yLabel: string, room = 0): string {
   const [left, end, low] = [right(x[0]), right(x[1]), top + height];
   const parts = [`<path d="M${left} ${top}V${low}H${end}" fill="none" stroke="${daylight.quiet}" stroke-width="0.8"/>`];
   for (const value of ticks(x[0], x[1], 7)) {
     const place = right(value).toFixed(1);
-    parts.push(`<path d="M${place} ${low}v4" stroke="${daylight.quiet}" stroke-width="0.8"/>`, text(Number(place), low + 17, readable(value, 6), "middle"));
+    parts.push(`<path d="M${place} ${low}v${4 + room}" stroke="${daylight.quiet}" stroke-width="0.8"/>`, text(Number(place), low + 17 + room, readable(value, 6), "middle"));
   }
   for (const value of ticks(y[0], y[1], Math.max(3, height / 50))) {
     const place = down(value);
     parts.push(`<path d="M${left} ${place.toFixed(1)}h-4" stroke="${daylight.quiet}" stroke-width="0.8"/>`, text(left - 7, place + 4, readable(value, 6), "end"));
   }
-  if (xLabel) parts.push(text((left + end) / 2, low + 36, xLabel, "middle", true));
+  if (xLabel) parts.push(text((left + end) / 2, low + 36 + room, xLabel, "middle", true));
   const middle = top + height / 2;
   parts.push(`<g transform="rotate(-90 16 ${middle})">${text(16, middle + 4, yLabel, "middle", true)}</g>`);
   return parts.join("");

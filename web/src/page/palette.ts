@@ -22,6 +22,8 @@ export interface Palette {
   components: readonly string[];
   /** Colours that tell many things apart. */
   series: readonly string[];
+  /** Colours of the modes of a contact with friction, by name: those of the still figures. */
+  modes: Readonly<Record<string, string>>;
 }
 
 /* Paul Tol's high-contrast and muted colours: apart for every kind of colour vision. */
@@ -42,6 +44,17 @@ const DAY: Palette = {
   shadow: 0.34,
   components: ["#004488", "#bb5566", "#d9a521"],
   series: ["#332288", "#cc6677", "#117733", "#ddaa33", "#88ccee", "#aa4499", "#999933", "#44aa99"],
+  modes: {
+    flight: "#88ccee",
+    sliding: "#aa4499",
+    "sliding without spin": "#aa4499",
+    rolling: "#44aa99",
+    "rolling without spin": "#44aa99",
+    rest: "#1f2730",
+    "sliding without rolling": "#882255",
+    "sliding without turning": "#882255",
+    spinning: "#999933",
+  },
 };
 
 const NIGHT: Palette = {
@@ -61,6 +74,17 @@ const NIGHT: Palette = {
   shadow: 0.6,
   components: ["#6ea8e6", "#e58a99", "#e6bd52"],
   series: ["#a497f3", "#e58a99", "#58b97b", "#e6bd52", "#88ccee", "#d582c8", "#c3c35c", "#5cc4b2"],
+  modes: {
+    flight: "#88ccee",
+    sliding: "#d582c8",
+    "sliding without spin": "#d582c8",
+    rolling: "#5cc4b2",
+    "rolling without spin": "#5cc4b2",
+    rest: "#dde3e8",
+    "sliding without rolling": "#dd88aa",
+    "sliding without turning": "#dd88aa",
+    spinning: "#c3c35c",
+  },
 };
 
 const night = (): MediaQueryList | null =>

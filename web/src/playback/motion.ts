@@ -1,9 +1,13 @@
 /** A motion: samples of named columns, and values between them. */
 
+import type { ModeInterval } from "../model";
+
 /** Samples of a motion; columns are flat, row by row. */
 export interface Motion {
   times: Float64Array;
   columns: Record<string, Float64Array>;
+  /** The modes of a contact with friction, one after the other. */
+  modes?: readonly ModeInterval[];
   /** Whole states, row by row, where they are known. */
   states?: Float64Array;
   /** Why it ends before its last instant, where it does. */

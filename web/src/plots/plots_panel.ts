@@ -7,11 +7,16 @@ import { font, letter } from "../page/type";
 import { formula } from "../page/mathml";
 import { readable } from "../page/numbers";
 import { onSchemeChange, palette, type Palette } from "../page/palette";
+import { changingModes, modeAt } from "../playback/modes";
 import { place } from "../playback/motion";
+import { drawModes, modeKey } from "./mode_bar";
 import { seriesGroups, type SeriesGroup } from "./series";
 
 /** Height of a plot, in letters of the page. */
 const HEIGHT = 10.5;
+
+/** Space over the bar of modes, and its height, in CSS pixels. */
+const [SPACE, BAR] = [3, 8];
 
 export interface PlotsPanel {
   element: HTMLElement;
@@ -24,13 +29,19 @@ export function plotsPanel(lab: Lab): PlotsPanel {
   const chosen = new Set(firstChosen(lab));
   const chips = element("div", { class: "lab-chips", role: "toolbar", "aria-label": "Quantities" });
   const sheets = element("div", { class: "lab-plots" });
-  const panel = element("div", {}, chips, sheets);
+  const keyPlace = element("div", {});
+  const panel = element("div", {}, chips, keyPlace, sheets);
+  let mark: (mode: string) => void = () => {};
   let plots: { plot: uPlot; readings: Reading[]; size: number }[] = [];
   const groups = (): SeriesGroup[] => seriesGroups(lab.model, lab.shown.value.motion);
   const drawn = (): SeriesGroup[] => groups().filter(({ name }) => chosen.has(name));
   const build = (): void => {
     for (const { plot } of plots) plot.destroy();
     sheets.replaceChildren();
+    const modes = changingModes(lab.shown.value.motion);
+    const key = modes.length > 0 ? modeKey(modes, palette()) : null;
+    keyPlace.replaceChildren(...(key === null ? [] : [key.element]));
+    mark = key?.now ?? (() => {});
     plots = drawn().map((group) => {
       const holder = element("figure", { class: "lab-plot", "aria-label": `${group.meaning || group.name} over time` });
       sheets.append(holder);
@@ -41,6 +52,7 @@ export function plotsPanel(lab: Lab): PlotsPanel {
     now();
   };
   const now = (): void => {
+    mark(modeAt(changingModes(lab.shown.value.motion), lab.clock.time.value));
     for (const { plot, readings, size } of plots) {
       cursor(plot, lab);
       const { times } = lab.shown.value.motion;
@@ -83,7 +95,7 @@ export function plotsPanel(lab: Lab): PlotsPanel {
     const first = width === 0;
     width = sheets.clientWidth;
     if (first) build();
-    else for (const { plot } of plots) plot.setSize({ width, height: Math.round(HEIGHT * letter()) });
+    else for (const { plot } of plots) plot.setSize({ width, height: plot.height });
   }).observe(sheets);
   return { element: panel, chosen: drawn };
 }
@@ -132,15 +144,18 @@ function plotOf(lab: Lab, group: SeriesGroup, holder: HTMLElement, width: number
   const marks = { stroke: colours.quiet, font: font(0.8 * letter()), ticks: { stroke: colours.line, width: 1, size: 4 }, grid: { stroke: colours.line, width: 0.5 } };
   const dashes = [[], [7, 3], [2, 3], [8, 3, 2, 3]];
   const label = `${group.text}${group.unit ? `  (${group.unit})` : ""}`;
+  // the ticks of time go down through the bar of modes
+  const room = changingModes(lab.shown.value.motion).length > 0 ? SPACE + BAR : 0;
+  const ticks = { ...marks.ticks, size: marks.ticks.size + room };
   const plot: uPlot = new uPlot(
     {
       width,
-      height: Math.round(HEIGHT * letter()),
+      height: Math.round(HEIGHT * letter()) + room,
       legend: { show: false },
       scales: { x: { time: false } },
       cursor: { y: false, drag: { x: false, y: false }, points: { size: 6 }, focus: { prox: 24 } },
       axes: [
-        { ...marks, size: 1.9 * letter(), values: (_, values) => values.map((value) => readable(value, 6)) },
+        { ...marks, ticks, size: 1.9 * letter() + room, values: (_, values) => values.map((value) => readable(value, 6)) },
         { ...marks, size: 3.9 * letter(), label, labelSize: 1.4 * letter(), labelFont: `italic ${font(0.88 * letter())}`, values: (_, values) => values.map((value) => readable(value, 6)) },
       ],
       series: [
@@ -154,7 +169,7 @@ function plotOf(lab: Lab, group: SeriesGroup, holder: HTMLElement, width: number
         })),
       ],
       hooks: {
-        draw: [(drawn) => cursor(drawn, lab)],
+        draw: [(drawn) => bar(drawn, lab, colours), (drawn) => cursor(drawn, lab)],
       },
     },
     dataOf(lab, group),
@@ -177,6 +192,14 @@ function plotOf(lab: Lab, group: SeriesGroup, holder: HTMLElement, width: number
   plot.over.append(mark);
   cursor(plot, lab);
   return plot;
+}
+
+/** Draw the modes of the contact under a plot, where they change. */
+function bar({ ctx, bbox, scales }: uPlot, lab: Lab, colours: Palette): void {
+  const ratio = uPlot.pxRatio;
+  const { min = 0, max = 1 } = scales["x"] ?? {};
+  const box = { left: bbox.left, top: bbox.top + bbox.height + SPACE * ratio, width: bbox.width, height: BAR * ratio, ratio };
+  drawModes(ctx, changingModes(lab.shown.value.motion), min, max, box, colours);
 }
 
 /** The line of the instant that the scene shows is an element of its own: moving it redraws nothing. */

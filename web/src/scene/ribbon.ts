@@ -1,9 +1,8 @@
-/** Curves of constant width on the screen, in the colours of time, drawn up to an instant. */
+/** Curves of constant width on the screen, drawn up to an instant. */
 
 import {
   BufferAttribute,
   BufferGeometry,
-  Color,
   InterleavedBuffer,
   InterleavedBufferAttribute,
   Mesh,
@@ -11,19 +10,20 @@ import {
   Vector2,
 } from "three";
 import type { TimedCurve } from "../playback/curve";
-
-const COLOURS = 5;
+import type { PaintedCurve } from "./paint";
 
 const VERTEX = `
 attribute vec3 to;
 attribute vec2 corner;
 attribute vec2 fromMark;
 attribute vec2 toMark;
+attribute vec3 colour;
 uniform vec2 screen;
 uniform float width;
 uniform float lift;
 uniform vec2 now;
 varying vec2 vMark;
+varying vec3 vColour;
 void main() {
   vec4 a = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   vec4 b = projectionMatrix * modelViewMatrix * vec4(to, 1.0);
@@ -34,6 +34,7 @@ void main() {
   bool end = corner.x > 0.5;
   gl_Position = end ? b : a;
   vMark = end ? toMark : fromMark;
+  vColour = colour;
   // beyond both ends, so that joints stay closed; not where the curve is pale and would be twice as dark
   float joint = fromMark.x <= now.x ? 0.35 : 0.0;
   vec2 shift = side * corner.y + along * (end ? joint : -joint);
@@ -42,21 +43,17 @@ void main() {
 }`;
 
 const FRAGMENT = `
-uniform vec3 scale[${COLOURS}];
-uniform vec2 span;
 uniform vec2 now;
 uniform float tail;
 uniform float before;
 uniform float after;
 varying vec2 vMark;
+varying vec3 vColour;
 void main() {
-  float share = clamp((vMark.x - span.x) / (span.y - span.x), 0.0, 1.0) * ${(COLOURS - 1).toFixed(1)};
-  vec3 colour = scale[0];
-  for (int k = 1; k < ${COLOURS}; k++) colour = mix(colour, scale[k], clamp(share - float(k - 1), 0.0, 1.0));
   float alpha = vMark.x <= now.x ? before : after;
   if (vMark.x <= now.x) alpha *= 1.0 - smoothstep(0.6 * tail, tail, now.y - vMark.y);
   if (alpha < 0.004) discard;
-  gl_FragColor = vec4(colour, alpha);
+  gl_FragColor = vec4(vColour, alpha);
   #include <colorspace_fragment>
 }`;
 
@@ -75,10 +72,9 @@ export class Ribbon {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private curve: TimedCurve;
 
-  constructor(curve: TimedCurve, style: RibbonStyle, colours: readonly string[]) {
-    this.curve = curve;
-    const count = curve.times.length;
-    const geometry = segments(curve);
+  constructor(shown: PaintedCurve, style: RibbonStyle) {
+    this.curve = shown.curve;
+    const geometry = segments(shown);
     const material = new ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
@@ -88,8 +84,6 @@ export class Ribbon {
         screen: { value: new Vector2(1, 1) },
         width: { value: style.width },
         lift: { value: 4e-4 },
-        scale: { value: colours.map((colour) => new Color(colour)) },
-        span: { value: new Vector2(curve.times[0] ?? 0, Math.max(curve.times[count - 1] ?? 1, (curve.times[0] ?? 0) + 1e-12)) },
         now: { value: new Vector2(Infinity, 0) },
         tail: { value: style.tail },
         before: { value: style.before },
@@ -122,12 +116,10 @@ export class Ribbon {
   }
 
   /** Give it another curve. */
-  reshape(curve: TimedCurve): void {
-    this.curve = curve;
+  reshape(shown: PaintedCurve): void {
+    this.curve = shown.curve;
     this.mesh.geometry.dispose();
-    this.mesh.geometry = segments(curve);
-    const first = curve.times[0] ?? 0;
-    this.uniform<Vector2>("span").set(first, Math.max(curve.times.at(-1) ?? 1, first + 1e-12));
+    this.mesh.geometry = segments(shown);
   }
 
   /** Tell it how large the picture is, in CSS pixels. */
@@ -145,19 +137,23 @@ export class Ribbon {
   }
 }
 
-/** Numbers of a corner: the segment's start, its end, the corner, and time and length at both ends. */
-const STRIDE = 12;
+/** Numbers of a corner: the segment's start, its end, the corner, time and length at both ends, and its colour. */
+const STRIDE = 15;
 
 /** Four corners a segment. They are no instances of one: that is slow where no graphics card draws. */
-function segments({ points, times, lengths }: TimedCurve): BufferGeometry {
+function segments({ curve, colour }: PaintedCurve): BufferGeometry {
+  const { points, times, lengths } = curve;
   const count = Math.max(0, times.length - 1);
   const data = new Float32Array(4 * STRIDE * count);
   const indices = new Uint32Array(6 * count);
   for (let k = 0; k < count; k++) {
+    const [from, to] = [times[k] ?? 0, times[k + 1] ?? 0];
+    const ends = [from, to].map((t) => colour(t, (from + to) / 2).toArray());
     for (let corner = 0; corner < 4; corner++) {
       const at = STRIDE * (4 * k + corner);
       data.set(points.subarray(3 * k, 3 * k + 6), at);
-      data.set([corner & 1, corner & 2 ? 1 : -1, times[k] ?? 0, lengths[k] ?? 0, times[k + 1] ?? 0, lengths[k + 1] ?? 0], at + 6);
+      data.set([corner & 1, corner & 2 ? 1 : -1, from, lengths[k] ?? 0, to, lengths[k + 1] ?? 0], at + 6);
+      data.set(ends[corner & 1] ?? [], at + 12);
     }
     indices.set([0, 1, 2, 2, 1, 3].map((corner) => 4 * k + corner), 6 * k);
   }
@@ -171,6 +167,7 @@ function segments({ points, times, lengths }: TimedCurve): BufferGeometry {
   add("corner", 2, 6);
   add("fromMark", 2, 8);
   add("toMark", 2, 10);
+  add("colour", 3, 12);
   geometry.setIndex(new BufferAttribute(indices, 1));
   return geometry;
 }

@@ -7,7 +7,9 @@ import { formula } from "../page/mathml";
 import { readable } from "../page/numbers";
 import { unitText } from "../page/units";
 import { onSchemeChange, palette } from "../page/palette";
+import { changingModes, modeAt } from "../playback/modes";
 import { row } from "../playback/motion";
+import { modeBar, modeKey } from "../plots/mode_bar";
 import { leadsFar } from "./opening_view";
 import { bindPointer } from "./pointer";
 import { Stage, type Shown } from "./stage";
@@ -71,8 +73,10 @@ export function scenePanel(lab: Lab): ScenePanel | null {
     });
   };
   const readings = new Map<string, HTMLElement>();
+  let mark: (mode: string) => void = () => {};
   const legend = (): void => {
     const { motion } = lab.shown.value;
+    mark(modeAt(changingModes(motion), lab.clock.time.value));
     for (const vector of scene.vectors) {
       const value = row(motion, vector.column, 3, lab.clock.time.value);
       const reading = readings.get(vector.name);
@@ -92,11 +96,12 @@ export function scenePanel(lab: Lab): ScenePanel | null {
       }),
     );
     const end = lab.clock.until;
-    bar.replaceChildren(
-      element("span", {}, "t = 0"),
-      element("i", { style: `background:linear-gradient(90deg,${colours.time.join(",")})` }),
-      element("span", {}, `${readable(end)} s`),
-    );
+    const modes = changingModes(lab.shown.value.motion);
+    const key = modes.length > 0 ? modeKey(modes, colours) : null;
+    mark = key?.now ?? (() => {});
+    const strip = key === null ? element("i", { style: `background:linear-gradient(90deg,${colours.time.join(",")})` }) : modeBar(modes, 176, 8, colours);
+    const span = element("div", {}, element("span", {}, "t = 0"), strip, element("span", {}, `${readable(end)} s`));
+    bar.replaceChildren(...(key === null ? [span] : [key.element, span]));
     note.textContent = stage.spacing > 0 ? `grid ${readable(stage.spacing)} m` : "";
   };
   const switches = switchesOf(lab, stage, shown, () => {

@@ -17,6 +17,7 @@ import type { Surfaces } from "../engine/surfaces";
 import type { Scene } from "../model";
 import { roundNumber } from "../page/numbers";
 import { palette, type Palette } from "../page/palette";
+import type { TimedCurve } from "../playback/curve";
 import { pose, row, turned, type Motion, type Pose, type Vector } from "../playback/motion";
 import { Arrow } from "./arrows";
 import { BodyModel, type Surface } from "./body";
@@ -27,6 +28,7 @@ import { largestLength, meshSpacing, sameSurface } from "./measures";
 import { Linkage } from "./linkage";
 import { contactCurve, planCurve, traceOnBody } from "./curves";
 import { openingView, reachOf } from "./opening_view";
+import { painted, type PaintedCurve } from "./paint";
 import { Ribbon } from "./ribbon";
 import { ellipsoid } from "./ellipsoid";
 import { eye, FIELD, viewOf, viewText, zoomed, type View } from "./view";
@@ -113,12 +115,16 @@ export class Stage {
       if (this.ground !== null) this.metres.remove(this.ground.group);
       this.buildGround(contact.points);
     }
-    this.path.reshape(this.scene.path !== null ? planCurve(this.scene, this.motion) : contact);
-    this.trace?.reshape(traceOnBody(this.motion));
+    this.path.reshape(this.painted(this.scene.path !== null ? planCurve(this.scene, this.motion) : contact));
+    this.trace?.reshape(this.painted(traceOnBody(this.motion)));
     for (const { name, column } of this.scene.vectors) {
       const drawn = this.arrows.get(name);
       if (drawn !== undefined) drawn.scale = largestLength(motion, column) || drawn.scale;
     }
+  }
+
+  private painted(curve: TimedCurve): PaintedCurve {
+    return painted(curve, this.motion, this.colours);
   }
 
   private get leavesTrace(): boolean {
@@ -284,10 +290,12 @@ export class Stage {
       this.linkage = new Linkage(scene.links, 0.2 * this.size, colours);
       this.metres.add(this.linkage.group);
     }
-    this.path = new Ribbon(scene.path !== null ? planCurve(this.scene, this.motion) : contact, { width: 3, before: 1, after: 0.16, tail: Infinity }, colours.time);
+    const path = this.painted(scene.path !== null ? planCurve(this.scene, this.motion) : contact);
+    this.path = new Ribbon(path, { width: 3, before: 1, after: 0.16, tail: Infinity });
     this.metres.add(this.path.mesh);
     if (this.leavesTrace) {
-      this.trace = new Ribbon(traceOnBody(this.motion), { width: 2.2, before: 1, after: 0, tail: TRACE_ON_BODY * this.size }, colours.time);
+      const trace = this.painted(traceOnBody(this.motion));
+      this.trace = new Ribbon(trace, { width: 2.2, before: 1, after: 0, tail: TRACE_ON_BODY * this.size });
       this.bodyFrame.add(this.trace.mesh);
     }
     for (const [index, vector] of scene.vectors.entries()) {

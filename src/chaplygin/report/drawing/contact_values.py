@@ -12,9 +12,9 @@ from ...contact.equations.situation import FrictionalContact
 from ...contact.friction.dry_friction import ContensouErismann
 from ...contact.pressure.pressure import Hertz
 from ...core.arrays import BoolArray, FloatArray
+from ...experiment.contact.mode_intervals import event_times
 from ...geometry.view import rotation_matrices, unit
 from .dataset_access import times_of, values_of
-from .modes import event_times
 
 #: The normal force counts as none below this share of the largest.
 _NO_FORCE = 1e-9

@@ -19,12 +19,11 @@ from matplotlib.text import Text
 from matplotlib.transforms import ScaledTranslation, Transform, blended_transform_factory
 
 from ...core.arrays import FloatArray
+from ...experiment.contact.mode_intervals import event_times, mode_intervals
 from ..drawing.dataset_access import times_of
 from ..drawing.modes import (
     MODE_STYLES,
     event_kinds,
-    event_times,
-    mode_intervals,
     mode_key,
     present_modes,
 )

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 
 from ...core.arrays import FloatArray
+from ...experiment.contact.mode_intervals import sample_modes
 from ..drawing.contact_values import (
     FrictionLimits,
     relative_couple,
@@ -20,7 +21,7 @@ from ..drawing.contact_values import (
     tangential,
 )
 from ..drawing.dataset_access import NOTHING, require_all, title_of, unit_of, with_unit
-from ..drawing.modes import MODE_STYLES, mode_runs, present_modes, sample_modes
+from ..drawing.modes import MODE_STYLES, mode_runs, present_modes
 from ..drawing.style import FAINT, INK, QUIET, STYLE, WIDTH
 from .contact_mode_bar import key
 

@@ -10,11 +10,12 @@ from matplotlib.patches import Patch
 from matplotlib.path import Path
 
 from ...core.arrays import FloatArray
+from ...experiment.contact.mode_intervals import event_times, mode_intervals
 from ...geometry.mesh import BodyMesh
 from ..drawing.canvas import Canvas
 from ..drawing.curves import convex_hull
 from ..drawing.dataset_access import unit_of
-from ..drawing.modes import event_times, mode_intervals, mode_key, present_modes
+from ..drawing.modes import mode_key, present_modes
 from ..drawing.shading import Ground, PlaneGround
 from ..drawing.style import INK
 from .ground import on_ground
