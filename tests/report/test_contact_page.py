@@ -120,8 +120,6 @@ def test_the_page_of_a_bouncing_ball(tmp_path: Path) -> None:
     assert "place" not in links and "friction" in links
     for name in ("slip_and_spin", "slip_hodograph", "friction_cone", "energy_stack", "drift"):
         assert page.count(f'<figure id="{name}">') == 1
-    # in colours that follow the page: it was a white card at night
-    assert re.search(r'<figure id="contact_path">\s*<h4>.*?</h4>\s*<div class="chart ', page)
     # it falls 0.2 m and rises to a quarter of it
     (table,) = re.findall(r'<table class="events">.*?</table>', page, re.S)
     (first, *_) = re.findall(r'<td class="number">([\d.]+)</td><td>(.*?)</td>', table)
@@ -139,3 +137,14 @@ def test_the_page_of_a_bouncing_ball(tmp_path: Path) -> None:
     assert [row[0] for row in rows][-1] == "together"
     assert float(rows[-1][1]) == pytest.approx(float(rows[-1][2]), rel=1e-5)
     assert len(trajectory.times) == 61
+
+
+@pytest.mark.slow
+def test_a_path_in_the_colours_of_modes_follows_those_of_the_page(tmp_path: Path) -> None:
+    """It was a white card at night."""
+    (tmp_path / "figures").mkdir()
+    study = prepare(loads(BOUNCING, "x", ["contact.restitution=0", "run.until=0.4"]))
+    write_study(study, tmp_path, True, ProofBudget(1, 0), Unheard())
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert re.search(r'<figure id="contact_path">\s*<h4>[^<]*</h4>\s*<div class="chart ', page)
+    assert re.search(r'<figure id="normal_on_sphere">\s*<h4>.*?</h4>\s*<div class="picture ', page)
