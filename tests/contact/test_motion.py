@@ -409,17 +409,17 @@ def test_a_dynamic_jam_ends_in_finite_time() -> None:
     slope = (inverse[1] - inverse[0]) / (motion.times[3] - motion.times[2])
     assert motion.end_time == pytest.approx(motion.times[3] - inverse[1] / slope, abs=1e-9)
     # B, the determinant, vanishes with 1/N; the contact is where the last samples lead
-    told = re.search(
+    words = re.search(
         r"at t = (.*) s with the contact at \((.*)\) m .* B = (.*) /kg, has fallen to",
         motion.reason,
     )
-    assert told is not None
-    assert float(told[1]) == pytest.approx(motion.end_time, rel=1e-8)
+    assert words is not None
+    assert float(words[1]) == pytest.approx(motion.end_time, rel=1e-8)
     contact = motion.observables()["contact"]
     slowly = (motion.end_time - motion.times[3]) / (motion.times[3] - motion.times[2])
     leads = contact[3] + slowly * (contact[3] - contact[2])
-    assert [float(x) for x in told[2].split(",")] == pytest.approx(leads, abs=1e-5)
-    assert abs(float(told[3])) < 1e-6
+    assert [float(x) for x in words[2].split(",")] == pytest.approx(leads, abs=1e-5)
+    assert abs(float(words[3])) < 1e-6
     again = jamming(EventRules(on_paradox="impact"), [0.0, 0.02])
     assert again.events[0].kind == "impact without collision"
     assert again.events[0].time == pytest.approx(motion.end_time, abs=1e-11)

@@ -7,7 +7,7 @@ import { smoothCurve } from "../src/playback/curve";
 import { changingModes, modeAt, presentModes, splitAtModes } from "../src/playback/modes";
 import { plotsSvg } from "../src/downloads/svg";
 import { drawModes } from "../src/plots/mode_bar";
-import { painted } from "../src/scene/paint";
+import { paintedCurve } from "../src/scene/paint";
 
 const MODES: ModeInterval[] = [
   { mode: "sliding", begin: 0, end: 0.25 },
@@ -39,13 +39,13 @@ test("a curve has a point where a mode begins, on itself", () => {
 });
 
 test("a curve is coloured by mode up to the very instant of a change, else by time", () => {
-  const { colour } = painted(line, motion(MODES), daylight);
+  const { colour } = paintedCurve(line, motion(MODES), daylight);
   const is = (at: Color, name: string): void => assert.equal(`#${at.getHexString()}`, daylight.modes[name]);
   // the same instant ends one piece and begins the next
   is(colour(0.25, 0.1), "sliding");
   is(colour(0.25, 0.6), "flight");
   is(colour(2, 1.75), "rolling without spin");
-  const usual = painted(line, motion(), daylight);
+  const usual = paintedCurve(line, motion(), daylight);
   assert.equal(usual.curve, line);
   assert.equal(`#${usual.colour(0, 0.5).getHexString()}`, daylight.time[0]);
   assert.equal(`#${usual.colour(2, 1.5).getHexString()}`, daylight.time.at(-1));

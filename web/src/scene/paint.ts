@@ -13,7 +13,7 @@ export interface PaintedCurve {
 }
 
 /** A curve coloured by mode where the modes of the motion change, else by time. */
-export function painted(curve: TimedCurve, motion: Motion, colours: Palette): PaintedCurve {
+export function paintedCurve(curve: TimedCurve, motion: Motion, colours: Palette): PaintedCurve {
   const modes = changingModes(motion);
   if (modes.length === 0) return { curve, colour: timeColour(curve, colours.time) };
   const known = new Map(Object.entries(colours.modes).map(([mode, colour]) => [mode, new Color(colour)]));

@@ -28,7 +28,7 @@ import { largestLength, meshSpacing, sameSurface } from "./measures";
 import { Linkage } from "./linkage";
 import { contactCurve, planCurve, traceOnBody } from "./curves";
 import { openingView, reachOf } from "./opening_view";
-import { painted, type PaintedCurve } from "./paint";
+import { paintedCurve, type PaintedCurve } from "./paint";
 import { Ribbon } from "./ribbon";
 import { ellipsoid } from "./ellipsoid";
 import { eye, FIELD, viewOf, viewText, zoomed, type View } from "./view";
@@ -115,16 +115,16 @@ export class Stage {
       if (this.ground !== null) this.metres.remove(this.ground.group);
       this.buildGround(contact.points);
     }
-    this.path.reshape(this.painted(this.scene.path !== null ? planCurve(this.scene, this.motion) : contact));
-    this.trace?.reshape(this.painted(traceOnBody(this.motion)));
+    this.path.reshape(this.paintedCurve(this.scene.path !== null ? planCurve(this.scene, this.motion) : contact));
+    this.trace?.reshape(this.paintedCurve(traceOnBody(this.motion)));
     for (const { name, column } of this.scene.vectors) {
       const drawn = this.arrows.get(name);
       if (drawn !== undefined) drawn.scale = largestLength(motion, column) || drawn.scale;
     }
   }
 
-  private painted(curve: TimedCurve): PaintedCurve {
-    return painted(curve, this.motion, this.colours);
+  private paintedCurve(curve: TimedCurve): PaintedCurve {
+    return paintedCurve(curve, this.motion, this.colours);
   }
 
   private get leavesTrace(): boolean {
@@ -290,11 +290,11 @@ export class Stage {
       this.linkage = new Linkage(scene.links, 0.2 * this.size, colours);
       this.metres.add(this.linkage.group);
     }
-    const path = this.painted(scene.path !== null ? planCurve(this.scene, this.motion) : contact);
+    const path = this.paintedCurve(scene.path !== null ? planCurve(this.scene, this.motion) : contact);
     this.path = new Ribbon(path, { width: 3, before: 1, after: 0.16, tail: Infinity });
     this.metres.add(this.path.mesh);
     if (this.leavesTrace) {
-      const trace = this.painted(traceOnBody(this.motion));
+      const trace = this.paintedCurve(traceOnBody(this.motion));
       this.trace = new Ribbon(trace, { width: 2.2, before: 1, after: 0, tail: TRACE_ON_BODY * this.size });
       this.bodyFrame.add(this.trace.mesh);
     }

@@ -17,7 +17,7 @@ def paradox_words(
     numbers: ContactNumbers,
     state: FloatArray,
     response: float,
-    jammed: bool,
+    is_jam: bool,
 ) -> str:
     """Why no motion in contact is possible, in one sentence.
 
@@ -30,7 +30,7 @@ def paradox_words(
     response : float
         B, the normal acceleration of the contact for each unit of normal force (1/kg): the
         determinant of the one condition on the normal force.
-    jammed : bool
+    is_jam : bool
         Whether B has fallen to zero along the motion, rather than being negative at once.
     """
     turn = Rotation.from_quat(state[ATTITUDE], scalar_first=True)
@@ -39,7 +39,7 @@ def paradox_words(
     where = ", ".join(f"{x:.6g}" for x in place)
     fate = (
         "has fallen to zero, so that the normal force grows beyond all bounds"
-        if jammed
+        if is_jam
         else "is not positive, so that the friction of any normal force presses the body into "
         "the support"
     )
