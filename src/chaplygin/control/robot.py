@@ -12,7 +12,8 @@ import sympy as sp
 from ..arguments import arguments_checked
 from ..core.vectors import real_symbol
 from ..errors import InputError
-from ..mechanics.rolling.body import check_inertia, check_mass
+from ..mechanics.rolling.body import check_mass
+from ..mechanics.rolling.inertia import check_inertia
 from ..mechanics.shapes.shape_base import check_centre, require_positive
 from ..parsing import parse
 from ..parsing.exact_decimals import exact_number

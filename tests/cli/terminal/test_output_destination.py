@@ -243,13 +243,39 @@ def test_mistakes_that_cost_nothing_are_told_before_anything_heavy_is_imported(
     assert (tmp_path / "there.nc").read_text() == "mine"
 
 
-@pytest.mark.slow
-def test_mistakes_in_files_are_told_before_the_integrators_are_imported(tmp_path: Path) -> None:
-    (tmp_path / "mine.toml").write_text('[system]\nnam = "veselova"\n')
+@pytest.mark.parametrize(
+    ("text", "heavy"),
+    [
+        ('[system]\nnam = "veselova"\n', "sympy"),
+        (
+            "[body]\nmass = 1.0\ninertia = [1.0, 1.5, 2.1]\n"
+            '[body.shape]\nkind = "ball"\nradius = 1.0\n'
+            "[start]\ngamma = [0, 0, 1]\nomegaa = [1, 2, 0]\n",
+            "sympy",
+        ),
+        (
+            "[body]\nmass = -1.0\ninertia = [1.0, 1.5, 9.1]\n"
+            '[body.shape]\nkind = "ball"\nradius = 1.0\n'
+            "[start]\ngamma = [0, 0, 1]\nomega = [1, 2, 0]\n",
+            "sympy",
+        ),
+        (
+            "[body]\nmass = 1.0\ninertia = [1.0, 1.5, 2.1]\n"
+            '[body.shape]\nkind = "revolution"\nsupport = "sqrt(gamma_4)"\n'
+            "[start]\ngamma = [0, 0, 1]\nomega = [1, 2, 0]\n",
+            "llvmlite",
+        ),
+    ],
+    ids=["misspelt key", "misspelt key of a body", "wrong values", "formula"],
+)
+def test_mistakes_in_files_are_told_before_anything_heavy_is_imported(
+    tmp_path: Path, text: str, heavy: str
+) -> None:
+    (tmp_path / "mine.toml").write_text(text)
     script = (
         "import sys\nfrom chaplygin.__main__ import main\n"
-        "try: main()\nfinally: print(sorted({'heyoka', 'xarray', 'matplotlib', 'scipy'} & "
-        "set(sys.modules)))"
+        "try: main()\nfinally: print(sorted({'llvmlite', 'heyoka', 'xarray', 'matplotlib', 'scipy', "
+        f"'{heavy}'}} & set(sys.modules)))"
     )
     run = program("run", "mine.toml", "-o", "new.nc", folder=tmp_path, script=script)
     out, err = run.communicate()

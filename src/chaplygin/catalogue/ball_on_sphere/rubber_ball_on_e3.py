@@ -27,7 +27,7 @@ from ...core.vectors import (
     vectors,
 )
 from ...errors import InputError
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 
 M, gamma = vectors("M gamma")

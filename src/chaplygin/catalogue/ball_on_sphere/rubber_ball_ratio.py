@@ -32,7 +32,7 @@ from ...core.vectors import (
     zero,
 )
 from ...errors import InputError
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from . import power_potential_on_sphere, rubber_ball_on_e3
 from .rubber_ball_on_e3 import DEFAULTS, parameters

@@ -16,7 +16,7 @@ from ...core.laws import ConformallyHamiltonian, Identity, Integral, Law, Rate, 
 from ...core.system import Guard, System
 from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
 from ...errors import InputError
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from . import rubber_ball_on_e3, rubber_ball_ratio as ratio
 from .rubber_ball_ratio import DET_J, RHO_SQUARED, A, J, k

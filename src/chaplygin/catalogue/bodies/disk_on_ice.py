@@ -36,7 +36,8 @@ from ...mechanics.rolling.attitude import (
     rotation,
     unit_length,
 )
-from ...mechanics.rolling.body import check_inertia, check_mass
+from ...mechanics.rolling.body import check_mass
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 
 omega, gamma, xi, y, N, v, L = vectors("omega gamma xi y N v L")

@@ -36,7 +36,7 @@ from ...core.vectors import (
     vectors,
 )
 from ...errors import InputError
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..ball_on_sphere.rubber_ball_sphero_conical import cubic, normal, square
 from ..catalogue_entry import Entry, Numbers, Start
 

@@ -37,7 +37,7 @@ from ...core.vectors import (
     to_components,
     vectors,
 )
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import inertia_parameters
 from . import chaplygin_ball_unreduced

@@ -28,7 +28,7 @@ from ...core.vectors import (
     to_components,
     vectors,
 )
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import inertia_parameters, lie_poisson
 from ..parameter_conditions import holding

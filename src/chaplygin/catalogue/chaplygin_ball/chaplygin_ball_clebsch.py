@@ -14,7 +14,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, vectors
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import Gamma, M as CLEBSCH_MOMENTUM, inertia_parameters
 from ..fixed_point import clebsch, neumann

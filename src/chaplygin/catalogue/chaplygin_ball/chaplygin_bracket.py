@@ -29,7 +29,8 @@ from ...core.vectors import (
     vectors,
     zero,
 )
-from ...mechanics.rolling.body import check_inertia, check_mass
+from ...mechanics.rolling.body import check_mass
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import lie_poisson
 

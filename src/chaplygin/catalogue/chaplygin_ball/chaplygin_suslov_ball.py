@@ -29,7 +29,8 @@ from ...mechanics.rolling.attitude import (
     quaternion_rate,
     unit_length,
 )
-from ...mechanics.rolling.body import check_inertia, check_mass
+from ...mechanics.rolling.body import check_mass
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..vector_rates import rate
 

@@ -14,7 +14,8 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law
 from ...core.system import Observable, Parameter, System
 from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, unit_vector, vectors
-from ...mechanics.rolling.body import check_inertia, check_mass
+from ...mechanics.rolling.body import check_mass
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..vector_rates import rate
 

@@ -23,7 +23,8 @@ from ...core.laws import Integral, Measure, Symmetry
 from ...core.system import Observable, Parameter, System, Theorem
 from ...core.vectors import Components, Diagonal, cross, dot, real_symbol, vectors
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
-from ...mechanics.rolling.body import check_inertia, check_mass
+from ...mechanics.rolling.body import check_mass
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import inertia_parameters
 

@@ -7,7 +7,7 @@ import sympy as sp
 from ...core.laws import Integral
 from ...core.system import Parameter, System
 from ...core.vectors import dot, norm_squared, real_symbol
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import Gamma, I, M, e3_system, inertia_parameters
 from .neumann import SECOND, STRENGTH, c

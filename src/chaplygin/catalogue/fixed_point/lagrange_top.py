@@ -22,7 +22,7 @@ from ...core.laws import (
 )
 from ...core.system import Parameter, System
 from ...core.vectors import constant, cross, dot, real_symbol, to_components, unit_vector
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import Gamma, M, e3_system
 

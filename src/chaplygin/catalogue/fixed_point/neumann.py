@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...core.laws import Integral, Rate, Separation
 from ...core.system import Parameter, System
 from ...core.vectors import dot, norm_squared, real_symbol
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import Gamma, H, I, M, e3_system, inertia_parameters
 from ..sphero_conical import cubic, sphero_conical_coordinates, u, v

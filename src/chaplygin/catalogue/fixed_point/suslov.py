@@ -31,7 +31,7 @@ from ...mechanics.rolling.attitude import (
     quaternion_rate,
     unit_length,
 )
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from . import suslov_bracket
 

@@ -37,7 +37,7 @@ from ...mechanics.rolling.attitude import (
     quaternion_rate,
     unit_length,
 )
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from .. import e3
 from ..catalogue_entry import Entry, Numbers, Start
 from ..sphero_conical import cubic, sphero_conical_coordinates, u, v

@@ -10,7 +10,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral
 from ...core.system import Parameter, System
 from ...core.vectors import constant, dot, norm_squared, real_symbol, to_components
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import Gamma, I, M, e3_system, inertia_parameters
 from . import clebsch, neumann

@@ -7,7 +7,7 @@ from typing import Literal
 
 from ...arguments import arguments_checked
 from ...errors import InputError
-from ..impact.impact import ImpactLaw
+from ..impact.impact_law import ImpactLaw
 
 OnLiftoff = Literal["fly", "stop"]
 OnParadox = Literal["stop", "impact"]

@@ -14,7 +14,6 @@ and since 𝒜 is positive, the normal velocity rises in the end: every impact e
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -26,10 +25,10 @@ from .friction_response import (
     response_while_spinning,
 )
 from .impact_course import ImpactCourse, ImpactPhase
+from .impact_law import ImpactLaw
 from .impact_slide import SlidingFriction
 from .mobility import Mobility
 
-ImpactLaw = Literal["stronge", "poisson", "newton"]
 #: Energy that an impact may gain by rounding, relative to impulse times velocity.
 ENERGY_ROUNDING = 1e-13
 

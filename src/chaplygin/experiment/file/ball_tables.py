@@ -5,23 +5,11 @@ As in :mod:`chaplygin.experiment.file.tables` the description of a field complet
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
-import sympy as sp
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from ...mechanics.ball.surface import (
-    CircularCylinder,
-    Cone,
-    EllipsoidSurface,
-    EllipticCylinder,
-    FlatSurface,
-    ImplicitSurface,
-    Paraboloid,
-    Ring,
-    SmoothSurface,
-    SphericalSurface,
-)
+from ...mechanics import ball as balls
 from .table import (
     DIRECTION,
     FORMULA,
@@ -35,6 +23,9 @@ from .table import (
     Table,
     Vector,
 )
+
+if TYPE_CHECKING:
+    from ...mechanics.ball import SmoothSurface
 
 
 class _SurfaceTable(FormulaTable):
@@ -52,7 +43,8 @@ class _SurfaceTable(FormulaTable):
     side: Literal["outside", "inside"] = Field(default="outside", description=SIDES)
     """The side of the ball; above counts as outside, below as inside."""
 
-    surface_class: ClassVar[type[SmoothSurface]]
+    surface_class: ClassVar[str]
+    """The name of the class, which is imported when a surface is made of the table."""
     surface_name: ClassVar[str]
     """The name of the surface in titles, with its article."""
 
@@ -65,13 +57,14 @@ class _SurfaceTable(FormulaTable):
             If a number is not admissible.
         """
         numbers = self.model_dump(exclude={"kind", "given", "parameters"})
-        return self.surface_class(**numbers)
+        surface: SmoothSurface = getattr(balls, self.surface_class)(**numbers)
+        return surface
 
 
 class FlatTable(_SurfaceTable):
     """The plane z = 0."""
 
-    surface_class = FlatSurface
+    surface_class = "FlatSurface"
     surface_name = "a plane"
 
     kind: Literal["plane"] = "plane"
@@ -80,7 +73,7 @@ class FlatTable(_SurfaceTable):
 class RoundTable(_SurfaceTable):
     """A sphere about the origin."""
 
-    surface_class = SphericalSurface
+    surface_class = "SphericalSurface"
     surface_name = "a sphere"
 
     kind: Literal["sphere"] = "sphere"
@@ -88,13 +81,13 @@ class RoundTable(_SurfaceTable):
 
     def surface(self) -> SmoothSurface:
         """The sphere."""
-        return SphericalSurface(self.radius, side=self.side, axis=self.axis)
+        return balls.SphericalSurface(self.radius, side=self.side, axis=self.axis)
 
 
 class CylinderTable(_SurfaceTable):
     """A cylinder about the axis, circular (radius) or elliptic (axes)."""
 
-    surface_class = CircularCylinder
+    surface_class = "CircularCylinder"
     surface_name = "a cylinder"
 
     kind: Literal["cylinder"] = "cylinder"
@@ -110,14 +103,14 @@ class CylinderTable(_SurfaceTable):
     def surface(self) -> SmoothSurface:
         """The circular or the elliptic cylinder."""
         if self.axes is not None:
-            return EllipticCylinder(self.axes, side=self.side, axis=self.axis)
-        return CircularCylinder(self.radius or 0.0, side=self.side, axis=self.axis)
+            return balls.EllipticCylinder(self.axes, side=self.side, axis=self.axis)
+        return balls.CircularCylinder(self.radius or 0.0, side=self.side, axis=self.axis)
 
 
 class ConeTable(_SurfaceTable):
     """The half z > 0 of the cone x² + y² = slope² z²."""
 
-    surface_class = Cone
+    surface_class = "Cone"
     surface_name = "a cone"
 
     kind: Literal["cone"] = "cone"
@@ -127,7 +120,7 @@ class ConeTable(_SurfaceTable):
 class EllipsoidSurfaceTable(_SurfaceTable):
     """An ellipsoid about the origin with its axes along x, y, z."""
 
-    surface_class = EllipsoidSurface
+    surface_class = "EllipsoidSurface"
     surface_name = "an ellipsoid"
 
     kind: Literal["ellipsoid"] = "ellipsoid"
@@ -137,7 +130,7 @@ class EllipsoidSurfaceTable(_SurfaceTable):
 class ParaboloidTable(_SurfaceTable):
     """The paraboloid z = x²/2p + y²/2q with radii = [p, q], also hyperbolic."""
 
-    surface_class = Paraboloid
+    surface_class = "Paraboloid"
     surface_name = "a paraboloid"
 
     kind: Literal["paraboloid"] = "paraboloid"
@@ -154,7 +147,7 @@ class ParaboloidTable(_SurfaceTable):
 class RingTable(_SurfaceTable):
     """A torus about the axis: radius of the centre circle and radius of the tube."""
 
-    surface_class = Ring
+    surface_class = "Ring"
     surface_name = "a torus"
 
     kind: Literal["torus"] = "torus"
@@ -167,7 +160,7 @@ class ImplicitSurfaceTable(_SurfaceTable):
 
     variables: ClassVar[tuple[str, ...]] = ("x", "y", "z")
 
-    surface_class = ImplicitSurface
+    surface_class = "ImplicitSurface"
     surface_name = "a surface given by an equation"
 
     kind: Literal["implicit"] = "implicit"
@@ -182,7 +175,7 @@ class ImplicitSurfaceTable(_SurfaceTable):
         """The surface, its equation read."""
         numbers = self.numbers("number in the surface")
         equation = self.expression(self.equation)
-        return ImplicitSurface(equation, numbers, side=self.side, axis=self.axis)
+        return balls.ImplicitSurface(equation, numbers, side=self.side, axis=self.axis)
 
 
 SmoothTable = (
@@ -219,7 +212,7 @@ class BallFieldTable(FormulaTable):
     @field_validator("potential")
     @classmethod
     def _readable(cls, text: str, info: ValidationInfo) -> str:
-        formula = cls._formula(text, info) if text else sp.S.Zero
+        formula = cls._formula(text, info) if text else None
         if formula is not None and formula.is_number and formula != 0:
             raise ValueError("a potential must contain x, y or z; a constant one does nothing")
         return text

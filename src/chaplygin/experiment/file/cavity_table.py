@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Annotated, cast
+from typing import TYPE_CHECKING, Annotated, cast
 
 from pydantic import Field, field_serializer, field_validator
 
-from ...mechanics.rolling.cavity import IDENTITY, Cavity
+from ...mechanics import rolling
 from .table import THREE, Number, Table, Vector
+
+if TYPE_CHECKING:
+    from ...mechanics.rolling.cavity import Cavity
 
 Quaternion = tuple[Number, Number, Number, Number]
 PositiveNumber = Annotated[Number, Field(gt=0)]
@@ -23,7 +26,8 @@ class CavityTable(Table):
     mass: Annotated[Number, Field(ge=0)] = Field(description="a finite number not below zero")
     """Of the fluid; it adds to the mass of the body."""
     turn: Quaternion = Field(
-        default=IDENTITY, description="4 finite numbers w, x, y, z with at least one not zero"
+        default=(1.0, 0.0, 0.0, 0.0),
+        description="4 finite numbers w, x, y, z with at least one not zero",
     )
     """Quaternion that turns the axes of the cavity into its axes in the body; any length."""
     centre: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)
@@ -38,7 +42,7 @@ class CavityTable(Table):
 
     def cavity(self) -> Cavity:
         """The cavity that it describes."""
-        return Cavity(self.axes, self.mass, self.turn, self.centre)
+        return rolling.Cavity(self.axes, self.mass, self.turn, self.centre)
 
 
 class CavitiesTable(Table):

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import TypeAlias
 
+from ... import parsing
 from ...errors import InputError
-from ...parsing import parse
 from .validation import value_text
 
 #: A number, numbers in brackets, or rows of them.
@@ -65,7 +65,7 @@ def _decimal(value: object) -> str:
     if not isinstance(value, str):
         return ""
     try:
-        number = float(parse(value, {}))
+        number = float(parsing.parse(value, {}))
     except (InputError, OverflowError):
         return ""
     return f"; write {number!r} (formulas stand in formulas alone)"

@@ -6,21 +6,23 @@ the length that decides whether it fits into a bowl.
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal, get_args
+from typing import TYPE_CHECKING, ClassVar, Literal, get_args
 
 from pydantic import Field, StrictBool, ValidationInfo, field_validator, model_validator
 
-from ...mechanics.shapes.implicit import Implicit
-from ...mechanics.shapes.revolution import Revolution
-from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Shape, Torus
+from ...mechanics import shapes
 from .table import FORMULA, POSITIVE, THREE, FormulaTable, Number, Positive, Vector
+
+if TYPE_CHECKING:
+    from ...mechanics.shapes.shapes import Shape
 
 
 class _ShapeTable(FormulaTable):
     """The keys that all shapes have: the position of the geometric centre."""
 
     place: ClassVar[str] = "body.shape"
-    shape_class: ClassVar[type[Shape]]
+    shape_class: ClassVar[str]
+    """The name of the class, which is imported when a shape is made of the table."""
     shape_name: ClassVar[str]
     """The name of the shape in titles."""
 
@@ -36,7 +38,10 @@ class _ShapeTable(FormulaTable):
         InputError
             If a number is not admissible.
         """
-        return self.shape_class(**self.model_dump(exclude={"kind", "parameters"}))
+        shape: Shape = getattr(shapes, self.shape_class)(
+            **self.model_dump(exclude={"kind", "parameters"})
+        )
+        return shape
 
     @property
     def size(self) -> tuple[float, str]:
@@ -47,7 +52,7 @@ class _ShapeTable(FormulaTable):
 class BallTable(_ShapeTable):
     """A ball; a hollow one rolls with its inner surface around a sphere."""
 
-    shape_class = Ball
+    shape_class = "Ball"
     shape_name = "Ball"
 
     kind: Literal["ball"] = "ball"
@@ -63,7 +68,7 @@ class BallTable(_ShapeTable):
 class EllipsoidTable(_ShapeTable):
     """An ellipsoid, its third axis along body axis 3."""
 
-    shape_class = Ellipsoid
+    shape_class = "Ellipsoid"
     shape_name = "Ellipsoid"
 
     kind: Literal["ellipsoid"] = "ellipsoid"
@@ -82,7 +87,7 @@ class EllipsoidTable(_ShapeTable):
 class DiskTable(_ShapeTable):
     """A disk with a sharp edge, normal to body axis 3."""
 
-    shape_class = Disk
+    shape_class = "Disk"
     shape_name = "Disk"
 
     kind: Literal["disk"] = "disk"
@@ -97,7 +102,7 @@ class DiskTable(_ShapeTable):
 class TorusTable(_ShapeTable):
     """A ring about body axis 3: tubes around a circle of radius `radius`."""
 
-    shape_class = Torus
+    shape_class = "Torus"
     shape_name = "Disk with a rounded edge"
 
     kind: Literal["torus"] = "torus"
@@ -113,7 +118,7 @@ class TorusTable(_ShapeTable):
 class RevolutionTable(_ShapeTable):
     """A body of revolution about body axis 3, by its support function or by χ₁ and χ₂."""
 
-    shape_class = Revolution
+    shape_class = "Revolution"
     shape_name = "Body of revolution"
 
     variables: ClassVar[tuple[str, ...]] = ("gamma_3",)
@@ -141,15 +146,15 @@ class RevolutionTable(_ShapeTable):
     def shape(self) -> Shape:
         """The body, its support function read or derived from χ₁ and χ₂."""
         if self.support is not None:
-            return Revolution(self.expression(self.support), self.values, centre=self.centre)
+            return shapes.Revolution(self.expression(self.support), self.values, centre=self.centre)
         chi_1, chi_2 = (self.expression(text or "0") for text in (self.chi_1, self.chi_2))
-        return Revolution.from_profile(chi_1, chi_2, dict(self.values), self.centre)
+        return shapes.Revolution.from_profile(chi_1, chi_2, dict(self.values), self.centre)
 
 
 class ImplicitTable(_ShapeTable):
     """A smooth convex body f(x, y, z) < 0, in coordinates from its centre."""
 
-    shape_class = Implicit
+    shape_class = "Implicit"
     shape_name = "Convex body"
 
     variables: ClassVar[tuple[str, ...]] = ("x", "y", "z")
@@ -164,7 +169,7 @@ class ImplicitTable(_ShapeTable):
 
     def shape(self) -> Shape:
         """The body, its equation read."""
-        return Implicit(self.expression(self.surface), self.values, centre=self.centre)
+        return shapes.Implicit(self.expression(self.surface), self.values, centre=self.centre)
 
 
 ShapeTable = BallTable | EllipsoidTable | DiskTable | TorusTable | RevolutionTable | ImplicitTable
@@ -174,4 +179,8 @@ _NAMES = {table.shape_class: table.shape_name for table in get_args(ShapeTable)}
 
 def shape_name(shape: Shape) -> str:
     """The name of a shape in titles."""
-    return "Hollow ball" if isinstance(shape, Ball) and shape.hollow else _NAMES[type(shape)]
+    return (
+        "Hollow ball"
+        if isinstance(shape, shapes.Ball) and shape.hollow
+        else _NAMES[type(shape).__name__]
+    )

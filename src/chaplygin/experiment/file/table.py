@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import keyword
 import re
-from typing import Annotated, ClassVar
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
-import sympy as sp
 from pydantic import (
     AfterValidator,
     BaseModel,
@@ -21,9 +20,12 @@ from pydantic import (
     field_validator,
 )
 
-from ...core.system import Parameter
-from ...core.vectors import real_symbol
-from ...parsing import RESERVED_WORDS, parse
+from ... import core, parsing
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+    from ...core.system import Parameter
 
 Number = Annotated[float, Strict()]
 Positive = Annotated[Number, Field(gt=0)]
@@ -73,11 +75,11 @@ class FormulaTable(Table):
     @property
     def values(self) -> tuple[tuple[sp.Symbol, float], ...]:
         """The named numbers, by their symbols."""
-        return tuple((real_symbol(name), value) for name, value in self.parameters.items())
+        return tuple((core.real_symbol(name), value) for name, value in self.parameters.items())
 
     def numbers(self, meaning: str) -> tuple[Parameter, ...]:
         """The named numbers as parameters of that meaning."""
-        return tuple(Parameter(symbol, meaning, value) for symbol, value in self.values)
+        return tuple(core.Parameter(symbol, meaning, value) for symbol, value in self.values)
 
     def expression(self, text: str) -> sp.Expr:
         """A formula of this table as an expression in the symbols of its names."""
@@ -93,7 +95,7 @@ class FormulaTable(Table):
                 raise ValueError(
                     f"'{name}' cannot be used in a formula; a name has letters, digits and _"
                 )
-            if name in RESERVED_WORDS or name in _CORRECTIONS or name in cls.variables:
+            if name in parsing.RESERVED_WORDS or name in _CORRECTIONS or name in cls.variables:
                 raise ValueError(f"the name '{name}' has a meaning already; choose another")
         return parameters
 
@@ -120,4 +122,4 @@ _CORRECTIONS = frozenset(
 
 
 def _expression(text: str, names: tuple[str, ...], further: str = "") -> sp.Expr:
-    return parse(text, {name: real_symbol(name) for name in names}, further=further)
+    return parsing.parse(text, {name: core.real_symbol(name) for name in names}, further=further)

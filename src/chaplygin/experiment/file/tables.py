@@ -20,7 +20,7 @@ from pydantic import (
 )
 
 from ...errors import InputError
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from .cavity_table import CavitiesTable, FluidStartTable
 from .number_lists import Setting, given_rows
 from .shape_tables import ShapeTable

@@ -12,7 +12,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
-from ...parsing import nearest
+from ...errors import nearest
 from .toml import Key
 
 _LONGEST = 60

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from ...catalogue.fixed_point.fluid_filled_bodies import refusal
-from ...mechanics.rolling.cavity import Cavity
 from ..file.tables import FilledBodyTable, StateTable, SystemRunTable, SystemStartTable, SystemTable
 from .base import ExperimentBase
+
+if TYPE_CHECKING:
+    from ...mechanics.rolling.cavity import Cavity
 
 
 class CatalogueExperiment(ExperimentBase):
@@ -88,5 +89,8 @@ class StateExperiment(CatalogueExperiment):
         cls, body: FilledBodyTable | None, info: ValidationInfo
     ) -> FilledBodyTable | None:
         if body is not None and "system" in info.data:
+            # only a refused file needs this module, which brings the equations of rolling
+            from ...catalogue.fixed_point.fluid_filled_bodies import refusal
+
             raise ValueError(refusal(info.data["system"].name))
         return body

@@ -23,8 +23,7 @@ from typing import TYPE_CHECKING, get_args
 from pydantic import ValidationError
 
 from ...arguments import arguments_checked
-from ...errors import InputError
-from ...parsing import nearest
+from ...errors import InputError, nearest
 from ..file.ball_tables import SmoothTable
 from ..file.contact_tables import FrictionStartTable
 from ..file.source import Source

@@ -22,7 +22,7 @@ from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.balls import exact
 from ...formulas.relative_zero import ROUNDING, SizedNumber, state_sizes, values_with_sizes
-from ...mechanics.rolling.body import check_inertia
+from ...mechanics.rolling.inertia import check_inertia
 from ...printing.formula import text
 from ..genus_two.separation import SeparatedSystem
 from .arrangement import RING, Arrangement, arrangement, rational

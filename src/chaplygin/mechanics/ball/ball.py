@@ -22,7 +22,8 @@ from ...core.vectors import (
     vectors,
 )
 from ...errors import InputError
-from ..rolling.body import check_inertia, check_mass
+from ..rolling.body import check_mass
+from ..rolling.inertia import check_inertia
 from .equations import (
     Carrier,
     Contact,

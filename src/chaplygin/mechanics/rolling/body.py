@@ -19,6 +19,7 @@ from ...parsing.exact_decimals import exact_number
 from ..shapes.shapes import Shape
 from .cavity import Cavity
 from .cavity_fit import check_cavities
+from .inertia import check_inertia
 
 m, k = real_symbol("m"), Vector("k")
 
@@ -182,14 +183,6 @@ def as_tuple(inertia: npt.ArrayLike) -> Inertia:
     return first, second, third
 
 
-def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray:
-    """The entries as an array; an empty one if they do not form any."""
-    try:
-        return np.asarray(inertia, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        return np.empty(0)
-
-
 def triangle_inequalities(moments: Sequence[sp.Symbol]) -> dict[sp.Symbol, tuple[sp.Basic, ...]]:
     """Conditions on three moments of inertia about orthogonal axes, by moment.
 
@@ -203,31 +196,6 @@ def check_mass(mass: float) -> None:
     """Raise InputError unless the mass is positive and finite."""
     if not (math.isfinite(mass) and mass > 0):
         raise InputError(f"mass {mass}: it must be a positive finite number")
-
-
-def check_inertia(inertia: Sequence[float] | Sequence[Sequence[float]]) -> None:
-    """Raise InputError unless `inertia` belongs to a rigid body.
-
-    Accepts three principal moments or a full symmetric 3×3 matrix.
-    """
-    array, shown = _numbers(inertia), " ".join(str(inertia).split())
-    if array.shape not in ((3,), (3, 3)) or not np.all(np.isfinite(array)):
-        raise InputError(
-            f"inertia {shown}: it must be three principal moments or a symmetric 3x3 matrix"
-        )
-    rounding = 1e-12 * np.abs(array).max()
-    if array.ndim == 2 and not np.allclose(array, array.T, rtol=0, atol=rounding):
-        raise InputError(f"inertia {shown}: the matrix must be symmetric")
-    moments = np.sort(array if array.ndim == 1 else np.linalg.eigvalsh(array))
-    shown = ", ".join(f"{x:.12g}" for x in moments)
-    if moments[0] <= 0:
-        raise InputError(f"inertia: principal moments {shown} must all be positive")
-    if moments[2] > (moments[0] + moments[1]) * (1 + 1e-12):
-        raise InputError(
-            f"inertia: principal moments {shown} break the triangle inequality "
-            f"({moments[2]:.12g} > {moments[0]:.12g} + {moments[1]:.12g}); each moment must be at "
-            "most the sum of the other two"
-        )
 
 
 def body_parameters(body: WithInertia, inertia: Diagonal | Symmetric) -> tuple[Parameter, ...]:
