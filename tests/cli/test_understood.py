@@ -8,6 +8,8 @@ import pytest
 
 from asking import Ask, ask
 from chaplygin.experiment.dataset import read
+from chaplygin.experiment.models.experiment import load
+from chaplygin.experiment.study import Study, prepare
 
 __all__ = ["ask"]
 
@@ -119,6 +121,68 @@ def test_a_centre_of_mass_outside_is_told(ask: Ask) -> None:
     Path("ball.toml").write_text(BALL.replace("radius = 1.0", "radius = 1.0\ncentre = [0, 0, 3]"))
     assert ask("show", "ball.toml", "--as", "toml")[2] == words
     assert ask("show", "ball.toml", "--as", "toml", "--set", "body.shape.radius=4")[2] == ""
+
+
+def test_a_centre_of_mass_outside_is_seen_where_a_study_is_printed() -> None:
+    text = BALL.replace("radius = 1.0", "radius = 1.0\ncentre = [0, 0, 3]")
+    Path("ball.toml").write_text(text)
+    assert "    note    body.shape.centre puts the centre of mass outside the body" in str(
+        prepare(load("ball.toml"))
+    )
+
+
+@pytest.mark.parametrize("name", ["film.gif", "film.glb"])
+def test_what_cannot_be_shown_is_refused_before_it_is_integrated(
+    name: str, ask: Ask, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Study, "trajectory", lambda *_: pytest.fail("it was integrated"))
+    code, _, err = ask("animate", "veselova", "-o", name)
+    assert code == 2
+    assert err.startswith("error: Veselova system has no body that could be ")
+
+
+BALL_SECTION = ("section", "chaplygin-ball", "-o", "s.zarr", "--on")
+DISK_SECTION = ("section", "dry.toml", "-o", "s.zarr", "--on")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        ((*BALL_SECTION, "nonsense"), "--on: unknown name 'nonsense'"),
+        ((*BALL_SECTION, "M"), "--on: M is a vector; name one of its components"),
+        ((*BALL_SECTION, "M_1", "--coordinates", "odd,M_2"), "--coordinates: unknown name 'odd'"),
+        ((*BALL_SECTION, "M_1", "--within", "odd<1"), "--within: unknown name 'odd'"),
+        (("orbit", "chaplygin-ball", "--on", "nonsense"), "--on: unknown name 'nonsense'"),
+        ((*DISK_SECTION, "nonsense"), "--on: unknown name 'nonsense'"),
+        ((*DISK_SECTION, "2"), "--on 2: it is the same at all times"),
+        ((*DISK_SECTION, "gamma_3", "--coordinates", "odd,M_2"), "--coordinates: unknown name"),
+        ((*DISK_SECTION, "gamma_3", "--within", "odd<1"), "--within: unknown name 'odd'"),
+    ],
+)
+def test_the_option_is_named(arguments: tuple[str, ...], sentence: str, ask: Ask) -> None:
+    Path("dry.toml").write_text(f'{BALL}[contact]\nmodel = "friction"\nmu = 0.3\n')
+    code, _, err = ask(*arguments)
+    assert code == 2
+    assert err.startswith(f"error: {sentence}")
+
+
+@pytest.mark.parametrize(
+    ("condition", "sentence"),
+    [
+        ("I_1", "I₁ = 0, but I₁ > 0 is required"),
+        ("I_1 = 0", "I₁ = 0, but I₁ > 0 is required"),
+        ("2*I_1 + 2", "I₁ = −1, but I₁ > 0 is required"),
+        ("I_1 + I_2", "I₁ = −I₂, but "),
+        ("I_1**2 = I_2*I_3*I_1**2", "it must be linear in one of I₁, I₂, I₃"),
+    ],
+)
+def test_parameters_are_written_alike_in_a_sentence(
+    condition: str, sentence: str, ask: Ask
+) -> None:
+    code, _, err = ask("find", "integrals", "suslov", "--at", condition)
+    assert code == 2
+    assert sentence in err
+    assert "I_" not in err
 
 
 @pytest.mark.slow

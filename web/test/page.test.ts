@@ -3,7 +3,7 @@ import { test } from "node:test";
 import type { PageModel } from "../src/model";
 import { Cell, latest } from "../src/page/cell";
 import { changed, fromFragment, History, instants, opening, same, toFragment, type Experiment } from "../src/page/experiment";
-import { extent, readable, roundNumber, ticks } from "../src/page/numbers";
+import { extent, readable, readableBeside, readableOn, roundNumber, ticks } from "../src/page/numbers";
 import { unitText } from "../src/page/units";
 import { onScale } from "../src/page/palette";
 import { font } from "../src/page/type";
@@ -23,6 +23,17 @@ test("numbers are written as in print", () => {
   assert.equal(readable(1200), "1200");
   assert.equal(readable(0.1 + 0.2), "0.3");
   assert.equal(readable(NaN), "–");
+});
+
+test("rounding beside larger values reads zero", () => {
+  assert.equal(readableBeside(1, 4e-25), "0");
+  assert.equal(readableBeside(1, -4e-13), "0");
+  assert.equal(readableBeside(1, 4e-9), "4 × 10⁻⁹");
+  assert.equal(readableBeside(4e-25, 4e-25), "4 × 10⁻²⁵");
+  assert.equal(readableBeside(0, 4e-25), "4 × 10⁻²⁵");
+  assert.equal(readableBeside(1, NaN), "–");
+  assert.equal(readableOn([-2, 1], 1e-17), "0");
+  assert.equal(readableOn([0, 1e-17], 1e-17), "1 × 10⁻¹⁷");
 });
 
 test("fonts of plots have whole sizes", () => {

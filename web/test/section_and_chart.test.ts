@@ -4,6 +4,7 @@ import { coarseFirst, middle, quantile } from "../src/chart/grid";
 import { anglesAbout, rotationNumber } from "../src/chart/rotation_number";
 import { megnoShare } from "../src/page/indicator";
 import { crossings, longer, middleOf, nearest, nearestState, wrapped, type Orbit } from "../src/section/orbits";
+import { sizes } from "../src/section/points";
 import { Frame, zoomedRange } from "../src/sheet/frame";
 
 const orbit = (number: number, x: number[], y: number[]): Orbit => ({
@@ -31,6 +32,11 @@ test("the point nearest to a place", () => {
   assert.equal(found?.orbit.number, 1);
   assert.equal(nearest(all, same, same, { right: 5, down: 5 }, 0.5), null);
   assert.deepEqual(Array.from(nearestState(all, 2, { x: 1.1, y: 1 }, 1, 1) ?? []), [1, 10]);
+});
+
+test("the components of a vector have one size, other variables their own", () => {
+  const given = { start: Float64Array.of(4e-25, 2, 1e-20, 9), rows: Float64Array.of(0, -3, 2e-20, NaN, 0, 0) };
+  assert.deepEqual(sizes(["gamma_1", "gamma_2", "theta"], given), [3, 3, 2e-20]);
 });
 
 test("points given by their place alone have no state", () => {

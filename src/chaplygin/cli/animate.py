@@ -80,6 +80,7 @@ def command(
             f"--speed {speed:g}: the motion of {abs(study.until):g} s would be over before the "
             f"second frame; it must be at most {abs(study.until) * rate:g}"
         )
+    _require_something_to_show(study, suffix)
     steps = round(count)
     with (
         message_on_interrupt(NOTHING_SAVED),
@@ -92,6 +93,21 @@ def command(
             size = (width - width % 2, height - height % 2)
             _film(study, steps, output, rate, size, report)
     inform(f"written to {output}")
+
+
+def _require_something_to_show(study: Study, suffix: str) -> None:
+    """Refuse a motion without body and drawing before it is integrated."""
+    from ..errors import InputError
+    from ..report.film.frames import require_scene
+
+    subject = study.subject
+    if suffix != ".glb":
+        require_scene(subject)
+    elif subject.outline is None and subject.plan is None:
+        raise InputError(
+            f"{study.system.title} has no body that could be a model in space, and no drawing of a "
+            "mechanism (the table [plan])"
+        )
 
 
 def _with_frames(study: Study, steps: int) -> Study:
@@ -125,7 +141,6 @@ def _film(
 
 
 def _model(study: Study, steps: int, output: Path) -> None:
-    from ..errors import InputError
     from ..experiment.study import dataset_of
     from ..experiment.subjects.plan import plan_motion
     from ..geometry.mesh import outline_from_contact
@@ -133,11 +148,6 @@ def _model(study: Study, steps: int, output: Path) -> None:
     from ..report.film.mechanism_solids import mechanism_solids
 
     outline, plan = study.subject.outline, study.subject.plan
-    if outline is None and plan is None:
-        raise InputError(
-            f"{study.system.title} has no body that could be a model in space, and no drawing of a "
-            "mechanism (the table [plan])"
-        )
     sampled = _with_frames(study, steps)
     trajectory = sampled.trajectory()
     dataset = dataset_of(sampled, trajectory)

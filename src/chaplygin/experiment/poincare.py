@@ -121,11 +121,12 @@ def section_of(
         )
     if not until > 0:
         raise InputError(f"--until {until:g}: it must be positive")
+    on = formula(system, surface.quantity, "--on")
     where = poincare_section(
-        system, surface.quantity, surface.value, DIRECTIONS[surface.direction], surface.angle
+        system, on, surface.value, DIRECTIONS[surface.direction], surface.angle
     )
     for quantity, width in surface.within:
-        where = slab(where, formula(system, quantity), width)
+        where = slab(where, formula(system, quantity, "--within"), width)
     names, quantities, columns = coordinates_of(
         system, coordinates, study.variables, surface.quantity
     )
@@ -266,7 +267,7 @@ def coordinates_of(
     names, quantities = [], []
     for part in parts:
         name, equals, right = (piece.strip() for piece in part.partition("="))
-        value = formula(system, right if equals else name)
+        value = formula(system, right if equals else name, "--coordinates")
         if not equals and value in system.symbols:
             if is_angle(system, value):
                 quantities.append(within_a_turn(value, (variables or {}).get(name)))

@@ -92,9 +92,14 @@ class Study(WithOverview):
         return self.subject.variables
 
     def overview(self) -> Overview:
-        """The system, the start as given, and the duration."""
+        """The system, the start as given, the duration, and remarks."""
         start = ", ".join(f"{name} = {value}" for name, value in self.start_values.items())
-        rows = (("system", repr(self.system)), ("start", start), ("until", f"{self.until:g} s"))
+        rows = (
+            ("system", repr(self.system)),
+            ("start", start),
+            ("until", f"{self.until:g} s"),
+            *(("note", remark) for remark in self.remarks),
+        )
         return Overview(self.system.title, rows)
 
     @property

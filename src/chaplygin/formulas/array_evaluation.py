@@ -91,7 +91,7 @@ def as_float_array(name: str, numbers: object) -> FloatArray:
         raise InputError(f"{name}: all must be real numbers, in rows of one length") from None
 
 
-def formula(system: System, quantity: sp.Expr | float | str) -> sp.Expr:
+def formula(system: System, quantity: sp.Expr | float | str, where: str = "") -> sp.Expr:
     """A scalar formula of a system: itself, or what a text says.
 
     Parameters
@@ -100,6 +100,8 @@ def formula(system: System, quantity: sp.Expr | float | str) -> sp.Expr:
     quantity : SymPy expression, number or str
         A text is the name of a scalar observable or of an integral (``"energy"``), or a formula in
         the state, the definitions and the parameters (``"dot(M, gamma) - 0.3"``, ``"gamma_3"``).
+    where : str
+        Put before the message of an error; the name of the system where it is empty.
 
     Raises
     ------
@@ -112,10 +114,14 @@ def formula(system: System, quantity: sp.Expr | float | str) -> sp.Expr:
         named |= {law.name: law.value for law in system.integrals}
         expression = named.get(quantity)
         if expression is None:
-            expression = parse_formula(quantity, _names(system), f"{system.name}: quantity")
+            expression = parse_formula(
+                quantity, _names(system), where or f"{system.name}: quantity"
+            )
     value = to_components(sp.sympify(expression))
     if isinstance(value, sp.MatrixBase):
-        raise InputError(f"{system.name}: {quantity} is a vector; name one of its components")
+        raise InputError(
+            f"{quantity} is a vector; name one of its components", where or system.name
+        )
     return value
 
 

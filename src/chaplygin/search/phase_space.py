@@ -320,11 +320,20 @@ def _solutions(bare: SearchSpace) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
             if requirement.xreplace(solved) == sp.false:
                 conditions = ", ".join(f"{text(c)} = 0" for c in bare.conditions)
                 raise InputError(
-                    f"{conditions} means {parameter.symbol} = "
-                    f"{text(solved.get(parameter.symbol, parameter.symbol))}, "
+                    f"{conditions}{_meaning(bare.conditions, solved, parameter.symbol)}, "
                     f"but {text(requirement)} is required"
                 )
     return tuple(solved.items())
+
+
+def _meaning(
+    conditions: Sequence[sp.Expr], solved: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol
+) -> str:
+    """What conditions say of a parameter, unless it is what they say in so many words."""
+    value = solved.get(symbol, symbol)
+    if [sp.expand(condition) for condition in conditions] == [sp.expand(symbol - value)]:
+        return ""
+    return f" means {text(symbol)} = {text(value)}"
 
 
 def _linear_root(
@@ -342,7 +351,7 @@ def _linear_root(
     if not candidates:
         raise InputError(
             f"the condition {text(condition)} = 0 cannot be solved: it must be linear in one of "
-            f"{', '.join(map(str, parameters)) or 'the parameters (there are none)'}"
+            f"{', '.join(map(text, parameters)) or 'the parameters (there are none)'}"
         )
     *_, symbol, value = min(candidates, key=lambda item: item[:3])
     return symbol, value

@@ -274,8 +274,8 @@ def test_mistakes_in_files_are_told_before_anything_heavy_is_imported(
     (tmp_path / "mine.toml").write_text(text)
     script = (
         "import sys\nfrom chaplygin.__main__ import main\n"
-        "try: main()\nfinally: print(sorted({'llvmlite', 'heyoka', 'xarray', 'matplotlib', 'scipy', "
-        f"'{heavy}'}} & set(sys.modules)))"
+        "try: main()\nfinally: print(sorted({'llvmlite', 'heyoka', 'xarray', 'matplotlib', "
+        f"'scipy', '{heavy}'}} & set(sys.modules)))"
     )
     run = program("run", "mine.toml", "-o", "new.nc", folder=tmp_path, script=script)
     out, err = run.communicate()

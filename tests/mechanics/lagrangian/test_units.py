@@ -1,14 +1,16 @@
-"""Units of momenta, from those of the parameters."""
+"""Units of momenta and multipliers, from those of the parameters."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import pytest
 import sympy as sp
 
-from chaplygin import Mechanism, Parameter, coordinates, equations
+from chaplygin import Frame, Mechanism, Parameter, coordinates, equations
 from chaplygin.core.laws import Integral
 from chaplygin.core.vectors import real_symbol
-from chaplygin.mechanics.lagrangian.units import momentum_units
+from chaplygin.mechanics.lagrangian.units import momentum_units, multiplier_units
 
 m, J, l, r, phi, x = map(real_symbol, ("m", "J", "l", "r", "phi", "x"))
 HALF = sp.Rational(1, 2)
@@ -59,3 +61,46 @@ def test_the_integral_of_a_cyclic_coordinate_has_its_unit() -> None:
         if isinstance(law, Integral) and law.name == "momentum_phidot"
     )
     assert momentum.unit == "kg m^2/s"
+
+
+POLAR_ENERGY = HALF * m * (RDOT**2 + r**2 * PHIDOT**2)
+UNITS = {"m": "kg", "l": "m"}
+
+
+@pytest.mark.parametrize(
+    ("constraints", "positions", "expected"),
+    [
+        ((RDOT,), (), ("N",)),
+        ((PHIDOT,), (), ("N m",)),
+        ((RDOT - l * PHIDOT,), (), ("N",)),
+        ((RDOT / l - PHIDOT,), (), ("N m",)),
+        # the reaction along s is the multiplier times the derivative by s, also if not linear
+        ((RDOT**2 - l**2 * PHIDOT**2,), (), ("kg/s",)),
+        ((), (r - l,), ("N",)),
+        ((), (phi,), ("N m",)),
+        ((PHIDOT,), (r - l,), ("N m", "N")),
+        # metres and radians are added
+        ((RDOT - PHIDOT,), (), ("",)),
+        ((sp.log(2 + r) * RDOT,), (), ("",)),
+    ],
+    ids=str,
+)
+def test_multipliers(
+    constraints: tuple[sp.Expr, ...], positions: tuple[sp.Expr, ...], expected: tuple[str, ...]
+) -> None:
+    trial = replace(
+        mechanism(POLAR_ENERGY, PLANE, **UNITS), constraints=constraints, positions=positions
+    )
+    assert multiplier_units(trial) == expected
+    bare = replace(mechanism(POLAR_ENERGY, PLANE), constraints=constraints, positions=positions)
+    assert multiplier_units(bare) == ("",) * len(expected)
+
+
+def test_the_reaction_of_a_blade_is_a_force() -> None:
+    u, v, omega = map(real_symbol, ("u", "v", "omega"))
+    c, s = sp.cos(phi), sp.sin(phi)
+    frame = Frame({x: u * c - v * s, r: u * s + v * c, phi: omega}, (u, v, omega))
+    energy = HALF * (m * (u**2 + (v + l * omega) ** 2) + J * omega**2)
+    sleigh = replace(mechanism(energy, frame, m="kg", J="kg m^2", l="m"), constraints=(v,))
+    (reaction,) = (o for o in equations(sleigh).observables if o.name == "lambda_1")
+    assert reaction.unit == "N"

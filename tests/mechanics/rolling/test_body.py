@@ -118,3 +118,10 @@ def test_products_of_inertia_may_have_either_sign() -> None:
     system = Rolling(Body(1.0, tensor, BALL)).system()
     asked = {str(p.symbol): len(p.admissible) for p in system.parameters if "I_" in str(p.symbol)}
     assert asked == {"I_11": 2, "I_12": 0, "I_13": 0, "I_22": 2, "I_23": 0, "I_33": 2}
+
+
+def test_a_centre_of_mass_outside_is_remarked() -> None:
+    words = "shape.centre puts the centre of mass outside the body"
+    assert Body(1.0, (1.0, 1.0, 1.0), Ball(1.0, centre=(0.0, 0.8, 0.8))).remarks == (words,)
+    assert Body(1.0, (1.0, 1.0, 1.0), Ball(1.0, centre=(0.0, 0.6, 0.7))).remarks == ()
+    assert Body(1.0, (1.0, 1.0, 1.0), BALL).remarks == ()

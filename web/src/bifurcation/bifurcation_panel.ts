@@ -5,7 +5,7 @@ import type { Lab } from "../lab";
 import type { Bifurcation } from "../model";
 import { element } from "../page/dom";
 import { plain } from "../page/mathml";
-import { extent, readable } from "../page/numbers";
+import { extent, readable, readableOn } from "../page/numbers";
 import { palette } from "../page/palette";
 import { unitText } from "../page/units";
 import { sentence } from "../section/points";
@@ -177,7 +177,7 @@ class Panel implements BifurcationPanel {
         if (far < 8 && (near === null || far < near.far)) near = { label, far };
       });
     }
-    const where = `${plain(this.label(this.diagram.x))} = ${readable(place.x)}, ${this.label(this.diagram.y)} = ${readable(place.y)}`;
+    const where = `${plain(this.label(this.diagram.x))} = ${readableOn(frame.x.range, place.x)}, ${this.label(this.diagram.y)} = ${readableOn(frame.y.range, place.y)}`;
     return near === null ? where : `${where}: ${(near as { label: string }).label}`;
   }
 

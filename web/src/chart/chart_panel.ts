@@ -3,7 +3,7 @@
 import type { Lab } from "../lab";
 import { choice, element } from "../page/dom";
 import { plain } from "../page/mathml";
-import { readable } from "../page/numbers";
+import { readable, readableOn } from "../page/numbers";
 import { indicatorScale, onScale, palette } from "../page/palette";
 import { megnoShare, megnoWords } from "../page/indicator";
 import { SERIF } from "../page/type";
@@ -293,7 +293,8 @@ class Panel implements ChartPanel {
     const found = this.cell(place);
     if (found === null || this.drawn === null) return null;
     const value = this.drawn.values[found.index] ?? NaN;
-    const where = `${this.sheet.frame.x.label} = ${readable(place.x)}, ${this.sheet.frame.y.label} = ${readable(place.y)}`;
+    const { x, y } = this.sheet.frame;
+    const where = `${x.label} = ${readableOn(x.range, place.x)}, ${y.label} = ${readableOn(y.range, place.y)}`;
     const { kind } = this.drawn.setting;
     if (!Number.isFinite(value)) return `${where}: no value`;
     return `${where}: ${kind === "megno" ? megnoWords(value) : kind === "lyapunov" ? `exponent ${readable(value, 3)}` : `rotation number ${readable(value, 6)}`}`;

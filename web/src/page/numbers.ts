@@ -18,6 +18,19 @@ export function readable(value: number, digits = 4): string {
   return `${short} × 10${sign}${raised}`;
 }
 
+/** Share of the largest of several values below which one of them is rounding. */
+const ROUNDING = 1e-12;
+
+/** A number among others of at most this size, beside which rounding is nothing: it reads 0. */
+export function readableBeside(size: number, value: number, digits = 4): string {
+  return readable(Math.abs(value) < ROUNDING * size ? 0 : value, digits);
+}
+
+/** A value on an axis with this range. */
+export function readableOn([low, high]: readonly [number, number], value: number): string {
+  return readableBeside(Math.max(Math.abs(low), Math.abs(high)), value);
+}
+
 function trimmed(text: string): string {
   const plain = text.includes("e") ? String(Number(text)) : text;
   return plain.includes(".") ? plain.replace(/\.?0+$/, "") : plain;

@@ -5,7 +5,7 @@ import type { Lab } from "../lab";
 import { element, toggle } from "../page/dom";
 import { font, letter } from "../page/type";
 import { formula } from "../page/mathml";
-import { readable } from "../page/numbers";
+import { readable, readableBeside } from "../page/numbers";
 import { onSchemeChange, palette, type Palette } from "../page/palette";
 import { changingModes, modeAt } from "../playback/modes";
 import { place } from "../playback/motion";
@@ -60,8 +60,7 @@ export function plotsPanel(lab: Lab): PlotsPanel {
       readings.forEach((reading, k) => {
         const values = plot.data[k + 1];
         const value = (1 - share) * (values?.[index] ?? NaN) + (share > 0 ? share * (values?.[index + 1] ?? NaN) : 0);
-        // what is nothing beside the curves is rounding
-        reading.textContent = readable(Math.abs(value) < 1e-12 * size ? 0 : value, 4);
+        reading.textContent = readableBeside(size, value);
       });
     }
   };

@@ -64,6 +64,20 @@ export function along(from: { x: number; y: number }, to: { x: number; y: number
   });
 }
 
+/** The largest size of each variable along an orbit; the components of a vector count together. */
+export function sizes(names: readonly string[], orbit: Pick<Orbit, "start" | "rows">): number[] {
+  const stem = (name: string): string => name.replace(/_\d+$/, "");
+  const largest = new Map<string, number>();
+  const count = (values: Float64Array): void =>
+    values.forEach((value, n) => {
+      const whose = stem(names[n % names.length] ?? "");
+      if (Number.isFinite(value)) largest.set(whose, Math.max(largest.get(whose) ?? 0, Math.abs(value)));
+    });
+  count(orbit.start.slice(0, names.length));
+  count(orbit.rows);
+  return names.map((name) => largest.get(stem(name)) ?? 0);
+}
+
 export function letters(quantity: Quantity): string {
   return quantity.mathml ? plain(quantity.mathml) : quantity.name;
 }

@@ -6,11 +6,11 @@ import type { Quantity } from "../model";
 import { element } from "../page/dom";
 import { megnoColour, megnoWords } from "../page/indicator";
 import { plain } from "../page/mathml";
-import { extent, readable } from "../page/numbers";
+import { extent, readableBeside } from "../page/numbers";
 import { indicatorScale, palette } from "../page/palette";
 import { SpareEngine } from "../sources/workers";
 import { unitText } from "../page/units";
-import { along, letters, paintMarks, paintPoints, passingPlane, same, sentence, spreadPlane } from "./points";
+import { along, letters, paintMarks, paintPoints, passingPlane, same, sentence, sizes, spreadPlane } from "./points";
 import { sectionTools, settingOf, settingText, type SectionTools } from "./tools";
 import { Sheet, type Place } from "../sheet/sheet";
 import type { Frame, Range } from "../sheet/frame";
@@ -350,7 +350,9 @@ class Panel implements SectionPanel {
     this.hovered = found?.orbit ?? null;
     if (found === null) return null;
     const { model } = this.lab;
-    const start = model.state.slice(0, model.reduced).map(({ name, mathml }, k) => `${plain(mathml || name)} = ${readable(found.orbit.start[k] ?? NaN)}`);
+    const state = model.state.slice(0, model.reduced);
+    const size = sizes(state.map(({ name }) => name), found.orbit);
+    const start = state.map(({ name, mathml }, k) => `${plain(mathml || name)} = ${readableBeside(size[k] ?? 0, found.orbit.start[k] ?? NaN)}`);
     const { indicator } = found.orbit;
     return `starts at ${start.join(", ")}${indicator === null ? "" : `; ${megnoWords(indicator)}`}`;
   }

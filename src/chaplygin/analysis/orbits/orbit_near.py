@@ -10,6 +10,7 @@ from ...core.system import System
 from ...errors import InputError, RunError
 from ...flow.kernel.equations import poincare_section
 from ...flow.sections.poincare_map import PoincareMap
+from ...formulas.array_evaluation import formula
 from .continuation import Branch, continue_orbit
 from .periodic import Orbit, find_periodic
 from .return_map import ReturnMap, parameters_to_state
@@ -72,7 +73,8 @@ def orbit_near(
             raise InputError(f"--hold {name}: it must be one of {', '.join(laws) or 'none'}")
     progress(0.0)
     limit = until * max(after, 1)
-    section = poincare_section(system, on, value, direction, angle)
+    quantity = formula(system, on, "--on")
+    section = poincare_section(system, quantity, value, direction, angle)
     returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance, until=limit))
     crossed = returns.section.crossings(np.array([start]), max(after, 1))
     if crossed.outcome[0]:

@@ -211,10 +211,10 @@ def values_of_formula(text: str, motion: ContactMotion, system: System) -> Float
     return values
 
 
-def require_formula(text: str, system: System) -> None:
+def require_formula(text: str, system: System, where: str = "quantity") -> None:
     """Raise InputError unless a text is a formula in recorded quantities, and no constant."""
-    if not numerical_function(text, tuple(_columns(system)), "quantity")[1]:
-        raise InputError(f"quantity {text}: it is the same at all times")
+    if not numerical_function(text, tuple(_columns(system)), where)[1]:
+        raise InputError(f"{where} {text}: it is the same at all times")
 
 
 def formula_at(text: str, mode: ModeIntegrator, states: FloatArray, system: System) -> FloatArray:

@@ -205,8 +205,9 @@ def contact_section_task(
     if not 0 < until < np.inf:
         raise InputError(f"--until {until:g}: it must be positive and finite")
     system = subject.system
-    for text in (surface.quantity, *(quantity for quantity, _ in surface.within)):
-        require_formula(text, system)
+    require_formula(surface.quantity, system, "--on")
+    for quantity, _ in surface.within:
+        require_formula(quantity, system, "--within")
     chosen = _coordinates(coordinates or COORDINATES, system)
     experiment = study.complete_toml()
     numbers = FileNumbers(friction_experiment(experiment))
@@ -248,7 +249,7 @@ def _coordinates(text: str, system: System) -> tuple[tuple[str, str], ...]:
     pairs = []
     for part in parts:
         name, equals, formula = (piece.strip() for piece in part.partition("="))
-        require_formula(formula if equals else name, system)
+        require_formula(formula if equals else name, system, "--coordinates")
         if not name.isidentifier():
             raise InputError(
                 f"--coordinates {text}: the formula {part} needs a name, as in height = {part}"

@@ -28,7 +28,7 @@ from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.rolling.body import AnyBody
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.initial_state import initial_state
-from ...mechanics.shapes.gauss_map import centre_outside, contact_points
+from ...mechanics.shapes.gauss_map import contact_points
 from ...mechanics.shapes.surfaces import Surface
 from ...printing.formula import text
 from ..file.tables import CommonRunTable
@@ -135,8 +135,7 @@ class Subject:
     @property
     def remarks(self) -> tuple[str, ...]:
         """Whether the centre of mass lies outside the body, and what else is unusual about it."""
-        outside = self.body is not None and centre_outside(self.body.shape)
-        return ("body.shape.centre puts the centre of mass outside the body",) if outside else ()
+        return () if self.body is None else tuple(f"body.{words}" for words in self.body.remarks)
 
     @property
     def directions(self) -> set[str]:

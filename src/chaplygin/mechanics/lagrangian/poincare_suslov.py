@@ -33,7 +33,7 @@ from .assembly import Balance, balance
 from .definitions import name_definitions
 from .energy import EnergyTheorem, energy_theorem
 from .mechanism import TIME, Mechanism
-from .units import momentum_units
+from .units import momentum_units, multiplier_units
 
 
 @dataclass(frozen=True)
@@ -272,8 +272,10 @@ def _observables(equations: DerivedEquations) -> tuple[Observable, ...]:
     mechanism = equations.parts.mechanism
     constraints = (*mechanism.f, *mechanism.F)
     shown = tuple(
-        Observable(str(symbol), symbol, f"multiplier of {text(f)} = 0", source="(1.9)")
-        for (symbol, _), f in zip(equations.solution.multipliers, constraints, strict=True)
+        Observable(str(symbol), symbol, f"multiplier of {text(f)} = 0", unit, source="(1.9)")
+        for (symbol, _), f, unit in zip(
+            equations.solution.multipliers, constraints, multiplier_units(mechanism), strict=True
+        )
     )
     if not equations.energy.failures:
         return shown

@@ -1,8 +1,8 @@
-"""Units of the velocities of a mechanism, from the units of its parameters.
+"""Units of momenta and multipliers of a mechanism, from the units of its parameters.
 
 Every term of the kinetic energy is an energy. A term c s² with a coefficient c of known unit gives
 the unit of the velocity s, and so that of a coordinate whose rate is s; such coordinates may stand
-in the coefficients of other velocities.
+in the coefficients of other velocities. A multiplier times ∂f/∂s times s is a power.
 """
 
 from __future__ import annotations
@@ -25,14 +25,15 @@ def _dimension(kg: int = 0, m: int = 0, s: int = 0) -> Dimension:
     return Fraction(kg), Fraction(m), Fraction(s)
 
 
-_NONE, _ENERGY = _dimension(), _dimension(1, 2, -2)
+_NONE, _ENERGY, _POWER = _dimension(), _dimension(1, 2, -2), _dimension(1, 2, -3)
+_FORCE = _dimension(1, 1, -2)
 _UNITS = {
     "1": _NONE,
     "rad": _NONE,
     "kg": _dimension(1),
     "m": _dimension(m=1),
     "s": _dimension(s=1),
-    "N": _dimension(1, 1, -2),
+    "N": _FORCE,
     "J": _ENERGY,
     "Hz": _dimension(s=-1),
 }
@@ -41,14 +42,57 @@ _FACTOR = re.compile(r"(\w+?)(?:\^(-?\d+))?")
 
 def momentum_units(mechanism: Mechanism) -> dict[sp.Symbol, str]:
     """The unit of ∂L/∂s for every velocity s; empty text where the parameters do not tell it."""
+    known = _dimensions(mechanism)
+    return {
+        s: _text(_times(_ENERGY, known[s], -1)) if s in known else "" for s in mechanism.frame.w
+    }
+
+
+def multiplier_units(mechanism: Mechanism) -> tuple[str, ...]:
+    """The unit of the multiplier of each constraint, on velocities first, then on positions.
+
+    The reaction along the velocity s is λ ∂f/∂s, so that λ s ∂f/∂s is a power; for a constraint
+    F(q) = 0, which is kept by Ḟ = 0, the product λ q ∂F/∂q is an energy.  Empty text where the
+    parameters do not tell the unit, or terms of the constraint contradict each other.
+    """
+    known = _dimensions(mechanism)
+    frame = mechanism.frame
+    return (
+        *(_unit_of_multiplier(mechanism.expand(f), frame.w, _POWER, known) for f in mechanism.f),
+        *(
+            _unit_of_multiplier(mechanism.expand(F), frame.coordinates, _ENERGY, known)
+            for F in mechanism.F
+        ),
+    )
+
+
+def _unit_of_multiplier(
+    constraint: sp.Expr,
+    variables: Iterable[sp.Symbol],
+    product: Dimension,
+    known: Mapping[sp.Symbol, Dimension],
+) -> str:
+    """The unit by which the dimension of a constraint becomes that of the product."""
+    found = set()
+    for s in variables:
+        for term in sp.Add.make_args(sp.expand(sp.diff(constraint, s))):
+            slope = _of_term(term, known)
+            if s in known and slope is not None:
+                found.add(_times(_times(product, known[s], -1), slope, -1))
+    if len(found) != 1:
+        return ""
+    (dimension,) = found
+    return {_FORCE: "N", _ENERGY: "N m"}.get(dimension) or _text(dimension)
+
+
+def _dimensions(mechanism: Mechanism) -> dict[sp.Symbol, Dimension]:
+    """The known dimensions of parameters, velocities and coordinates."""
     known = _with_units(mechanism.parameters)
     while velocities := dict(_velocities(mechanism, known)):
         known |= velocities
         coordinates = zip(mechanism.frame.coordinates, mechanism.frame.qdot, strict=True)
         known |= {q: _times(known[w], _UNITS["s"]) for q, w in coordinates if w in velocities}
-    return {
-        s: _text(_times(_ENERGY, known[s], -1)) if s in known else "" for s in mechanism.frame.w
-    }
+    return known
 
 
 def _velocities(

@@ -16,6 +16,7 @@ from ...core.system import Parameter
 from ...core.vectors import Diagonal, Symmetric, Vector, real_symbol, to_components
 from ...errors import InputError
 from ...parsing.exact_decimals import exact_number
+from ..shapes.gauss_map import centre_outside
 from ..shapes.shapes import Shape
 from .cavity import Cavity
 from .cavity_fit import check_cavities
@@ -75,6 +76,10 @@ class Body(WithInertia):
         If the mass is not positive, the inertia tensor is not symmetric, not positive definite,
         or breaks the triangle inequality I₁ + I₂ ≥ I₃, or a cavity does not fit into the shape.
 
+    Notes
+    -----
+    What is allowed but unusual, such as a centre of mass outside the shape, is said in `remarks`.
+
     Examples
     --------
     >>> import chaplygin as ch
@@ -105,6 +110,22 @@ class Body(WithInertia):
     def cavities(self) -> tuple[Cavity, ...]:
         """All cavities, also empty ones."""
         return (self.cavity,) if isinstance(self.cavity, Cavity) else tuple(self.cavity)
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences on what is unusual about it; none on an ordinary body.
+
+        A centre of mass outside the shape is allowed, as something massless may hold both
+        together, but it is more often a mistake.
+
+        Examples
+        --------
+        >>> import chaplygin as ch
+        >>> ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0, centre=(0, 0, 2))).remarks
+        ('shape.centre puts the centre of mass outside the body',)
+        """
+        outside = centre_outside(self.shape)
+        return ("shape.centre puts the centre of mass outside the body",) if outside else ()
 
     @property
     def has_fluid(self) -> bool:

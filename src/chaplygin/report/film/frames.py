@@ -51,6 +51,26 @@ class _Window:
     half: FloatArray
 
 
+def require_scene(subject: Subject) -> None:
+    """Refuse what no film can show, before anything is integrated.
+
+    Raises
+    ------
+    InputError
+        If it has no body and no drawing.
+    """
+    on_surface = subject.surface is not None and subject.outline is not None
+    if subject.ball is None and subject.plan is None and not on_surface:
+        raise _nothing_to_show(subject)
+
+
+def _nothing_to_show(subject: Subject) -> InputError:
+    return InputError(
+        f"{subject.system.title} has no body that could be shown: a film needs a body, or a "
+        "drawing of a mechanism (the table [plan])"
+    )
+
+
 def frames(
     subject: Subject, dataset: xr.Dataset, plan: PlanMotion | None, every: int, size: Size
 ) -> tuple[int, Iterator[Picture]]:
@@ -87,10 +107,7 @@ def frames(
         return _plan_frames(dataset, plan, every, size)
     scene = scene_of(subject)
     if scene is None:
-        raise InputError(
-            f"{subject.system.title} has no body that could be shown: a film needs a body, or a "
-            "drawing of a mechanism (the table [plan])"
-        )
+        raise _nothing_to_show(subject)
     body, surface = scene
     track = track_of(dataset, None)
     view = scene_view(track, surface)
