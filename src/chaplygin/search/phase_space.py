@@ -327,10 +327,10 @@ def _solutions(bare: SearchSpace) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
 
 
 def _meaning(
-    conditions: Sequence[sp.Expr], solved: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol
+    conditions: Sequence[sp.Expr], values: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol
 ) -> str:
     """What conditions say of a parameter, unless it is what they say in so many words."""
-    value = solved.get(symbol, symbol)
+    value = values.get(symbol, symbol)
     if [sp.expand(condition) for condition in conditions] == [sp.expand(symbol - value)]:
         return ""
     return f" means {text(symbol)} = {text(value)}"

@@ -70,15 +70,15 @@ def _unit_of_multiplier(
     constraint: sp.Expr,
     variables: Iterable[sp.Symbol],
     product: Dimension,
-    known: Mapping[sp.Symbol, Dimension],
+    dimensions: Mapping[sp.Symbol, Dimension],
 ) -> str:
     """The unit by which the dimension of a constraint becomes that of the product."""
     found = set()
     for s in variables:
         for term in sp.Add.make_args(sp.expand(sp.diff(constraint, s))):
-            slope = _of_term(term, known)
-            if s in known and slope is not None:
-                found.add(_times(_times(product, known[s], -1), slope, -1))
+            slope = _of_term(term, dimensions)
+            if s in dimensions and slope is not None:
+                found.add(_times(_times(product, dimensions[s], -1), slope, -1))
     if len(found) != 1:
         return ""
     (dimension,) = found

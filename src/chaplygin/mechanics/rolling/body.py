@@ -28,11 +28,12 @@ Inertia: TypeAlias = tuple[float, float, float] | tuple[tuple[float, ...], ...]
 
 
 class WithInertia:
-    """A value with principal moments or a full tensor of inertia."""
+    """A shape with principal moments or a full tensor of inertia."""
 
     mass: float
     inertia: Inertia
     gyrostat: tuple[float, float, float]
+    shape: Shape
 
     buildable: ClassVar[bool] = True
     """Whether a rigid body can have this inertia, which the triangle inequality decides."""
@@ -48,6 +49,22 @@ class WithInertia:
         """Whether the body axes are principal axes of inertia."""
         tensor = self.tensor
         return bool(np.all(tensor == np.diag(np.diag(tensor))))
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences on what is unusual about it; none on an ordinary body.
+
+        A centre of mass outside the shape is allowed, as something massless may hold both
+        together, but it is more often a mistake.
+
+        Examples
+        --------
+        >>> import chaplygin as ch
+        >>> ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0, centre=(0, 0, 2))).remarks
+        ('shape.centre puts the centre of mass outside the body',)
+        """
+        outside = centre_outside(self.shape)
+        return ("shape.centre puts the centre of mass outside the body",) if outside else ()
 
 
 @arguments_checked
@@ -110,22 +127,6 @@ class Body(WithInertia):
     def cavities(self) -> tuple[Cavity, ...]:
         """All cavities, also empty ones."""
         return (self.cavity,) if isinstance(self.cavity, Cavity) else tuple(self.cavity)
-
-    @property
-    def remarks(self) -> tuple[str, ...]:
-        """Sentences on what is unusual about it; none on an ordinary body.
-
-        A centre of mass outside the shape is allowed, as something massless may hold both
-        together, but it is more often a mistake.
-
-        Examples
-        --------
-        >>> import chaplygin as ch
-        >>> ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0, centre=(0, 0, 2))).remarks
-        ('shape.centre puts the centre of mass outside the body',)
-        """
-        outside = centre_outside(self.shape)
-        return ("shape.centre puts the centre of mass outside the body",) if outside else ()
 
     @property
     def has_fluid(self) -> bool:
