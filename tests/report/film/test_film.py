@@ -12,7 +12,8 @@ from chaplygin.errors import InputError
 from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.study import Study, dataset_of, prepare
 from chaplygin.experiment.subjects.plan import plan_motion
-from chaplygin.report.film.encode import require_encoder, write_film
+from chaplygin.report.film.encode import write_film
+from chaplygin.report.film.encoders import require_encoder
 from chaplygin.report.film.frames import Picture, frames
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
