@@ -17,9 +17,16 @@ from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.trajectory import recorded_values
 from chaplygin.lab.page_model import live_page_model
-from chaplygin.lab.page_systems import page_system, reduced_system
+from chaplygin.lab.page_systems import reduced_system
 from chaplygin.mechanics.shapes.gauss_map import contact_points
-from lab.motions import CLOSE, EXAMPLES, motion_in_python, study_of, whole_system
+from lab.motions import (
+    CLOSE,
+    EXAMPLES,
+    motion_by_series,
+    motion_in_python,
+    study_of,
+    whole_system,
+)
 from lab.node import needs_node, rows, run_engine
 
 pytestmark = needs_node
@@ -38,18 +45,6 @@ KINDS = ("megno", "lyapunov")
 @cache
 def model_of(name):
     return live_page_model(study_of(name))
-
-
-def motion_by_series(study, times):
-    """The states by Taylor series, as far as they go."""
-    system = page_system(study)
-    sign = -1.0 if study.experiment.run.direction == "backward" else 1.0
-    try:
-        motion = ch.integrate(system, list(study.start), [0.0, *(sign * times)])
-    except ch.RunError as error:
-        motion = error.partial
-    reached = np.isin(np.abs(np.asarray(motion.times, float)), times)
-    return np.asarray(motion.states, dtype=np.float64)[reached]
 
 
 def assert_same_motion(name, until=20.0):

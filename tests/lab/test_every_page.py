@@ -15,7 +15,14 @@ from chaplygin.errors import RunError
 from chaplygin.experiment.study import dataset_of
 from chaplygin.lab.element import page
 from chaplygin.lab.study_page import study_model
-from lab.motions import CLOSE, EXAMPLES, motion_in_python, study_of, whole_system
+from lab.motions import (
+    CLOSE,
+    EXAMPLES,
+    motion_by_series,
+    motion_in_python,
+    study_of,
+    whole_system,
+)
 
 pytestmark = pytest.mark.slow
 
@@ -62,18 +69,24 @@ def test_a_page_opens_and_computes_what_python_does(
 
 
 def assert_same_motion(study: ch.Study, motion: dict[str, list[float]]) -> None:
-    """The states of a page are those of native code, but for a hundred last digits of the start."""
+    """The states of a page are those of native code and of Taylor series.
+
+    But for a hundred times what the last digit of the start does.
+    """
     times = np.arange(1, 21.0)
     expected, moved, _ = motion_in_python(study, times)
     count = len(motion["time"]) - 1
     assert count == np.isfinite(expected).all(axis=1).sum()
     size = np.abs(expected[:count]).max(initial=1e-300)
     allowed = np.maximum(CLOSE * size, 100 * np.maximum.accumulate(moved[:count]))
+    series = motion_by_series(study, times)[:count]
     first = 0
     for variable in whole_system(study).state:
         width = len(getattr(variable, "symbols", (variable,)))
         if (found := motion.get(str(variable))) is not None:
             got = np.array(found, float).reshape(-1, width)[1:]
-            off = np.abs(got - expected[:count, first : first + width])
-            assert np.all(off <= allowed[:, None]), variable
+            for states in (expected[:count], series):
+                number = len(states)
+                off = np.abs(got[:number] - states[:, first : first + width])
+                assert np.all(off <= allowed[:number, None]), variable
         first += width

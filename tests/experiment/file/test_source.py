@@ -70,6 +70,7 @@ def test_wrong_override(option: str, message: str) -> None:
         ("a = 1\na = 2\n", "body.toml, line 2", "not valid TOML: Cannot overwrite a value"),
         ("[body", "body.toml", "not valid TOML: "),
         ("a = " + "[" * 5000, "body.toml", "not valid TOML: too deeply nested"),
+        ("[" + "a." * 5000 + "a]", "body.toml", "not valid TOML: too deeply nested"),
         ("a = " + "1" * 5000, "body.toml", "not valid TOML: Exceeds the limit"),
         ("a = 2026-02-30", "body.toml, line 1", "not valid TOML: Invalid date"),
     ],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -35,6 +36,7 @@ OUTSIDE = [
     "/etc/passwd.toml",
     "..\\secret.toml",
     "own.toml\0",
+    "\u202elmot.toml",
     ".hidden.toml",
     "~/x.toml",
     "a" * 5000 + ".toml",
@@ -89,3 +91,13 @@ def test_a_store_stays_in_the_folder(folder: Folder, tmp_path: Path) -> None:
     (tmp_path / "charts").symlink_to("/")
     with pytest.raises(InputError, match="out of the folder"):
         other.store("a.zarr")
+    (folder.path / "charts" / "b.zarr").symlink_to(tmp_path)
+    with pytest.raises(InputError, match="out of the folder"):
+        folder.store("b.zarr")
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes with names")
+def test_a_pipe_is_not_waited_for(folder: Folder) -> None:
+    os.mkfifo(folder.path / "pipe.toml")
+    with pytest.raises(InputError, match="no file"):
+        folder.experiment("pipe.toml")

@@ -31,6 +31,9 @@ EXPERIMENT = 'system = {name = "veselova"}\nrun = {until = 5.0, samples = 11}\n'
 #: A search that takes minutes.
 LONG = {"do": "find", "kind": "integrals", "degree": 6, "gamma_degree": 6}
 
+#: An experiment that takes long to be refused: reading a name takes the square of its length.
+LARGE = f"[{'a.' * 100_000}a]"
+
 
 @dataclass
 class Laboratory:
@@ -56,6 +59,16 @@ class Laboratory:
             return answer.status, answer.read().decode()
         finally:
             connection.close()
+
+    def line(self, body: str) -> socket.socket:
+        """A connection on which a message has been sent, and nobody reads."""
+        line = socket.create_connection(("127.0.0.1", self.port), timeout=60)
+        head = (
+            f"POST /{self.token}/ask HTTP/1.1\r\nHost: 127.0.0.1:{self.port}\r\n"
+            f"Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n"
+        )
+        line.sendall((head + body).encode())
+        return line
 
     def ask(self, message: dict[str, object]) -> list[dict[str, object]]:
         status, text = self.send(json.dumps(message).encode())
@@ -211,6 +224,26 @@ def test_an_oversized_message_without_a_length_is_refused(laboratory: Laboratory
     assert b" 413 " in answer
 
 
+@pytest.mark.parametrize("sent", [b"", b"GET / HTTP/1.1\r\nHost: "])
+def test_connections_without_a_request_are_closed(laboratory: Laboratory, sent: bytes) -> None:
+    with socket.create_connection(("127.0.0.1", laboratory.port), timeout=60) as line:
+        line.sendall(sent)
+        assert line.recv(100) == b""
+
+
+def test_checking_an_experiment_holds_up_nobody(laboratory: Laboratory) -> None:
+    """It ends too when the page goes away that has asked to save the experiment."""
+    with laboratory.line(json.dumps({"do": "save", "file": "a.toml", "experiment": LARGE})):
+        until(lambda: workers(laboratory))
+        time.sleep(2.0)
+        before = workers(laboratory)
+        motion = {"do": "motion", "subject": {"what": "own.toml"}}
+        assert laboratory.ask(motion)[-1] == {"done": True}
+    until(lambda: before - workers(laboratory))
+    laboratory.ask({"do": "save", "file": "b.toml", "experiment": EXPERIMENT})
+    assert (laboratory.folder / "b.toml").read_text() == EXPERIMENT
+
+
 def test_fifty_pages_are_served_at_once(laboratory: Laboratory) -> None:
     def client(number: int) -> object:
         subject = {"what": "own.toml", "set": {"run.until": 1.0 + number / 10}}
@@ -220,26 +253,42 @@ def test_fifty_pages_are_served_at_once(laboratory: Laboratory) -> None:
         assert list(pages.map(client, range(50))) == [{"done": True}] * 50
 
 
+def workers(laboratory: Laboratory) -> set[int]:
+    """The processes of a laboratory that compute."""
+    return {p for p in children(laboratory.process.pid) if b"spawn_main" in command_of(p)}
+
+
+def command_of(process: int) -> bytes:
+    try:
+        return Path(f"/proc/{process}/cmdline").read_bytes()
+    except OSError:
+        return b""
+
+
 def test_a_computation_ends_when_its_page_goes_away(laboratory: Laboratory) -> None:
-    workers = children(laboratory.process.pid)
+    places = max(1, (os.cpu_count() or 2) - 1)
     lines = []
     for _ in range(4):
-        line = socket.create_connection(("127.0.0.1", laboratory.port), timeout=60)
-        body = json.dumps({**LONG, "subject": {"what": "unbalanced-ball"}})
-        head = (
-            f"POST /{laboratory.token}/ask HTTP/1.1\r\nHost: 127.0.0.1:{laboratory.port}\r\n"
-            f"Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n"
-        )
-        line.sendall((head + body).encode())
-        lines.append(line)
+        lines.append(laboratory.line(json.dumps({**LONG, "subject": {"what": "unbalanced-ball"}})))
+    until(lambda: len(workers(laboratory)) >= min(4, places))
     time.sleep(2.0)
-    busy = children(laboratory.process.pid)
-    assert busy
+    before = workers(laboratory)
     for line in lines:
         line.close()
     # the workers that were busy are ended, and the others wait for nobody
+    until(lambda: len(before - workers(laboratory)) >= min(4, places))
     assert laboratory.ask({"do": "motion", "subject": {"what": "own.toml"}})[-1] == {"done": True}
-    del workers
+
+
+def test_a_process_that_was_killed_is_replaced(laboratory: Laboratory) -> None:
+    motion = {"do": "motion", "subject": {"what": "own.toml"}}
+    assert laboratory.ask(motion)[-1] == {"done": True}
+    for process in workers(laboratory):
+        os.kill(process, signal.SIGKILL)
+    until(lambda: not workers(laboratory))
+    # their other threads end a little later
+    time.sleep(1.0)
+    assert laboratory.ask(motion)[-1] == {"done": True}
 
 
 def test_a_second_laboratory_on_the_port_says_so(laboratory: Laboratory) -> None:

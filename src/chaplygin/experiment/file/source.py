@@ -52,15 +52,20 @@ class Source:
             leads through something that is no table.
         """
         try:
-            tables = deepcopy(dict(self.tables_given)) | tomllib.loads(self.text)
+            tables = deepcopy(dict(self.tables_given)) | self._tables_of_text()
+            for option in self.overrides:
+                _put(tables, option, self.short)
+            self._require_print((), tables)
         except RecursionError:
             raise InputError("not valid TOML: too deeply nested", self.name) from None
+        return tables
+
+    def _tables_of_text(self) -> Tables:
+        """The tables of the text alone."""
+        try:
+            return tomllib.loads(self.text)
         except ValueError as error:
             raise self._syntax_error(str(error)) from None
-        for option in self.overrides:
-            _put(tables, option, self.short)
-        self._require_print((), tables)
-        return tables
 
     def _require_print(self, key: Key, value: object) -> None:
         """Refuse keys and texts with control characters."""

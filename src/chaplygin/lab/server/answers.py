@@ -6,6 +6,7 @@ import base64
 import traceback
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, TypeAlias
 
 from ...errors import InputError, RunError
@@ -21,6 +22,7 @@ from .requests import (
     Opening,
     PeriodicOrbit,
     Proof,
+    Saving,
     Search,
     Subject,
 )
@@ -38,13 +40,13 @@ class Assignment:
     request : Computation
     experiment : str or None
         Text of the experiment file; None for a system of the catalogue.
-    store : str
-        Where a chart is kept.
+    place : str
+        Where something is kept: the store of a chart, the folder of an experiment.
     """
 
     request: Computation
     experiment: str | None
-    store: str = ""
+    place: str = ""
 
 
 def answer(task: object) -> Answer:
@@ -79,6 +81,7 @@ def study_of(subject: Subject, experiment: str | None) -> Study:
 
 
 def _study(task: Assignment) -> Study:
+    assert not isinstance(task.request, Saving)
     return study_of(task.request.subject, task.experiment)
 
 
@@ -96,6 +99,7 @@ def _short(study: Study) -> Study:
 def _open(task: Assignment) -> Answer:
     from ..study_page import laboratory_model
 
+    assert isinstance(task.request, Opening)
     yield {"doing": "computing the motion"}
     yield {"model": laboratory_model(_short(_study(task)), task.request.subject.model_dump())}
 
@@ -205,7 +209,7 @@ def _chart(task: Assignment) -> Answer:
     from .charts import tiles
 
     assert isinstance(task.request, Chart)
-    yield from tiles(_study(task), task.request, task.store)
+    yield from tiles(_study(task), task.request, task.place)
 
 
 def _orbit(task: Assignment) -> Answer:
@@ -214,6 +218,16 @@ def _orbit(task: Assignment) -> Answer:
     assert isinstance(task.request, PeriodicOrbit)
     yield {"doing": "looking for a periodic orbit"}
     yield {"orbit": periodic_orbit(_study(task), task.request)}
+
+
+def _save(task: Assignment) -> Answer:
+    from .folder import Folder
+
+    request = task.request
+    assert isinstance(request, Saving)
+    yield {"doing": "checking the experiment"}
+    Folder(Path(task.place)).save(request.file, request.experiment, request.replace)
+    yield {"saved": request.file}
 
 
 _KINDS: dict[Any, Callable[[Assignment], Answer]] = {
@@ -226,4 +240,5 @@ _KINDS: dict[Any, Callable[[Assignment], Answer]] = {
     BifurcationDiagram: _bifurcation,
     Chart: _chart,
     PeriodicOrbit: _orbit,
+    Saving: _save,
 }

@@ -20,7 +20,7 @@ from .access_control import AccessControl
 from .answers import Assignment
 from .charts import store_name
 from .folder import Folder
-from .requests import LARGEST, Chart, Listing, Saving, request_of
+from .requests import LARGEST, Chart, Computation, Listing, Saving, request_of
 from .workers import BusyError, Message, Pool
 
 #: Seconds in which a message must have arrived.
@@ -37,6 +37,8 @@ class Laboratory:
     what : str
         Name or file with which the page opens.
     pool : Pool
+    savers : Pool
+        Workers that save experiments, which need not wait for a computation.
     token : str
     port : int
     """
@@ -44,6 +46,7 @@ class Laboratory:
     folder: Folder
     what: str
     pool: Pool
+    savers: Pool
     token: str
     port: int
 
@@ -125,21 +128,26 @@ class Laboratory:
             }
             yield {"done": True}
             return
+        pool = self.savers if isinstance(request, Saving) else self.pool
+        async with aclosing(pool.ask(self._assignment(request))) as parts:
+            async for part in parts:
+                yield part
+
+    def _assignment(self, request: Computation) -> Assignment:
+        """What a worker is to do; an experiment is checked there too, as that can take long.
+
+        Raises
+        ------
+        InputError
+            If there is no such subject.
+        """
         if isinstance(request, Saving):
-            await asyncio.to_thread(
-                self.folder.save, request.file, request.experiment, request.replace
-            )
-            yield {"saved": request.file}
-            yield {"done": True}
-            return
-        subject = request.subject
-        text = subject.experiment or self.folder.experiment(subject.what)
+            return Assignment(request, None, str(self.folder.path))
+        text = request.subject.experiment or self.folder.experiment(request.subject.what)
         store = ""
         if isinstance(request, Chart):
             store = str(self.folder.store(store_name(request, text)))
-        async with aclosing(self.pool.ask(Assignment(request, text, store))) as parts:
-            async for part in parts:
-                yield part
+        return Assignment(request, text, store)
 
 
 def _refusal(sentence: str, status: int) -> Response:

@@ -68,6 +68,9 @@ class Folder:
             )
         place = self.inside(what)
         try:
+            if not place.is_file():
+                # reading a pipe would wait for ever
+                raise InputError(f"{what} is no file in the folder of the laboratory")
             if place.stat().st_size > LARGEST:
                 raise InputError(f"{what} is no experiment file: it has more than a megabyte")
             return place.read_bytes().decode("utf-8-sig")
@@ -87,7 +90,7 @@ class Folder:
             root = self.path.resolve()
         except (OSError, ValueError):
             raise InputError("this is no name of a file") from None
-        plain = place.name == name and not name.startswith(".") and "\0" not in name
+        plain = place.name == name and not name.startswith(".") and name.isprintable()
         if place.parent != root or not plain or len(name.encode()) > LONGEST:
             raise InputError(
                 "the laboratory reads and writes files in its own folder alone: give a name "
@@ -120,6 +123,7 @@ class Folder:
             stores.mkdir(exist_ok=True)
         except OSError as problem:
             raise InputError(f"{stores} cannot be written: {problem.strerror}") from None
-        if stores.resolve().parent != self.path.resolve():
-            raise InputError(f"{stores} leads out of the folder of the laboratory")
-        return stores / name
+        store = stores / name
+        if store.resolve().parent != self.path.resolve() / STORES:
+            raise InputError(f"{store} leads out of the folder of the laboratory")
+        return store

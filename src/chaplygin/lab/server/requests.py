@@ -193,14 +193,15 @@ Computation: TypeAlias = (
     | Chart
     | PeriodicOrbit
     | Data
+    | Saving
 )
 
-Request: TypeAlias = Annotated[Computation | Listing | Saving, Field(discriminator="do")]
+Request: TypeAlias = Annotated[Computation | Listing, Field(discriminator="do")]
 
-_REQUEST: TypeAdapter[Computation | Listing | Saving] = TypeAdapter(Request)
+_REQUEST: TypeAdapter[Computation | Listing] = TypeAdapter(Request)
 
 
-def request_of(body: bytes) -> Computation | Listing | Saving:
+def request_of(body: bytes) -> Computation | Listing:
     """The request that a message makes.
 
     Raises

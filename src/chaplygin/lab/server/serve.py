@@ -14,10 +14,11 @@ from collections.abc import Callable, Iterator
 from types import FrameType
 
 import uvicorn
+from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from ...errors import InputError
 from .answers import answer
-from .app import Laboratory
+from .app import MESSAGE_TIMEOUT, Laboratory
 from .folder import Folder
 from .workers import Pool
 
@@ -34,6 +35,28 @@ class _Server(uvicorn.Server):
     @contextlib.contextmanager
     def capture_signals(self) -> Iterator[None]:
         yield
+
+
+class _Connection(H11Protocol):
+    """A connection that is closed where no request comes: there are only so many."""
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Begin to watch it."""
+        super().connection_made(transport)
+        self._watch()
+
+    def _watch(self) -> None:
+        self.loop.call_later(MESSAGE_TIMEOUT, self._close_if_idle, self._is_idle(), self.cycle)
+
+    def _is_idle(self) -> bool:
+        return self.cycle is None or self.cycle.response_complete
+
+    def _close_if_idle(self, before: bool, cycle: object) -> None:
+        """Close it if it was idle before, and no request has come since."""
+        if before and self.cycle is cycle and self._is_idle():
+            self.transport.close()
+        elif not self.transport.is_closing():
+            self._watch()
 
 
 def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None]) -> None:
@@ -57,11 +80,11 @@ def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None])
     """
     listening = listen(port)
     place = listening.getsockname()[1]
-    pool = Pool(answer, max(1, (os.cpu_count() or 2) - 1))
-    laboratory = Laboratory(folder, what, pool, secrets.token_urlsafe(18), place)
+    pool, savers = Pool(answer, max(1, (os.cpu_count() or 2) - 1)), Pool(answer, 1)
+    laboratory = Laboratory(folder, what, pool, savers, secrets.token_urlsafe(18), place)
     config = uvicorn.Config(
         laboratory.application(),
-        http="h11",
+        http=_Connection,
         ws="none",
         lifespan="off",
         log_level="error",
@@ -77,17 +100,18 @@ def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None])
     try:
         with listening:
             announce(f"http://{HOST}:{place}{laboratory.base}")
-            asyncio.run(_serve(_Server(config), listening, pool))
+            asyncio.run(_serve(_Server(config), listening, [pool, savers]))
     finally:
         signal.signal(signal.SIGTERM, before)
 
 
-async def _serve(server: _Server, listening: socket.socket, pool: Pool) -> None:
+async def _serve(server: _Server, listening: socket.socket, pools: list[Pool]) -> None:
     try:
         await server.serve([listening])
     finally:
         # before the loop waits for threads, which wait for workers
-        pool.close()
+        for pool in pools:
+            pool.close()
 
 
 def _end(number: int, frame: FrameType | None) -> None:

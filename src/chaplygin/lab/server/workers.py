@@ -110,7 +110,13 @@ class Pool:
                 clearing.add_done_callback(self._clearing.discard)
 
     async def _worker(self) -> _Worker:
-        return self._free.pop() if self._free else await asyncio.to_thread(self._new)
+        while self._free:
+            worker = self._free.pop()
+            # one that was waiting may have been killed, as where memory is short
+            if worker.process.is_alive():
+                return worker
+            self._end(worker)
+        return await asyncio.to_thread(self._new)
 
     async def _clear(
         self, making: asyncio.Task[_Worker], reading: asyncio.Task[Message | None] | None
