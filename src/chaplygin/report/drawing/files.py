@@ -59,7 +59,7 @@ _LONG = 40
 _LEAST = 0.85
 """Share of a key's width that a plot on a telephone has at least, if the key can be narrower."""
 
-_FINE, _COARSE = 0.25, 0.6
+_FINE, _COARSE = 0.3, 0.75
 """Points by which a curve may be simplified, and one on a telephone."""
 
 _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
