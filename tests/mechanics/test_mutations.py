@@ -66,6 +66,7 @@ LOADED = (
     "gauss_map",
     "cavity",
     "cavity_fit",
+    "inertia",
     "body",
     "fluid",
     "contact",
