@@ -122,7 +122,7 @@ class CourseState:
         self._floor_factor = self._rolling_factor = 1.0
         known = contact.numbers(state)
         body = contact.situation.body
-        # a body may mobility its support with its centre of mass
+        # a body may touch its support with its centre of mass
         gyration = math.sqrt(float(np.trace(body.tensor)) / (2 * body.mass))
         self._length = float(np.linalg.norm(known.r)) or gyration
         fall = math.sqrt(1e-6 * float(np.linalg.norm(known.free_acceleration)) * self._length)
