@@ -64,7 +64,7 @@
       window.times.clicked = new Promise((done, failed) => {
         const began = async () => {
           const from = performance.now();
-          await until(() => whole() !== before).catch(failed);
+          await until(() => whole() !== before, 6e4).catch(failed);
           await painted();
           done(performance.now() - from);
         };
