@@ -27,12 +27,8 @@ _TITLES = {
     "measure": "Invariant measures",
     "symmetries": "Symmetry fields",
 }
-#: What no result means.
-_NOTHING = {
-    "integrals": "none of this form",
-    "measure": "none of this form",
-    "symmetries": "none of this form",
-}
+#: Of no result, and of the results that were found.
+_NOTHING = "none of this form"
 _NOTHING_ELSE = {
     "integrals": "Everything else of this form is a function of these and of the parameters.",
     "symmetries": "Everything else of this form follows from these, the flow and the integrals.",
@@ -286,7 +282,7 @@ def _as_text(kind: str, question: Question, results: list[SearchResult], complet
     if not complete:
         lines.append("  interrupted: the search is incomplete")
     elif not results:
-        lines.append(f"  {_NOTHING[kind]}")
+        lines.append(f"  {_NOTHING}")
     elif kind != "measure" and all(finding.law is not None for finding in results):
         lines.append(f"  {_NOTHING_ELSE[kind]}")
     return "\n".join(lines)
