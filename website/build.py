@@ -58,6 +58,7 @@ def main() -> int:
     lay_out(chosen.exhibits)
     # cells run the command line of this environment
     os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    os.environ["IPYTHONDIR"] = str(kernel_settings())
     code = subprocess.call(
         [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q",
          "-c", str(HOME), "-d", str(BUILD / "site-doctrees"), *further, str(SOURCE), str(SITE)]
@@ -67,6 +68,16 @@ def main() -> int:
     wrong = faults(SITE)
     print("\n".join(wrong), file=sys.stderr)
     return code or bool(wrong)
+
+
+def kernel_settings() -> Path:
+    """The folder of IPython's settings for the cells, whatever the user's own are."""
+    settings = BUILD / "site-ipython"
+    profile = settings / "profile_default"
+    profile.mkdir(parents=True, exist_ok=True)
+    # kernels speak to this machine alone, and each of them would warn that it does so in plain text
+    (profile / "ipython_kernel_config.py").write_text("c.IPKernelApp.log_level = 40\n")
+    return settings
 
 
 def pages_of(folder: Path) -> set[Path]:
