@@ -168,6 +168,26 @@ MISTAKES: dict[str, tuple[str, str]] = {
         'line 7, contact: mu is for a contact with friction: write model = "friction" with it, or '
         "leave it out",
     ),
+    "mu without model, with slip": (
+        BALL + "[contact]\nmu = 0.3\n" + CONTACT + "slip = [1, 0, 0]\n",
+        'line 7, contact: mu is for a contact with friction: write model = "friction" with it, or '
+        "leave it out",
+    ),
+    "mu without model, with a start in space": (
+        BALL + "[contact]\nmu = 0.3\n" + SPACE,
+        'line 7, contact: mu is for a contact with friction: write model = "friction" with it, or '
+        "leave it out",
+    ),
+    "mu without model, with a body that may fly": (
+        BALL + "[contact]\nmu = 0.3\n" + CONTACT + '[run]\non_liftoff = "fly"\n',
+        'line 7, contact: mu is for a contact with friction: write model = "friction" with it, or '
+        "leave it out",
+    ),
+    "mu without model, on a turntable": (
+        BALL + "[contact]\nmu = 0.3\n" + CONTACT + "[surface]\nturntable = 2.0\n",
+        'line 7, contact: mu is for a contact with friction: write model = "friction" with it, or '
+        "leave it out",
+    ),
     "marble on a turntable": (
         ROLLING + "[surface]\nturntable = 2.0\n",
         "line 10, surface: turntable is for a contact with friction; a body rolls without slipping "

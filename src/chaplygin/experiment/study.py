@@ -23,18 +23,11 @@ from ..flow.taylor.working_numbers import PrecisionError
 from ..flow.trajectory import Trajectory, require_pieces
 from ..mechanics.rolling.equations import Rolling
 from .dataset import to_dataset
-from .models.ball_model import BallExperiment
-from .models.catalogue_models import StateExperiment, SystemExperiment
-from .models.described_models import EquationsExperiment, MechanismExperiment
 from .models.experiment import Experiment
-from .models.rolling_model import FrictionExperiment, RollingExperiment
-from .subjects.ball_subject import ball_subject
-from .subjects.catalogue_system import body_of_catalogue, system_of_catalogue
-from .subjects.contact_subject import ContactSubject, contact_subject
-from .subjects.described_system import equations_subject, mechanism_subject
+from .subjects.contact_subject import ContactSubject
 from .subjects.initial_state import StartValues, normalised_vectors, on_level
-from .subjects.rolling_subject import rolling_subject
 from .subjects.subject import Subject, Variables
+from .subjects.subject_of import subject_of
 
 
 @dataclass(frozen=True, repr=False)
@@ -243,22 +236,4 @@ def prepare(experiment: Experiment) -> Study:
     >>> study.system.title, study.times.shape
     ('Veselova system', (11,))
     """
-    return Study(experiment, _subject(experiment))
-
-
-def _subject(experiment: Experiment) -> Subject:
-    match experiment:
-        case RollingExperiment():
-            return rolling_subject(experiment)
-        case FrictionExperiment():
-            return contact_subject(experiment)
-        case BallExperiment():
-            return ball_subject(experiment)
-        case SystemExperiment():
-            return body_of_catalogue(experiment)
-        case StateExperiment():
-            return system_of_catalogue(experiment)
-        case MechanismExperiment():
-            return mechanism_subject(experiment)
-        case EquationsExperiment():
-            return equations_subject(experiment)
+    return Study(experiment, subject_of(experiment))

@@ -283,6 +283,29 @@ def test_mistakes_in_files_are_told_before_anything_heavy_is_imported(
     assert out.decode().strip() == "[]"
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("rattleback", "--set", "I_1=-1"),
+        ("rattleback", "--set", "system.parameters.s=0"),
+        ("snakeboard", "--set", "m=0"),
+        ("suslov-nd", "--set", "dimension=40"),
+    ],
+)
+def test_parameters_are_refused_before_what_integrates_is_imported(
+    tmp_path: Path, arguments: tuple[str, ...]
+) -> None:
+    script = (
+        "import sys\nfrom chaplygin.__main__ import main\n"
+        "try: main()\nfinally: print(sorted({'llvmlite', 'heyoka', 'xarray', 'matplotlib', "
+        "'scipy', 'pandas'} & set(sys.modules)))"
+    )
+    run = program("run", *arguments, "-o", "new.nc", folder=tmp_path, script=script)
+    out, err = run.communicate()
+    assert (run.returncode, err[:7]) == (2, b"error: ")
+    assert out.decode().strip() == "[]"
+
+
 #: Ends a command where it first says what it does; prints that, and what was imported before.
 FIRST_WORDS = """
 import sys

@@ -60,3 +60,15 @@ def test_what_is_done_in_a_moment_says_nothing() -> None:
         [sys.executable, "-c", script], capture_output=True, text=True, check=True
     )
     assert done.stderr == ""
+
+
+def test_a_log_has_what_is_told_while_something_is_waited_for() -> None:
+    script = (
+        "import time\nfrom chaplygin.cli.terminal.progress import waiting\n"
+        "with waiting('reading') as report:\n    time.sleep(1)\n    report.say('preparing')\n"
+        "    time.sleep(1.5)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
+    assert done.stderr == "preparing …\n"

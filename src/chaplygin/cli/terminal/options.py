@@ -174,8 +174,9 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
         if precision not in PRECISIONS:
             raise InputError(f"--precision {precision}: it must be {' or '.join(PRECISIONS)}")
         options.append(f"run.precision={precision}")
-    with waiting(f"preparing {what}"):
+    with waiting(f"preparing {what}") as report:
         if path.suffix == ".py":
+            report.say(f"running {what}")
             from ...experiment.python_file import load_python
 
             study = load_python(path, options)
@@ -183,10 +184,14 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
             from ...experiment.models.experiment import catalogue_experiment, load
 
             experiment = catalogue_experiment(what, options) if named else load(path, options)
-            # what is wrong with a name or a file is said before the rest is imported
-            from ...experiment.study import prepare
+            from ...experiment.subjects.subject_of import subject_of
 
-            study = prepare(experiment)
+            # what is wrong with a name, a file or a parameter is said before the rest is imported
+            subject = subject_of(experiment)
+            report.say(f"preparing {subject.system.title}")
+            from ...experiment.study import Study
+
+            study = Study(experiment, subject)
     for remark in study.remarks:
         inform(f"note: {remark}")
     return study

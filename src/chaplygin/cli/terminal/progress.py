@@ -43,13 +43,14 @@ def progress(task: str) -> Iterator[Report]:
 
 
 @contextmanager
-def waiting(task: str) -> Iterator[None]:
-    """Say on a terminal what is waited for, as soon as it takes about half a second."""
-    if not sys.stderr.isatty():
-        yield
-        return
-    with progress(task):
-        yield
+def waiting(task: str) -> Iterator[Report]:
+    """Say what is waited for, as soon as it takes about half a second.
+
+    A terminal shows it and forgets it; in a log, which keeps its lines, stands only what the
+    report is told to say.
+    """
+    with progress(task if sys.stderr.isatty() else "") as report:
+        yield report
 
 
 class _Silence:
@@ -141,6 +142,8 @@ class _Log:
         """A line after a moment, and whenever there is something new to say."""
         pause = PATIENCE
         while not self._over.wait(pause):
+            if not self._task:
+                continue
             pause = BETWEEN
             line = self._task if self._share is None else f"{self._task}: {self._share:.0%}"
             if line != self._last_line:

@@ -16,7 +16,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
@@ -25,10 +24,9 @@ from pydantic import ValidationError
 from ...arguments import arguments_checked
 from ...errors import InputError, nearest
 from ..file.ball_tables import SmoothTable
-from ..file.contact_tables import FrictionStartTable
 from ..file.source import Source
 from ..file.table import Table
-from ..file.tables import FRICTION_KEYS, OF_A_DIMENSION, StartTable
+from ..file.tables import OF_A_DIMENSION
 from ..file.toml import Key, Tables
 from ..file.validation import validation_messages
 from .ball_model import BallExperiment
@@ -185,7 +183,7 @@ def _read(source: Source) -> Experiment:
         experiment = model.model_validate(accepted)
     except ValidationError as error:
         wrong |= validation_messages(error, model, accepted)
-    if wrong:
+    if wrong := _first_the_contact(wrong, model):
         in_order = sorted(wrong, key=lambda key: source.line(key) or math.inf)
         raise InputError("\n".join(f"{source.where(key)}: {wrong[key]}" for key in in_order))
     experiment._source = source
@@ -280,18 +278,17 @@ def _own_model(tables: Tables) -> type[Experiment]:
 
 
 def _means_friction(tables: Tables) -> bool:
-    """Whether the tables speak of friction, perhaps with the name of the model misspelt."""
-    contact, start = tables.get("contact"), tables.get("start")
-    if not isinstance(contact, dict):
-        return False
-    model = contact.get("model", "marble")
-    if model in ("marble", "rubber", "friction"):
-        return bool(model == "friction")
-    of_sliding = FrictionStartTable.model_fields.keys() - StartTable.model_fields.keys()
-    slides = isinstance(start, dict) and start.keys() & of_sliding
-    if slides or contact.keys() & {*FRICTION_KEYS}:
-        return True
-    return get_close_matches(str(model), ("marble", "rubber", "friction"), 1, 0.0) == ["friction"]
+    contact = tables.get("contact")
+    return isinstance(contact, dict) and contact.get("model") == "friction"
+
+
+def _first_the_contact(wrong: dict[Key, str], model: type[Experiment]) -> dict[Key, str]:
+    """Mistakes without those that would be none, perhaps, with the contact that is meant."""
+    of_contact = wrong.keys() & {("contact",), ("contact", "model")}
+    if not of_contact or model not in (RollingExperiment, BallExperiment):
+        return wrong
+    depending = ("contact", "surface", "start", "run")
+    return {k: text for k, text in wrong.items() if k in of_contact or k[0] not in depending}
 
 
 def _decided_by_system(tables: Tables) -> dict[Key, str]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar, TypeAlias
+from typing import TYPE_CHECKING, ClassVar, TypeAlias
 
 import mpmath
 import numpy as np
@@ -20,8 +20,6 @@ from ...core.arrays import FloatArray
 from ...core.system import System
 from ...core.vectors import Diagonal
 from ...errors import InputError
-from ...flow.integrator import integrate
-from ...flow.trajectory import Trajectory
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.lagrangian.mechanism import TIME, Mechanism
 from ...mechanics.lagrangian.plan import Plan
@@ -34,6 +32,9 @@ from ...printing.formula import text
 from ..file.tables import CommonRunTable
 from .glossary import glossary
 from .initial_state import StartValues, initial_state_from_values, unit_vectors
+
+if TYPE_CHECKING:
+    from ...flow.trajectory import Trajectory
 
 #: Meaning and unit of variables of a state, by name.
 Variables: TypeAlias = Mapping[str, tuple[str, str]]
@@ -188,6 +189,9 @@ class Subject:
         RunError
             If the integration fails; it carries the trajectory so far.
         """
+        # a subject that is refused needs none of it
+        from ...flow.integrator import integrate
+
         trajectory = integrate(
             system,
             start,
