@@ -3,51 +3,47 @@
 An argument of the wrong type is a mistake of whoever wrote the call; `arguments_checked` answers it
 at once with a sentence that names the function, the argument and what is allowed.  Where an
 annotation alone says too little (a start may be a mapping or a sequence), the types below say it.
+Names that only type checkers import are looked up when a function is called first.
 """
 
 from __future__ import annotations
 
+import ast
+import builtins
 import inspect
-import os
-import re
 import sys
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, is_dataclass
+from dataclasses import is_dataclass
 from functools import cache, wraps
+from importlib import import_module
+from importlib.util import resolve_name
 from math import inf, isfinite
-from pathlib import Path
-from types import NoneType, UnionType
+from types import ModuleType, NoneType
 from typing import (
     TYPE_CHECKING,
     Annotated,
     Any,
-    Literal,
     SupportsFloat,
     TypeAlias,
     TypeVar,
-    Union,
     cast,
-    get_args,
-    get_origin,
+    get_type_hints,
 )
 
-from .annotations import annotations_of
-from .argument_values import (
+from .argument_kinds import (
+    Kind,
     are_formulas,
     are_named_formulas,
     are_numbers,
     are_parameters,
     class_name,
-    is_array_like,
     is_collection,
     is_formula,
-    is_integer,
     is_number,
     is_number_or_text,
-    is_numeric_array,
     is_row,
     is_start,
-    length,
+    kind_of,
 )
 from .errors import InputError
 
@@ -59,48 +55,39 @@ T = TypeVar("T", bound=Callable[..., Any])
 #: Characters of a refused value that are shown.
 _LONGEST = 60
 
-
-@dataclass(frozen=True)
-class _Kind:
-    """Allowed values in words, and a test for them."""
-
-    words: str
-    fits: Callable[[Any], bool]
-
-
 #: A state: numbers in flat order, or by name.
 Start: TypeAlias = Annotated[
-    Any, _Kind("a state: numbers in order, or numbers by name in a mapping", is_start)
+    Any, Kind("a state: numbers in order, or numbers by name in a mapping", is_start)
 ]
 #: The value of a parameter, or one for each motion; text keeps all digits of a number.
 ParameterValue: TypeAlias = SupportsFloat | str | Iterable[SupportsFloat | str]
 #: Values of parameters by symbol or name, or None for the defaults.
 Parameters: TypeAlias = Annotated[
     "Mapping[str, ParameterValue] | Mapping[Symbol, ParameterValue] | None",
-    _Kind("a mapping of parameters to numbers", are_parameters),
+    Kind("a mapping of parameters to numbers", are_parameters),
 ]
 #: One number, as a length or a duration is.
 Positive: TypeAlias = Annotated[
     float,
-    _Kind("a positive finite number", lambda value: is_number(value) and 0 < float(value) < inf),
+    Kind("a positive finite number", lambda value: is_number(value) and 0 < float(value) < inf),
 ]
 Finite: TypeAlias = Annotated[
-    float, _Kind("a finite number", lambda value: is_number(value) and isfinite(float(value)))
+    float, Kind("a finite number", lambda value: is_number(value) and isfinite(float(value)))
 ]
 Numbers: TypeAlias = Annotated[
-    Iterable[SupportsFloat | str], _Kind("a sequence of numbers", are_numbers)
+    Iterable[SupportsFloat | str], Kind("a sequence of numbers", are_numbers)
 ]
 #: One number; in quotes it keeps digits that a float has not.
-NumberOrText: TypeAlias = Annotated[SupportsFloat | str, _Kind("a number", is_number_or_text)]
-Formula: TypeAlias = Annotated["Expr | float", _Kind("a SymPy expression", is_formula)]
+NumberOrText: TypeAlias = Annotated[SupportsFloat | str, Kind("a number", is_number_or_text)]
+Formula: TypeAlias = Annotated["Expr | float", Kind("a SymPy expression", is_formula)]
 #: One formula, or several in a matrix or in nested sequences.
 Formulas: TypeAlias = Annotated[
-    Any, _Kind("a SymPy expression, a matrix or a sequence of these", are_formulas)
+    Any, Kind("a SymPy expression, a matrix or a sequence of these", are_formulas)
 ]
 #: A scalar of a system by its name, as a formula in text, or as an expression.
 Quantity: TypeAlias = Annotated[
     Any,
-    _Kind(
+    Kind(
         "a name, a formula in quotes or a SymPy expression",
         lambda value: isinstance(value, str) or is_formula(value),
     ),
@@ -108,7 +95,7 @@ Quantity: TypeAlias = Annotated[
 #: A parameter of a system of the catalogue: a number, or numbers in rows.
 Setting: TypeAlias = Annotated[
     Any,
-    _Kind(
+    Kind(
         "a number, or numbers in a list",
         lambda value: is_number(value) or (is_collection(value) and all(map(is_row, value))),
     ),
@@ -116,153 +103,10 @@ Setting: TypeAlias = Annotated[
 #: Named quantities with their formulas, as a mapping or as pairs.
 NamedFormulas: TypeAlias = Annotated[
     Any,
-    _Kind(
+    Kind(
         "a mapping of symbols to SymPy expressions, or a sequence of such pairs", are_named_formulas
     ),
 ]
-
-_ARRAY = _Kind("an array of numbers", is_numeric_array)
-_ARRAY_LIKE = _Kind("numbers in an array or in nested sequences", is_array_like)
-
-_SIMPLE: dict[Any, _Kind] = {
-    float: _Kind("a number", is_number),
-    int: _Kind("a whole number", is_integer),
-    bool: _Kind(
-        "True or False", lambda value: isinstance(value, bool) or class_name(value) == "bool"
-    ),
-    str: _Kind("a text", lambda value: isinstance(value, str)),
-    Path: _Kind("a path", lambda value: isinstance(value, os.PathLike)),
-    NoneType: _Kind("None", lambda value: value is None),
-}
-
-
-def _kind(annotation: Any) -> _Kind | None:
-    """The values that an annotation allows; None if it allows any."""
-    origin, inner = get_origin(annotation), get_args(annotation)
-    if origin is Annotated:
-        return next((note for note in inner[1:] if isinstance(note, _Kind)), _kind(inner[0]))
-    if origin in (Union, UnionType) and inner[: len(_array_like())] == _array_like():
-        rest = inner[len(_array_like()) :]
-        return _one_of([_ARRAY_LIKE, *map(_kind, rest)]) if rest else _ARRAY_LIKE
-    if origin in (Union, UnionType):
-        return _one_of([_kind(choice) for choice in inner])
-    if origin is Literal:
-        return _Kind(
-            " or ".join(map(repr, inner)),
-            lambda value: any(type(value) is type(item) and value == item for item in inner),
-        )
-    if origin is not None and _is_array_class(origin):
-        return _ARRAY
-    if isinstance(origin, type):
-        return _collection(origin, inner)
-    if annotation is Any or annotation is object:
-        return None
-    if annotation in _SIMPLE:
-        return _SIMPLE[annotation]
-    return _instance(annotation) if isinstance(annotation, type) else None
-
-
-def _one_of(kinds: list[_Kind | None]) -> _Kind | None:
-    known = [kind for kind in kinds if kind is not None]
-    if len(known) < len(kinds):
-        return None
-    return _Kind(
-        _enumeration(list(dict.fromkeys(kind.words for kind in known))),
-        lambda value: any(kind.fits(value) for kind in known),
-    )
-
-
-def _enumeration(words: list[str]) -> str:
-    *others, last = words
-    return f"{', '.join(others)} or {last}" if others else last
-
-
-def _array_like() -> tuple[Any, ...]:
-    """The parts of NumPy's union for what becomes an array; none's where NumPy is not in use."""
-    return get_args(getattr(sys.modules.get("numpy.typing"), "ArrayLike", ...)) or (...,)
-
-
-def _is_array_class(origin: Any) -> bool:
-    return bool(origin is getattr(sys.modules.get("numpy"), "ndarray", ...))
-
-
-def _instance(kind: type) -> _Kind:
-    if getattr(kind, "_is_protocol", False):
-        return _protocol(kind)
-    if kind.__module__.startswith("sympy.core.expr"):
-        return _Kind("a SymPy expression", is_formula)
-    article = "an" if kind.__name__[0] in "AEIO" else "a"
-    return _Kind(f"{article} {kind.__name__}", lambda value: isinstance(value, kind))
-
-
-def _protocol(kind: type) -> _Kind:
-    """What has the methods of a protocol."""
-    if getattr(kind, "_is_runtime_protocol", False):
-        return _Kind(f"a {kind.__name__}", lambda value: isinstance(value, kind))
-    added = ("__init__", "__subclasshook__")  # to every protocol by the module typing
-    needed = {
-        name
-        for base in kind.__mro__
-        if getattr(base, "_is_protocol", False)
-        for name, member in vars(base).items()
-        if inspect.isfunction(member) and name not in added
-    }
-    words = "a function" if "__call__" in needed else f"a {kind.__name__}"
-    return _Kind(words, lambda value: all(hasattr(value, name) for name in needed))
-
-
-def _collection(origin: type, inner: tuple[Any, ...]) -> _Kind | None:
-    if origin is type:
-        return _Kind("a class", lambda value: isinstance(value, type))
-    if issubclass(origin, Mapping):
-        of = _kind(inner[1])
-        return _Kind(
-            f"a mapping of names to {_plural(of)}",
-            lambda value: (
-                isinstance(value, Mapping) and (not of or all(map(of.fits, value.values())))
-            ),
-        )
-    if not issubclass(origin, Iterable):
-        return _Kind("a function", callable)
-    pair = get_args(inner[0]) if inner and get_origin(inner[0]) is tuple else ()
-    if len(pair) == 2 and ... not in pair and inner[1:] == (...,):
-        of = _kind(pair[1])
-        return _Kind(
-            f"a mapping of symbols to {_plural(of)}, or a sequence of such pairs",
-            lambda value: (
-                are_named_formulas(value) and (not of or all(map(of.fits, dict(value).values())))
-            ),
-        )
-    several = [_kind(item) for item in inner if item is not ...]
-    if pair:
-        # of rows in rows the function itself says more
-        return None
-    size = len(inner) if origin is tuple and ... not in inner else 0
-    if len(set(several)) != 1:
-        words = f"a sequence of {size} values" if size else "a sequence"
-        return _Kind(
-            words, lambda value: is_collection(value) and (not size or length(value) == size)
-        )
-    of = several[0]
-    count = {2: "two ", 3: "three "}.get(size, "a sequence of ")
-    return _Kind(
-        f"{count}{_plural(of)}",
-        lambda value: (
-            (is_collection(value) or (isinstance(value, Mapping) and origin is Iterable))
-            and (not of or iter(value) is value or all(map(of.fits, value)))
-        ),
-    )
-
-
-def _plural(kind: _Kind | None) -> str:
-    if kind is None:
-        return "values"
-    article, _, noun = kind.words.partition(" ")
-    if article in ("a", "an") and " or " not in noun:
-        head, of, rest = noun.partition(" of ")
-        several = re.sub(r"(?<=[^aeiou])y$", "ie", head) + "s"
-        return f"{several}{of}{rest}"
-    return f"entries, each {kind.words}"
 
 
 def _short_text(value: Any) -> str:
@@ -281,10 +125,10 @@ def _short_text(value: Any) -> str:
     return f"{'an' if class_name(value)[0] in 'AEIO' else 'a'} {class_name(value)}"
 
 
-def _kinds(thing: Any, modules: Iterable[str]) -> dict[str, _Kind]:
+def _kinds(thing: Any, modules: Iterable[str]) -> dict[str, Kind]:
     # a module may use the types above without what they are made of
     hints = annotations_of(thing, modules, globals())
-    kinds = {name: _kind(hint) for name, hint in hints.items()}
+    kinds = {name: kind_of(hint) for name, hint in hints.items()}
     return {name: kind for name, kind in kinds.items() if kind is not None}
 
 
@@ -309,7 +153,7 @@ def arguments_checked(thing: T) -> T:
 
 
 def _checking(
-    function: Callable[..., Any], name: str, kinds: Callable[[], dict[str, _Kind]]
+    function: Callable[..., Any], name: str, kinds: Callable[[], dict[str, Kind]]
 ) -> Callable[..., Any]:
     signature, known = inspect.signature(function), cache(kinds)
 
@@ -338,3 +182,77 @@ def _checking(
         return function(*arguments, **keywords)
 
     return wrapper
+
+
+# --- annotations ----------------------------------------------------------------------------
+
+
+def annotations_of(
+    thing: Any, modules: Iterable[str], further: Mapping[str, Any]
+) -> dict[str, Any]:
+    """The annotations of a function or a method by argument; Any where one cannot be had.
+
+    Parameters
+    ----------
+    thing : function or class
+    modules : iterable of str
+        Names of the modules in whose names the annotations are written.
+    further : mapping of str to object
+        Names that those modules need not have.
+    """
+    return get_type_hints(thing, None, _Scope(modules, further), include_extras=True)
+
+
+class _Scope(dict[str, Any]):
+    """Names of modules; those that they import for type checkers alone are looked up."""
+
+    def __init__(self, modules: Iterable[str], further: Mapping[str, Any]) -> None:
+        self.further = further
+        self.modules = [sys.modules[module] for module in modules]
+        for module in self.modules:
+            self |= vars(module)
+
+    def __missing__(self, name: str) -> Any:
+        if hasattr(builtins, name):
+            return getattr(builtins, name)
+        if name in self.further:
+            return self.further[name]
+        for module in self.modules:
+            if (origin := _imports_for_type_checkers(module).get(name)) is None:
+                continue
+            where, what = origin
+            own = where.partition(".")[0] == __package__
+            # what is no part of this program, and not in use, has no values
+            source = import_module(where) if own else sys.modules.get(where)
+            return getattr(source, what, Any) if what else source or _UnknownModule()
+        return Any
+
+
+class _UnknownModule:
+    """A module that is not in use, so that nothing is known of what it defines."""
+
+    def __getattr__(self, name: str) -> Any:
+        return Any
+
+
+@cache
+def _imports_for_type_checkers(module: ModuleType) -> dict[str, tuple[str, str]]:
+    """What a module imports under ``if TYPE_CHECKING``: by name its module, and its name there."""
+    origins: dict[str, tuple[str, str]] = {}
+    try:
+        source = inspect.getsource(module)
+    except (OSError, TypeError):  # a module that is not written in Python
+        return origins
+    for block in ast.parse(source).body:
+        if not (isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"):
+            continue
+        for statement in block.body:
+            if isinstance(statement, ast.Import):
+                origins |= {item.asname or item.name: (item.name, "") for item in statement.names}
+            elif isinstance(statement, ast.ImportFrom):
+                relative = "." * statement.level + (statement.module or "")
+                where = resolve_name(relative, module.__package__ or "")
+                origins |= {
+                    item.asname or item.name: (where, item.name) for item in statement.names
+                }
+    return origins

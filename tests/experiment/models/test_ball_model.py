@@ -11,8 +11,7 @@ from pydantic import ValidationError
 from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.ball_tables import CylinderTable, RoundTable
-from chaplygin.experiment.file.shape_tables import BallTable
-from chaplygin.experiment.file.tables import BodyTable
+from chaplygin.experiment.file.body_tables import BallTable, BodyTable
 from chaplygin.experiment.models.ball_model import BallExperiment, moment
 from chaplygin.experiment.models.experiment import catalogue_experiment, loads
 from chaplygin.experiment.models.rolling_model import RollingExperiment

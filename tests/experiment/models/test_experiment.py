@@ -7,14 +7,14 @@ import pytest
 from pydantic import ValidationError
 
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.shape_tables import (
+from chaplygin.experiment.file.body_tables import (
     BallTable,
+    BodyTable,
     EllipsoidTable,
     ImplicitTable,
     RevolutionTable,
 )
 from chaplygin.experiment.file.tables import (
-    BodyTable,
     FieldTable,
     PlaneTable,
     SphereTable,

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
 from ...core.laws import Integral, Rate, Separation
 from ...core.system import Parameter, System
 from ...core.vectors import dot, norm_squared, real_symbol
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import Gamma, H, I, M, e3_system, inertia_parameters
-from ..sphero_conical import cubic, sphero_conical_coordinates, u, v
 
 c = real_symbol("c")
+#: Sphero-conical coordinates: the roots u > v of Σ Γᵢ²/(Iᵢ − z) = 0 on the sphere Γ² = 1.
+u, v, Delta = (real_symbol(s) for s in ("u", "v", "Delta"))
 #: The values of the two integrals.
 h, f = real_symbol("h"), real_symbol("f")
 I_1, I_2, I_3 = I.symbols
@@ -23,6 +27,22 @@ SUMMARY = (
 )
 SOURCE = "§6.3, (6.14), Theorem 8"
 STRENGTH = "strength of the potential"
+
+
+def sphero_conical_coordinates(normal: MatrixExpr) -> dict[sp.Symbol, sp.Expr]:
+    """u and v, and before them their distance, for a unit vector in body axes."""
+    total = sp.Add(*I.symbols) - dot(normal, I * normal)
+    product = sp.Mul(*I.symbols) * dot(normal, I**-1 * normal)
+    return {
+        Delta: sp.sqrt(total**2 - 4 * product),
+        u: (total + Delta) / 2,
+        v: (total - Delta) / 2,
+    }
+
+
+def cubic(z: sp.Expr) -> sp.Expr:
+    """A(z) = (I₁ − z)(I₂ − z)(I₃ − z)."""
+    return sp.Mul(*(s - z for s in I.symbols))
 
 
 def build(p: Numbers) -> System:

@@ -40,8 +40,8 @@ from ...mechanics.rolling.attitude import (
 from ...mechanics.rolling.inertia import check_inertia
 from .. import e3
 from ..catalogue_entry import Entry, Numbers, Start
-from ..sphero_conical import cubic, sphero_conical_coordinates, u, v
 from . import neumann
+from .neumann import cubic, sphero_conical_coordinates, u, v
 from .veselova_geodesic import in_potential
 
 omega, gamma, omegadot, X = vectors("omega gamma omegadot X")

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar, Literal
 
-import numpy as np
 from pydantic import (
     Field,
     PlainValidator,
@@ -19,11 +18,8 @@ from pydantic import (
     model_validator,
 )
 
-from ...errors import InputError
-from ...mechanics.rolling.inertia import check_inertia
-from .cavity_table import CavitiesTable, FluidStartTable
+from .body_tables import FluidStartTable
 from .number_lists import Setting, given_rows
-from .shape_tables import ShapeTable
 from .table import (
     DIRECTION,
     FORMULA,
@@ -38,34 +34,11 @@ from .table import (
     Vector,
 )
 
-Inertia = Vector | tuple[Vector, Vector, Vector]
-
 STATE = "a finite number, or finite numbers in brackets"
 
 COARSEST, FINEST, FINEST_DOUBLE = 1e-3, 1e-30, 1e-16
 DEFAULT_TOLERANCE = 1e-15
 MOST_SAMPLES = 10_000_000
-
-
-class BodyTable(CavitiesTable):
-    """A rigid body; the origin of the body axes is its centre of mass, without fluid."""
-
-    mass: Positive = Field(description=POSITIVE)
-    inertia: Inertia = Field(description="3 principal moments or a symmetric 3x3 matrix")
-    gyrostat: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)
-    """Constant momentum k of rotors, body axes: the total momentum is Iω + k."""
-    shape: ShapeTable = Field(discriminator="kind", description="a table with the kind of shape")
-
-    @field_validator("inertia")
-    @classmethod
-    def _of_a_body(cls, inertia: Inertia) -> Inertia:
-        try:
-            with np.errstate(over="ignore"):
-                check_inertia(inertia)
-        except InputError as error:
-            # The key already says what is spoken of.
-            raise ValueError(error.message.removeprefix("inertia").lstrip(": ")) from None
-        return inertia
 
 
 class _SupportTable(Table):
@@ -174,21 +147,6 @@ OF_A_DIMENSION = ("dimension", "moments", "mass_tensor", "factors", "mass", "rad
 def _setting(value: object) -> Setting:
     """A parameter: a number; of a system of n dimensions also numbers or rows of numbers."""
     return given_rows(value, "a finite number")
-
-
-class FilledBodyTable(CavitiesTable):
-    """The body of a system of the catalogue, to which only cavities with fluid can be added."""
-
-    @model_validator(mode="before")
-    @classmethod
-    def _cavities_alone(cls, table: object) -> object:
-        others = table.keys() - cls.model_fields.keys() if isinstance(table, dict) else ()
-        if others:
-            raise ValueError(
-                f"{min(others)} must be absent, as the table [system] decides the body; beside it "
-                "[body] has cavities alone, and numbers stand in [system.parameters]"
-            )
-        return table
 
 
 class SystemTable(Table):

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pydantic import Field, ValidationInfo, field_validator
 
 from ..file.ball_tables import BallFieldTable, BallStartTable, FlatTable, SmoothTable
-from ..file.shape_tables import BallTable
-from ..file.tables import BodyTable, ContactTable, RunTable
+from ..file.body_tables import BallTable, BodyTable
+from ..file.tables import ContactTable, RunTable
 from .base import ExperimentBase
 
 

@@ -7,7 +7,7 @@ the user's own, by its Lagrangian (`MechanismExperiment`) or by its equations
 (`EquationsExperiment`); further a start and the computation of the motion. Most systems of the
 catalogue are bodies whose start is given by ω and γ (`SystemExperiment`); for any other system the
 start gives the state by the names of its variables (`StateExperiment`). Keys, their meaning, units
-and frames are described in the modules `tables`, `shape_tables`, `contact_tables`,
+and frames are described in the modules `tables`, `body_tables`, `contact_tables`,
 `ball_tables` and `mechanism_tables`.
 """
 

@@ -6,6 +6,7 @@ from typing import TypeVar
 
 from pydantic import Field, ValidationInfo, field_validator
 
+from ..file.body_tables import BallTable, BodyTable, ShapeTable
 from ..file.contact_tables import (
     WAYS,
     FrictionPlaneTable,
@@ -14,9 +15,7 @@ from ..file.contact_tables import (
     FrictionSurfaceTable,
     FrictionTable,
 )
-from ..file.shape_tables import BallTable, ShapeTable
 from ..file.tables import (
-    BodyTable,
     ContactTable,
     FieldTable,
     PlaneTable,

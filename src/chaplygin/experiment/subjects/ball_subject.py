@@ -14,7 +14,7 @@ from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.initial_state import ball_state
 from ...mechanics.ball.surface import ImplicitSurface, SmoothSurface
 from ...printing.numerals import number
-from ..file.shape_tables import BallTable
+from ..file.body_tables import BallTable
 from ..models.ball_model import BallExperiment, moment
 from ..models.base import identifier
 from .subject import BallSubject

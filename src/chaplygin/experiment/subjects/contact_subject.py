@@ -36,8 +36,8 @@ from ...mechanics.shapes.surfaces import Plane, Sphere, Surface
 from ...printing.numerals import number
 from ..contact.dataset import work_meanings
 from ..contact.trajectory import ContactTrajectory, contact_trajectory
+from ..file.body_tables import shape_name
 from ..file.contact_tables import FrictionSurfaceTable, FrictionTable
-from ..file.shape_tables import shape_name
 from ..file.tables import CommonRunTable
 from ..models.base import identifier
 from ..models.rolling_model import FrictionExperiment

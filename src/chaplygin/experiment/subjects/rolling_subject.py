@@ -10,7 +10,7 @@ from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.fluid import Fluid, fluids_of
 from ...mechanics.shapes.surfaces import Plane, Sphere, Surface
 from ...printing.numerals import number
-from ..file.shape_tables import shape_name
+from ..file.body_tables import shape_name
 from ..file.tables import PlaneTable
 from ..models.base import identifier
 from ..models.rolling_model import BodyOnSurface, RollingExperiment

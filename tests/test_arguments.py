@@ -9,14 +9,14 @@ import sys
 def test_a_library_that_is_not_in_use_is_not_imported() -> None:
     lines = (
         "import sys",
-        "from chaplygin.annotations import annotations_of",
+        "from chaplygin.arguments import annotations_of",
         "from typing import TYPE_CHECKING, Any",
         "module = type(sys)('late')",
         "assert 'colorsys' not in sys.modules",
-        "from chaplygin import annotations",
+        "from chaplygin import arguments",
         "def function(a: 'late.Thing | int', b: 'int'): ...",
         "sys.modules['late'] = module",
-        "annotations._imports_for_type_checkers = lambda module: {'late': ('colorsys', '')}",
+        "arguments._imports_for_type_checkers = lambda module: {'late': ('colorsys', '')}",
         "hints = annotations_of(function, ['late'], {})",
         "print('colorsys' in sys.modules, hints['b'].__name__)",
     )

@@ -1,0 +1,308 @@
+"""The values that an annotation allows: in words, and a test for them."""
+
+from __future__ import annotations
+
+import inspect
+import os
+import re
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Allowed values in words, and a test for them."""
+
+    words: str
+    fits: Callable[[Any], bool]
+
+
+# --- values ---------------------------------------------------------------------------------
+
+TEXT = (str, bytes)
+
+
+def is_number(value: Any) -> bool:
+    """Whether it is one real number that a float can hold."""
+    if isinstance(value, (bool, *TEXT)) or is_array(value) or class_name(value) == "bool":
+        return False
+    return converts_to_float(value)
+
+
+def is_number_or_text(value: Any) -> bool:
+    """Whether it is a number, or a string that reads as one."""
+    return converts_to_float(value) if isinstance(value, str) else is_number(value)
+
+
+def is_array(value: Any) -> bool:
+    """Whether it is an array with at least one axis."""
+    return getattr(value, "ndim", 0) != 0
+
+
+def converts_to_float(value: Any) -> bool:
+    """Whether `float` accepts it."""
+    try:
+        float(value)
+    except (TypeError, ValueError, OverflowError):
+        return False
+    return True
+
+
+def class_name(value: object) -> str:
+    """The name of its class."""
+    return type(value).__name__
+
+
+def is_integer(value: Any) -> bool:
+    """Whether it is one integer."""
+    return not isinstance(value, bool) and hasattr(value, "__index__") and is_number(value)
+
+
+def is_collection(value: Any) -> bool:
+    """Whether it is an iterable of values, neither a string nor a mapping."""
+    if isinstance(value, (type, Mapping, *TEXT)):
+        return False
+    return hasattr(value, "__len__") if hasattr(value, "shape") else isinstance(value, Iterable)
+
+
+def are_numbers(value: Any) -> bool:
+    """Whether these are numbers in order."""
+    if not is_collection(value) or getattr(value, "ndim", 1) != 1:
+        return False
+    kind = getattr(getattr(value, "dtype", None), "kind", "O")
+    # an iterator is read once, by the function itself
+    return kind in "iuf" or (
+        kind == "O" and (iter(value) is value or all(map(is_number_or_text, value)))
+    )
+
+
+def is_numeric_array(value: Any) -> bool:
+    """Whether it is an array that can hold numbers."""
+    return getattr(getattr(value, "dtype", None), "kind", "") in ("i", "u", "f", "O")
+
+
+def is_array_like(value: Any) -> bool:
+    """Whether these are numbers, alone, in order, or in rows of equal lengths."""
+    if is_number_or_text(value) or is_numeric_array(value):
+        return True
+    if not isinstance(value, list | tuple) or not all(map(is_array_like, value)):
+        return False
+    return len({getattr(row, "shape", ()) or length(row) for row in value}) <= 1
+
+
+def length(value: Any) -> int:
+    """The number of its entries; −1 if it has none."""
+    return len(value) if hasattr(value, "__len__") else -1
+
+
+def is_row(value: Any) -> bool:
+    """Whether it is a number, or numbers in order."""
+    return is_number(value) or are_numbers(value)
+
+
+def is_start(value: Any) -> bool:
+    """Whether it is a state: numbers in order, or by name."""
+    if isinstance(value, Mapping):
+        return all(
+            is_number_or_text(v) or are_numbers(v) or (k == "attitude" and are_rows(v))
+            for k, v in value.items()
+        )
+    return are_numbers(value)
+
+
+def are_rows(value: Any) -> bool:
+    """Whether these are numbers in rows."""
+    return is_collection(value) and all(map(are_numbers, value))
+
+
+def are_parameters(value: Any) -> bool:
+    """Whether it maps names to numbers, or to one number for each motion."""
+    if value is None:
+        return True
+    return isinstance(value, Mapping) and all(
+        is_number_or_text(v) or are_numbers(v) for v in value.values()
+    )
+
+
+def is_formula(value: Any) -> bool:
+    """Whether it is an expression, a matrix of these, or a number."""
+    if "sympy" in sys.modules:
+        import sympy as sp
+
+        if isinstance(value, (sp.Basic, sp.MatrixBase)):
+            return True
+    return is_number(value)
+
+
+def are_formulas(value: Any) -> bool:
+    """Whether it is a formula, or formulas in nested rows of equal lengths."""
+    if isinstance(value, list | tuple):
+        lengths = {length(row) for row in value if isinstance(row, list | tuple)}
+        return len(lengths) <= 1 and all(map(are_formulas, value))
+    return is_formula(value)
+
+
+def are_named_formulas(value: Any) -> bool:
+    """Whether it pairs names with formulas, none of them a string."""
+    pairs = pairs_of(value)
+    return pairs is not None and not any(
+        isinstance(part, (*TEXT, NoneType)) for pair in pairs for part in pair
+    )
+
+
+def pairs_of(value: Any) -> list[tuple[Any, Any]] | None:
+    """A mapping or a sequence of pairs as such a sequence; None if it is neither."""
+    pairs = list(value.items()) if isinstance(value, Mapping) else value
+    if not isinstance(pairs, list | tuple):
+        return None
+    return list(pairs) if all(isinstance(p, list | tuple) and len(p) == 2 for p in pairs) else None
+
+
+# --- annotations ----------------------------------------------------------------------------
+
+_ARRAY = Kind("an array of numbers", is_numeric_array)
+_ARRAY_LIKE = Kind("numbers in an array or in nested sequences", is_array_like)
+
+_SIMPLE: dict[Any, Kind] = {
+    float: Kind("a number", is_number),
+    int: Kind("a whole number", is_integer),
+    bool: Kind(
+        "True or False", lambda value: isinstance(value, bool) or class_name(value) == "bool"
+    ),
+    str: Kind("a text", lambda value: isinstance(value, str)),
+    Path: Kind("a path", lambda value: isinstance(value, os.PathLike)),
+    NoneType: Kind("None", lambda value: value is None),
+}
+
+
+def kind_of(annotation: Any) -> Kind | None:
+    """The values that an annotation allows; None if it allows any."""
+    origin, inner = get_origin(annotation), get_args(annotation)
+    if origin is Annotated:
+        return next((note for note in inner[1:] if isinstance(note, Kind)), kind_of(inner[0]))
+    if origin in (Union, UnionType) and inner[: len(_array_like())] == _array_like():
+        rest = inner[len(_array_like()) :]
+        return _one_of([_ARRAY_LIKE, *map(kind_of, rest)]) if rest else _ARRAY_LIKE
+    if origin in (Union, UnionType):
+        return _one_of([kind_of(choice) for choice in inner])
+    if origin is Literal:
+        return Kind(
+            " or ".join(map(repr, inner)),
+            lambda value: any(type(value) is type(item) and value == item for item in inner),
+        )
+    if origin is not None and _is_array_class(origin):
+        return _ARRAY
+    if isinstance(origin, type):
+        return _collection(origin, inner)
+    if annotation is Any or annotation is object:
+        return None
+    if annotation in _SIMPLE:
+        return _SIMPLE[annotation]
+    return _instance(annotation) if isinstance(annotation, type) else None
+
+
+def _one_of(kinds: list[Kind | None]) -> Kind | None:
+    known = [kind for kind in kinds if kind is not None]
+    if len(known) < len(kinds):
+        return None
+    return Kind(
+        _enumeration(list(dict.fromkeys(kind.words for kind in known))),
+        lambda value: any(kind.fits(value) for kind in known),
+    )
+
+
+def _enumeration(words: list[str]) -> str:
+    *others, last = words
+    return f"{', '.join(others)} or {last}" if others else last
+
+
+def _array_like() -> tuple[Any, ...]:
+    """The parts of NumPy's union for what becomes an array; none's where NumPy is not in use."""
+    return get_args(getattr(sys.modules.get("numpy.typing"), "ArrayLike", ...)) or (...,)
+
+
+def _is_array_class(origin: Any) -> bool:
+    return bool(origin is getattr(sys.modules.get("numpy"), "ndarray", ...))
+
+
+def _instance(kind: type) -> Kind:
+    if getattr(kind, "_is_protocol", False):
+        return _protocol(kind)
+    if kind.__module__.startswith("sympy.core.expr"):
+        return Kind("a SymPy expression", is_formula)
+    article = "an" if kind.__name__[0] in "AEIO" else "a"
+    return Kind(f"{article} {kind.__name__}", lambda value: isinstance(value, kind))
+
+
+def _protocol(kind: type) -> Kind:
+    """What has the methods of a protocol."""
+    if getattr(kind, "_is_runtime_protocol", False):
+        return Kind(f"a {kind.__name__}", lambda value: isinstance(value, kind))
+    added = ("__init__", "__subclasshook__")  # to every protocol by the module typing
+    needed = {
+        name
+        for base in kind.__mro__
+        if getattr(base, "_is_protocol", False)
+        for name, member in vars(base).items()
+        if inspect.isfunction(member) and name not in added
+    }
+    words = "a function" if "__call__" in needed else f"a {kind.__name__}"
+    return Kind(words, lambda value: all(hasattr(value, name) for name in needed))
+
+
+def _collection(origin: type, inner: tuple[Any, ...]) -> Kind | None:
+    if origin is type:
+        return Kind("a class", lambda value: isinstance(value, type))
+    if issubclass(origin, Mapping):
+        of = kind_of(inner[1])
+        return Kind(
+            f"a mapping of names to {_plural(of)}",
+            lambda value: (
+                isinstance(value, Mapping) and (not of or all(map(of.fits, value.values())))
+            ),
+        )
+    if not issubclass(origin, Iterable):
+        return Kind("a function", callable)
+    pair = get_args(inner[0]) if inner and get_origin(inner[0]) is tuple else ()
+    if len(pair) == 2 and ... not in pair and inner[1:] == (...,):
+        of = kind_of(pair[1])
+        return Kind(
+            f"a mapping of symbols to {_plural(of)}, or a sequence of such pairs",
+            lambda value: (
+                are_named_formulas(value) and (not of or all(map(of.fits, dict(value).values())))
+            ),
+        )
+    several = [kind_of(item) for item in inner if item is not ...]
+    if pair:
+        # of rows in rows the function itself says more
+        return None
+    size = len(inner) if origin is tuple and ... not in inner else 0
+    if len(set(several)) != 1:
+        words = f"a sequence of {size} values" if size else "a sequence"
+        return Kind(
+            words, lambda value: is_collection(value) and (not size or length(value) == size)
+        )
+    of = several[0]
+    count = {2: "two ", 3: "three "}.get(size, "a sequence of ")
+    return Kind(
+        f"{count}{_plural(of)}",
+        lambda value: (
+            (is_collection(value) or (isinstance(value, Mapping) and origin is Iterable))
+            and (not of or iter(value) is value or all(map(of.fits, value)))
+        ),
+    )
+
+
+def _plural(kind: Kind | None) -> str:
+    if kind is None:
+        return "values"
+    article, _, noun = kind.words.partition(" ")
+    if article in ("a", "an") and " or " not in noun:
+        head, of, rest = noun.partition(" of ")
+        several = re.sub(r"(?<=[^aeiou])y$", "ie", head) + "s"
+        return f"{several}{of}{rest}"
+    return f"entries, each {kind.words}"
