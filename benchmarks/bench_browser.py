@@ -2,7 +2,8 @@
 
 WebGL is drawn by software, as on a machine without a graphics card. With `--peers PYTHON`, an
 interpreter that has viser and NiceGUI, the same motion plays in their scenes in turn with ours;
-they are sent each pose by a server, 60 times a second.
+they are sent each pose by a server, 60 times a second. With `--chart`, MEGNO on 200 x 200 starts
+to t = 100 as well, in the page and then by native code on all processors.
 """
 
 from __future__ import annotations
@@ -21,8 +22,11 @@ import numpy as np
 from playwright.sync_api import Browser, Page, sync_playwright
 
 from chaplygin import loads, prepare
-from chaplygin.experiment.study import dataset_of
+from chaplygin.analysis.scans.grid import Axis
+from chaplygin.experiment.friction_ensembles.chart_task import chart_task
+from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.lab.element import page
+from chaplygin.lab.page_model import live_page_model
 from chaplygin.lab.study_page import study_model
 
 SYSTEMS = ("unbalanced-ball", "rattleback", "marble-ball-on-torus", "heavy-disk")
@@ -30,6 +34,7 @@ NAMES = ("chromium", "chromium-browser", "google-chrome")
 BY_SOFTWARE = "--no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader"
 HERE = Path(__file__).parent
 SECONDS = 5.0
+SIZE, UNTIL = 200, 100.0
 
 
 def opened(chromium: Browser, address: str) -> Page:
@@ -57,6 +62,34 @@ def clicks(view: Page, count: int) -> list[float]:
     return spent
 
 
+def chart_seconds(view: Page, x: str, y: str) -> float:
+    """Seconds in which the page computes a chart of starts."""
+    view.get_by_role("tab", name="Chart").click()
+    tools = view.get_by_role("toolbar", name="Chart")
+    for label, chosen in (("across", x), ("up", y), ("points", str(SIZE))):
+        tools.get_by_label(label, exact=True).select_option(chosen)
+    time_field = tools.get_by_role("textbox")
+    time_field.fill(str(UNTIL))
+    time_field.press("Tab")
+    view.wait_for_timeout(3000)
+    tools.get_by_role("button", name="Compute").click()
+    words = view.get_by_text("computed in").first
+    words.wait_for(timeout=6e5)
+    return float(words.inner_text().partition("computed in ")[2].split()[0])
+
+
+def native_chart_seconds(study: Study, x: str, y: str) -> float:
+    """The same by native code."""
+    inputs = {row["name"]: row for row in live_page_model(study)["start_inputs"]}
+    axes = [Axis(n, inputs[n]["low"], inputs[n]["high"], SIZE) for n in (x, y)]
+    task, _ = chart_task(study, "megno", *axes, until=UNTIL)
+    task.work(0, 2)
+    began = time.perf_counter()
+    for block in range(task.blocks):
+        task.work(*task.members(block))
+    return time.perf_counter() - began
+
+
 def peer_frames(chromium: Browser, python: str, peer: str, poses: Path) -> float:
     """Frames per second of the scene of another program that plays a motion."""
     with socket.socket() as free:
@@ -82,7 +115,7 @@ def peer_frames(chromium: Browser, python: str, peer: str, poses: Path) -> float
 
 
 def row(
-    chromium: Browser, name: str, count: int, peers: str | None, folder: Path
+    chromium: Browser, name: str, count: int, peers: str | None, chart: bool, folder: Path
 ) -> dict[str, object]:
     study = prepare(loads(f'system = {{name = "{name}"}}'))
     motion = dataset_of(study, study.trajectory())
@@ -109,6 +142,14 @@ def row(
         poses = folder / f"{name}.npz"
         np.savez(poses, attitude=motion["attitude"], centre=motion["centre"])
         rates |= {peer: peer_frames(chromium, peers, peer, poses) for peer in ("viser", "nicegui")}
+    charts = {}
+    if chart:
+        view = opened(chromium, path.as_uri())
+        view.evaluate("times.opening()")
+        x, y = "omega_1", "omega_3"
+        charts["chart_s"] = chart_seconds(view, x, y)
+        view.close()
+        charts["native_chart_s"] = native_chart_seconds(study, x, y)
     return {
         "system": name,
         "first_paint_ms": float(paint),
@@ -116,6 +157,7 @@ def row(
         "slider_ms": slider,
         "click_ms": click,
         "frames_per_second": rates,
+        **charts,
     }
 
 
@@ -124,6 +166,7 @@ def main() -> None:
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--quick", action="store_true", help="the first system alone")
     parser.add_argument("--peers", metavar="PYTHON", help="an interpreter with viser and NiceGUI")
+    parser.add_argument("--chart", action="store_true", help="a chart too, which takes minutes")
     options = parser.parse_args()
     place = next(filter(None, map(shutil.which, NAMES)), None)
     if place is None:
@@ -132,7 +175,7 @@ def main() -> None:
     with sync_playwright() as started, tempfile.TemporaryDirectory() as folder:
         chromium = started.chromium.launch(executable_path=place, args=BY_SOFTWARE.split())
         for name in SYSTEMS[: 1 if options.quick else None]:
-            one = row(chromium, name, 12, options.peers, Path(folder))
+            one = row(chromium, name, 12, options.peers, options.chart, Path(folder))
             rows.append(one)
             if not options.json:
                 print(", ".join(f"{key} {value}" for key, value in one.items()), flush=True)

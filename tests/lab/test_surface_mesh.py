@@ -44,3 +44,24 @@ def test_triangles_are_seen_from_the_side_of_the_ball():
         assert np.all(np.sum(crossed * mesh.normals[mesh.indices[:, 0]], axis=1) > 0.0)
         area = np.sum(np.linalg.norm(crossed, axis=1)) / 2
         assert abs(area / (4 * np.pi * 1.3**2) - 1) < 0.02
+
+
+def test_the_rim_lies_on_the_sides_of_the_box():
+    """A cap of a sphere: its edges without a neighbour form one circle, at the height of the cut."""
+    box = Box(np.array([-2.0, -2.0, -2.0]), np.array([2.0, 2.0, 0.37]))
+    mesh = surface_mesh(sphere(1.3, -1.0), box, 24)
+    edges = {
+        (int(a), int(b)) for face in mesh.indices for a, b in zip(face, np.roll(face, -1), strict=True)
+    }
+    rim = dict(edge for edge in edges if edge[::-1] not in edges)
+    place = first = next(iter(rim))
+    passed = 0
+    while passed == 0 or place != first:
+        place, passed = rim[place], passed + 1
+    assert passed == len(rim)
+    round_points = mesh.positions[list(rim)]
+    np.testing.assert_allclose(round_points[:, 2], 0.37, atol=1e-12)
+    radius = np.sqrt(1.3**2 - 0.37**2)
+    np.testing.assert_allclose(np.hypot(*round_points[:, :2].T), radius, atol=0.01)
+    np.testing.assert_allclose(np.linalg.norm(mesh.normals, axis=1), 1.0, atol=1e-12)
+    assert mesh.indices.max() + 1 == len(mesh.positions)

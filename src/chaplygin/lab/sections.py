@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from ..core.arrays import FloatArray
 from ..core.system import System
 from ..experiment.study import Study
 from ..flow.batch import batch_integrator
-from ..flow.kernel.equations import Equations, equations_of
+from ..flow.kernel.equations import Equations, SectionChoice, equations_of
 from ..formulas.array_evaluation import read_formulas, values
 from ..formulas.graph import Term, topological_order
 from .columns import Scalar
@@ -22,6 +23,9 @@ _MOST = 400
 #: Looks at the motion, and stretches of its length in which a crossing is looked for.
 _LOOKS, _LONGER = 2000, 10.0
 
+#: A section that the motion passes so many times less often than another is not the first to be shown.
+_SELDOM = 10
+
 #: Coordinates and quantities of a section in order of preference.
 _PREFERRED_ON = ("gamma_3", "M_3", "omega_3", "gamma_1")
 _PREFERRED_X = ("longitude", "gamma_1", "gamma_2", "gamma_3")
@@ -31,7 +35,8 @@ _PREFERRED_Y = ("M_3", "omega_3", "M_1", "omega_1")
 def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Json:
     """A quantity that the motion passes again and again, rising, and two to be drawn; or None.
 
-    It passes zero if it ever does, else the middle of its range.
+    It passes zero if it ever does, else the middle of its range; and not much less often than others,
+    as a point of the section takes as long as the motion from one passage to the next.
 
     Parameters
     ----------
@@ -53,7 +58,11 @@ def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Js
     crossings = [_rises(column) for column in looks.T]
     middles = (looks.min(axis=0) + looks.max(axis=0)) / 2 if len(looks) else np.zeros(len(places))
     ordered = sorted(range(len(places)), key=lambda i: _rank(places[i].name, _PREFERRED_ON))
-    chosen = next((i for i in ordered if crossings[i] > 1 and not places[i].angle), None)
+    own = {str(symbol) for symbol in system.symbols}
+    passages = zip(crossings, places, strict=True)
+    most = max((n for n, place in passages if place.name in own and not place.angle), default=0)
+    often = max(1, most / _SELDOM)
+    chosen = next((i for i in ordered if crossings[i] > often and not places[i].angle), None)
     value = 0.0
     if chosen is None:
         middle = [_rises(column - m) for column, m in zip(looks.T, middles, strict=True)]
@@ -62,10 +71,13 @@ def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Js
             chosen = next((i for i in ordered if places[i].angle), ordered[0])
         else:
             value = float(f"{middles[chosen]:.3g}")
+    on = places[chosen].name
     others = [scalar.name for i, scalar in enumerate(places) if i != chosen]
+    if on in ("gamma_1", "gamma_2"):
+        # on which the longitude is a quarter of a turn
+        others.remove("longitude")
     x = min(others, key=lambda name: _rank(name, _PREFERRED_X))
     y = min((n for n in others if n != x), key=lambda name: _rank(name, _PREFERRED_Y))
-    on = places[chosen].name
     return {"on": on, "value": value, "direction": 1, "x": x, "y": y}
 
 
@@ -103,31 +115,21 @@ def chosen_section(system: System, scalars: Sequence[Scalar], backward: bool) ->
     """
     bare = equations_of(system, 0, None, backward)
     reader, _ = read_formulas(system)
-    graph, first = reader.graph, len(system.parameters)
+    graph, first, size = reader.graph, len(system.parameters), len(bare.rates)
     level = graph.parameter(first)
-    zero, one = graph.number(0), graph.number(1)
-    value, where = zero, zero
+    flow = {graph.state(i): graph.state(size + i) for i in range(size)}
+    choices = []
     for i, scalar in enumerate(scalars):
-        chosen = graph.parameter(first + 2 + i)
-        difference = reader(scalar.formula) - level
-        passed, counted = difference, one
+        value, where = reader(scalar.formula) - level, graph.number(1)
         if scalar.angle:
-            passed, counted = graph.call("sin", difference), graph.call("cos", difference)
-        value = value + graph.where_positive(chosen, passed, zero)
-        where = where + graph.where_positive(chosen, counted, zero)
-    (slope,) = graph.directional_derivative(
-        [value], {graph.state(i): rate for i, rate in enumerate(bare.rates)}
-    )
-    return Equations(
-        bare.graph,
-        bare.rates,
-        bare.groups,
-        first + 2 + len(scalars),
-        value,
-        slope,
-        where if any(scalar.angle for scalar in scalars) else None,
-        graph.parameter(first + 1),
-        bare.guards,
+            value, where = graph.call("sin", value), graph.call("cos", value)
+        (slope,) = graph.directional_derivative([value], flow)
+        choices.append(SectionChoice(first + 2 + i, value, slope, where))
+    return replace(
+        bare,
+        parameters=first + 2 + len(scalars),
+        direction=graph.parameter(first + 1),
+        choices=tuple(choices),
     )
 
 

@@ -1,7 +1,8 @@
 """A surface f = 0 as a mesh.
 
 In each cell of a grid that the surface passes through lies one corner, the mean of the crossings of
-its edges, drawn onto the surface itself; around each crossed edge lies a face (surface nets).
+its edges, drawn onto the surface itself; around each crossed edge lies a face (surface nets).  The
+grid goes beyond the box, at whose sides the surface is cut, so that its rim is a smooth curve.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import numpy as np
 
 from ..core.arrays import BoolArray, FloatArray, IntArray
 from ..geometry.surface import Box, SurfaceGround
+from ..geometry.view import unit
 
 #: Cells along the longest side of the box.
 _CELLS = 32
@@ -53,7 +55,8 @@ def surface_mesh(ground: SurfaceGround, box: Box, cells: int = _CELLS) -> Surfac
     """
     size = box.high - box.low
     counts = np.maximum(4, np.ceil(cells * size / size.max())).astype(int)
-    axes = [np.linspace(a, b, n + 1) for a, b, n in zip(box.low, box.high, counts, strict=True)]
+    low, high = box.low - size / counts, box.high + size / counts
+    axes = [np.linspace(a, b, n + 3) for a, b, n in zip(low, high, counts, strict=True)]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
     with np.errstate(all="ignore"):
         heights = ground.height(points.reshape(-1, 3)).reshape(points.shape[:3])
@@ -74,11 +77,15 @@ def surface_mesh(ground: SurfaceGround, box: Box, cells: int = _CELLS) -> Surfac
     with np.errstate(all="ignore"):
         for _ in range(_STEPS):
             fall = np.nan_to_num(ground.height(vertices))[:, None] * ground.normals(vertices)
-            vertices = np.clip(vertices - fall, box.low, box.high)
+            vertices = np.clip(vertices - fall, low, high)
         normals = ground.normals(vertices)
     names = np.full(crossed.shape, -1)
     names[crossed] = np.arange(len(vertices))
-    return SurfaceMesh(vertices, normals, _triangles(heights > 0.0, names))
+    mesh = SurfaceMesh(vertices, normals, _triangles(heights > 0.0, names))
+    for axis in range(3):
+        mesh = _cut(mesh, mesh.positions[:, axis] - box.high[axis])
+        mesh = _cut(mesh, box.low[axis] - mesh.positions[:, axis])
+    return mesh
 
 
 def _corner_values(array: FloatArray, corner: IntArray) -> FloatArray:
@@ -102,3 +109,36 @@ def _triangles(above: BoolArray, names: IntArray) -> IntArray:
             quads = quads[(quads >= 0).all(axis=1)]
             faces += [quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]
     return np.concatenate(faces)
+
+
+def _cut(mesh: SurfaceMesh, beyond: FloatArray) -> SurfaceMesh:
+    """The part of a mesh where a function, given at its corners, is not positive."""
+    out = beyond > 0.0
+    if not out.any():
+        return mesh
+    faces = mesh.indices
+    count = out[faces].sum(axis=1)
+    # the corner that is alone on its side comes first
+    alone = np.where(count == 1, out[faces].argmax(axis=1), out[faces].argmin(axis=1))
+    faces = np.take_along_axis(faces, (alone[:, None] + np.arange(3)) % 3, axis=1)
+    corner, left = faces[count == 2], faces[count == 1]
+    edges = np.concatenate([corner[:, [0, 1]], corner[:, [0, 2]], left[:, [0, 1]], left[:, [0, 2]]])
+    ends, names = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)
+    first, second = ends.T
+    share = (beyond[first] / (beyond[first] - beyond[second]))[:, None]
+    positions, normals = (
+        np.concatenate([array, array[first] + share * (array[second] - array[first])])
+        for array in (mesh.positions, mesh.normals)
+    )
+    names = names.ravel() + len(beyond)
+    a, b, c, d = np.split(names, np.cumsum([len(corner), len(corner), len(left)]))
+    indices = np.concatenate(
+        [
+            faces[count == 0],
+            np.column_stack([corner[:, 0], a, b]),
+            np.column_stack([c, left[:, 1], left[:, 2]]),
+            np.column_stack([c, left[:, 2], d]),
+        ]
+    )
+    used, names = np.unique(indices, return_inverse=True)
+    return SurfaceMesh(positions[used], unit(normals[used]), names.reshape(-1, 3))

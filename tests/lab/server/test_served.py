@@ -244,6 +244,19 @@ def test_checking_an_experiment_holds_up_nobody(laboratory: Laboratory) -> None:
     assert (laboratory.folder / "b.toml").read_text() == EXPERIMENT
 
 
+def test_an_answer_that_nobody_reads_holds_no_place(laboratory: Laboratory) -> None:
+    """The computation ends, and others have its process."""
+    large = {"what": "own.toml", "set": {"run.samples": 20_001, "run.until": 50.0}}
+    asked = json.dumps({"do": "motion", "subject": large})
+    lines = [laboratory.line(asked) for _ in range(max(1, (os.cpu_count() or 2) - 1))]
+    try:
+        motion = {"do": "motion", "subject": {"what": "own.toml"}}
+        assert laboratory.ask(motion)[-1] == {"done": True}
+    finally:
+        for line in lines:
+            line.close()
+
+
 def test_fifty_pages_are_served_at_once(laboratory: Laboratory) -> None:
     def client(number: int) -> object:
         subject = {"what": "own.toml", "set": {"run.until": 1.0 + number / 10}}

@@ -57,9 +57,9 @@ export function workerEngine(model: PageModel): WorkerEngine {
   };
 }
 
-/** How many workers a long computation may have beside the page. */
+/** How many workers a long computation has: one for each processor, as the page itself only waits and paints. */
 export function workerCount(): number {
-  return Math.min(8, Math.max(1, (navigator.hardwareConcurrency || 2) - 1));
+  return Math.min(16, navigator.hardwareConcurrency || 2);
 }
 
 /** An engine in a worker of its own, whose work can be thrown away. */

@@ -84,6 +84,27 @@ def poincare_section(
 
 
 @dataclass(frozen=True)
+class SectionChoice:
+    """One of several sections, the one whose parameter is positive.
+
+    Attributes
+    ----------
+    parameter : int
+        The place of that parameter.
+    value, slope : Term
+        A function that vanishes on the section, and its rate; the rates of the state follow the
+        state there.
+    where : Term
+        What must be positive there.
+    """
+
+    parameter: int
+    value: Term
+    slope: Term
+    where: Term
+
+
+@dataclass(frozen=True)
 class Equations:
     """Formulas of a System as terms of one graph.
 
@@ -102,6 +123,8 @@ class Equations:
         Positive as long as the equations hold.
     deviations : tuple of tuple of int
         The places of each component in all the deviations.
+    choices : tuple of SectionChoice
+        In place of one section, several.
     """
 
     graph: Graph
@@ -114,6 +137,12 @@ class Equations:
     direction: int | Term = 1
     guards: tuple[Term, ...] = ()
     deviations: tuple[tuple[int, ...], ...] = ()
+    choices: tuple[SectionChoice, ...] = ()
+
+    @property
+    def has_section(self) -> bool:
+        """Whether motions are recorded on a section."""
+        return self.section is not None or bool(self.choices)
 
     @property
     def acting(self) -> tuple[int, ...]:
@@ -130,6 +159,8 @@ class Equations:
             where = () if self.where is None else (self.where,)
             pieces["section"] = (self.section, self.slope, *where)
             pieces["halfway"] = (self.section,)
+        for i, choice in enumerate(self.choices):
+            pieces[f"section_{i}"] = (choice.value, choice.slope, choice.where)
         if self.guards:
             pieces["guards"] = self.guards
         return pieces

@@ -97,7 +97,9 @@ class RungeKuttaLoop(Generic[V]):
             ("constants", max(constants, 1)),
             ("parameters", max(equations.parameters, 1)),
             ("section", 3),
-            ("halfway", 1),
+            ("halfway", 3 if equations.choices else 1),
+            ("choice", 3 if equations.choices else 0),
+            ("flow", 2 * self.dimension if equations.choices else 0),
             ("guards", max(len(equations.guards), 1)),
         ):
             self.space.reserve(name, count * words)
@@ -127,6 +129,29 @@ class RungeKuttaLoop(Generic[V]):
         """Compute the rates of a stage."""
         to, state = self.place("rates", stage * self.dimension), self.place(of)
         self.w.line(f"call void @rates(ptr {to}, ptr {state}, ptr {self.place('constants')})")
+
+    def evaluate_section(self, piece: str, of: str, stage: int) -> None:
+        """Compute the section at a state, whose rates are those of a stage."""
+        if not self.equations.choices:
+            self.evaluate(piece, of)
+            return
+        w, n = self.w, self.n
+        rates = self.place("rates", stage * self.dimension)
+        for i in range(self.dimension):
+            n.store(n.load(self.place(of), i), self.place("flow"), i)
+            n.store(n.load(rates, i), self.place("flow"), self.dimension + i)
+        for number, choice in enumerate(self.equations.choices):
+            chosen = n.leading(n.load(self.place("parameters"), choice.parameter))
+            mask = w.compare("ogt", chosen, w.constant(0.0))
+            # only what some lane has chosen is computed
+            with w.branch(w.any(mask)):
+                w.line(
+                    f"call void @section_{number}(ptr {self.place('choice')}, "
+                    f"ptr {self.place('flow')}, ptr {self.place('constants')})"
+                )
+                for k in range(3):
+                    before, now = n.load(self.place(piece), k), n.load(self.place("choice"), k)
+                    n.store(n.choose(mask, now, before), self.place(piece), k)
 
     def evaluate(self, piece: str, of: str) -> None:
         """Compute the section or the guards at a state."""
@@ -242,7 +267,7 @@ class RungeKuttaLoop(Generic[V]):
             full = w.emit(f"icmp sge i64 {done_now}, %wanted")
             with w.branch(full):
                 self._finish(lane, index)
-            if self.equations.section is not None:
+            if self.equations.has_section:
                 steps = w.load("double", self.lane_address("steps", lane))
                 w.store("double", steps, self.lane_address("marked", lane))
             else:
@@ -269,7 +294,7 @@ class RungeKuttaLoop(Generic[V]):
         """The state of a lane; on a section, moved onto it along the flow."""
         w, words = self.w, self.n.words
         row = w.emit(f"add i64 {w.emit(f'mul i64 {index}, %wanted')}, {row_number}")
-        if self.equations.section is not None:
+        if self.equations.has_section:
             left = w.load("double", self.lane_address("saved", lane))
             now = w.load("double", self.lane_address("time", lane))
             w.store(
@@ -278,7 +303,7 @@ class RungeKuttaLoop(Generic[V]):
         start = w.emit(f"mul i64 {row}, {self.dimension * words}")
         for i in range(self.dimension * words):
             value = w.load("double", self._component("y", i, lane))
-            if self.equations.section is not None:
+            if self.equations.has_section:
                 rate = w.load("double", self._component("rates", i, lane))
                 value = w.emit(
                     f"call double @llvm.fma.f64(double {left}, double {rate}, double {value})"
@@ -299,14 +324,14 @@ class RungeKuttaLoop(Generic[V]):
         ratio = w.op("fdiv", size, speed)
         first = w.op("fmul", w.constant(1e-2), w.call("sqrt", ratio))
         # at an equilibrium no rate gives a time scale
-        index = "0" if self.equations.section else w.emit("sub i64 %wanted, 1")
+        index = "0" if self.equations.has_section else w.emit("sub i64 %wanted, 1")
         end = w.splat(w.load("double", w.address("double", "%times", index)))
         first = w.call("minnum", first, w.call("minnum", end, w.constant(1e6)))
         self.put("step", w.choose(fresh, first, self.get("step")))
         floor = w.op("fmul", w.constant(1e-12), first)
         self.put("floor", w.choose(fresh, floor, self.get("floor")))
-        if self.equations.section is not None:
-            self.evaluate("section", "y")
+        if self.equations.has_section:
+            self.evaluate_section("section", "y", 0)
             g = n.leading(n.load(self.place("section"), 0))
             gdot = n.leading(n.load(self.place("section"), 1))
             # a start on the section is not a return to it
@@ -372,8 +397,8 @@ class RungeKuttaLoop(Generic[V]):
             for i in range(self.dimension):
                 value = n.multiply_add(step_number, self._sum(self.method.a[stage], i), self._y(i))
                 n.store(value, self.place("stage"), i)
-            if stage == HALFWAY and self.equations.section is not None:
-                self.evaluate("halfway", "stage")
+            if stage == HALFWAY and self.equations.has_section:
+                self.evaluate_section("halfway", "stage", 0)
             if stage == HALFWAY and self.equations.guards:
                 self.evaluate("guards", "stage")
                 halfway = self._guard_masks()
@@ -389,8 +414,8 @@ class RungeKuttaLoop(Generic[V]):
         factor = w.choose(w.compare("ogt", factor, w.constant(0.2)), factor, w.constant(0.2))
         factor = w.choose(w.compare("olt", factor, w.constant(5.0)), factor, w.constant(5.0))
         factor = w.choose(number, factor, w.constant(0.2))
-        if self.equations.section is not None:
-            self.evaluate("section", "new")
+        if self.equations.has_section:
+            self.evaluate_section("section", "new", last_stage)
             off, excess = self._wavering(step)
             slower = w.op("fmul", w.constant(0.9), w.inverse_root(excess, 8))
             factor = w.choose(w.compare("olt", slower, factor), slower, factor)
@@ -410,7 +435,7 @@ class RungeKuttaLoop(Generic[V]):
         following = w.choose(short, w.call("maxnum", following, planned), following)
         moved = allowed
         event = w.choose(w.conjunction(allowed, last), w.constant(_SAMPLE), zero)
-        if self.equations.section is not None:
+        if self.equations.has_section:
             over = w.conjunction(allowed, last)
             fault = w.choose(over, w.constant(float(OVER)), self.get("fault"))
             event = w.choose(over, w.constant(_END), zero)
@@ -428,7 +453,7 @@ class RungeKuttaLoop(Generic[V]):
             w.compare("oeq", event, zero), w.conjunction(live, w.compare("oge", steps, limit))
         )
         self.put("fault", w.choose(late, w.constant(float(STEPS)), self.get("fault")))
-        if self.equations.section is not None:
+        if self.equations.has_section:
             vain = w.op("fsub", steps, self.get("marked"))
             vain = w.conjunction(
                 w.compare("oeq", event, zero),
@@ -595,7 +620,7 @@ class RungeKuttaLoop(Generic[V]):
         )
         following = w.choose(w.conjunction(arrived, w.complement(close)), left, following)
         counted = there
-        if self.equations.where is not None:
+        if self.equations.where is not None or self.equations.choices:
             where = n.leading(n.load(self.place("section"), 2))
             counted = w.conjunction(there, w.compare("ogt", where, zero))
         back = w.disjunction(there, stuck)

@@ -25,6 +25,12 @@ from .workers import Pool
 #: Only this machine can reach it.
 HOST = "127.0.0.1"
 
+#: Seconds in which a page must have read the answer that it was sent so far.
+READING_TIMEOUT = 20.0
+
+#: Seconds that the check of an experiment may take before it is saved.
+SAVING_TIMEOUT = 60.0
+
 #: Connections at most; more are told to come again.
 CONNECTIONS = 256
 
@@ -38,7 +44,23 @@ class _Server(uvicorn.Server):
 
 
 class _Connection(H11Protocol):
-    """A connection that is closed where no request comes: there are only so many."""
+    """A connection that is closed where no request comes, or nobody reads the answer.
+
+    There are only so many connections, and processes that compute.
+    """
+
+    _unread: asyncio.TimerHandle | None = None
+
+    def pause_writing(self) -> None:
+        """Wait until more has been read, but not for ever."""
+        super().pause_writing()
+        self._unread = self.loop.call_later(READING_TIMEOUT, self.transport.abort)
+
+    def resume_writing(self) -> None:
+        """Go on with the answer."""
+        super().resume_writing()
+        if self._unread is not None:
+            self._unread.cancel()
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Begin to watch it."""
@@ -80,7 +102,7 @@ def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None])
     """
     listening = listen(port)
     place = listening.getsockname()[1]
-    pool, savers = Pool(answer, max(1, (os.cpu_count() or 2) - 1)), Pool(answer, 1)
+    pool, savers = Pool(answer, max(1, (os.cpu_count() or 2) - 1)), Pool(answer, 1, SAVING_TIMEOUT)
     laboratory = Laboratory(folder, what, pool, savers, secrets.token_urlsafe(18), place)
     config = uvicorn.Config(
         laboratory.application(),

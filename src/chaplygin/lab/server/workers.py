@@ -52,10 +52,13 @@ class Pool:
         What a worker computes; a function of a module.
     size : int
         Number of workers.
+    longest : float, optional
+        Seconds between two parts of an answer at most; a computation that takes longer is ended.
     """
 
     answer: Answer
     size: int
+    longest: float | None = None
     _free: list[_Worker] = field(default_factory=list)
     _all: set[_Worker] = field(default_factory=set)
     _waiting: int = 0
@@ -92,7 +95,11 @@ class Pool:
             while True:
                 reading = asyncio.create_task(asyncio.to_thread(worker.pipe.recv))
                 try:
-                    message = await asyncio.shield(reading)
+                    async with asyncio.timeout(self.longest):
+                        message = await asyncio.shield(reading)
+                except TimeoutError:
+                    yield {"error": f"it took longer than {self.longest:g} s and was stopped"}
+                    return
                 except (EOFError, OSError):
                     yield {"error": "the computation ended the process that was doing it"}
                     return
