@@ -21,6 +21,10 @@ _SETTLE = 6
 """Steps by which the place of a centre is found from a point of the surface below it."""
 
 
+def _everywhere(points: FloatArray) -> FloatArray:
+    return np.ones(len(points))
+
+
 @dataclass(frozen=True)
 class SurfaceGround:
     """The ball rolls on a surface.
@@ -28,16 +32,19 @@ class SurfaceGround:
     Attributes
     ----------
     level : callable
-        f at points (n, 3) as (n,); positive on the ball's side, NaN where there is no surface.
+        f at points (n, 3) as (n,); positive on the ball's side.
     slope : callable
         ∇f at points (n, 3) as (n, 3).
     shift : float
         0 if f = 0 carries the ball; its radius if the centre moves on f = 0.
+    domain : callable
+        A function of the same points that is positive where f = 0 is the surface.
     """
 
     level: Callable[[FloatArray], FloatArray]
     slope: Callable[[FloatArray], FloatArray]
     shift: float
+    domain: Callable[[FloatArray], FloatArray] = _everywhere
 
     def centres(self, points: FloatArray) -> FloatArray:
         """Points (n, 3) of the given surface, for points of the one that carries the ball."""
@@ -52,7 +59,18 @@ class SurfaceGround:
         return unit(np.nan_to_num(self.slope(points)))
 
     def height(self, points: FloatArray) -> FloatArray:
-        """A function (n,) that vanishes on the surface, about the distance from it."""
+        """A function (n,) that vanishes on the surface, about the distance from it.
+
+        NaN where there is no surface.
+        """
+        return np.where(self.extent(points) > 0.0, self.continued_height(points), np.nan)
+
+    def extent(self, points: FloatArray) -> FloatArray:
+        """A function (n,) that vanishes at the end of the surface, positive where there is any."""
+        return self.domain(self.centres(points))
+
+    def continued_height(self, points: FloatArray) -> FloatArray:
+        """The height (n,) as if the surface went on beyond its end."""
         centres = self.centres(points)
         steep = np.linalg.norm(self.slope(centres), axis=-1)
         return np.asarray(self.level(centres) / np.where(steep > 0.0, steep, 1.0), np.float64)
@@ -131,15 +149,14 @@ def ground_of_ball(ball: RollingBall) -> SurfaceGround:
         return values_at
 
     slopes = [values(f.diff(s)) for s in symbols]
-    level, guards = values(f), [values(g.value) for g in ball.surface.domain(symbols)]
+    guards = [values(g.value) for g in ball.surface.domain(symbols)]
 
-    def values_on_domain(points: FloatArray) -> FloatArray:
-        """f, where there is any surface."""
-        valid = np.all([guard(points) > 0.0 for guard in guards], axis=0)
-        return np.where(valid, level(points), np.nan)
+    def domain(points: FloatArray) -> FloatArray:
+        return np.min([_everywhere(points), *(guard(points) for guard in guards)], axis=0)
 
     return SurfaceGround(
-        values_on_domain,
+        values(f),
         lambda points: np.stack([slope(points) for slope in slopes], axis=-1),
         shift if below is None else 0.0,
+        domain,
     )

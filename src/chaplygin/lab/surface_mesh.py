@@ -2,7 +2,8 @@
 
 In each cell of a grid that the surface passes through lies one corner, the mean of the crossings of
 its edges, drawn onto the surface itself; around each crossed edge lies a face (surface nets).  The
-grid goes beyond the box, at whose sides the surface is cut, so that its rim is a smooth curve.
+grid goes beyond the box and the end of the surface, where it is cut, so that its rim is a smooth
+curve.
 """
 
 from __future__ import annotations
@@ -59,7 +60,7 @@ def surface_mesh(ground: SurfaceGround, box: Box, cells: int = _CELLS) -> Surfac
     axes = [np.linspace(a, b, n + 3) for a, b, n in zip(low, high, counts, strict=True)]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
     with np.errstate(all="ignore"):
-        heights = ground.height(points.reshape(-1, 3)).reshape(points.shape[:3])
+        heights = ground.continued_height(points.reshape(-1, 3)).reshape(points.shape[:3])
     corners = np.stack([_corner_values(heights, c) for c in _CORNERS])
     places = np.stack([_corner_values(points, c) for c in _CORNERS])
     inside = corners > 0.0
@@ -76,7 +77,7 @@ def surface_mesh(ground: SurfaceGround, box: Box, cells: int = _CELLS) -> Surfac
     vertices = total[crossed] / number[crossed][:, None]
     with np.errstate(all="ignore"):
         for _ in range(_STEPS):
-            fall = np.nan_to_num(ground.height(vertices))[:, None] * ground.normals(vertices)
+            fall = np.nan_to_num(ground.continued_height(vertices))[:, None] * ground.normals(vertices)
             vertices = np.clip(vertices - fall, low, high)
         normals = ground.normals(vertices)
     names = np.full(crossed.shape, -1)
@@ -85,7 +86,7 @@ def surface_mesh(ground: SurfaceGround, box: Box, cells: int = _CELLS) -> Surfac
     for axis in range(3):
         mesh = _cut(mesh, mesh.positions[:, axis] - box.high[axis])
         mesh = _cut(mesh, box.low[axis] - mesh.positions[:, axis])
-    return mesh
+    return _cut(mesh, -ground.extent(mesh.positions))
 
 
 def _corner_values(array: FloatArray, corner: IntArray) -> FloatArray:

@@ -63,4 +63,4 @@ def test_the_ground_of_a_ball_is_where_it_touches(name):
 
 def test_the_other_half_of_a_cone_is_no_ground():
     ground = ball_scene_of(on(SURFACES["cone"])).surface
-    assert np.isnan(ground.level(np.array([[0.0, 1.0, -1.0]])))
+    assert np.isnan(ground.height(np.array([[0.0, 1.0, -1.0]])))
