@@ -51,7 +51,9 @@ def test_the_rim_lies_on_the_sides_of_the_box():
     box = Box(np.array([-2.0, -2.0, -2.0]), np.array([2.0, 2.0, 0.37]))
     mesh = surface_mesh(sphere(1.3, -1.0), box, 24)
     edges = {
-        (int(a), int(b)) for face in mesh.indices for a, b in zip(face, np.roll(face, -1), strict=True)
+        (int(a), int(b))
+        for face in mesh.indices
+        for a, b in zip(face, np.roll(face, -1), strict=True)
     }
     rim = dict(edge for edge in edges if edge[::-1] not in edges)
     place = first = next(iter(rim))

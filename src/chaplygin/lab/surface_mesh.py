@@ -77,7 +77,9 @@ def surface_mesh(ground: SurfaceGround, box: Box, cells: int = _CELLS) -> Surfac
     vertices = total[crossed] / number[crossed][:, None]
     with np.errstate(all="ignore"):
         for _ in range(_STEPS):
-            fall = np.nan_to_num(ground.continued_height(vertices))[:, None] * ground.normals(vertices)
+            fall = np.nan_to_num(ground.continued_height(vertices))[:, None] * ground.normals(
+                vertices
+            )
             vertices = np.clip(vertices - fall, low, high)
         normals = ground.normals(vertices)
     names = np.full(crossed.shape, -1)
