@@ -47,7 +47,7 @@ def test_triangles_are_seen_from_the_side_of_the_ball():
 
 
 def test_the_rim_lies_on_the_sides_of_the_box():
-    """A cap of a sphere: its edges without a neighbour form one circle, at the height of the cut."""
+    """Of a cap of a sphere: edges without a neighbour form one circle, where it is cut."""
     box = Box(np.array([-2.0, -2.0, -2.0]), np.array([2.0, 2.0, 0.37]))
     mesh = surface_mesh(sphere(1.3, -1.0), box, 24)
     edges = {

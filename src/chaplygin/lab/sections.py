@@ -23,7 +23,7 @@ _MOST = 400
 #: Looks at the motion, and stretches of its length in which a crossing is looked for.
 _LOOKS, _LONGER = 2000, 10.0
 
-#: A section that the motion passes so many times less often than another is not the first to be shown.
+#: A section that the motion passes so many times less often than another is not the first one.
 _SELDOM = 10
 
 #: Coordinates and quantities of a section in order of preference.
@@ -35,8 +35,8 @@ _PREFERRED_Y = ("M_3", "omega_3", "M_1", "omega_1")
 def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Json:
     """A quantity that the motion passes again and again, rising, and two to be drawn; or None.
 
-    It passes zero if it ever does, else the middle of its range; and not much less often than others,
-    as a point of the section takes as long as the motion from one passage to the next.
+    It passes zero if it ever does, else the middle of its range; and not much less often than
+    others, as a point of the section takes as long as the motion from one passage to the next.
 
     Parameters
     ----------
