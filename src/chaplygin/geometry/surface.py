@@ -152,7 +152,8 @@ def ground_of_ball(ball: RollingBall) -> SurfaceGround:
     guards = [values(g.value) for g in ball.surface.domain(symbols)]
 
     def domain(points: FloatArray) -> FloatArray:
-        return np.min([_everywhere(points), *(guard(points) for guard in guards)], axis=0)
+        found = [_everywhere(points), *(guard(points) for guard in guards)]
+        return np.asarray(np.minimum.reduce(found), dtype=np.float64)
 
     return SurfaceGround(
         values(f),
