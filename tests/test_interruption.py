@@ -256,7 +256,7 @@ COMMANDS = {
     "ensemble with friction": f"ensemble {BILLIARD} -o e.zarr --draw mu=0.1:0.4 --starts 99999",
     "chart with friction": f"chart {BILLIARD} --of energy_lost --x mu=0.1:0.3:60 "
     "--y omega_1=0:60:60 -o c.zarr",
-    "section with friction": f"section {BILLIARD} -o s.zarr --on omega_1 --until 1e8 --points 9999",
+    "section with friction": f"section {BILLIARD} -o s.zarr --on omega_1 --until 1e6 --points 9999",
 }
 
 

@@ -289,6 +289,13 @@ ensemble veselova -o e.zarr --starts 5
 ensemble veselova -o e.zarr --seed -1 --starts 3 --level energy=1
 audit --section x
 run --help=3
+run veselova -o a.nc -o b.nc
+run veselova -o a.nc --output=b.nc
+run veselova -o a.nc --set run.until=1 --set run.until=2
+run veselova -o a.nc --set run.precision=double --precision quad
+section veselova --on gamma_3 --on M_1 -o s.zarr
+lyapunov veselova --level energy=1,energy=2
+ensemble rattleback -o e.zarr --starts 10 --level energy=1e300
 """.strip().splitlines()
 
 
@@ -333,6 +340,11 @@ def test_one_sentence(line: str, ask: Ask) -> None:
         ("run veselova", "run: -o/--output is missing (File to write: .nc, .zarr or .csv"),
         ("run", "run: NAME|FILE is missing (A catalogue name, an experiment file, or a Python f"),
         ("run veselova -o", "-o: a value is missing"),
+        ("run veselova -o a.nc --output b.nc", "--output is given twice: leave out one of them"),
+        (
+            "run veselova -o a.nc --set run.until=1 --set run.until=2",
+            "run.until is set twice: leave out one of them",
+        ),
         ("run veselova -o a.nc --force=yes", "--force: it takes no value"),
         ("show veselova two", "show two: one word too many; chaplygin show --help shows which fit"),
         ("study veselova --effort much", "--effort much: it must be a number"),

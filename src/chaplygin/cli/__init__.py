@@ -28,6 +28,7 @@ from . import (
     study,
     sweep,
 )
+from .terminal.command import Command
 from .terminal.options import complain
 from .terminal.progress import LOG
 from .words.usage import sentence
@@ -44,23 +45,26 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-app.command("list")(list_.command)
-app.command("show")(show.command)
-app.command("run")(run.command)
-app.command("study")(study.command)
-app.command("solve")(solve.command)
-app.command("find")(find.command)
-app.command("prove")(prove.command)
-app.command("ensemble")(ensemble.command)
-app.command("sweep")(sweep.command)
-app.command("section")(section.command)
-app.command("orbit")(orbit.command)
-app.command("bifurcation")(bifurcation.command)
-app.command("lyapunov")(lyapunov.command)
-app.command("chart")(chart.command)
-app.command("animate")(animate.command)
-app.command("lab")(lab.command)
-app.command("audit")(audit.command)
+for name, module in {
+    "list": list_,
+    "show": show,
+    "run": run,
+    "study": study,
+    "solve": solve,
+    "find": find,
+    "prove": prove,
+    "ensemble": ensemble,
+    "sweep": sweep,
+    "section": section,
+    "orbit": orbit,
+    "bifurcation": bifurcation,
+    "lyapunov": lyapunov,
+    "chart": chart,
+    "animate": animate,
+    "lab": lab,
+    "audit": audit,
+}.items():
+    app.command(name, cls=Command)(module.command)
 
 
 @app.callback(invoke_without_command=True)

@@ -1,5 +1,7 @@
 """Overrides of a file's keys, and the names of places in both."""
 
+import re
+
 import pytest
 from hypothesis import given, strategies as st
 
@@ -80,6 +82,28 @@ def test_text_that_is_not_toml(text: str, where: str, message: str) -> None:
         Source("body.toml", text).tables()
     assert caught.value.where == where
     assert caught.value.message.startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        (
+            "omega = [\u22121, 0, 0]",
+            "the minus sign (U+2212) is allowed in texts and comments alone",
+        ),
+        ("mass =\u00a01.0", "the no-break space (U+00A0) is allowed in texts and comments alone"),
+        (
+            "kind = \u201cball\u201d",
+            "(column 8); the left double quotation mark (U+201C) is allowed in",
+        ),
+        ("% a ball", "a comment begins with #"),
+        ("// a ball", "a comment begins with #"),
+        ("mass = 1,5", "a decimal number has a point: 1.5"),
+    ],
+)
+def test_what_is_meant_by_what_is_not_toml(text: str, hint: str) -> None:
+    with pytest.raises(InputError, match=re.escape(hint)):
+        Source("body.toml", text).tables()
 
 
 @pytest.mark.parametrize(

@@ -221,6 +221,12 @@ def test_other_parameters() -> None:
         ("chaplygin-ball", {"energy": -1.0}, "is empty: energy is at least 0"),
         (
             "chaplygin-ball",
+            {"energy": 1e300},
+            r"energy = 1e\+300 is too far from 1 to compute with",
+        ),
+        ("rattleback", {"energy": 1e308}, r"energy = 1e\+308 is too far from 1 to compute with"),
+        (
+            "chaplygin-ball",
             {"energy": 1.0, "area": 100.0},
             "is empty: with area = 100 energy is at least 2380.95",
         ),

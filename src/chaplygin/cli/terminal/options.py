@@ -174,6 +174,9 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
         if precision not in PRECISIONS:
             raise InputError(f"--precision {precision}: it must be {' or '.join(PRECISIONS)}")
         options.append(f"run.precision={precision}")
+    keys = [option.partition("=")[0].strip() for option in options]
+    if twice := next((key for key in keys if keys.count(key) > 1), ""):
+        raise InputError(f"{twice} is set twice: leave out one of them")
     with waiting(f"preparing {what}") as report:
         if path.suffix == ".py":
             report.say(f"running {what}")

@@ -69,9 +69,11 @@ def level_of(text: str) -> dict[str, float]:
     """
     from ...errors import InputError
 
-    level = {}
+    level: dict[str, float] = {}
     for part in text.split(","):
         name, equals, number = (piece.strip() for piece in part.partition("="))
+        if name in level:
+            raise InputError(f"--level {text}: {name} is given twice: leave out one of them")
         try:
             if not (name and equals):
                 raise ValueError

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+import unicodedata
 from collections.abc import Mapping
 from copy import deepcopy
 from dataclasses import dataclass, field
@@ -143,11 +144,22 @@ class Source:
         problem, line, column = match.groups()
         if line is None:
             return InputError(f"not valid TOML: {problem} (at the end)", self.name)
-        text = self.text.splitlines()[int(line) - 1 : int(line)]
-        comma = _DECIMAL_COMMA.search(text[0]) if text else None
-        hint = f"; a decimal number has a point: {comma[1]}.{comma[2]}" if comma else ""
-        sentence = f"not valid TOML: {problem} (column {column}){hint}"
+        text = "".join(self.text.splitlines()[int(line) - 1 : int(line)])
+        sentence = f"not valid TOML: {problem} (column {column}){_hint(text, int(column))}"
         return InputError(sentence, f"{self.name}, line {line}")
+
+
+def _hint(line: str, column: int) -> str:
+    """What may be meant by a line that is not TOML at some column, as the end of a sentence."""
+    if comma := _DECIMAL_COMMA.search(line):
+        return f"; a decimal number has a point: {comma[1]}.{comma[2]}"
+    if line.lstrip().startswith(("%", "//", ";", "--", "/*")):
+        return "; a comment begins with #"
+    character = line[column - 1 : column]
+    if character and not character.isascii() and (character.isprintable() or character.isspace()):
+        name = unicodedata.name(character, "character").lower()
+        return f"; the {name} (U+{ord(character):04X}) is allowed in texts and comments alone"
+    return ""
 
 
 _DECIMAL_COMMA = re.compile(r"=\s*([-+]?\d+),(\d+)\s*(?:#.*)?$")

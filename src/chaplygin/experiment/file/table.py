@@ -93,7 +93,7 @@ class FormulaTable(Table):
         for name in parameters:
             if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) or keyword.iskeyword(name):
                 raise ValueError(
-                    f"'{name}' cannot be used in a formula; a name has letters, digits and _"
+                    f"'{name}' cannot be used in a formula; a name has Latin letters, digits and _"
                 )
             if name in parsing.RESERVED_WORDS or name in _CORRECTIONS or name in cls.variables:
                 raise ValueError(f"the name '{name}' has a meaning already; choose another")

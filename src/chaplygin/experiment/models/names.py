@@ -51,8 +51,8 @@ class Names:
         name = str(quantity)
         if _NAME.fullmatch(name) is None:
             raise self.error(
-                f"'{name}' is no name; a name has letters, digits and _, and a vector its size "
-                "in brackets, as in gamma[3]",
+                f"'{name}' is no name; a name has Latin letters, digits and _, and a vector its "
+                "size in brackets, as in gamma[3]",
                 *key,
             )
         words = {*self.by_name, *map(str, flat(self.by_name.values()))}

@@ -284,8 +284,10 @@ class BodySubject(Subject):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Those on the body that the user describes."""
-        return () if self.from_catalogue else super().remarks
+        """As of any subject, but the keys of a file are not named of a body of the catalogue."""
+        if self.from_catalogue and super().remarks:
+            return ("the centre of mass lies outside the body",)
+        return super().remarks
 
     @property
     def directions(self) -> set[str]:

@@ -44,6 +44,10 @@ _MOST_ATTEMPTS = 10**6
 _NEWTON = 2
 
 
+#: Numbers that are none are seen in what comes of them, and refused.
+_MINDING_RESULTS = np.errstate(over="ignore", invalid="ignore", divide="ignore")
+
+
 @arguments_checked
 def sample_level(
     system: System,
@@ -120,6 +124,7 @@ class LevelSampler:
     _density_bound: float
     _tries: int
 
+    @_MINDING_RESULTS
     def draw(self, count: int, *, seed: int = 0, first: int = 0) -> FloatArray:
         """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
         if count < 0:
@@ -187,6 +192,12 @@ class LevelSampler:
             "that could be found: it lies next to a critical level"
         )
 
+    def _too_far(self) -> InputError:
+        return InputError(
+            f"{self.system.name}: the level {level_label(self.values)} is too far from 1 to "
+            "compute with: choose other units or numbers"
+        )
+
     def density(self, weighted_points: WeightedPoints) -> FloatArray:
         """The target density, relative to that of the proposals."""
         return weighted_points.volume * self._weight(weighted_points.states)
@@ -212,12 +223,15 @@ class LevelSampler:
             defect = self._held_terms(states, self.parameters) - self._targets[:, None]
             slopes = self._gradients(states)
             gram = slopes @ np.swapaxes(slopes, 1, 2)
+            if not np.isfinite(gram).all():
+                raise self._too_far()
             share = np.linalg.solve(gram, np.ascontiguousarray(defect.T)[:, :, None])
             states = states - (np.swapaxes(slopes, 1, 2) @ share)[:, :, 0].T
         return states
 
 
 @arguments_checked
+@_MINDING_RESULTS
 def level_sampler(
     system: System,
     level: Mapping[str, float],
@@ -341,10 +355,12 @@ def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
         weighted_points = proposal.weighted_points(gauss)
         return weighted_points.places, level.density(weighted_points)
 
+    trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     top, _ = maximise(proposal.fibration, height, proposal.nearby_proposals, proposal.numbers)
     bound = _MARGIN * proposal.most * top
-    trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     share = height(trial)[1].sum() / (_TRIAL * bound)
+    if not np.isfinite(share):
+        raise level._too_far()
     # half of the attempts that a point takes on average, so that few are superfluous
     tries = int(np.clip(0.5 / max(share, 1 / _BATCH), 1, _BATCH))
     return replace(level, _density_bound=bound, _tries=tries)
