@@ -84,6 +84,56 @@ def test_functions_are_found_below_what_checks_their_arguments() -> None:
     assert not {"System", "CATALOGUE"} & set(FUNCTIONS)
 
 
+def names_below(package: Any, seen: set[str]) -> dict[str, Any]:
+    """Everything that the namespaces below a package offer, by its dotted name."""
+    offered: dict[str, Any] = {}
+    for name in package.__all__:
+        value = getattr(package, name)
+        if not inspect.ismodule(value):
+            offered[f"{package.__name__}.{name}"] = value
+        elif value.__name__ not in seen and hasattr(value, "__all__"):
+            seen.add(value.__name__)
+            offered |= names_below(value, seen)
+    return offered
+
+
+OFFERED = {
+    name: inspect.unwrap(value)
+    for name, value in names_below(chaplygin, {"chaplygin"}).items()
+    if callable(value)
+}
+#: What takes too long, or too many other things, for an example of a few lines.
+WITHOUT_EXAMPLE = {
+    "chaplygin.control.MotionPlan",
+    "chaplygin.report.figures.ball_figures",
+    "chaplygin.report.figures.ball_scene",
+    "chaplygin.report.figures.plan_view",
+    "chaplygin.report.figures.revolution_diagram",
+    "chaplygin.report.figures.scene",
+    "chaplygin.report.write_study",
+}
+
+
+def test_every_name_of_a_namespace_has_an_example() -> None:
+    assert len(OFFERED) > 250
+    without = {
+        name for name, value in OFFERED.items() if ">>>" not in (inspect.getdoc(value) or "")
+    }
+    assert without == WITHOUT_EXAMPLE
+
+
+@pytest.mark.parametrize("name", [n for n, v in OFFERED.items() if inspect.isroutine(v)])
+def test_a_function_of_a_namespace_documents_its_own_arguments(name: str) -> None:
+    function = OFFERED[name]
+    text, signature = inspect.getdoc(function) or "", inspect.signature(function)
+    found = dict(re.findall(r"^(\w[\w ]*)\n-+\n(.*?)(?=\n\n\w[\w ]*\n-+\n|\Z)", text, re.M | re.S))
+    assert "Raises" in found
+    assert signature.return_annotation in (None, "None") or "Returns" in found
+    described = re.findall(r"^(\S.*?)(?: :.*)?$", found.get("Parameters", ""), re.M)
+    names = {part.strip().lstrip("*") for line in described for part in line.split(",")}
+    assert names == set(signature.parameters)
+
+
 HOME = Path(chaplygin.__file__).parent
 #: Modules with examples of names that are not public.
 MODULES = sorted(

@@ -23,7 +23,29 @@ def _modules() -> dict[str, int]:
 
 @arguments_checked
 def claims(section: int | None = None) -> tuple[tuple[int, Claim], ...]:
-    """The claims of one section, or of the whole paper, in reading order, with their section."""
+    """The claims of one section, or of the whole paper, in reading order, with their section.
+
+    Parameters
+    ----------
+    section : int, optional
+        Number of a section; None for the whole paper.
+
+    Returns
+    -------
+    tuple of (int, Claim)
+        Section and claim.
+
+    Raises
+    ------
+    InputError
+        If there is no such section.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> len(ch.borisov_mamaev.claims(6)) > 10
+    True
+    """
     return tuple(
         (number, claim)
         for name, number in _modules().items()
@@ -34,7 +56,28 @@ def claims(section: int | None = None) -> tuple[tuple[int, Claim], ...]:
 
 @arguments_checked
 def remarks(section: int | None = None) -> tuple[Remark, ...]:
-    """The statements that were not computed, in reading order."""
+    """The statements that were not computed, in reading order.
+
+    Parameters
+    ----------
+    section : int, optional
+        Number of a section; None for the whole paper.
+
+    Returns
+    -------
+    tuple of Remark
+
+    Raises
+    ------
+    InputError
+        If there is no such section.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> all(remark.statement for remark in ch.borisov_mamaev.remarks(6))
+    True
+    """
     return tuple(
         remark
         for name, number in _modules().items()

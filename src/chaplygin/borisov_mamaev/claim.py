@@ -34,6 +34,13 @@ class Claim:
         The right statement, written as `statement` is.
     note : str
         What was wrong with the printed form, in one phrase; or how it had to be read.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> section, claim = ch.borisov_mamaev.claims(6)[0]
+    >>> section, claim.source
+    (6, '(6.1)')
     """
 
     source: str
@@ -46,7 +53,14 @@ class Claim:
 
 @dataclass(frozen=True)
 class Remark:
-    """A statement of the paper that was not computed: literature, history or judgement."""
+    """A statement of the paper that was not computed: literature, history or judgement.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.borisov_mamaev.remarks(6)[0].reason
+    'a comparison'
+    """
 
     source: str
     statement: str

@@ -47,6 +47,12 @@ class Start:
     ------
     InputError
         Unless either ω and γ are given, or a state.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.catalogue.Start(until=10.0, omega=(1.0, 0.0, 0.5), gamma=(0.0, 0.0, 1.0)).values
+    {'omega': (1.0, 0.0, 0.5), 'gamma': (0.0, 0.0, 1.0)}
     """
 
     until: float
@@ -129,6 +135,13 @@ class Entry:
         Where a system exists in every dimension, what gives the entry of each.
     dimension : int, optional
         That of such an entry.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> entry = ch.CATALOGUE["chaplygin-ball"]
+    >>> entry.title, entry.start.omega
+    ('Chaplygin ball', (0.7, 0.4, 1.1))
     """
 
     name: str

@@ -53,7 +53,27 @@ CATALOGUE = Catalogue((item.name, item) for item in _entries())
 
 @arguments_checked
 def entry(name: str) -> Entry:
-    """The catalogue entry of a name; InputError names the nearest one if there is none."""
+    """The catalogue entry of a name; InputError names the nearest one if there is none.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    Entry
+
+    Raises
+    ------
+    InputError
+        If there is none of that name.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.catalogue.entry("suslov").source
+    '§3.2'
+    """
     return lookup(CATALOGUE, name)
 
 
@@ -91,7 +111,31 @@ def from_catalogue(name: str, **parameters: Setting) -> System:
 
 @arguments_checked
 def known_laws_of(rolling: Rolling, system: System) -> tuple[Law, ...]:
-    """The laws that the catalogue knows of a body, whether or not it was named."""
+    """The laws that the catalogue knows of a body, whether or not it was named.
+
+    Parameters
+    ----------
+    rolling : Rolling
+    system : System
+        Its equations.
+
+    Returns
+    -------
+    tuple of Law
+        Of those with one name the first.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> rolling = ch.Rolling(ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0)))
+    >>> [law.name for law in ch.catalogue.known_laws_of(rolling, rolling.system())][:3]
+    ['area', 'momentum', 'measure']
+    """
     if fluids_of(rolling.body):
         return laws_with_fluid(rolling)
     # of those with one name the first

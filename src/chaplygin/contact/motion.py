@@ -74,6 +74,17 @@ class ContactMotion:
         Steps of integration.
     ending : str
         The reason in short, one of ``END_REASONS``.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from chaplygin.contact import Coulomb, FrictionalContact, contact_motion
+    >>> ball = ch.Body(0.2, (2e-4, 2e-4, 2e-4), ch.Ball(0.05))
+    >>> table = FrictionalContact(ball, laws=(Coulomb(0.2),), field=ch.Forces(gravity=9.81))
+    >>> start = [1, 0, 0, 0, 0, 0, 0.05, 1.4, 0, 0, 0, 0, 0, 0, 0, 1]
+    >>> motion = contact_motion(table, start, [0.0, 1.0])
+    >>> motion.times.tolist(), len(motion.events)
+    ([0.0, 1.0], 1)
     """
 
     times: FloatArray

@@ -38,6 +38,17 @@ class Accessibility:
     exact : bool
         Whether the growth was found by rational numbers at a point; otherwise modulo a prime, and
         no dimension is smaller.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from chaplygin.control import SphericalRobot, accessibility, pendulum
+    >>> robot = SphericalRobot(
+    ...     1.0, (0.4, 0.4, 0.4), 1.0, moving_mass=pendulum(1.0, 0.5), gravity=9.81
+    ... )
+    >>> verdict = accessibility(robot)
+    >>> isinstance(verdict, ch.control.Accessibility), verdict.growth
+    (True, (3, 5, 9, 12))
     """
 
     growth: tuple[int, ...]

@@ -59,6 +59,15 @@ class Controllability:
         Longest commutators, counted in fields, that the proof needs.
     rectangles : int
         Parts of the sphere of verticals in the proof.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from chaplygin.control import Rotor, SphericalRobot, controllability
+    >>> axes = ((1, 0, 0), (0, 1, 0))
+    >>> robot = SphericalRobot(1.0, (0.4, 0.5, 0.6), 1.0, tuple(Rotor(e, 0.1) for e in axes))
+    >>> controllability(robot).decision
+    'controllable'
     """
 
     decision: Decision

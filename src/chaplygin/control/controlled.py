@@ -34,6 +34,15 @@ class ControlledSystem:
         Vanish on the state space.
     output : pair of Symbol
         The state variables that are to follow a path.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from chaplygin.control import Rotor, SphericalRobot, controlled_system
+    >>> robot = SphericalRobot(1.0, (0.4, 0.5, 0.6), 1.0, (Rotor((0, 0, 1), 0.1),))
+    >>> system = controlled_system(robot)
+    >>> isinstance(system, ch.control.ControlledSystem), system.inputs
+    (True, (u_1,))
     """
 
     name: str

@@ -66,6 +66,13 @@ class Law(WithShortRepr):
         The form in which the source prints it, where that differs.
     misprint : str
         What is wrong with the printed form, in one phrase.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> all(isinstance(law, ch.core.Law) for law in veselova.laws)
+    True
     """
 
     name: str = field(kw_only=False)

@@ -63,6 +63,13 @@ class Observable:
 
     `value` is a scalar or vector formula in the state, the definitions and the parameters;
     `frame` is ``"body"`` or ``"space"`` for vectors and empty for scalars.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> disk = ch.from_catalogue("heavy-disk")
+    >>> [(item.name, item.unit) for item in disk.observables][:2]
+    [('omega', 'rad/s'), ('normal_force', 'N')]
     """
 
     name: str
@@ -88,6 +95,13 @@ class Guard:
     lift_off : bool
         Whether the equations themselves remain valid beyond (a two-sided contact), so that a
         run may go on when asked to.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> disk = ch.from_catalogue("heavy-disk")
+    >>> [guard.message for guard in disk.guards][:1]
+    ['the body lies flat (tilt below 1e-06 rad)']
     """
 
     name: str

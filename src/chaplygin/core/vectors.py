@@ -51,7 +51,27 @@ def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:
 
 @arguments_checked
 def real_symbol(name: str) -> sp.Symbol:
-    """A real scalar symbol, the only kind used in this package."""
+    """A real scalar symbol, the only kind used in this package.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    sympy.Symbol
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.core.real_symbol("k").is_real
+    True
+    """
     return sp.Symbol(name, real=True)
 
 
@@ -65,6 +85,13 @@ class Vector(sp.MatrixSymbol):
         typeset (``gamma``, ``rdot``).
     size : int
         3; 2 for points of a plane, 4 for quaternions (components w, x, y, z).
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> M = ch.core.Vector("M")
+    >>> M.symbols
+    (M_1, M_2, M_3)
     """
 
     def __new__(cls, name: str | Str, size: int = 3, *_: object) -> Vector:
@@ -104,7 +131,14 @@ class _Tensor(sp.MatrixSymbol):
 
 
 class Diagonal(_Tensor):
-    """A named diagonal tensor diag(name_1, name_2, name_3)."""
+    """A named diagonal tensor diag(name_1, name_2, name_3).
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.core.Diagonal("I").symbols
+    (I_1, I_2, I_3)
+    """
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
@@ -219,7 +253,30 @@ def vectors(names: str) -> tuple[Vector, ...]:
 
 @arguments_checked
 def unit_vector(axis: int) -> MatrixExpr:
-    """The unit vector along body axis 1, 2 or 3."""
+    """The unit vector along body axis 1, 2 or 3.
+
+    Parameters
+    ----------
+    axis : int
+
+    Returns
+    -------
+    MatrixExpr
+
+    Raises
+    ------
+    InputError
+        If it is none of the three.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.core.dot(ch.core.unit_vector(3), ch.core.Vector("gamma"))
+    Dot(Matrix([
+    [0],
+    [0],
+    [1]]), gamma)
+    """
     return constant([int(axis == i) for i in (1, 2, 3)])
 
 
@@ -227,7 +284,32 @@ def unit_vector(axis: int) -> MatrixExpr:
 def constant(
     values: Formulas,
 ) -> MatrixExpr:
-    """A vector or matrix given by its entries (numbers or scalars)."""
+    """A vector or matrix given by its entries (numbers or scalars).
+
+    Parameters
+    ----------
+    values : formulas
+        The entries, in order or in rows.
+
+    Returns
+    -------
+    MatrixExpr
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> ch.core.dot(ch.core.constant([1, 2, 3]), ch.core.Vector("M"))
+    Dot(Matrix([
+    [1],
+    [2],
+    [3]]), M)
+    """
     return sp.ImmutableDenseMatrix(values)
 
 
@@ -258,7 +340,29 @@ def _ordered_product(atom: MatrixExpr) -> tuple[int, MatrixExpr]:
 
 @arguments_checked
 def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
-    """Vector product, bilinear; products of parallel vectors vanish at once."""
+    """Vector product, bilinear; products of parallel vectors vanish at once.
+
+    Parameters
+    ----------
+    left, right : MatrixExpr
+        Vectors of one frame.
+
+    Returns
+    -------
+    MatrixExpr
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> M, omega = ch.core.Vector("M"), ch.core.Vector("omega")
+    >>> ch.core.cross(M, omega), ch.core.cross(M, 2 * M)
+    (Cross(M, omega), 0)
+    """
     total: MatrixExpr = zero
     for a, u in _parts(left):
         for b, v in _parts(right):
@@ -269,7 +373,29 @@ def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
 
 @arguments_checked
 def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
-    """Scalar product; scalar factors are taken out."""
+    """Scalar product; scalar factors are taken out.
+
+    Parameters
+    ----------
+    left, right : MatrixExpr
+        Vectors of one frame.
+
+    Returns
+    -------
+    sympy.Expr
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> M, omega = ch.core.Vector("M"), ch.core.Vector("omega")
+    >>> ch.core.dot(2 * M, omega)
+    2*Dot(M, omega)
+    """
     if isinstance(left, ZeroMatrix) or isinstance(right, ZeroMatrix):
         return sp.S.Zero
     factor = sp.S.One
@@ -284,7 +410,27 @@ def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
 
 @arguments_checked
 def norm_squared(vector: MatrixExpr) -> Scalar:
-    """The square (u, u)."""
+    """The square (u, u).
+
+    Parameters
+    ----------
+    vector : MatrixExpr
+
+    Returns
+    -------
+    sympy.Expr
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.core.norm_squared(ch.core.Vector("gamma"))
+    Dot(gamma, gamma)
+    """
     return dot(vector, vector)
 
 
@@ -318,6 +464,18 @@ def to_components(expression: sp.Basic) -> sp.Basic:
     -------
     sympy.Expr or ImmutableDenseMatrix
         The same without any vector left in it; nothing is expanded.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> M, omega = ch.core.Vector("M"), ch.core.Vector("omega")
+    >>> ch.core.to_components(ch.core.dot(M, omega))
+    M_1*omega_1 + M_2*omega_2 + M_3*omega_3
     """
     if isinstance(expression, sp.MatrixBase):
         return Components(expression.applyfunc(to_components))

@@ -41,10 +41,23 @@ def inverse(system: System, law: Isomorphism) -> Formulas:
         Its map must take a unit vector of the state to that vector with its axes stretched by
         positive factors, and be linear in the other one.
 
+    Returns
+    -------
+    dict
+        Formulas by the variables of the state.
+
     Raises
     ------
     InputError
         If the map is of another kind.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> law = next(law for law in veselova.laws if isinstance(law, ch.Isomorphism))
+    >>> [str(name) for name in ch.explicit.inverse(veselova, law)][:2]
+    ['gamma_1', 'gamma_2']
     """
     images = [(name, system.expand(formula)) for name, formula in law.map]
     vectors = [name for name in system.state if isinstance(name, Vector)]
@@ -100,7 +113,31 @@ def _linear(
 
 @arguments_checked
 def inverse_identity(system: System, law: Isomorphism) -> Identity:
-    """The law of `system` that the inverse undoes the map."""
+    """The law of `system` that the inverse undoes the map.
+
+    Parameters
+    ----------
+    system : System
+        Of which `law` is claimed.
+    law : Isomorphism
+
+    Returns
+    -------
+    Identity
+
+    Raises
+    ------
+    InputError
+        If the map has no explicit inverse.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> law = next(law for law in veselova.laws if isinstance(law, ch.Isomorphism))
+    >>> ch.prove(veselova, ch.explicit.inverse_identity(veselova, law)).decision
+    'proven'
+    """
     images = dict(flat_pairs(law.map))
     back = inverse(system, law)
     return Identity(
@@ -128,6 +165,7 @@ def pull_back(
     ----------
     system : System
         Of which `law` is claimed.
+    law : Isomorphism
     separable : SeparatedSystem
         Of the target.
     fixed : tuple of vectors
@@ -143,6 +181,15 @@ def pull_back(
     ------
     InputError
         If the map has no explicit inverse.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> law = next(law for law in veselova.laws if isinstance(law, ch.Isomorphism))
+    >>> from chaplygin.explicit.separations.neumann import neumann_system
+    >>> ch.explicit.pull_back(veselova, law, neumann_system()).system.name
+    'veselova'
     """
     target = separable.system
     parameters = {p for p, _ in law.constants}
@@ -181,6 +228,7 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     ----------
     system : System
         Of which `law` is claimed.
+    law : Isomorphism
     separable : SeparatedSystem
         Of `system`.
 
@@ -195,6 +243,15 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     ------
     InputError
         If the map has no explicit inverse.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> law = next(law for law in veselova.laws if isinstance(law, ch.Isomorphism))
+    >>> from chaplygin.explicit.separations.veselova import veselova as separated
+    >>> ch.explicit.push_forward(veselova, law, separated()).system.name
+    'veselova-on-e3'
     """
     named = {p for p, _ in law.constants}
     shared = {p.symbol for p in law.target.parameters} - named

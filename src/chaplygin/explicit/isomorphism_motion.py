@@ -47,6 +47,15 @@ class IsomorphismMap:
         With an explicit inverse, see :func:`chaplygin.explicit.isomorphism.inverse`.
     values : mapping of Symbol to number
         The parameters of `system`.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> law = next(law for law in veselova.laws if isinstance(law, ch.Isomorphism))
+    >>> onto = ch.explicit.IsomorphismMap(veselova, law, veselova.defaults)
+    >>> onto.law.target.name
+    'veselova-on-e3'
     """
 
     system: System

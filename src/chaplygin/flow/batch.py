@@ -285,6 +285,8 @@ def batch_integrator(
         Of the numbers that the lanes compute with.  With 30 a step costs some twenty times as much,
         and a method of order 8 needs very many steps to make use of them all: for single motions
         see :mod:`chaplygin.flow.gauss`.
+    device : "cpu" or "gpu"
+        Where motions are computed.
 
     Returns
     -------

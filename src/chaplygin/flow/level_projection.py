@@ -51,6 +51,23 @@ def project_to_level(
         The best that was found.
     met : (n,) array of bool
         Whether the values are met there.
+
+    Raises
+    ------
+    InputError
+        If targets or movable variables have the wrong shape.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> from chaplygin.formulas.array_formulas import Formulas
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> M, gamma = ball.state
+    >>> length = Formulas(ball, (ch.core.to_components(ch.core.norm_squared(gamma)),))
+    >>> states, met = ch.flow.project_to_level(length, np.array([[1.0, 0, 0, 0, 0, 2.0]]), 1.0)
+    >>> states.round(12).tolist(), met.tolist()
+    ([[1.0, 0.0, 0.0, 0.0, 0.0, 1.0]], [True])
     """
     moving = np.array(states, dtype=np.float64)
     free = np.flatnonzero(np.ones(moving.shape[1], bool) if movable is None else movable)

@@ -57,7 +57,16 @@ def unknown_variable(system: System, name: object, records: Iterable[str]) -> Un
 
 @dataclass(frozen=True)
 class Event:
-    """A guard that was passed: what happened, and when."""
+    """A guard that was passed: what happened, and when.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> disk = ch.from_catalogue("heavy-disk")
+    >>> motion = ch.integrate(disk, ch.CATALOGUE["heavy-disk"].start.values, [0.0, 1.0])
+    >>> motion.events
+    ()
+    """
 
     time: float
     guard: Guard

@@ -37,10 +37,28 @@ def integrals(question: Question, progress: Progress = no_progress) -> Iterator[
     An integral that is a polynomial in earlier ones and functions of the parameters is not
     repeated.  Each comes with the verdict of the prover.
 
+    Parameters
+    ----------
+    question : Question
+    progress : callable, optional
+        Called with the fraction done and what is being done.
+
+    Returns
+    -------
+    iterator of SearchResult
+
     Raises
     ------
     InputError
         If the ansatz does not fit into memory or the field is not algebraic.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> question = ch.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> [str(found.law.value) for found in ch.search.integrals(question)]
+    ['Dot(M, gamma)']
     """
     families = (question.ansatz, *question.also)
     for family in families:

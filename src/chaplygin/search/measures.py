@@ -36,10 +36,28 @@ def measures(question: Question, progress: Progress = no_progress) -> Iterator[S
     The simplest are tried first; the search ends with the first number of factors for which
     there is one.
 
+    Parameters
+    ----------
+    question : Question
+    progress : callable, optional
+        Called with the fraction done and what is being done.
+
+    Returns
+    -------
+    iterator of SearchResult
+
     Raises
     ------
     InputError
         If the field is not algebraic.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> question = ch.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> [found.verdict.decision for found in ch.search.measures(question)][:1]
+    ['proven']
     """
     space = question.stage
     samples = [space.sample(_POINTS, _SEED + i, common=True) for i in range(_SETS)]

@@ -42,6 +42,7 @@ def search_request(
 
     Parameters
     ----------
+    system : System
     degree, gamma_degree : int
         Largest degrees in the momenta and in the coordinates.
     momenta, coordinates : str
@@ -72,6 +73,14 @@ def search_request(
     ------
     InputError
         If something in it is unknown, impossible or too large.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> question = ch.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> len(question.divisors)
+    3
     """
     for value, name, least in (
         (degree, "degree", 0),

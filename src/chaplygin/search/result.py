@@ -45,6 +45,14 @@ class Question:
         Largest degree in the parameters of a coefficient.
     effort : int
         Term operations that the proof of one law may take.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> question = ch.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> question.powers, question.parameter_degree
+    (1, 3)
     """
 
     stage: SearchSpace
@@ -72,6 +80,15 @@ class SearchResult:
         The law of the catalogue that it repeats (name, source); empty when it names none.
     remark : str
         What else was seen.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> question = ch.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> found = next(ch.search.integrals(question))
+    >>> found.kind, found.verdict.decision
+    ('integral', 'proven')
     """
 
     kind: Kind

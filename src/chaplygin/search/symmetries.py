@@ -32,10 +32,28 @@ def symmetries(question: Question, progress: Progress = no_progress) -> Iterator
     v itself, and what follows from known symmetries on multiplication with integrals, is left
     out.
 
+    Parameters
+    ----------
+    question : Question
+    progress : callable, optional
+        Called with the fraction done and what is being done.
+
+    Returns
+    -------
+    iterator of SearchResult
+
     Raises
     ------
     InputError
         If the ansatz does not fit into memory or the field is not algebraic.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> question = ch.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> [found.verdict.decision for found in ch.search.symmetries(question)][:1]
+    []
     """
     question.ansatz.check(len(question.stage.system.symbols))
     progress(0.0, "integrals")

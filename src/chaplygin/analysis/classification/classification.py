@@ -69,6 +69,16 @@ class Classification(WithOverview):
         Levels on which more is proven.
     reason : str
         Why nothing could be counted; empty where it could.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> place = ch.classify(pendulum)
+    >>> place.variables, place.count
+    (2, 0)
     """
 
     system: str

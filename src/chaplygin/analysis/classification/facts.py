@@ -78,6 +78,16 @@ class ProofBudget:
         Term operations after which no further law is tried; with 0 none is.
     report : callable
         Told what is tried next, in words.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> budget = ch.analysis.classification.ProofBudget(effort=10**8)
+    >>> ch.classify(pendulum, budget=budget).variables
+    2
     """
 
     effort: int

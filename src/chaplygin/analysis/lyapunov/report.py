@@ -57,6 +57,16 @@ class Spectrum(WithOverview):
     growth : (intervals, exponents) array
         Logarithms of the growth in each interval, from the start on.
     tolerance : float
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> spectrum = ch.lyapunov_spectrum(pendulum, (1.0, 0.0), until=20.0)
+    >>> spectrum.values.shape
+    (1,)
     """
 
     system: System
@@ -164,6 +174,27 @@ def kaplan_yorke(exponents: Sequence[float] | FloatArray) -> float:
     With the exponents in falling order, j is the largest number of them whose sum is not
     negative; the dimension is j + (λ_1 + … + λ_j)/|λ_{j+1}|, and the number of exponents where
     all sums are not negative.
+
+    Parameters
+    ----------
+    exponents : sequence of float
+        All exponents of a motion (1/s), in any order.
+
+    Returns
+    -------
+    float
+        The dimension.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> round(ch.analysis.lyapunov.kaplan_yorke([0.9, 0.0, -14.6]), 3)
+    2.062
     """
     ordered = np.sort(np.asarray(exponents, dtype=np.float64))[::-1]
     sums = np.cumsum(ordered)

@@ -155,6 +155,29 @@ def staircase(
         The error to be reached.
     most : int
         Number of steps at which to give up; the errors tell.
+
+    Returns
+    -------
+    DevilsStaircase
+        Rotation numbers (turns a step) with their errors, one for each value.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> def arnold(angles, shifts, count):
+    ...     rows = [angles]
+    ...     for _ in range(count):
+    ...         rows.append(rows[-1] + shifts - 0.8 / (2 * np.pi) * np.sin(2 * np.pi * rows[-1]))
+    ...     return np.stack(rows, axis=1)
+    >>> stairs = ch.analysis.orbits.staircase(arnold, np.array([0.0, 0.5]))
+    >>> stairs.rotations.round(6).tolist()
+    [0.0, 0.5]
     """
     values = np.asarray(values, dtype=float)
     rotations, errors = np.full(len(values), np.nan), np.full(len(values), np.inf)
@@ -257,10 +280,29 @@ def locked_interval(
     accuracy : float
         The error of one step of the map, turns.
 
+    Returns
+    -------
+    Plateau
+        The two ends of the step in the parameter, with their errors, and whether it is open.
+
     Raises
     ------
     InputError
         If the rotation number does not pass the fraction between these values.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> from fractions import Fraction
+    >>> def arnold(angles, shifts, count):
+    ...     rows = [angles]
+    ...     for _ in range(count):
+    ...         rows.append(rows[-1] + shifts - 0.8 / (2 * np.pi) * np.sin(2 * np.pi * rows[-1]))
+    ...     return np.stack(rows, axis=1)
+    >>> step = ch.analysis.orbits.locked_interval(arnold, Fraction(0), (-0.3, 0.3))
+    >>> print(round(step.low, 6), round(step.high, 6))
+    -0.127324 0.127324
     """
     from scipy.optimize import brentq
 

@@ -72,6 +72,23 @@ class Branch:
         In order.
     reason : str
         Why it ends.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> from chaplygin.analysis.orbits.maps import ExplicitMap
+    >>> henon = ExplicitMap(
+    ...     ("x", "y", "a"),
+    ...     lambda z: np.stack(
+    ...         [1 - z[:, 2] * z[:, 0] ** 2 + z[:, 1], 0.3 * z[:, 0], z[:, 2]], axis=1
+    ...     ),
+    ...     keeps={"a": lambda z: z[:, 2]},
+    ... )
+    >>> orbit = ch.analysis.orbits.find_periodic(henon, np.array([0.6, 0.2, 1.4]), hold=("a",))
+    >>> branch = ch.analysis.orbits.continue_orbit(henon, orbit, "a", 0.2)
+    >>> branch.orbits[-1].kind, branch.reason
+    ('attracting node', 'a reached 0.2')
     """
 
     parameter: str
@@ -160,10 +177,32 @@ def continue_orbit(
     most : int
         The greatest number of orbits.
 
+    Returns
+    -------
+    Branch
+        The orbits in order, with the events between them and why it ends.
+
     Raises
     ------
     InputError
         If a name is unknown, or if orbits are a family of more dimensions than one.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> from chaplygin.analysis.orbits.maps import ExplicitMap
+    >>> henon = ExplicitMap(
+    ...     ("x", "y", "a"),
+    ...     lambda z: np.stack(
+    ...         [1 - z[:, 2] * z[:, 0] ** 2 + z[:, 1], 0.3 * z[:, 0], z[:, 2]], axis=1
+    ...     ),
+    ...     keeps={"a": lambda z: z[:, 2]},
+    ... )
+    >>> orbit = ch.analysis.orbits.find_periodic(henon, np.array([0.6, 0.2, 1.4]), hold=("a",))
+    >>> branch = ch.analysis.orbits.continue_orbit(henon, orbit, "a", 0.2)
+    >>> [(event.kind, round(event.place, 6)) for event in branch.events], branch.reason
+    ([('doubling', 0.3675)], 'a reached 0.2')
     """
     values = held_values(section_map, orbit.points[0], hold)
     start = held_values(section_map, orbit.points[0], [parameter])[parameter]

@@ -39,6 +39,19 @@ class Multipliers:
     matrix : array (d, d)
         The derivative of the return, on an orthonormal basis of the level, each vector of the
         state being measured by its size.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> from chaplygin.analysis.orbits.maps import ExplicitMap
+    >>> henon = ExplicitMap(
+    ...     ("x", "y"),
+    ...     lambda z: np.stack([1 - 1.4 * z[:, 0] ** 2 + z[:, 1], 0.3 * z[:, 0]], axis=1),
+    ... )
+    >>> orbit = ch.analysis.orbits.find_periodic(henon, np.array([0.6, 0.2]))
+    >>> orbit.multipliers.kind, orbit.multipliers.trivial
+    ('saddle', ())
     """
 
     values: FloatArray
@@ -94,6 +107,29 @@ def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multi
         A point of the orbit.
     slope : array (size, size)
         The derivative there of the return to this point.
+
+    Returns
+    -------
+    Multipliers
+        Those that are not trivial, largest first.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> from chaplygin.analysis.orbits.maps import ExplicitMap
+    >>> henon = ExplicitMap(
+    ...     ("x", "y"),
+    ...     lambda z: np.stack([1 - 1.4 * z[:, 0] ** 2 + z[:, 1], 0.3 * z[:, 0]], axis=1),
+    ... )
+    >>> point, slope = np.array([0.631, 0.189]), np.array([[-1.767, 1.0], [0.3, 0.0]])
+    >>> ch.analysis.orbits.multipliers(henon, point, slope).values.real.round(3).tolist()
+    [-1.923, 0.156]
     """
     point, slope = np.asarray(point, dtype=float), np.asarray(slope, dtype=float)
     count = len(section_map.names)

@@ -55,17 +55,37 @@ def refine_orbit(
 
     Parameters
     ----------
-    section_map : Returns
+    section_map : ReturnMap
         The map of which it was found; parameters are taken as they are given, a float as the
         double that it is.
     orbit : Orbit
     hold : mapping of str to float, or names
         As it was found; integrals held by name keep the double that they have on the orbit.
 
+    Returns
+    -------
+    RefinedOrbit
+        Points and duration (s) as decimals of 30 digits.
+
     Raises
     ------
     NoOrbitError
         If the iteration does not converge.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import mpmath
+    >>> import numpy as np
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = ch.System("van-der-pol", "Van der Pol", {x: v, v: (1 - x**2) * v - x})
+    >>> section = ch.PoincareMap(oscillator, ch.poincare_section(oscillator, "x"))
+    >>> returns = ch.analysis.orbits.ReturnMap(section)
+    >>> orbit = ch.analysis.orbits.find_periodic(returns, np.array([0.0, 2.17]))
+    >>> refined = ch.analysis.orbits.refine_orbit(returns, orbit)
+    >>> print(mpmath.nstr(refined.duration, 25))
+    6.663286859323130189699682
     """
     values = held_values(section_map, orbit.points[0], hold)
     sizes = np.append(section_map.sizes(orbit.points[:1]), orbit.duration)

@@ -150,12 +150,30 @@ def enclose_limit_cycle(
     steepest : float
         A bound of the size of dα/dβ that the boxes are checked against.
 
+    Returns
+    -------
+    Cycle
+        ``attracting`` or ``repelling`` with a ball that holds its multiplier, or ``undecided``.
+
     Raises
     ------
     InputError
         If the state are not the two angles, or a number cannot be read.
     ArithmeticError
         If β does not grow on some box, or a slope exceeds the bound that the boxes assume.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> alpha, beta = sp.symbols("alpha beta", real=True)
+    >>> rate = sp.Rational(1, 10) - sp.Rational(3, 10) * sp.sin(alpha)
+    >>> flow = ch.System("sines", "Sines", {alpha: rate, beta: 1})
+    >>> cycle = ch.analysis.orbits.enclose_limit_cycle(
+    ...     flow, {}, ("0.2", "0.5"), 0, steps=300, steepest=1.0
+    ... )
+    >>> cycle.kind
+    'attracting'
     """
     with ctx.workprec(_BITS):
         slope = _slope(system, parameters, angle, clock)

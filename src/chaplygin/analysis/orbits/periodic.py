@@ -31,7 +31,20 @@ ROUGH = 1e-8
 
 
 class NoOrbitError(RunError):
-    """No orbit was found; `partial` holds the points where the search ended."""
+    """No orbit was found; `partial` holds the points where the search ended.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> from chaplygin.analysis.orbits.maps import ExplicitMap
+    >>> shift = ExplicitMap(("x",), lambda z: z + 1.0)
+    >>> try:
+    ...     ch.analysis.orbits.find_periodic(shift, np.array([0.0]))
+    ... except ch.analysis.orbits.NoOrbitError as error:
+    ...     print(error.partial.shape)
+    (1, 1)
+    """
 
     def __init__(self, reason: str, points: FloatArray) -> None:
         super().__init__(reason, 0.0, points)
@@ -63,6 +76,19 @@ class Orbit:
     error : float
         The last step of Newton's method: the error left where rounding ends it.  For a System the
         errors of the integration come on top, which its tolerance governs.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> from chaplygin.analysis.orbits.maps import ExplicitMap
+    >>> henon = ExplicitMap(
+    ...     ("x", "y"),
+    ...     lambda z: np.stack([1 - 1.4 * z[:, 0] ** 2 + z[:, 1], 0.3 * z[:, 0]], axis=1),
+    ... )
+    >>> orbit = ch.analysis.orbits.find_periodic(henon, np.array([0.6, 0.2]))
+    >>> orbit.kind, orbit.multipliers.values.real.round(6).tolist()
+    ('saddle', [-1.923739, 0.155946])
     """
 
     names: tuple[str, ...]
@@ -281,6 +307,11 @@ def find_periodic(
     hold : mapping of str to float, or names
         Integrals with the values that the orbit must have; for names those at the guess.  Where
         orbits come in families in spite of them, the next one is found.
+
+    Returns
+    -------
+    Orbit
+        Its points in the coordinates of the map, its multipliers (no unit), and its duration (s).
 
     Raises
     ------

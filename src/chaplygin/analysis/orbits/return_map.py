@@ -76,7 +76,16 @@ class ReturnMap:
 
     Examples
     --------
-    See the page docs/orbits.md.
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = ch.System("van-der-pol", "Van der Pol", {x: v, v: (1 - x**2) * v - x})
+    >>> section = ch.PoincareMap(oscillator, ch.poincare_section(oscillator, "x"))
+    >>> returns = ch.analysis.orbits.ReturnMap(section)
+    >>> orbit = ch.analysis.orbits.find_periodic(returns, np.array([0.0, 2.17]))
+    >>> print(orbit.kind, round(orbit.duration, 9))
+    attracting 6.663286859
     """
 
     section: PoincareMap
@@ -174,6 +183,17 @@ class Circle:
         The parameter of the family.
     state : mapping of str to float
         The other state variables on the section.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import torus
+    >>> flow = torus()
+    >>> across = ch.PoincareMap(flow, ch.poincare_section(flow, "beta", angle=True))
+    >>> circle = ch.analysis.orbits.Circle(across, "alpha", "lambda", {"beta": 0.0})
+    >>> circle(np.array([0.3]), np.array([1.0]), 4).shape
+    (1, 5)
     """
 
     section: PoincareMap

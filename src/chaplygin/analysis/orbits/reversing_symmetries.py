@@ -47,6 +47,13 @@ class Reversor:
         State variables that change their signs, in flat order.
     vanishing : tuple of Symbol
         Parameters that must be zero.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> disk = ch.from_catalogue("heavy-disk")
+    >>> ch.reversors(disk)[0].odd
+    (M_1, gamma_1)
     """
 
     odd: tuple[sp.Symbol, ...]

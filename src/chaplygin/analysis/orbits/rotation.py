@@ -53,6 +53,14 @@ class Rotation:
         The longest cycle that was looked for.
     points : int
         Steps of the orbit.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> turn = ch.rotation_number(lambda count: (5**0.5 - 1) / 2 * np.arange(count + 1))
+    >>> turn.verdict, round(turn.value, 6)
+    ('quasi-periodic', 0.618034)
     """
 
     value: float

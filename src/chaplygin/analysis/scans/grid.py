@@ -41,7 +41,14 @@ REASONS: Mapping[int, str] = {
 @arguments_checked
 @dataclass(frozen=True)
 class Axis:
-    """A number that varies: `count` values from `first` to `last`, both included."""
+    """A number that varies: `count` values from `first` to `last`, both included.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.analysis.scans.Axis("I_1", 1.0, 2.0, 5).values
+    array([1.  , 1.25, 1.5 , 1.75, 2.  ])
+    """
 
     name: str
     first: Finite
@@ -65,10 +72,27 @@ class Axis:
 def axis(text: str, where: str = "") -> Axis:
     """An axis as it is written: ``NAME=FIRST:LAST:COUNT``, such as ``k=-2:2:300``.
 
+    Parameters
+    ----------
+    text : str
+        Name, first and last value, and how many values there are.
+    where : str
+        Where it stands, for messages.
+
+    Returns
+    -------
+    Axis
+
     Raises
     ------
     InputError
         If it is not written so.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.analysis.scans.axis("k=-2:2:5").values
+    array([-2., -1.,  0.,  1.,  2.])
     """
     name, *ends, count = axis_parts(text, where)
     first, last = (float(parse(end, {}, where)) for end in ends)
@@ -119,6 +143,16 @@ class ScanGrid:
         Quantities of the start, and the formulas of their values.
     fixed_symbols : tuple of Symbol
         Variables of the start that are not to be moved.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> x = ch.analysis.scans.axis("I_1=1:2:3")
+    >>> y = ch.analysis.scans.axis("I_2=1.5:2:2")
+    >>> grid = ch.analysis.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> grid.cells(0, 1).starts.shape
+    (3, 6)
     """
 
     system: System
@@ -220,13 +254,29 @@ def scan_grid(
         The start that is varied: the state by name, or ω and γ where these give the state.
     formulas : mapping of str to str, optional
         Parameters, variables of the start or levels, by formulas in the axes and the parameters.
-    fixed_symbols : collection of str, optional
+    fixed : collection of str, optional
         Variables of the start, or vectors of them, that are not to be moved.
+
+    Returns
+    -------
+    ScanGrid
+        Its rows are the values of y; ``cells`` gives starts and parameters of some of them.
 
     Raises
     ------
     InputError
         If a name or a formula is wrong, or an axis is of no consequence.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> x = ch.analysis.scans.axis("I_1=1:2:3")
+    >>> y = ch.analysis.scans.axis("I_2=1.5:2:2")
+    >>> grid = ch.analysis.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> cells = grid.cells(0, 2)
+    >>> [str(name) for name in cells.parameters], cells.reasons.tolist()
+    (['I_2', 'I_1'], [0, 0, 0, 0, 0, 0])
     """
     described, base = _described_system(system, start)
     if x.name == y.name:

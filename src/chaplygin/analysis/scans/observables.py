@@ -43,6 +43,17 @@ class SurvivalTime:
         See :func:`chaplygin.flow.batch.batch_integrator`.
     device : "cpu" or "gpu"
         Where motions are computed; likewise.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> rule = ch.analysis.scans.SurvivalTime(pendulum, 10.0)
+    >>> rule(np.array([[1.0, 0.0]]), {})["value"].tolist()
+    [10.0]
     """
 
     system: System
@@ -73,6 +84,17 @@ class TimeAverage:
         See `SurvivalTime`.
     formula : sympy.Expr
         In state, definitions and parameters.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> rule = ch.analysis.scans.TimeAverage(pendulum, 10.0, v**2)
+    >>> rule(np.array([[1.0, 0.0]]), {})["value"].round(3).tolist()
+    [0.447]
     """
 
     system: System
@@ -108,6 +130,17 @@ class Maximum:
         In state, definitions and parameters.
     samples : int
         Samples after the start, which counts as well.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> rule = ch.analysis.scans.Maximum(pendulum, 10.0, v**2, samples=64)
+    >>> rule(np.array([[1.0, 0.0]]), {})["value"].round(3).tolist()
+    [0.919]
     """
 
     system: System
@@ -131,7 +164,19 @@ class Maximum:
 @arguments_checked
 @dataclass(frozen=True)
 class Minimum(Maximum):
-    """The least value of a formula among samples of a motion; see `Maximum`."""
+    """The least value of a formula among samples of a motion; see `Maximum`.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> rule = ch.analysis.scans.Minimum(pendulum, 10.0, v**2, samples=64)
+    >>> rule(np.array([[1.0, 0.0]]), {})["value"].round(3).tolist()
+    [0.0]
+    """
 
     def __call__(
         self, starts: FloatArray, parameters: Parameters
@@ -159,6 +204,17 @@ class Frequency:
         An angle, in radians, up to whole turns.
     samples : int
         Equidistant samples over which the average is taken.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import numpy as np
+    >>> import sympy as sp
+    >>> phi, w = sp.symbols("phi w", real=True)
+    >>> rotor = ch.System("rotor", "Rotor", {phi: w, w: 0})
+    >>> rule = ch.analysis.scans.Frequency(rotor, 100.0, phi, samples=256)
+    >>> rule(np.array([[0.0, 2.0]]), {})["value"].round(6).tolist()
+    [0.31831]
     """
 
     system: System

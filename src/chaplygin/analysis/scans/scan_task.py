@@ -73,6 +73,17 @@ class Scan:
         The name of the variable.
     title, unit : str
         Its meaning in words, and its unit.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> x = ch.analysis.scans.axis("I_1=1:2:3")
+    >>> y = ch.analysis.scans.axis("I_2=1.5:2:2")
+    >>> grid = ch.analysis.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> rule = ch.analysis.scans.TimeAverage(ball, 5.0, ball.symbols[0] ** 2)
+    >>> ch.analysis.scans.Scan(grid, rule, "square", "Mean of the square").name
+    'square'
     """
 
     plane: ScanGrid
@@ -120,13 +131,27 @@ def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     -------
     Task
         Its result has the dimensions of y and x, their values as coordinates, and the variables
-        ``made.numbers``, ``outcome`` (0, or why there is no number: see its ``flag_meanings``) and
+        ``task.name``, ``outcome`` (0, or why there is no number: see its ``flag_meanings``) and
         ``ended`` (the time reached).
 
     Raises
     ------
     InputError
         If an axis has the name of a variable of the result.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> x = ch.analysis.scans.axis("I_1=1:2:3")
+    >>> y = ch.analysis.scans.axis("I_2=1.5:2:2")
+    >>> grid = ch.analysis.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> rule = ch.analysis.scans.TimeAverage(ball, 5.0, ball.symbols[0] ** 2)
+    >>> task = ch.analysis.scans.scan(
+    ...     ch.analysis.scans.Scan(grid, rule, "square", "Mean of the square")
+    ... )
+    >>> dict(ch.flow.ensemble.compute(task).sizes)
+    {'I_2': 2, 'I_1': 3}
     """
     plane, rule = task.plane, task.rule
     columns = (plane.x.name,)

@@ -39,6 +39,16 @@ class Winding:
         Number of returns.
     device : "cpu" or "gpu"
         As for the tolerance.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> phi, w = sp.symbols("phi w", real=True)
+    >>> rotor = ch.System("rotor", "Rotor", {phi: w, w: 0})
+    >>> once = ch.poincare_section(rotor, "phi", angle=True)
+    >>> ch.analysis.scans.Winding(rotor, 100.0, 2 * phi, once, count=20).further
+    {'error': 'difference between the halves of the motion'}
     """
 
     system: System

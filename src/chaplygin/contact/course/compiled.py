@@ -137,6 +137,15 @@ class CompiledContact:
     ------
     InputError
         If the tolerance is greater, or not a positive number of double precision.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from chaplygin.contact import Coulomb, FrictionalContact
+    >>> ball = ch.Body(0.2, (2e-4, 2e-4, 2e-4), ch.Ball(0.05))
+    >>> table = FrictionalContact(ball, laws=(Coulomb(0.2),), field=ch.Forces(gravity=9.81))
+    >>> ch.contact.CompiledContact(table).size
+    18
     """
 
     def __init__(self, situation: FrictionalContact, tolerance: float = 1e-16) -> None:

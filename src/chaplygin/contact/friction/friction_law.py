@@ -76,6 +76,12 @@ class FrictionLaw(ABC):
     What a law can hold is told by numbers, of which a law without thresholds has none:
     `static_mu` and `kinetic_mu` (at rest, and as the slip tends to zero), `spin_arm`,
     `patch_radius` and `holds_rolling`.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> isinstance(ch.contact.Coulomb(0.2), ch.contact.FrictionLaw)
+    True
     """
 
     @property

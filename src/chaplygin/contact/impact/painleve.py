@@ -82,6 +82,11 @@ def least_painleve_friction_of_body(
     mu : float
     gamma : (3,) array
 
+    Raises
+    ------
+    InputError
+        If the mass is not positive, or an argument is of another type.
+
     Examples
     --------
     >>> import numpy as np

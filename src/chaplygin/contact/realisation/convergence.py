@@ -47,6 +47,15 @@ class Convergence:
         Increasing.
     errors : array (k,)
         Largest difference of a component of the states at these moments.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from chaplygin.contact import convergence
+    >>> from chaplygin.contact.realisation.skate import Skate
+    >>> viscous = convergence(Skate((100.0, 200.0, 400.0), viscosity=1.0), [2.0])
+    >>> isinstance(viscous, ch.contact.Convergence), viscous.orders.round(1).tolist()
+    (True, [1.0, 1.0])
     """
 
     words: str

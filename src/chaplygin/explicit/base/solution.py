@@ -33,6 +33,13 @@ class NamedConstant:
         As it is written, such as ``"Omega_1"``.
     value : flint.arb
         With its error bound.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from flint import arb
+    >>> print(ch.explicit.NamedConstant("h", arb(2), "energy", "J").meaning)
+    energy
     """
 
     symbol: str

@@ -103,14 +103,30 @@ def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, NumberOrText]) -> t
 
     Parameters
     ----------
+    diagram : Diagram
     state : mapping of Symbol or name to number
         A state of ``diagram.plane.system``, all of its variables.
+
+    Returns
+    -------
+    (float, float)
+        The values of the two integrals.
 
     Raises
     ------
     InputError
         If a variable is missing, or the state is not on the level that the plane is
         made for.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> diagram = ch.explicit.bifurcation_diagram("veselova")
+    >>> start = ch.CATALOGUE["veselova"].start.values
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> state = dict(zip(veselova.symbols, ch.initial_state(veselova, **start)))
+    >>> [round(x, 6) for x in ch.explicit.locate(diagram, state)]
+    [0.724706, 1.844396]
     """
     system, plane = diagram.plane.system, diagram.plane
     values = {str(name): value for name, value in state.items()}
@@ -141,17 +157,29 @@ def bifurcation_diagram(
 
     Parameters
     ----------
-    subject : str, SeparatedSystem or Plane
+    subject : str, SeparatedSystem or IntegralPlane
         A name of :data:`.families.PLANES`, or formulas.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults, and of constants that the plane holds fixed;
         a float means the shortest decimal that gives it.
+
+    Returns
+    -------
+    Diagram
+        Its regions in the plane of two integrals, with the tori over each, and its curves.
 
     Raises
     ------
     InputError
         If the name or a parameter is unknown, two moments are equal, no body has these moments,
         or the parameters are not those for which the system separates into genus two.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> diagram = ch.explicit.bifurcation_diagram("veselova", {"I_2": 1.7})
+    >>> len(diagram.regions) > 0
+    True
     """
     if isinstance(subject, str):
         plane = plane_named(subject)

@@ -69,6 +69,13 @@ class SeparatedSystem:
     laws : tuple of Law
         What of the above is claimed of `system` and can be proven by :mod:`chaplygin.proof`.
     source : str
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from chaplygin.explicit.separations.veselova import veselova
+    >>> veselova().title, veselova().roots
+    ('Veselova system without a field', (I_1, I_2, I_3, 0, F/(2*h)))
     """
 
     name: str

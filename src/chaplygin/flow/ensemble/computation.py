@@ -57,6 +57,20 @@ def compute(
         cluster cannot be reached.
     IncompleteError
         If the disk is full, or a block brings down the workers; what was written stays.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> x = ch.analysis.scans.axis("I_1=1:2:3")
+    >>> y = ch.analysis.scans.axis("I_2=1.5:2:2")
+    >>> grid = ch.analysis.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> rule = ch.analysis.scans.SurvivalTime(ball, 5.0)
+    >>> task = ch.analysis.scans.scan(
+    ...     ch.analysis.scans.Scan(grid, rule, "survival", "Survival time")
+    ... )
+    >>> ch.flow.ensemble.compute(task)["survival"].values.tolist()
+    [[5.0, 5.0, 5.0], [5.0, 5.0, 5.0]]
     """
     text = progress if progress is not None else _no_progress
     _require_room(task, where)

@@ -142,10 +142,20 @@ def from_lists(**values: npt.ArrayLike) -> Members:
         State variables (``M``, ``gamma``, or components ``M_1``), parameters, ``omega`` and
         ``gamma`` from which the state follows, or ``state`` for the whole state in flat order.
 
+    Returns
+    -------
+    Members
+
     Raises
     ------
     InputError
         If nothing is given, lengths differ, or a value is not a finite number.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.flow.ensemble.from_lists(I_1=[1.0, 1.2], M=[(1, 0, 0), (0, 1, 0)]).size
+    2
     """
     arrays = {name: _finite(name, value) for name, value in values.items()}
     lengths = {name: len(array) for name, array in arrays.items()}
@@ -159,13 +169,55 @@ def from_lists(**values: npt.ArrayLike) -> Members:
 
 @arguments_checked
 def single(**values: npt.ArrayLike) -> Members:
-    """A single member: numbers, and vectors by their components."""
+    """A single member: numbers, and vectors by their components.
+
+    Parameters
+    ----------
+    **values : number or components
+        As for :func:`from_lists`.
+
+    Returns
+    -------
+    Members
+
+    Raises
+    ------
+    InputError
+        If nothing is given, or a value is not a finite number.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.flow.ensemble.single(M=(1, 0, 0), gamma=(0, 0, 1)).size
+    1
+    """
     return from_lists(**{name: _numbers(name, value)[np.newaxis] for name, value in values.items()})
 
 
 @arguments_checked
 def grid(**values: npt.ArrayLike) -> Members:
-    """Every combination of the values of each name; the last name varies fastest."""
+    """Every combination of the values of each name; the last name varies fastest.
+
+    Parameters
+    ----------
+    **values : array (n,) for a scalar, (n, components) for a vector
+        As for :func:`from_lists`.
+
+    Returns
+    -------
+    Members
+
+    Raises
+    ------
+    InputError
+        If nothing is given, or a value is not a finite number.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.flow.ensemble.grid(I_1=[1.0, 1.2], I_2=[1.5, 1.6, 1.7]).size
+    6
+    """
     if not values:
         raise InputError("members of an ensemble: at least one is needed")
     return Members(
@@ -180,10 +232,27 @@ def random_starts(count: int, level: Mapping[str, float], seed: int = 0) -> Memb
     Start k depends on seed and k alone; where parameters vary, each start lies on the level at its
     own parameters.
 
+    Parameters
+    ----------
+    count : int
+    level : mapping of str to float
+        Integrals by name, with their values.
+    seed : int
+
+    Returns
+    -------
+    Members
+
     Raises
     ------
     InputError
         If there are none.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.flow.ensemble.random_starts(100, {"energy": 2.0}, seed=1).size
+    100
     """
     if not isinstance(count, int | np.integer) or count < 1:
         raise InputError(

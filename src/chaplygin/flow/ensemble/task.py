@@ -67,6 +67,12 @@ class Variable:
         ``long_name``, ``units``, ``source`` and others.
     coordinate : bool
         Whether it locates each member instead of holding a result.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.flow.ensemble.Variable(("vector",), (3,), attributes={"units": "m"}).dtype
+    'float64'
     """
 
     dimensions: tuple[str, ...] = ()
@@ -112,6 +118,20 @@ class Task(WithShortRepr):
     ------
     InputError
         If size or block are no whole numbers from 1 on.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> x = ch.analysis.scans.axis("I_1=1:2:3")
+    >>> y = ch.analysis.scans.axis("I_2=1.5:2:2")
+    >>> grid = ch.analysis.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> rule = ch.analysis.scans.SurvivalTime(ball, 5.0)
+    >>> task = ch.analysis.scans.scan(
+    ...     ch.analysis.scans.Scan(grid, rule, "survival", "Survival time")
+    ... )
+    >>> task.size, task.member
+    (2, 'I_2')
     """
 
     work: Work
@@ -161,7 +181,14 @@ class Task(WithShortRepr):
 
 
 class IncompleteError(RunError):
-    """A computation in blocks that stopped before its end; what was written stays."""
+    """A computation in blocks that stopped before its end; what was written stays.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> issubclass(ch.flow.ensemble.IncompleteError, ch.RunError)
+    True
+    """
 
     def __init__(self, reason: str) -> None:
         super().__init__(reason, float("nan"))

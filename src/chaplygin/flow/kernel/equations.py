@@ -28,6 +28,13 @@ class Section:
         +1 where it rises through zero, −1 where it falls, 0 for both.
     where : sympy.Expr or None
         Only crossings where this is positive count.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> ch.flow.Section(ball.symbols[5], direction=1)
+    Section(value=gamma_3, direction=1, where=None)
     """
 
     value: sp.Expr

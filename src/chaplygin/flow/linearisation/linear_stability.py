@@ -61,6 +61,15 @@ class Linearisation:
         c_i: how fast the steady motion goes along each symmetry.
     digits : int
         Digits that were asked for.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> spin = {"M": (0.0, 0.0, 1.0), "gamma": (0.0, 0.0, 1.0)}
+    >>> motion = ch.linear_stability(ball, spin)
+    >>> motion.reduced.rows, motion.digits
+    (5, 30)
     """
 
     system: System
@@ -196,6 +205,15 @@ def relative_equilibrium(
     ------
     InputError
         If the iteration does not converge.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> spin = {"M": (0.0, 0.0, 1.0), "gamma": (0.0, 0.0, 1.0)}
+    >>> state = ch.flow.relative_equilibrium(ball, spin)
+    >>> [round(float(x), 6) for x in state.values()]
+    [0.0, 0.0, 1.0, 0.0, 0.0, 1.0]
     """
     with mpmath.workdps(_working(digits)):
         variables = _variables(system)

@@ -101,6 +101,17 @@ class TangentSpace:
         Fields, in flat order, that the motion carries into themselves: the flow, symmetries.
     combinations : (directions, fields) array
         Constant combinations of the fields, tangent to the conditions, that are divided out.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = ch.System("oscillator", "Oscillator", {x: v, v: -x})
+    >>> law = ch.Integral("energy", x**2 + v**2)
+    >>> spectrum = ch.lyapunov_spectrum(oscillator.with_laws(law), (1.0, 0.0), until=20.0)
+    >>> len(spectrum.exponents)
+    0
     """
 
     system: System

@@ -237,7 +237,34 @@ def level_sampler(
     level: Mapping[str, float],
     parameters: Parameters = None,
 ) -> LevelSampler:
-    """A level from which points can be drawn again and again; see :func:`draw`."""
+    """A level from which points can be drawn again and again; see :func:`draw`.
+
+    Parameters
+    ----------
+    system : System
+    level : mapping of str to float
+        Integrals by name, with their values.
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the defaults.
+
+    Returns
+    -------
+    LevelSampler
+        Its ``draw`` gives states (n, size) in flat order.
+
+    Raises
+    ------
+    InputError
+        If an integral is unknown, or the level has no point.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> sampler = ch.flow.level_sampler(ball, {"energy": 2.0})
+    >>> sampler.draw(5, seed=1).shape
+    (5, 6)
+    """
     values = parameter_rows(system, parameters, 1)[0]
     validate_level(system, level, values)
     sheet = SystemFormulas(system)

@@ -78,6 +78,16 @@ def ball_state(
     InputError
         If the place is not on the surface or outside its domain, the surface has no normal there,
         the ball does not fit, or a rubber ball would spin about the normal.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.RollingBall(
+    ...     mass=1.0, inertia=0.1, radius=0.5, surface=ch.mechanics.ball.SphericalSurface(2.0)
+    ... )
+    >>> state = ch.mechanics.ball.ball_state(ball, ball.system(), (0, 0, 2), (1, 0, 0))
+    >>> len(state)
+    10
     """
     name = "contact" if ball.carrier == "support" else "centre"
     with mpmath.workdps(DIGITS):

@@ -39,6 +39,12 @@ class SmoothSurface(ABC):
         outside are the same side.
     axis : ``"x"``, ``"y"`` or ``"z"``
         The space axis that is the surface's third one; the others follow cyclically.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> isinstance(ch.mechanics.ball.SphericalSurface(2.0), ch.mechanics.ball.SmoothSurface)
+    True
     """
 
     side: Side = "outside"
@@ -101,7 +107,16 @@ def _finite(meaning: str, values: Iterable[float]) -> None:
 @arguments_checked
 @dataclass(frozen=True)
 class FlatSurface(SmoothSurface):
-    """The plane z = 0."""
+    """The plane z = 0.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> surface = ch.mechanics.ball.FlatSurface()
+    >>> surface.equation(sp.symbols("x y z", real=True))
+    z
+    """
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -116,7 +131,16 @@ class FlatSurface(SmoothSurface):
 @arguments_checked
 @dataclass(frozen=True)
 class SphericalSurface(SmoothSurface):
-    """A sphere of radius a about the origin."""
+    """A sphere of radius a about the origin.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> surface = ch.mechanics.ball.SphericalSurface(2.0)
+    >>> surface.equation(sp.symbols("x y z", real=True))
+    -a**2 + x**2 + y**2 + z**2
+    """
 
     radius: float
 
@@ -138,7 +162,16 @@ class SphericalSurface(SmoothSurface):
 @arguments_checked
 @dataclass(frozen=True)
 class CircularCylinder(SmoothSurface):
-    """A circular cylinder of radius a."""
+    """A circular cylinder of radius a.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> surface = ch.mechanics.ball.CircularCylinder(2.0)
+    >>> surface.equation(sp.symbols("x y z", real=True))
+    -a**2 + x**2 + y**2
+    """
 
     radius: float
 
@@ -160,7 +193,16 @@ class CircularCylinder(SmoothSurface):
 @arguments_checked
 @dataclass(frozen=True)
 class EllipticCylinder(SmoothSurface):
-    """An elliptic cylinder with the semi-axes a₁, a₂."""
+    """An elliptic cylinder with the semi-axes a₁, a₂.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> surface = ch.mechanics.ball.EllipticCylinder((2.0, 3.0))
+    >>> surface.equation(sp.symbols("x y z", real=True))
+    -1 + y**2/a_2**2 + x**2/a_1**2
+    """
 
     axes: tuple[float, float]
 
@@ -187,6 +229,14 @@ class Cone(SmoothSurface):
     ----------
     slope : float
         k = tan of the angle between the axis and the rulings: x² + y² = k²z².
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> surface = ch.mechanics.ball.Cone(1.0, side="inside")
+    >>> surface.equation(sp.symbols("x y z", real=True))
+    k**2*z**2 - x**2 - y**2
     """
 
     slope: float
@@ -210,7 +260,16 @@ class Cone(SmoothSurface):
 @arguments_checked
 @dataclass(frozen=True)
 class EllipsoidSurface(SmoothSurface):
-    """An ellipsoid with the semi-axes a₁, a₂, a₃ about the origin."""
+    """An ellipsoid with the semi-axes a₁, a₂, a₃ about the origin.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> surface = ch.mechanics.ball.EllipsoidSurface((2.0, 3.0, 4.0))
+    >>> surface.equation(sp.symbols("x y z", real=True))
+    -1 + z**2/a_3**2 + y**2/a_2**2 + x**2/a_1**2
+    """
 
     axes: tuple[float, float, float]
 
@@ -238,6 +297,14 @@ class Paraboloid(SmoothSurface):
     ----------
     radii : 2 floats
         Radii of curvature p, q at the vertex; positive where it bends up.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> surface = ch.mechanics.ball.Paraboloid((2.0, 3.0))
+    >>> surface.equation(sp.symbols("x y z", real=True))
+    z - y**2/(2*q) - x**2/(2*p)
     """
 
     radii: tuple[float, float]
@@ -263,7 +330,16 @@ class Paraboloid(SmoothSurface):
 @arguments_checked
 @dataclass(frozen=True)
 class Ring(SmoothSurface):
-    """A torus about the axis: tubes of radius c around a circle of radius a."""
+    """A torus about the axis: tubes of radius c around a circle of radius a.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> surface = ch.mechanics.ball.Ring(3.0, 1.0)
+    >>> surface.equation(sp.symbols("x y z", real=True))
+    -4*a**2*(x**2 + y**2) + (a**2 - c**2 + x**2 + y**2 + z**2)**2
+    """
 
     radius: float
     tube: float
@@ -297,6 +373,13 @@ class ImplicitSurface(SmoothSurface):
     formula : sympy.Expr
         f in the symbols ``x``, ``y``, ``z`` and those of `numbers`.
     numbers : tuple of Parameter
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> x, y, z = ch.mechanics.ball.ImplicitSurface.coordinates
+    >>> ch.mechanics.ball.ImplicitSurface(x**4 + y**4 + z**4 - 1).formula
+    x**4 + y**4 + z**4 - 1
     """
 
     formula: sp.Expr

@@ -64,11 +64,34 @@ def exceptional_values(
 
     The other parameters keep their values.
 
+    Parameters
+    ----------
+    mechanism : Mechanism or Distribution
+    parameter : sympy.Symbol
+
+    Returns
+    -------
+    tuple of ExceptionalValue
+        Each with its growth vector.
+
     Raises
     ------
     InputError
         If there is no such parameter, if the configuration space depends on it, or if it does
         not enter rationally.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.Body(1.0, (0.4, 0.4, 0.4), ch.Ball(1.0))
+    >>> mechanism = ch.rolling_mechanism(ch.Rolling(ball, ch.Sphere(3.0), "rubber"))
+    >>> [
+    ...     str(item.value)
+    ...     for item in ch.mechanics.constraints.exceptional_values(
+    ...         mechanism, ch.core.real_symbol("a")
+    ...     )
+    ... ]
+    ['1']
     """
     admissible = mechanism if isinstance(mechanism, Distribution) else distribution(mechanism)
     names = [s for s, _ in admissible.constants]

@@ -184,7 +184,35 @@ def _check_time(admissible: Distribution, here: Filtration, free: Sequence[sp.Sy
 def nonholonomy_at(
     mechanism: Mechanism | Distribution, point: Mapping[sp.Symbol, ParameterValue]
 ) -> Filtration:
-    """The growth at a point, which may be singular; see :func:`~.growth.filtration`."""
+    """The growth at a point, which may be singular; see :func:`~.growth.filtration`.
+
+    Parameters
+    ----------
+    mechanism : Mechanism or Distribution
+    point : mapping of Symbol to number
+        Values of coordinates and parameters.
+
+    Returns
+    -------
+    Filtration
+        The dimensions that brackets span, and at which step.
+
+    Raises
+    ------
+    InputError
+        If the point is not in the configuration space, or a value is missing.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, z = sp.symbols("x y z", real=True)
+    >>> frame = ch.coordinates(x, y, z)
+    >>> _, v, w = frame.velocities
+    >>> skate = ch.Mechanism("skate", frame, sp.S.Zero, (w - x * v,))
+    >>> ch.mechanics.constraints.nonholonomy_at(skate, {x: 1, y: 0, z: 0}).growth
+    (2, 3)
+    """
     admissible = _spanning_distribution(mechanism)
     return filtration(admissible, point)
 

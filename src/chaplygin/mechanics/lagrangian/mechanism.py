@@ -190,7 +190,30 @@ def rotations(omega: Vector) -> StructureConstants:
 
 @arguments_checked
 def euclidean(omega: Vector, v: Vector) -> StructureConstants:
-    """Structure constants of the motions of space in body axes, (1.12)."""
+    """Structure constants of the motions of space in body axes, (1.12).
+
+    Parameters
+    ----------
+    omega, v : Vector
+        Angular velocity and velocity, body axes.
+
+    Returns
+    -------
+    dict
+        Brackets of the quasi-velocities by pairs of their symbols.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> omega, v = ch.core.Vector("omega"), ch.core.Vector("v")
+    >>> len(ch.mechanics.lagrangian.euclidean(omega, v))
+    9
+    """
     mixed: StructureConstants = {}
     for i in (1, 2, 3):
         for j in (1, 2, 3):

@@ -44,6 +44,14 @@ class Plan:
         A wheel seen from above, two wheels side by side, a blade.
     points : tuple of (x, y)
         Places to be marked by a ring, such as a centre of mass.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> ch.mechanics.lagrangian.Plan((x, y)).path
+    (x, y)
     """
 
     path: PlanePoint

@@ -46,6 +46,23 @@ def log_multiplier(
     -------
     value, error : float
         The error is an estimate from two orders of quadrature.
+
+    Raises
+    ------
+    InputError
+        If the form has no such 1-form, or a number is not finite.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, z, xdot, ydot, zdot = sp.symbols("x y z xdot ydot zdot", real=True)
+    >>> lagrangian, constraint = (xdot**2 + ydot**2 + zdot**2) / 2, zdot - y * xdot
+    >>> particle = ch.Mechanism("particle", ch.coordinates(x, y, z), lagrangian, (constraint,))
+    >>> form = ch.chaplygin_form(particle)
+    >>> value, error = ch.mechanics.reduction.log_multiplier(form, (0.0, 0.0), (0.0, 1.0))
+    >>> round(value, 6)
+    -0.346574
     """
     from scipy.integrate import quad
 
@@ -72,10 +89,29 @@ def gyroscopic_integral(
 ) -> tuple[float, float]:
     """∫ S̄ dθ dφ over the sphere, and the change by the last refinement as error.
 
+    Parameters
+    ----------
+    form : ChaplyginForm
+    values : mapping of Symbol to float, optional
+        Parameters and constants, instead of their defaults.
+
+    Returns
+    -------
+    value, error : float
+
     Raises
     ------
     InputError
         If the base is no sphere, or there is no multiplier.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> body = ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0))
+    >>> form = ch.chaplygin_form(ch.rolling_mechanism(ch.Rolling(body, contact="rubber")))
+    >>> value, error = ch.mechanics.reduction.gyroscopic_integral(form)
+    >>> abs(value) < 1e-6
+    True
     """
     if form.base.normal is None or form.gyroscopic is None:
         raise InputError(

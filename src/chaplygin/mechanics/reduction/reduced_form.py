@@ -74,6 +74,17 @@ class ChaplyginForm(WithOverview):
         Expressions in the parameters that vanish for the numbers of the mechanism and are a case
         of their own, with a multiplier or another than elsewhere.  They are settled in all
         systems here.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, z, xdot, ydot, zdot = sp.symbols("x y z xdot ydot zdot", real=True)
+    >>> lagrangian, constraint = (xdot**2 + ydot**2 + zdot**2) / 2, zdot - y * xdot
+    >>> particle = ch.Mechanism("particle", ch.coordinates(x, y, z), lagrangian, (constraint,))
+    >>> form = ch.chaplygin_form(particle)
+    >>> form.closed_form, form.multiplier.value
+    (True, 1/sqrt(y**2 + 1))
     """
 
     original: System

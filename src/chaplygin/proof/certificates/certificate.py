@@ -62,6 +62,14 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
     ------
     InputError
         As for :func:`chaplygin.proof.prover.prove`.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> verdict = ch.proof.prove_with_certificate(ball, ball.integrals[1])
+    >>> verdict.decision, verdict.certificate is not None
+    ('proven', True)
     """
     verdict = prove(system, law, effort=effort)
     if verdict.decision == "undecided":

@@ -84,6 +84,20 @@ def save(figure: Figure, path: str | FilePath) -> FilePath:
     ------
     InputError
         If the ending is another one, or the file cannot be written.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     path = ch.report.figures.save(
+    ...         ch.report.figures.drift(dataset), Path(folder, "drift.png")
+    ...     )
+    ...     print(path.name, path.stat().st_size > 1000)
+    drift.png True
     """
     target = FilePath(path)
     suffix = target.suffix.lower()
@@ -103,7 +117,29 @@ def save(figure: Figure, path: str | FilePath) -> FilePath:
 
 @arguments_checked
 def svg_file(text: str) -> str:
-    """The content of an SVG file, from the element that :func:`svg_text` returns."""
+    """The content of an SVG file, from the element that :func:`svg_text` returns.
+
+    Parameters
+    ----------
+    text : str
+        The element ``<svg>``.
+
+    Returns
+    -------
+    str
+        The text of the file.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> "<svg" in ch.report.figures.svg_file("<svg></svg>")
+    True
+    """
     return f"{_PROLOG}{text}\n"
 
 
@@ -118,6 +154,25 @@ def svg_text(figure: Figure) -> str:
     ----------
     figure : matplotlib.figure.Figure
         Its label becomes the description for those who cannot see it.
+
+    Returns
+    -------
+    str
+        The element ``<svg>``.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> text = ch.report.figures.svg_text(ch.report.figures.drift(dataset))
+    >>> text.lstrip().startswith("<svg")
+    True
     """
     stream = io.StringIO()
     # curves with thousands of turns would be large files
@@ -153,6 +208,25 @@ def page_svg(figure: Figure, narrow: bool = False) -> str:
     narrow : bool
         For the screen of a telephone: charts are drawn anew at its width, in pictures the letters
         are larger.
+
+    Returns
+    -------
+    str
+        The element ``<svg>``.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> text = ch.report.figures.page_svg(ch.report.figures.drift(dataset))
+    >>> "<svg" in text
+    True
     """
     shown: Figure = pickle.loads(pickle.dumps(figure)) if narrow else figure
     if narrow:
@@ -190,6 +264,22 @@ def page_svgs(
         which may be hidden but must be in the page.
     str
         The shapes of all letters, which must be in the page too.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> figures = {"drift": ch.report.figures.drift(dataset)}
+    >>> svgs = {name: ch.report.figures.svg_text(figure) for name, figure in figures.items()}
+    >>> pairs, letters = ch.report.figures.page_svgs(figures, svgs)
+    >>> sorted(pairs), "<svg" in letters
+    (['drift'], True)
     """
     texts: dict[str, str] = {}
     for name, figure in figures.items():

@@ -91,6 +91,19 @@ def all_figures(
         `normal_on_sphere`, `attitude`, `angular_velocity`, `normal_force`, `friction_ratio`,
         `drift`, in this order.  There is no normal force where the surface never presses or pulls,
         and no friction ratio without a weight.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> sorted(ch.report.figures.all_figures(dataset))
+    ['angular_velocity', 'attitude', 'drift', 'normal_force', 'normal_on_sphere']
     """
     possible = {
         name for name, needed in VARIABLES.items() if all(item in dataset for item in needed)
@@ -141,6 +154,19 @@ def state_figures(
     dict
         Figures by the names of the functions that make them: `state`, `drift`, in this order;
         between them `records`, if there is anything to draw in it.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> sorted(ch.report.figures.state_figures(dataset, ["M", "gamma"]))
+    ['drift', 'state']
     """
     figures = {"state": state(dataset, names)}
     if records:
@@ -178,6 +204,11 @@ def ball_figures(
     dict
         Figures by the names of the functions that make them, but the picture as `scene`, then
         `state`, `normal_force`, `drift`.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
     """
     return {
         "scene": ball_scene(dataset, outline, ground),

@@ -49,6 +49,14 @@ def draw_bifurcation_diagram(diagram: Diagram, mark: tuple[float, float] | None 
     ------
     InputError
         If the mark is no pair of finite numbers.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> diagram = ch.explicit.bifurcation_diagram("veselova")
+    >>> figure = ch.report.figures.bifurcation_diagram(diagram)
+    >>> len(figure.axes)
+    1
     """
     if mark is not None and not np.all(np.isfinite(np.asarray(mark, dtype=float))):
         raise InputError(f"mark = {mark}: it must be a pair of finite numbers")

@@ -35,10 +35,23 @@ def closed_form(title: str, form: ClosedForm) -> Figure:
         Of the system, for the description.
     form : ClosedForm
 
+    Returns
+    -------
+    Figure
+
     Raises
     ------
     InputError
         If the motion has no ovals, as uniform rotations have none.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> solution = ch.solve(veselova, ch.CATALOGUE["veselova"].start.values)
+    >>> figure = ch.report.figures.closed_form(veselova.title, solution.form)
+    >>> len(figure.axes)
+    2
     """
     if not form.ovals:
         raise InputError(f"there is no curve to draw of this motion: {form.motion}")

@@ -39,6 +39,15 @@ def drift(dataset: xr.Dataset) -> Figure:
     ------
     InputError
         If the dataset has nothing that is conserved.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> figure = ch.report.figures.drift(dataset)
+    >>> [axes.get_xlabel() for axes in figure.axes]
+    ['time  $t$  (s)']
     """
     names = conserved_variables(dataset)
     if not names:
@@ -112,6 +121,14 @@ def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
     ------
     InputError
         If the dataset has no such variable.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> float(abs(ch.report.figures.relative_drift(dataset, "energy")).max()) < 1e-12
+    True
     """
     if name not in dataset:
         raise InputError(f"the dataset has no variable {name!r}{nearest(name, map(str, dataset))}")

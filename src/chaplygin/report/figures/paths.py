@@ -66,6 +66,16 @@ def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
     ------
     InputError
         If the dataset lacks the contact point, or has no finite sample of it.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> from chaplygin.report.drawing.shading import PlaneGround
+    >>> figure = ch.report.figures.contact_path(dataset, PlaneGround())
+    >>> [axes.get_xlabel() for axes in figure.axes]
+    ['$x$  (m)', '']
     """
     require(dataset, "contact_path")
     contact = values_of(dataset, "contact")
@@ -172,6 +182,15 @@ def normal_on_sphere(dataset: xr.Dataset) -> Figure:
     ------
     InputError
         If the dataset lacks gamma, or has no finite sample of it.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> figure = ch.report.figures.normal_on_sphere(dataset)
+    >>> len(figure.axes)
+    2
     """
     require(dataset, "normal_on_sphere")
     gamma = values_of(dataset, "gamma")

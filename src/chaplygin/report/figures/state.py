@@ -45,7 +45,7 @@ class Curve(NamedTuple):
 
 @arguments_checked
 def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
-    """Variables of the state against time, one panel for each, on a page at most.
+    r"""Variables of the state against time, one panel for each, on a page at most.
 
     Vectors are drawn by their components; scalars that follow each other and have one letter and
     one unit, as k₁₂ and k₁₃, share a panel.  Skew matrices with more entries than there are colours
@@ -65,6 +65,15 @@ def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     ------
     InputError
         If there are no variables, or the dataset lacks one.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> figure = ch.report.figures.state(dataset, ["M", "gamma"])
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['$\\mathbf{M}$  (kg m$^{2}$/s)', '$\\boldsymbol{\\gamma}$']
     """
     if not names:
         raise InputError("the figure state needs at least one variable")

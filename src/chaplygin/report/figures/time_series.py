@@ -47,6 +47,15 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
     ------
     InputError
         If the dataset lacks omega.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> figure = ch.report.figures.angular_velocity(dataset)
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['angular velocity  (rad/s)']
     """
     require(dataset, "angular_velocity")
     times, omega = times_of(dataset), values_of(dataset, "omega")
@@ -99,6 +108,15 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
     ------
     InputError
         If the dataset lacks the normal force.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> figure = ch.report.figures.normal_force(dataset, weight=9.81)
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['normal force  (N)']
     """
     require(dataset, "normal_force")
     times, force = times_of(dataset), values_of(dataset, "normal_force")
@@ -166,6 +184,15 @@ def friction_ratio(dataset: xr.Dataset) -> Figure:
     ------
     InputError
         If the dataset lacks one of them, or the surface presses at no instant.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> figure = ch.report.figures.friction_ratio(dataset)
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['friction over normal force']
     """
     require(dataset, "friction_ratio")
     times, ratio = times_of(dataset), needed_friction(dataset)
@@ -218,6 +245,15 @@ def attitude(dataset: xr.Dataset) -> Figure:
     ------
     InputError
         If the dataset lacks the attitude.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
+    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> figure = ch.report.figures.attitude(dataset)
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['angle  (rad)']
     """
     require(dataset, "attitude")
     times = times_of(dataset)
