@@ -3,6 +3,16 @@
 A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
 :func:`dot`, :func:`cross` and :func:`outer` keep their vector form, so that they print as
 ``M×ω + m ṙ×(ω×r)``; :func:`to_components` turns the same formula into three scalars.
+
+Examples
+--------
+>>> M, omega = Vector("M"), Vector("omega")
+>>> cross(M, omega), cross(M, 2 * M), norm_squared(M)
+(Cross(M, omega), 0, Dot(M, M))
+>>> to_components(dot(M, Diagonal("I") * omega))
+I_1*M_1*omega_1 + I_2*M_2*omega_2 + I_3*M_3*omega_3
+>>> to_components(dot(constant([1, 2, real_symbol("k")]), M) - dot(unit_vector(3), M))
+M_1 + 2*M_2 + M_3*k - M_3
 """
 
 from __future__ import annotations
@@ -51,27 +61,7 @@ def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:
 
 @arguments_checked
 def real_symbol(name: str) -> sp.Symbol:
-    """A real scalar symbol, the only kind used in this package.
-
-    Parameters
-    ----------
-    name : str
-
-    Returns
-    -------
-    sympy.Symbol
-
-    Raises
-    ------
-    InputError
-        If an argument is of another type.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> ch.core.real_symbol("k").is_real
-    True
-    """
+    """A real scalar symbol, the only kind used in this package."""
     return sp.Symbol(name, real=True)
 
 
@@ -85,13 +75,6 @@ class Vector(sp.MatrixSymbol):
         typeset (``gamma``, ``rdot``).
     size : int
         3; 2 for points of a plane, 4 for quaternions (components w, x, y, z).
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> M = ch.core.Vector("M")
-    >>> M.symbols
-    (M_1, M_2, M_3)
     """
 
     def __new__(cls, name: str | Str, size: int = 3, *_: object) -> Vector:
@@ -131,14 +114,7 @@ class _Tensor(sp.MatrixSymbol):
 
 
 class Diagonal(_Tensor):
-    """A named diagonal tensor diag(name_1, name_2, name_3).
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> ch.core.Diagonal("I").symbols
-    (I_1, I_2, I_3)
-    """
+    """A named diagonal tensor diag(name_1, name_2, name_3)."""
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
@@ -253,30 +229,7 @@ def vectors(names: str) -> tuple[Vector, ...]:
 
 @arguments_checked
 def unit_vector(axis: int) -> MatrixExpr:
-    """The unit vector along body axis 1, 2 or 3.
-
-    Parameters
-    ----------
-    axis : int
-
-    Returns
-    -------
-    MatrixExpr
-
-    Raises
-    ------
-    InputError
-        If it is none of the three.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> ch.core.dot(ch.core.unit_vector(3), ch.core.Vector("gamma"))
-    Dot(Matrix([
-    [0],
-    [0],
-    [1]]), gamma)
-    """
+    """The unit vector along body axis 1, 2 or 3."""
     return constant([int(axis == i) for i in (1, 2, 3)])
 
 
@@ -284,32 +237,7 @@ def unit_vector(axis: int) -> MatrixExpr:
 def constant(
     values: Formulas,
 ) -> MatrixExpr:
-    """A vector or matrix given by its entries (numbers or scalars).
-
-    Parameters
-    ----------
-    values : formulas
-        The entries, in order or in rows.
-
-    Returns
-    -------
-    MatrixExpr
-
-    Raises
-    ------
-    InputError
-        If an argument is of another type.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> import sympy as sp
-    >>> ch.core.dot(ch.core.constant([1, 2, 3]), ch.core.Vector("M"))
-    Dot(Matrix([
-    [1],
-    [2],
-    [3]]), M)
-    """
+    """A vector or matrix given by its entries (numbers or scalars)."""
     return sp.ImmutableDenseMatrix(values)
 
 
@@ -340,29 +268,7 @@ def _ordered_product(atom: MatrixExpr) -> tuple[int, MatrixExpr]:
 
 @arguments_checked
 def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
-    """Vector product, bilinear; products of parallel vectors vanish at once.
-
-    Parameters
-    ----------
-    left, right : MatrixExpr
-        Vectors of one frame.
-
-    Returns
-    -------
-    MatrixExpr
-
-    Raises
-    ------
-    InputError
-        If an argument is of another type.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> M, omega = ch.core.Vector("M"), ch.core.Vector("omega")
-    >>> ch.core.cross(M, omega), ch.core.cross(M, 2 * M)
-    (Cross(M, omega), 0)
-    """
+    """Vector product, bilinear; products of parallel vectors vanish at once."""
     total: MatrixExpr = zero
     for a, u in _parts(left):
         for b, v in _parts(right):
@@ -373,29 +279,7 @@ def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
 
 @arguments_checked
 def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
-    """Scalar product; scalar factors are taken out.
-
-    Parameters
-    ----------
-    left, right : MatrixExpr
-        Vectors of one frame.
-
-    Returns
-    -------
-    sympy.Expr
-
-    Raises
-    ------
-    InputError
-        If an argument is of another type.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> M, omega = ch.core.Vector("M"), ch.core.Vector("omega")
-    >>> ch.core.dot(2 * M, omega)
-    2*Dot(M, omega)
-    """
+    """Scalar product; scalar factors are taken out."""
     if isinstance(left, ZeroMatrix) or isinstance(right, ZeroMatrix):
         return sp.S.Zero
     factor = sp.S.One
@@ -410,27 +294,7 @@ def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
 
 @arguments_checked
 def norm_squared(vector: MatrixExpr) -> Scalar:
-    """The square (u, u).
-
-    Parameters
-    ----------
-    vector : MatrixExpr
-
-    Returns
-    -------
-    sympy.Expr
-
-    Raises
-    ------
-    InputError
-        If an argument is of another type.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> ch.core.norm_squared(ch.core.Vector("gamma"))
-    Dot(gamma, gamma)
-    """
+    """The square (u, u)."""
     return dot(vector, vector)
 
 
@@ -464,18 +328,6 @@ def to_components(expression: sp.Basic) -> sp.Basic:
     -------
     sympy.Expr or ImmutableDenseMatrix
         The same without any vector left in it; nothing is expanded.
-
-    Raises
-    ------
-    InputError
-        If an argument is of another type.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> M, omega = ch.core.Vector("M"), ch.core.Vector("omega")
-    >>> ch.core.to_components(ch.core.dot(M, omega))
-    M_1*omega_1 + M_2*omega_2 + M_3*omega_3
     """
     if isinstance(expression, sp.MatrixBase):
         return Components(expression.applyfunc(to_components))

@@ -11,7 +11,8 @@ import pytest
 import sympy as sp
 
 from analysis.motions import carousel, henon_heiles, henon_heiles_start, lorenz, saddle, top
-from chaplygin.analysis.lyapunov.report import Spectrum, kaplan_yorke, record, remarks
+from chaplygin.analysis.lyapunov.attractor_dimension import kaplan_yorke
+from chaplygin.analysis.lyapunov.report import Spectrum, record, remarks
 from chaplygin.analysis.lyapunov.spectrum import lyapunov_spectrum
 from chaplygin.analysis.lyapunov.zero_exponents import trivial_directions
 from chaplygin.catalogue import CATALOGUE

@@ -7,6 +7,18 @@ mean (Cincotta, Simó 2000).  Lengths are measured with each vector of the state
 along the motion, so that the numbers are the same in all units.  Exponents are taken of what
 integrals and the flow do not force to be zero; indicators of all deviations that the relations
 allow, among which those of a regular motion part evenly with time.
+
+Examples
+--------
+>>> import chaplygin as ch
+>>> import numpy as np
+>>> import sympy as sp
+>>> x, v = sp.symbols("x v", real=True)
+>>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+>>> for kind in (FastLyapunovIndicator, MaximalExponent, Megno, SmallerAlignmentIndex):
+...     numbers = kind(pendulum, until=20.0)(np.array([[1.0, 0.0]]), {})
+>>> sorted(numbers)
+['ended', 'outcome', 'value']
 """
 
 from __future__ import annotations
@@ -240,17 +252,6 @@ class MaximalExponent(ChaosIndicator):
 
     The error is the larger of the 95 % interval from the means of 16 batches, and of what growth
     with the square of the time would show.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> import numpy as np
-    >>> import sympy as sp
-    >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> indicator = ch.analysis.lyapunov.MaximalExponent(pendulum, until=20.0)
-    >>> sorted(indicator(np.array([[1.0, 0.0]]), {}))
-    ['ended', 'error', 'outcome', 'value']
     """
 
     device: Device = "cpu"
@@ -310,19 +311,7 @@ def _rate(logarithms: FloatArray, until: float) -> tuple[FloatArray, FloatArray]
 
 @arguments_checked
 class FastLyapunovIndicator(ChaosIndicator):
-    """The fast Lyapunov indicator: the greatest logarithm of the growth so far.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> import numpy as np
-    >>> import sympy as sp
-    >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> indicator = ch.analysis.lyapunov.FastLyapunovIndicator(pendulum, until=20.0)
-    >>> sorted(indicator(np.array([[1.0, 0.0]]), {}))
-    ['ended', 'outcome', 'value']
-    """
+    """The fast Lyapunov indicator: the greatest logarithm of the growth so far."""
 
     @arguments_checked
     def __call__(
@@ -342,17 +331,6 @@ class Megno(ChaosIndicator):
 
     Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
     over the intervals.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> import numpy as np
-    >>> import sympy as sp
-    >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> indicator = ch.analysis.lyapunov.Megno(pendulum, until=20.0)
-    >>> sorted(indicator(np.array([[1.0, 0.0]]), {}))
-    ['ended', 'outcome', 'value']
     """
 
     @arguments_checked
@@ -374,17 +352,6 @@ class SmallerAlignmentIndex(ChaosIndicator):
 
     The logarithm (base 10) of the smaller of |u + v| and |u − v| of two deviations of length one
     (Skokos 2001).  It falls evenly on chaotic motions, to −16 where rounding ends it.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> import numpy as np
-    >>> import sympy as sp
-    >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> indicator = ch.analysis.lyapunov.SmallerAlignmentIndex(pendulum, until=20.0)
-    >>> sorted(indicator(np.array([[1.0, 0.0]]), {}))
-    ['ended', 'outcome', 'value']
     """
 
     def unit_deviations(

@@ -4,6 +4,21 @@ A map of the circle x ↦ f(x) with a lift, in turns, has the rotation number p/
 displacement D(x) = f^q(x) − x − p vanishes somewhere: where min D ≤ 0 ≤ max D.  If a parameter
 turns the map forwards, max D = 0 at the lower edge of the step and min D = 0 at the upper one.
 Both are smooth conditions; they give widths down to rounding, where rotation numbers cannot.
+
+Examples
+--------
+>>> from fractions import Fraction
+>>> import numpy as np
+>>> def arnold(angles, shifts, count):
+...     rows = [angles]
+...     for _ in range(count):
+...         rows.append(rows[-1] + shifts - 0.8 / (2 * np.pi) * np.sin(2 * np.pi * rows[-1]))
+...     return np.stack(rows, axis=1)
+>>> step = locked_interval(arnold, Fraction(0), (-0.3, 0.3))
+>>> print(round(step.low, 6), round(step.high, 6))
+-0.127324 0.127324
+>>> staircase(arnold, np.array([0.0, 0.5])).rotations.round(6).tolist()
+[0.0, 0.5]
 """
 
 from __future__ import annotations
@@ -165,19 +180,6 @@ def staircase(
     ------
     InputError
         If an argument is of another type.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> import numpy as np
-    >>> def arnold(angles, shifts, count):
-    ...     rows = [angles]
-    ...     for _ in range(count):
-    ...         rows.append(rows[-1] + shifts - 0.8 / (2 * np.pi) * np.sin(2 * np.pi * rows[-1]))
-    ...     return np.stack(rows, axis=1)
-    >>> stairs = ch.analysis.orbits.staircase(arnold, np.array([0.0, 0.5]))
-    >>> stairs.rotations.round(6).tolist()
-    [0.0, 0.5]
     """
     values = np.asarray(values, dtype=float)
     rotations, errors = np.full(len(values), np.nan), np.full(len(values), np.inf)
@@ -289,20 +291,6 @@ def locked_interval(
     ------
     InputError
         If the rotation number does not pass the fraction between these values.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> import numpy as np
-    >>> from fractions import Fraction
-    >>> def arnold(angles, shifts, count):
-    ...     rows = [angles]
-    ...     for _ in range(count):
-    ...         rows.append(rows[-1] + shifts - 0.8 / (2 * np.pi) * np.sin(2 * np.pi * rows[-1]))
-    ...     return np.stack(rows, axis=1)
-    >>> step = ch.analysis.orbits.locked_interval(arnold, Fraction(0), (-0.3, 0.3))
-    >>> print(round(step.low, 6), round(step.high, 6))
-    -0.127324 0.127324
     """
     from scipy.optimize import brentq
 

@@ -87,12 +87,6 @@ def axis(text: str, where: str = "") -> Axis:
     ------
     InputError
         If it is not written so.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> ch.analysis.scans.axis("k=-2:2:5").values
-    array([-2., -1.,  0.,  1.,  2.])
     """
     name, *ends, count = axis_parts(text, where)
     first, last = (float(parse(end, {}, where)) for end in ends)
@@ -143,16 +137,6 @@ class ScanGrid:
         Quantities of the start, and the formulas of their values.
     fixed_symbols : tuple of Symbol
         Variables of the start that are not to be moved.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> ball = ch.from_catalogue("chaplygin-ball")
-    >>> x = ch.analysis.scans.axis("I_1=1:2:3")
-    >>> y = ch.analysis.scans.axis("I_2=1.5:2:2")
-    >>> grid = ch.analysis.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
-    >>> grid.cells(0, 1).starts.shape
-    (3, 6)
     """
 
     system: System
@@ -274,9 +258,8 @@ def scan_grid(
     >>> x = ch.analysis.scans.axis("I_1=1:2:3")
     >>> y = ch.analysis.scans.axis("I_2=1.5:2:2")
     >>> grid = ch.analysis.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
-    >>> cells = grid.cells(0, 2)
-    >>> [str(name) for name in cells.parameters], cells.reasons.tolist()
-    (['I_2', 'I_1'], [0, 0, 0, 0, 0, 0])
+    >>> isinstance(grid, ch.analysis.scans.ScanGrid), grid.cells(0, 2).starts.shape
+    (True, (6, 6))
     """
     described, base = _described_system(system, start)
     if x.name == y.name:

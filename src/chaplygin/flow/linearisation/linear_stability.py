@@ -61,15 +61,6 @@ class Linearisation:
         c_i: how fast the steady motion goes along each symmetry.
     digits : int
         Digits that were asked for.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> ball = ch.from_catalogue("chaplygin-ball")
-    >>> spin = {"M": (0.0, 0.0, 1.0), "gamma": (0.0, 0.0, 1.0)}
-    >>> motion = ch.linear_stability(ball, spin)
-    >>> motion.reduced.rows, motion.digits
-    (5, 30)
     """
 
     system: System
@@ -212,8 +203,8 @@ def relative_equilibrium(
     >>> ball = ch.from_catalogue("chaplygin-ball")
     >>> spin = {"M": (0.0, 0.0, 1.0), "gamma": (0.0, 0.0, 1.0)}
     >>> state = ch.flow.relative_equilibrium(ball, spin)
-    >>> [round(float(x), 6) for x in state.values()]
-    [0.0, 0.0, 1.0, 0.0, 0.0, 1.0]
+    >>> isinstance(ch.linear_stability(ball, state), ch.flow.Linearisation)
+    True
     """
     with mpmath.workdps(_working(digits)):
         variables = _variables(system)

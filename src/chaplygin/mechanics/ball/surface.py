@@ -39,12 +39,6 @@ class SmoothSurface(ABC):
         outside are the same side.
     axis : ``"x"``, ``"y"`` or ``"z"``
         The space axis that is the surface's third one; the others follow cyclically.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> isinstance(ch.mechanics.ball.SphericalSurface(2.0), ch.mechanics.ball.SmoothSurface)
-    True
     """
 
     side: Side = "outside"
@@ -114,8 +108,8 @@ class FlatSurface(SmoothSurface):
     >>> import chaplygin as ch
     >>> import sympy as sp
     >>> surface = ch.mechanics.ball.FlatSurface()
-    >>> surface.equation(sp.symbols("x y z", real=True))
-    z
+    >>> surface.equation(sp.symbols("x y z", real=True)), isinstance(surface, SmoothSurface)
+    (z, True)
     """
 
     @property
