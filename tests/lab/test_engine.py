@@ -20,8 +20,8 @@ from chaplygin.lab.page_model import live_page_model
 from chaplygin.lab.page_systems import reduced_system
 from chaplygin.mechanics.shapes.gauss_map import contact_points
 from lab.motions import (
-    CLOSE,
     EXAMPLES,
+    allowed_difference,
     motion_by_series,
     motion_in_python,
     study_of,
@@ -58,7 +58,7 @@ def assert_same_motion(name, until=20.0):
     assert len(got) == count
     size = np.abs(expected[:count]).max(initial=1e-300)
     off = np.abs(got - expected[:count]).max(axis=1, initial=0.0)
-    allowed = np.maximum(CLOSE * size, 100 * np.maximum.accumulate(moved[:count]))
+    allowed = allowed_difference(study, times, expected[:count], moved)
     assert np.all(off <= allowed), off / size
     series = motion_by_series(study, times)[:count]
     off = np.abs(got[: len(series)] - series).max(axis=1, initial=0.0)

@@ -16,8 +16,8 @@ from chaplygin.experiment.study import dataset_of
 from chaplygin.lab.element import page
 from chaplygin.lab.study_page import study_model
 from lab.motions import (
-    CLOSE,
     EXAMPLES,
+    allowed_difference,
     motion_by_series,
     motion_in_python,
     study_of,
@@ -69,16 +69,12 @@ def test_a_page_opens_and_computes_what_python_does(
 
 
 def assert_same_motion(study: ch.Study, motion: dict[str, list[float]]) -> None:
-    """The states of a page are those of native code and of Taylor series.
-
-    But for a hundred times what the last digit of the start does.
-    """
+    """The states of a page are those of native code and of Taylor series."""
     times = np.arange(1, 21.0)
     expected, moved, _ = motion_in_python(study, times)
     count = len(motion["time"]) - 1
     assert count == np.isfinite(expected).all(axis=1).sum()
-    size = np.abs(expected[:count]).max(initial=1e-300)
-    allowed = np.maximum(CLOSE * size, 100 * np.maximum.accumulate(moved[:count]))
+    allowed = allowed_difference(study, times, expected[:count], moved)
     series = motion_by_series(study, times)[:count]
     first = 0
     for variable in whole_system(study).state:

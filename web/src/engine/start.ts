@@ -96,7 +96,7 @@ function stateByName(module: Module, given: Float64Array, values: Float64Array):
 }
 
 /** Move some numbers of a whole state, in place, until the relations hold. */
-function onPhaseSpace(
+export function onPhaseSpace(
   module: Module,
   state: Float64Array,
   values: Float64Array,

@@ -8,6 +8,7 @@ import type {
   LevelTask,
   Motion,
   MotionTask,
+  Numbers,
   SectionPoints,
   SectionTask,
   StartTask,
@@ -16,8 +17,11 @@ import type {
 } from "./engine.js";
 import { indicators } from "./indicator.js";
 import { Module, type Marched } from "./module.js";
-import { startFrom, startOnLevel } from "./start.js";
+import { onPhaseSpace, startFrom, startOnLevel } from "./start.js";
 import { DrawnSurfaces, type Surfaces } from "./surfaces.js";
+
+/** Stretches of a motion, after each of which its state is put on the relations again. */
+const STRETCHES = 20;
 
 export class WasmEngine implements Engine {
   private drawn: DrawnSurfaces | null = null;
@@ -33,10 +37,9 @@ export class WasmEngine implements Engine {
 
   async motion({ parameters, start, times }: MotionTask): Promise<Motion> {
     const { model, module } = this;
-    const table = module.tables.motion;
     const values = module.parameters(parameters);
-    const [marched] = module.march(table, start, values, times, times.length, model.tolerance);
-    const { count, states } = marched!;
+    const marched = this.states(start, values, times);
+    const { count, states } = marched;
     const numbers = module.values(module.tables.columns, states, values);
     const width = module.tables.columns.outputs;
     const columns: Record<string, Float64Array> = {};
@@ -52,7 +55,31 @@ export class WasmEngine implements Engine {
       first += column.width;
     }
     const moments = Float64Array.from({ length: count }, (_, i) => model.direction * times[i]!);
-    return { times: moments, columns, states, end: this.end(marched!) };
+    return { times: moments, columns, states, end: this.end(marched) };
+  }
+
+  /** Whole states at times, in stretches after which the relations hold but for one rounding: off them an error may grow. */
+  private states(start: Numbers, values: Float64Array, times: Numbers): Pick<Marched, "states" | "count" | "outcome" | "ended"> {
+    const { model, module } = this;
+    const table = module.tables.motion;
+    const size = table.dimension;
+    const every = Array.from({ length: size }, (_, k) => k);
+    const states = new Float64Array(times.length * size);
+    const piece = Math.ceil(times.length / STRETCHES);
+    let state: Numbers = start;
+    let [count, began] = [0, 0];
+    while (count < times.length) {
+      const wanted = Math.min(piece, times.length - count);
+      const moments = Array.from({ length: wanted }, (_, i) => times[count + i]! - began);
+      const [run] = module.march(table, state, values, moments, wanted, model.tolerance);
+      states.set(run!.states, count * size);
+      count += run!.count;
+      if (run!.outcome !== 0) return { states: states.slice(0, count * size), count, outcome: run!.outcome, ended: began + run!.ended };
+      const last = states.subarray((count - 1) * size, count * size);
+      onPhaseSpace(module, last, values, every);
+      [state, began] = [last, times[count - 1]!];
+    }
+    return { states, count, outcome: 0, ended: began };
   }
 
   async section(task: SectionTask): Promise<SectionPoints> {
@@ -109,7 +136,7 @@ export class WasmEngine implements Engine {
     return this.drawn.at(parameters);
   }
 
-  private end({ outcome, ended }: Marched): Motion["end"] {
+  private end({ outcome, ended }: Pick<Marched, "outcome" | "ended">): Motion["end"] {
     if (outcome === 0) return null;
     const reason = this.module.tables.reasons[outcome] ?? `outcome ${outcome}`;
     return { time: this.model.direction * ended, reason };

@@ -679,6 +679,7 @@ var DrawnSurfaces = class {
 };
 
 // src/engine/wasm_engine.ts
+var STRETCHES = 20;
 var WasmEngine = class _WasmEngine {
   constructor(model, module) {
     this.model = model;
@@ -692,9 +693,8 @@ var WasmEngine = class _WasmEngine {
   }
   async motion({ parameters, start, times }) {
     const { model, module } = this;
-    const table = module.tables.motion;
     const values = module.parameters(parameters);
-    const [marched] = module.march(table, start, values, times, times.length, model.tolerance);
+    const marched = this.states(start, values, times);
     const { count, states } = marched;
     const numbers = module.values(module.tables.columns, states, values);
     const width = module.tables.columns.outputs;
@@ -712,6 +712,29 @@ var WasmEngine = class _WasmEngine {
     }
     const moments = Float64Array.from({ length: count }, (_, i) => model.direction * times[i]);
     return { times: moments, columns, states, end: this.end(marched) };
+  }
+  /** Whole states at times, in stretches after which the relations hold but for one rounding: off them an error may grow. */
+  states(start, values, times) {
+    const { model, module } = this;
+    const table = module.tables.motion;
+    const size = table.dimension;
+    const every = Array.from({ length: size }, (_, k) => k);
+    const states = new Float64Array(times.length * size);
+    const piece = Math.ceil(times.length / STRETCHES);
+    let state = start;
+    let [count, began] = [0, 0];
+    while (count < times.length) {
+      const wanted = Math.min(piece, times.length - count);
+      const moments = Array.from({ length: wanted }, (_, i) => times[count + i] - began);
+      const [run] = module.march(table, state, values, moments, wanted, model.tolerance);
+      states.set(run.states, count * size);
+      count += run.count;
+      if (run.outcome !== 0) return { states: states.slice(0, count * size), count, outcome: run.outcome, ended: began + run.ended };
+      const last = states.subarray((count - 1) * size, count * size);
+      onPhaseSpace(module, last, values, every);
+      [state, began] = [last, times[count - 1]];
+    }
+    return { states, count, outcome: 0, ended: began };
   }
   async section(task) {
     const { model, module } = this;
