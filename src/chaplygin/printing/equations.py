@@ -12,7 +12,8 @@ from .notation import LATEX
 from .poisson_brackets import Side
 
 #: The style sheet of what `equations_html` writes. On a narrow screen the right side goes on below
-#: the left one; what is still wider than the line is set smaller, by its width in em, ``--width``.
+#: the left one; what is still wider than the line is set smaller, by its width in em, ``--width``,
+#: and scrolls where that does not suffice, with a shadow at the side on which there is more.
 STYLE = (
     ".chaplygin-formula math { "
     + FONT
@@ -26,12 +27,23 @@ STYLE = (
   overflow: auto hidden; line-height: 1.3; break-inside: avoid; }
 .chaplygin-formula .right:first-child { grid-column: 1 / -1; }
 .chaplygin-formula math { font-size: clamp(0.58em, calc(42em / var(--width)), 1.04em); }
+@media screen {
+  .chaplygin-formula, .chaplygin-formula .right { --page: var(--paper, Canvas);
+    --shadow: rgb(128 128 128 / 0.5); background:
+    linear-gradient(90deg, var(--page) 40%, transparent) -2px 0 / 2.4em 100% no-repeat local,
+    linear-gradient(270deg, var(--page) 40%, transparent) calc(100% + 2px) 0 / 2.4em 100% no-repeat
+    local,
+    linear-gradient(90deg, var(--shadow), transparent) 1px 0 / 0.7em 100% no-repeat scroll,
+    linear-gradient(270deg, var(--shadow), transparent) calc(100% - 1px) 0 / 0.7em 100%
+    no-repeat scroll; }
+}
 @media screen and (max-width: 620px) {
   .chaplygin-formula { display: block; margin-left: 0; overflow: auto hidden; }
+  .chaplygin-formula .right { background: none; }
   .chaplygin-formula > div { display: block; padding-left: 1.3em; text-indent: -1.3em;
     margin: 0.35em 0; line-height: 1.5; }
   .chaplygin-formula .left, .chaplygin-formula .right { display: inline; padding: 0; }
-  .chaplygin-formula math { font-size: clamp(0.3em, calc(17.8em / var(--width)), 1em); }
+  .chaplygin-formula math { font-size: clamp(0.6em, calc(17.8em / var(--width)), 1em); }
 }
 @media print {
   .chaplygin-formula, .chaplygin-formula .right { overflow: visible; }
