@@ -389,6 +389,8 @@ MISTAKES: dict[str, Callable[[], Any]] = {
     "PoincareMap dimension of nothing": lambda: c.PoincareMap(S, sec).dimension([None] * 6),
     "states of one number": lambda: c.formulas.Formulas(S, [S.integrals[0].value])(3),
     "closed form at nan in rows": lambda: c.solve(S, X).states([float("nan")]),
+    "constant of one number": lambda: c.core.constant(-1.5),
+    "controlled system of a word": lambda: c.control.ControlledSystem(*["x"] * 7),
     "kaplan_yorke of a word": lambda: c.analysis.lyapunov.kaplan_yorke("x"),
     "megno of nothing": lambda: c.analysis.lyapunov.Megno(None, 10.0),
     "megno backwards": lambda: c.analysis.lyapunov.Megno(S, -10.0),

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from ..arguments import NamedFormulas
+from ..arguments import NamedFormulas, arguments_checked
 from ..core.named_formulas import as_pairs
 from ..core.system import Parameter, System, flat_pairs
 from ..errors import InputError
@@ -17,6 +17,7 @@ from ..parsing import parse
 from ..parsing.exact_decimals import with_exact_decimals
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class ControlledSystem:
     """A vector field that depends on inputs.

@@ -234,10 +234,16 @@ def unit_vector(axis: int) -> MatrixExpr:
 
 
 @arguments_checked
-def constant(
-    values: Formulas,
-) -> MatrixExpr:
-    """A vector or matrix given by its entries (numbers or scalars)."""
+def constant(values: Formulas) -> MatrixExpr:
+    """A vector or matrix given by its entries (numbers or scalars).
+
+    Raises
+    ------
+    InputError
+        If it is a single number or formula.
+    """
+    if not hasattr(values, "__len__"):
+        raise InputError(f"constant: the entries of a vector or matrix are needed, not {values}")
     return sp.ImmutableDenseMatrix(values)
 
 
