@@ -246,7 +246,7 @@ MISTAKES = [
     (SLEIGH, '"x", "y", "phi"]', '"x", "y", "m"]', "'m' stands for two things; rename one"),
     (SLEIGH, '"x", "y", "phi"]', '"x", "y", "sin"]', "the name 'sin' has a meaning already"),
     (SLEIGH, '"x", "y", "phi"]', '"x", "y", "t"]', "the name 't' has a meaning already"),
-    (SLEIGH, '"x", "y", "phi"]', '"x", "y", "phi[5]"]', "'phi[5]' is no name; a name has letters"),
+    (SLEIGH, '"x", "y", "phi"]', '"x", "y", "phi[5]"]', "'phi[5]' is no name"),
     (SLEIGH, ', phi = "omega" }', " }", "frame.rates: the rate of phi is missing"),
     (SLEIGH, ', phi = "omega" }', ', phi = "omega", z = "u" }', "frame.rates.z: unknown variable"),
     (SLEIGH, 'velocities = ["u", "v", "omega"]\n', "", "rates need velocities to be written in"),

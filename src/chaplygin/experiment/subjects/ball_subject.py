@@ -24,7 +24,20 @@ R = Vector("R")
 
 @dataclass(frozen=True, kw_only=True)
 class PlacedBallSubject(BallSubject):
-    """A homogeneous ball whose start gives its contact point or its centre, and ω."""
+    """A homogeneous ball whose start gives its contact point or its centre, and ω.
+
+    Attributes
+    ----------
+    setting_words : str
+        The ball, its support, the contact and the forces in one line.
+    """
+
+    setting_words: str
+
+    @property
+    def setting(self) -> str:
+        """The ball, its support, the contact and the forces."""
+        return self.setting_words
 
     @property
     def summary(self) -> str:
@@ -65,7 +78,7 @@ def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:
         start_values=experiment.start.model_dump(exclude_none=True),
         until=experiment.run.until,
         variables=ball_variables,
-        setting=_description(experiment, ball),
+        setting_words=_description(experiment, ball),
         ball=ball,
     )
 

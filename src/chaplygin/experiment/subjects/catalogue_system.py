@@ -26,7 +26,7 @@ from ...mechanics.rolling.fluid import fluids_of_cavities
 from ...mechanics.rolling.initial_state import DIGITS
 from ..models.catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
 from .initial_state import StartValues, initial_state_from_values
-from .rolling_subject import letters_with_fluid, rolling_setting
+from .rolling_subject import letters_with_fluid
 from .subject import BallSubject, BodySubject, Subject
 
 
@@ -119,7 +119,6 @@ def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
         until=experiment.run.until or item.start.until,
         variables=item.variables,
         plan=item.plan,
-        setting="" if rolling is None else rolling_setting(rolling),
         rolling=rolling,
         heading=start.heading,
         normal=start.normal,

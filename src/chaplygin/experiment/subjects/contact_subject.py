@@ -122,6 +122,11 @@ class ContactSubject(Subject):
         }
 
     @property
+    def setting(self) -> str:
+        """The body, its support, the laws of friction and the forces."""
+        return _setting(self.contact)
+
+    @property
     def summary(self) -> str:
         """Empty, as the setting says what moves."""
         return ""
@@ -245,7 +250,6 @@ def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
         start_values=experiment.start.model_dump(exclude_none=True),
         until=experiment.run.until,
         variables=work_meanings(contact, system),
-        setting=_setting(contact),
         contact=contact,
         rules=rules,
     )

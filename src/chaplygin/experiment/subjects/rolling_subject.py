@@ -9,7 +9,6 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.fluid import Fluid, fluids_of
 from ...mechanics.shapes.surfaces import Plane, Sphere, Surface
-from ...printing.numerals import number
 from ..file.body_tables import shape_name
 from ..file.tables import PlaneTable
 from ..models.base import identifier
@@ -38,7 +37,6 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
             **start.motion_of_fluids(experiment.body.cavities),
         },
         until=experiment.run.until,
-        setting=rolling_setting(rolling),
         rolling=rolling,
         from_catalogue=False,
         heading=start.heading,
@@ -118,35 +116,3 @@ def ground_words(surface: Surface) -> str:
     if isinstance(surface, Plane):
         return "a plane"
     return "a sphere" if surface.side == "outside" else "the inside of a sphere"
-
-
-def rolling_setting(rolling: Rolling) -> str:
-    """The body, its support, the contact and the forces in one line."""
-    surface = rolling.surface
-    ground = "a horizontal plane"
-    if not isinstance(surface, Plane):
-        ground = f"a sphere of radius {surface.radius:g}, {surface.side}"
-    manner = "without slipping"
-    if rolling.contact == "rubber":
-        manner = "with neither slipping nor spinning"
-    gravity = rolling.field.gravity
-    field = f"gravity {number(gravity, 6)} m/s²" if gravity else "no gravity"
-    if rolling.field.potential != 0:
-        field += ", a potential U(γ)"
-    if any(rolling.body.gyrostat):
-        field += "; with rotors"
-    field += cavity_words(rolling)
-    return f"{shape_name(rolling.body.shape)} on {ground}, {manner}; {field}"
-
-
-def cavity_words(rolling: Rolling) -> str:
-    """The fluids in the cavities of a body, to end the line of its setting; empty without any."""
-    fluids = fluids_of(rolling.body)
-    if not fluids:
-        return ""
-    described = (
-        f"{number(fluid.cavity.mass, 6)} kg of ideal fluid in a cavity with the semi-axes "
-        f"{', '.join(number(b, 6) for b in fluid.cavity.axes)} m"
-        for fluid in fluids
-    )
-    return f"; {' and '.join(described)}"

@@ -32,6 +32,7 @@ from ...printing.formula import text
 from ..file.tables import CommonRunTable
 from .glossary import glossary
 from .initial_state import StartValues, initial_state_from_values, unit_vectors
+from .setting import rolling_setting
 
 if TYPE_CHECKING:
     from ...flow.trajectory import Trajectory
@@ -66,8 +67,6 @@ class Subject:
         The homogeneous ball and its surface.
     plan : Plan, optional
         The drawing of a mechanism in the plane.
-    setting : str
-        The body, its support, the contact and the forces in one line; empty for other systems.
     """
 
     system: System
@@ -77,7 +76,6 @@ class Subject:
     rolling: Rolling | None = None
     ball: RollingBall | None = None
     plan: Plan | None = None
-    setting: str = ""
 
     starts_by_velocity: ClassVar[bool] = False
     """Whether the start gives ω and γ, from which the state follows."""
@@ -87,6 +85,11 @@ class Subject:
 
     has_own_reconstruction: ClassVar[bool] = False
     """Whether the equations of the motion in space are particular to this system."""
+
+    @property
+    def setting(self) -> str:
+        """The body, its support, the contact and the forces in one line; empty for others."""
+        return ""
 
     @property
     def model(self) -> Rolling | Mechanism | None:
@@ -276,6 +279,11 @@ class BodySubject(Subject):
     heading: float = 0.0
     normal: Sequence[float] = _UPWARDS
     letters: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def setting(self) -> str:
+        """The body on its surface; empty for one about a fixed point."""
+        return "" if self.rolling is None else rolling_setting(self.rolling)
 
     @property
     def summary(self) -> str:
