@@ -155,10 +155,12 @@ def arguments_checked(thing: T) -> T:
 def _checking(
     function: Callable[..., Any], name: str, kinds: Callable[[], dict[str, Kind]]
 ) -> Callable[..., Any]:
-    signature, known = inspect.signature(function), cache(kinds)
+    # when first called: most functions of a module that is imported never are
+    signature_of, known = cache(lambda: inspect.signature(function)), cache(kinds)
 
     @wraps(function)
     def wrapper(*arguments: Any, **keywords: Any) -> Any:
+        signature = signature_of()
         try:
             bound = signature.bind(*arguments, **keywords).arguments
         except TypeError:

@@ -18,6 +18,7 @@ M_1 + 2*M_2 + M_3*k - M_3
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from typing import Self, TypeAlias
 
 import sympy as sp
@@ -339,6 +340,12 @@ def to_components(expression: sp.Basic) -> sp.Basic:
         return Components(expression.applyfunc(to_components))
     if not isinstance(expression, sp.Basic):
         expression = _as_formula(expression)
+    return _components_of(expression)
+
+
+@lru_cache(maxsize=10_000)
+def _components_of(expression: sp.Basic) -> sp.Basic:
+    """The components of a formula; those of a system are asked for again and again."""
     if not isinstance(expression, MatrixExpr):
         # from the top down, so that products inside products are reached with their factors
         return expression.xreplace({d: d.explicit() for d in expression.atoms(ScalarOfTensors)})

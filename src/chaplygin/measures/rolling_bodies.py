@@ -15,7 +15,6 @@ from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.fluid import fluids_of
 from ..mechanics.shapes.implicit import Implicit
 from ..mechanics.shapes.shapes import Disk, Torus
-from ..proof.fields.budget import EFFORT
 from ..proof.prover import POINTS_ALONE, prove
 from ..proof.verdict import Verdict
 from .closed_form import closed_form, density
@@ -26,8 +25,9 @@ from .one_form import OneForm, Powers, one_form
 from .quadrature import log_density
 from .result import MeasureExistence
 
-EFFORT_PER_PROOF = EFFORT // 10
-"""Term operations for each attempt to prove the density as a law of the equations of motion."""
+SHARE = 10
+"""The effort is this many times that of an attempt to prove the density, which is known by then to
+be one, as a law of the equations of motion."""
 
 
 def decide_body(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
@@ -140,7 +140,7 @@ def _with_density(
     )
     for level in levels_tried:
         again = replace(law, on=level)
-        verdict = prove(system, again, effort=min(effort, EFFORT_PER_PROOF))
+        verdict = prove(system, again, effort=max(effort // SHARE, 1))
         if verdict:
             return replace(
                 existence, density=again, system=system, verdicts=(*existence.verdicts, verdict)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from typing import TypeAlias
 
 import sympy as sp
@@ -35,6 +36,7 @@ def claim_text(system: System, law: Law) -> Text:
     return {"system": _system(system), "law": {"kind": type(law).__name__, **_law(system, law)}}
 
 
+@lru_cache(maxsize=8)
 def _system(system: System) -> Text:
     return {
         "name": system.name,

@@ -17,7 +17,6 @@ import mpmath as mp
 import numpy as np
 import numpy.typing as npt
 import sympy as sp
-from scipy.optimize import elementwise
 
 from ...core.arrays import FloatArray
 from ...core.vectors import real_symbol
@@ -61,6 +60,9 @@ def slip_ratio(friction: CoupledFriction, x: npt.ArrayLike, z: npt.ArrayLike) ->
     >>> float(slip_ratio(hertz, 0.5 * hertz.force(2.0), 0.5 * hertz.couple(2.0)).round(14))
     2.0
     """
+    # imported where it is needed: every study imports this module, few need a root
+    from scipy.optimize import elementwise
+
     force, couple = _checked_load(x, z)
     if np.any((force == 0) & (couple == 0)):
         raise InputError("x = z = 0: without force and couple no ratio of sliding to spinning")

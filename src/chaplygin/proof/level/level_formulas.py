@@ -99,13 +99,11 @@ class LevelFormulas:
             formula = raw.xreplace(self.fixed_parameters)
             gone = {e.parameter for e in swaps.values()}
             for parameter in sorted(formula.free_symbols & parameters - gone, key=str):
-                factor = sp.diff(formula, parameter)
+                factor = _number_times(formula, parameter)
+                if factor == 0:
+                    continue
                 remainder = formula.xreplace({parameter: sp.S.Zero})
-                if (
-                    factor.is_Rational
-                    and factor != 0
-                    and not (gone | {parameter}) & self._reach(remainder, set(swaps))
-                ):
+                if not (gone | {parameter}) & self._reach(remainder, set(swaps)):
                     swaps[name] = GeneratorSwap(name, parameter, factor, remainder)
                     break
         return tuple(swaps.values())
@@ -249,6 +247,15 @@ class LevelFormulas:
 
         more = (self.steps, self.swapped_generators, self.zeros, self.exchanged_inverses, moving)
         return Evaluator(plain.field, seed, *more)
+
+
+def _number_times(formula: sp.Expr, parameter: sp.Symbol) -> sp.Rational:
+    """The number c of a formula written as c·parameter and terms without it; 0 of another."""
+    for term in sp.Add.make_args(formula):
+        number, rest = term.as_coeff_Mul()
+        if rest == parameter and number.is_Rational:
+            return sp.S.Zero if parameter in (formula - term).free_symbols else number
+    return sp.S.Zero
 
 
 def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:

@@ -10,13 +10,16 @@ from scipy.interpolate import CubicSpline
 from ...core.arrays import BoolArray, FloatArray
 from ...geometry.view import unit
 
+_DIRECTIONS = 8
+"""Directions in which outermost points, at both ends, are looked for before a hull is made."""
+
 
 def convex_hull(points: FloatArray) -> FloatArray:
     """Corners (k, 2) of the convex hull of points (n, 2), anticlockwise.
 
     Points on one line give its two ends, points at one place that place.
     """
-    ordered = [(float(x), float(y)) for x, y in np.unique(points, axis=0)]
+    ordered = [(float(x), float(y)) for x, y in np.unique(_outer(points), axis=0)]
     if len(ordered) < 3:
         return np.array(ordered)
 
@@ -32,6 +35,23 @@ def convex_hull(points: FloatArray) -> FloatArray:
         return corners[:-1]
 
     return np.array(chain(ordered) + chain(ordered[::-1]))
+
+
+def _outer(points: FloatArray) -> FloatArray:
+    """Points without most of those inside their hull (Akl and Toussaint)."""
+    if len(points) < 3:
+        return points
+    angles = np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS
+    heights = points @ np.array([np.cos(angles), np.sin(angles)])
+    corners = points[np.argmax(np.hstack([heights, -heights]), axis=0)]
+    sides = np.roll(corners, -1, axis=0) - corners
+    # inside is what lies to the left of all sides, by more than rounding
+    least = 1e-9 * np.max(np.abs(heights)) * np.linalg.norm(sides, axis=1)
+    offsets = points[:, None] - corners
+    areas = sides[:, 0] * offsets[..., 1] - sides[:, 1] * offsets[..., 0]
+    true_sides = least > 0.0
+    inside = np.all(areas[:, true_sides] > least[true_sides], axis=1) & np.any(true_sides)
+    return points[~inside]
 
 
 def cut_by_plane(polygon: FloatArray, normal: FloatArray) -> FloatArray:

@@ -1,0 +1,92 @@
+"""``chaplygin study`` of catalogue systems from outside: processor time of whole processes, cold.
+
+Each system is studied in a process of its own with default options and an empty cache, so that
+equations, machine code, proofs, figures and the page are all made anew.  With ``--keep`` reports
+stay where they can be compared; with ``--results`` the times are stored after each system.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+CACHES = ("CHAPLYGIN_CACHE", "MPLCONFIGDIR")
+
+
+def studied(name: str, folder: Path) -> dict[str, float | str]:
+    """Processor time (user and system), time passed and memory of one study."""
+    with tempfile.TemporaryDirectory() as empty:
+        environment = os.environ | {"XDG_CACHE_HOME": empty}
+        for variable in CACHES:
+            environment.pop(variable, None)
+        began = time.perf_counter()
+        child = subprocess.Popen(
+            [sys.executable, "-m", "chaplygin", "study", name, "-o", str(folder / name)],
+            env=environment,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+        _, status, usage = os.wait4(child.pid, 0)
+        passed = time.perf_counter() - began
+    child.returncode = os.waitstatus_to_exitcode(status)
+    if child.returncode:
+        raise SystemExit(f"chaplygin study {name} exited with {child.returncode}")
+    return {
+        "system": name,
+        "processor": usage.ru_utime + usage.ru_stime,
+        "passed": passed,
+        "megabytes": usage.ru_maxrss / 1024,
+    }
+
+
+def main() -> None:
+    """Study the systems named, or all of the catalogue."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("systems", nargs="*", help="names; default: the whole catalogue")
+    parser.add_argument("--json", action="store_true")
+    parser.add_argument("-n", type=int, default=1, help="studies of each system")
+    parser.add_argument("--keep", type=Path, help="folder in which reports stay")
+    parser.add_argument("--results", type=Path, help="file of results, continued if it is there")
+    options = parser.parse_args()
+    names = options.systems
+    if not names:
+        from chaplygin import CATALOGUE
+
+        names = list(CATALOGUE)
+    rows = []
+    if options.results and options.results.exists():
+        rows = json.loads(options.results.read_text())
+    done = {row["system"] for row in rows}
+    with tempfile.TemporaryDirectory() as scratch:
+        for name in names:
+            if name in done:
+                continue
+            found = []
+            for turn in range(options.n):
+                folder = options.keep if options.keep and not turn else Path(scratch) / str(turn)
+                found.append(studied(name, folder))
+            keys = ("processor", "passed", "megabytes")
+            medians = {key: statistics.median(f[key] for f in found) for key in keys}
+            rows.append({"system": name, **medians})
+            if not options.json:
+                processor = medians["processor"]
+                print(f"{name:36} {processor:6.1f} s {medians['megabytes']:5.0f} MB", flush=True)
+            if options.results:
+                options.results.write_text(json.dumps(rows, indent=2))
+    if options.json:
+        print(json.dumps(rows, indent=2))
+        return
+    print("\nlongest:")
+    for row in sorted(rows, key=lambda row: -row["processor"])[:12]:
+        print(f"{row['system']:36} {row['processor']:6.1f} s")
+
+
+if __name__ == "__main__":
+    main()
