@@ -51,7 +51,8 @@ def _outer(points: FloatArray) -> FloatArray:
     areas = sides[:, 0] * offsets[..., 1] - sides[:, 1] * offsets[..., 0]
     true_sides = least > 0.0
     inside = np.all(areas[:, true_sides] > least[true_sides], axis=1) & np.any(true_sides)
-    return points[~inside]
+    outer: FloatArray = points[~inside]
+    return outer
 
 
 def cut_by_plane(polygon: FloatArray, normal: FloatArray) -> FloatArray:
