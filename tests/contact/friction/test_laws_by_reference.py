@@ -33,6 +33,22 @@ MOTIONS: dict[str, tuple[Any, ...]] = {
         0.0,
         ("slip",),
     ),
+    "dry and a power, gently": (
+        LOADED,
+        PLANE,
+        {"mu": 0.06, "slip": 0.3, "slip_order": 1.5},
+        (1, 0.2, 0.3, -0.4),
+        0.0,
+        ("slip",),
+    ),
+    "dry and a power, from rest": (
+        LOADED,
+        PLANE,
+        {"mu": 0.01, "slip": 0.3, "slip_order": 0.7},
+        (1, 0.2, 0.3, -0.4),
+        0.0,
+        (),
+    ),
     "dry and a power": (
         LOADED,
         PLANE,
@@ -87,15 +103,3 @@ def test_motion_agrees_with_the_reference(name: str) -> None:
         assert event.time == pytest.approx(reference["time"], abs=1e-10)
         assert_same_state(event.after, reference)
     assert_same_state(motion.end_state, final)
-
-
-def test_sliding_under_a_broken_power_beside_dry_friction_is_not_followed_from_rest() -> None:
-    law = {"mu": 0.01, "slip": 0.3, "slip_order": 1.5}
-    begin = placed(LOADED, PLANE, (1, 0.2, 0.3, -0.4), [1.0, -2.0, 0.5])
-    given = {"body": LOADED, "surface": PLANE, "contact": law, "gravity": 9.81, "start": begin}
-    contact = situation(given)
-    motion = contact_motion(contact, start(given, contact), np.array([0.0, 0.7]), rules(given))
-    assert motion.reason == (
-        "sliding begins, but friction of order 1.5 is not smooth there; beside mu only whole "
-        "orders are followed from rest"
-    )

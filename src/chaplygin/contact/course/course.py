@@ -16,6 +16,7 @@ from ..impact.impact import Impact
 from ..slip.stopping import WEAK, finish_stop
 from .compiled import WORK
 from .course_state import NO_SLIP, SLIP_FLOOR
+from .creep_transitions import CreepTransitions
 from .dynamic_jam import normal_response, state_after_jam
 from .end_reasons import NO_RETURN, SINGULAR, EndError
 from .events import EventKind
@@ -29,7 +30,6 @@ from .near_rest import (
 )
 from .onset import onset_of_sliding
 from .paradox import paradox_words
-from .rolling_transitions import RollingTransitions
 
 #: Gaps, normal velocities and normal accelerations below this part of the typical ones are none.
 _LEVEL = 1e-9
@@ -41,7 +41,7 @@ _LOWEST = 1e-6
 _WEAK_FLOOR = 1e-3
 
 
-class Course(RollingTransitions):
+class Course(CreepTransitions):
     """A motion while it is computed; its arguments are those of a CourseState."""
 
     # --- driving ---------------------------------------------------------------------------
@@ -53,7 +53,7 @@ class Course(RollingTransitions):
             self._enter()
             self._begin_to_roll()
             while self.time < end or self._next_moment < len(self.moments):
-                guard = self._integrate()
+                guard = PAUSE if self._creep() else self._integrate()
                 if progress is not None:
                     progress(self.time)
                 if not guard:
@@ -193,10 +193,10 @@ class Course(RollingTransitions):
                 "sliding begins while the body does not roll, where resistance to rolling has no "
                 "direction: start it with some rolling",
             )
-        if self._dry.unknown_onset:
-            raise EndError("no beginning", self._dry.unknown_onset)
         if self._dry.patch and direction[3]:
             self._spin_sign = math.copysign(1.0, direction[3])
+        if self._begins_to_creep(direction):
+            return
         slide = onset_of_sliding(
             self.contact,
             self.time,
@@ -230,6 +230,8 @@ class Course(RollingTransitions):
             "range": self._change_range,
             "paradox": self._paradox,
         }
+        if guard == "creep" and self._creep_law is not None:
+            return
         if guard not in handlers:
             messages = {g.name: g.message for g in self._integrator(self.mode).system.guards}
             raise EndError("guard", messages.get(guard) or guard)
@@ -303,7 +305,8 @@ class Course(RollingTransitions):
         """Complete a stop, and hold the contact or leave zero in another direction."""
         before, known, balance = self.state, self._numbers(), self._balance()
         spin_at_rest = not self.mode.spinning
-        slip = frozen_slip(known, self._dry, 0.0 if spin_at_rest else self._spin_sign)
+        dry = self._dry.near_stop(float(np.linalg.norm(known.slip)))
+        slip = frozen_slip(known, dry, 0.0 if spin_at_rest else self._spin_sign)
         x = known.mobility.tangents @ known.slip
         if self._dry.patch:
             x = np.append(x, self._dry.patch * known.spin)
@@ -311,6 +314,8 @@ class Course(RollingTransitions):
             stop = finish_stop(slip, x, float(np.linalg.norm(x)))
         except RunError:
             # the slip passes close by zero
+            if self._creep():
+                return
             self._floor_factor *= 1e-2
             if self._floor_factor < _LOWEST:
                 raise EndError(

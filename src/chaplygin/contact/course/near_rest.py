@@ -76,15 +76,11 @@ class DryFriction:
     force: sp.Expr | None = None
     unknown_in_impacts: str = ""
 
-    @property
-    def unknown_onset(self) -> str:
-        """Why sliding that begins is not followed; empty if it is."""
-        if not self.viscous or self.order.is_integer():
-            return ""
-        return (
-            f"sliding begins, but friction of order {self.order:g} is not smooth there; beside mu "
-            "only whole orders are followed from rest"
-        )
+    def near_stop(self, speed: float) -> DryFriction:
+        """With the friction that on average acts on a small slip until its end."""
+        if not self.viscous or self.patch:
+            return self
+        return replace(self, mu=self.mu + self.viscous * speed**self.order / (1 + self.order))
 
     @property
     def never_slips(self) -> bool:

@@ -21,15 +21,17 @@ from ..friction.prescribed import (
     DEGREE,
     HEADING_COEFFICIENTS,
     LATITUDE_COEFFICIENTS,
+    SIZE_COEFFICIENTS,
     PrescribedPower,
     PrescribedRolling,
+    first_direction_values,
     prescribed_direction,
 )
 from ..friction.rolling_friction import ContourResistance, RollingResistance
 from ..friction.viscous_friction import PowerFriction
-from ..impact.mobility import Mobility
 from .compiled import OMEGA, VELOCITY, CompiledContact
 from .mode_integrator import ModeIntegrator, with_values
+from .rolling_end import direction_of_couple
 
 #: Chebyshev points of (0, 1], the last one at the end.
 _POINTS = (1 - np.cos(np.pi * np.arange(1, DEGREE + 1) / DEGREE)) / 2
@@ -46,6 +48,8 @@ _MOST_CHANGES, _STEP = 20, 1e-5
 #: The duration of an onset is divided by four at most so many times.
 _ATTEMPTS = 12
 
+#: Velocities that the polynomial of a power causes or omits are none below this part.
+_NO_PUSH = 1e-13
 
 #: Part of the velocities that rounding leaves in the slip, and how far the slip must grow above.
 _NOISE, _GROWN = 4e-15, 1e5
@@ -89,6 +93,8 @@ class _Trial:
         Of the coupled law.
     rolling : callable or None
         The rolling (n, 3) at states, if it is this that begins.
+    power : (float, float) or None
+        ν over the mass, and the order, of a power of the slip that is not whole.
     """
 
     integrator: ModeIntegrator
@@ -96,6 +102,7 @@ class _Trial:
     latitude: float = math.pi / 2
     patch: float = 0.0
     rolling: Callable[[FloatArray], FloatArray] | None = None
+    power: tuple[float, float] | None = None
 
     @property
     def columns(self) -> slice:
@@ -183,7 +190,7 @@ def onset_of_sliding(
         mode = replace(mode, range=range_of(flat, float(direction[3]) / patch, patch))
         values |= {"patch": patch, "theta_0": latitude}
     first = direction[:3] / np.linalg.norm(direction[:3])
-    values |= _first_values(first)
+    values |= first_direction_values(first)
     stand_in = prescribed_direction(law, mode.range)
     laws = tuple(
         stand_in
@@ -194,8 +201,10 @@ def onset_of_sliding(
         for item in situation.laws
     )
     integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), values)
+    powers = [item.power for item in situation.laws if not item.power[1].is_integer()]
+    power = (powers[0][0] / situation.body.mass, powers[0][1]) if powers else None
     return _with_shortened_duration(
-        _Trial(integrator, first, latitude, patch), time, state, longest
+        _Trial(integrator, first, latitude, patch, power=power), time, state, longest
     )
 
 
@@ -231,8 +240,8 @@ def onset_of_rolling(
         for law in situation.laws
     )
     integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), run_values)
-    first = _direction_of_couple(integrator, state, contact.numbers(state).mobility, couple)
-    integrator = with_values(integrator, _first_values(first))
+    first = direction_of_couple(integrator, state, contact.numbers(state).mobility, couple)
+    integrator = with_values(integrator, first_direction_values(first))
 
     def rolling(states: FloatArray) -> FloatArray:
         return np.array([contact.numbers(row[: contact.size]).rolling for row in states])
@@ -242,44 +251,55 @@ def onset_of_rolling(
     )
 
 
-def _first_values(first: FloatArray) -> dict[str, float]:
-    """The parameters that are the first direction (3,)."""
-    return {f"n_0_{i + 1}": float(x) for i, x in enumerate(first)}
-
-
-def _direction_of_couple(
-    integrator: ModeIntegrator, state: FloatArray, mobility: Mobility, couple: FloatArray
-) -> FloatArray:
-    """The direction (3,) of rolling against which the resistance has the direction of a couple."""
-    # imported where rolling begins, since it takes longer than most motions
-    from scipy.optimize import brentq
-
-    start, tangents = np.append(state, 0.0), mobility.tangents
-    wanted = tangents @ couple
-
-    def first(angle: float) -> FloatArray:
-        return np.array([math.cos(angle), math.sin(angle)]) @ tangents
-
-    def across(angle: float) -> float:
-        prescribed = with_values(integrator, {**_first_values(first(angle)), "duration": 1.0})
-        x = tangents @ prescribed.outputs(start)["friction_couple"]
-        return float(x[0] * wanted[1] - x[1] * wanted[0])
-
-    # the resistance is opposed to the rolling by less than a right angle
-    middle, half = math.atan2(-wanted[1], -wanted[0]), math.pi / 2
-    return first(float(brentq(across, middle - half, middle + half, xtol=1e-16)))
-
-
 def _with_shortened_duration(
     trial: _Trial, time: float, state: FloatArray, longest: float
 ) -> Onset | None:
     """The onset over the longest time, or as short a part of it as it takes."""
     duration = longest
     for _ in range(_ATTEMPTS):
-        result = _collocation(trial, time, state, duration)
+        result = _with_power(trial, time, state, duration, longest)
         if result is not None:
             return result
         duration /= 4
+    return None
+
+
+def _with_power(
+    trial: _Trial, time: float, state: FloatArray, duration: float, longest: float
+) -> Onset | None:
+    """The onset of a duration, with the power of the slip, if there is one, as a polynomial too.
+
+    The slip changes little with the power: each polynomial follows from the slip of the one before.
+    """
+    if trial.power is None:
+        return _collocation(trial, time, state, duration)
+    coefficient, order = trial.power
+    points = np.sort(np.concatenate([_POINTS, _TESTS]))
+    size, last = np.zeros(len(points)), math.inf
+    for _ in range(_MOST_CHANGES):
+        fitted = np.linalg.solve(
+            _POINTS[:, None] ** np.arange(1, DEGREE + 1), size[np.isin(points, _POINTS)]
+        )
+        names = {str(symbol): x for symbol, x in zip(SIZE_COEFFICIENTS, fitted, strict=True)}
+        result = _collocation(
+            replace(trial, integrator=with_values(trial.integrator, names)), time, state, duration
+        )
+        if result is None:
+            return None
+        moments = list(time + duration * points)
+        states = result.integrator.advance(time, np.append(state, 0.0), moments, moments[-1])
+        values = result.integrator.outputs(states.samples)
+        slip = np.linalg.norm(values["slip"], axis=1)
+        size = slip**order
+        fast = float(np.abs(state[VELOCITY]).max() + slip[-1] * longest / duration)
+        changed = points[:, None] ** np.arange(1, DEGREE + 1) @ fitted - size
+        # the friction that is missing or too much, as the velocity that it causes
+        push = coefficient * float((values["normal_force"] * np.abs(changed)).max()) * duration
+        if push <= _NO_PUSH * fast:
+            return result
+        if push > 0.5 * last:
+            return None
+        last = push
     return None
 
 

@@ -1,4 +1,4 @@
-"""The end of rolling under its resistance: whether it lasts, or rolling begins again at once.
+"""The end of rolling under its resistance: whether it lasts, or rolling begins again.
 
 Near its end rolling has a small angular velocity ω_t = s n.  With the rest of the state constant
 its rate X depends on n alone, as the resistance does: rolling begins again along a direction n
@@ -13,8 +13,10 @@ from collections.abc import Callable
 import numpy as np
 
 from ...core.arrays import FloatArray
+from ..friction.prescribed import first_direction_values
+from ..impact.mobility import Mobility
 from .compiled import OMEGA, VELOCITY, ContactNumbers
-from .mode_integrator import ModeIntegrator
+from .mode_integrator import ModeIntegrator, with_values
 
 #: Angles between which directions are looked for that rolling keeps.
 _ANGLES = 72
@@ -111,9 +113,38 @@ def rolling_restart(
     return np.array([math.cos(angle), math.sin(angle)]) @ tangents, growth
 
 
+def direction_of_couple(
+    integrator: ModeIntegrator, state: FloatArray, mobility: Mobility, couple: FloatArray
+) -> FloatArray:
+    """The direction (3,) of rolling against which the resistance has the direction of a couple.
+
+    Parameters
+    ----------
+    integrator : ModeIntegrator
+        Of the mode with prescribed direction.
+    state : array (size,)
+    mobility : Mobility
+    couple : array (3,)
+    """
+    start, tangents = np.append(state, 0.0), mobility.tangents
+    wanted = tangents @ couple
+
+    def first(angle: float) -> FloatArray:
+        return np.array([math.cos(angle), math.sin(angle)]) @ tangents
+
+    def across(angle: float) -> float:
+        values = first_direction_values(first(angle)) | {"duration": 1.0}
+        x = tangents @ with_values(integrator, values).outputs(start)["friction_couple"]
+        return float(x[0] * wanted[1] - x[1] * wanted[0])
+
+    # the resistance is opposed to the rolling by less than a right angle
+    middle, half = math.atan2(-wanted[1], -wanted[0]), math.pi / 2
+    return first(_root(across, middle - half, middle + half))
+
+
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
     """Where a function changes its sign."""
-    # imported where rolling ends, since it takes longer than most motions
+    # imported where rolling ends or begins, since it takes longer than most motions
     from scipy.optimize import brentq
 
-    return float(brentq(function, low, high, xtol=1e-15))
+    return float(brentq(function, low, high, xtol=1e-16))

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter
 from ...core.vectors import Vector, cross, dot, norm_squared, real_symbol
@@ -35,8 +36,14 @@ first_latitude = real_symbol("theta_0")
 DEGREE = 7
 HEADING_COEFFICIENTS = tuple(real_symbol(f"phi_{i}") for i in range(1, DEGREE + 1))
 LATITUDE_COEFFICIENTS = tuple(real_symbol(f"theta_{i}") for i in range(1, DEGREE + 1))
+SIZE_COEFFICIENTS = tuple(real_symbol(f"size_{i}") for i in range(1, DEGREE + 1))
 
-_across = Vector("across")
+#: Components of a prescribed force per unit of normal force, along `_across` and γ×`_across`.
+FORCE_COEFFICIENTS = tuple(
+    tuple(real_symbol(f"force_{axis}_{i}") for i in range(DEGREE + 1)) for axis in (1, 2)
+)
+
+_across, _force = Vector("across"), Vector("force_n")
 
 
 def _polynomial(first: sp.Expr, coefficients: tuple[sp.Symbol, ...]) -> sp.Expr:
@@ -46,13 +53,20 @@ def _polynomial(first: sp.Expr, coefficients: tuple[sp.Symbol, ...]) -> sp.Expr:
     return first + value
 
 
+def first_direction_values(first: FloatArray) -> dict[str, float]:
+    """The parameters that are a first direction (3,), by name."""
+    return {str(symbol): float(x) for symbol, x in zip(first_direction.symbols, first, strict=True)}
+
+
 _MEANING = "of the beginning of a motion that was held"
 
 _TANGENTIAL = first_direction - dot(gamma, first_direction) * gamma
 
+_ACROSS: Pairs = ((_across, _TANGENTIAL / sp.sqrt(norm_squared(_TANGENTIAL))),)
+
 _DIRECTION: Pairs = (
     (heading, _polynomial(sp.S.Zero, HEADING_COEFFICIENTS)),
-    (_across, _TANGENTIAL / sp.sqrt(norm_squared(_TANGENTIAL))),
+    *_ACROSS,
     (direction, sp.cos(heading) * _across + sp.sin(heading) * cross(gamma, _across)),
 )
 
@@ -104,7 +118,10 @@ class PrescribedRolling(FrictionLaw):
 
 @dataclass(frozen=True)
 class PrescribedPower(FrictionLaw):
-    """Friction of a whole order along the prescribed direction of a slip that begins.
+    """Friction of a power of the slip along the prescribed direction of a slip that begins.
+
+    A power that is not whole is no smooth function of a slip that begins, and is a polynomial of
+    the time as well.
 
     Parameters
     ----------
@@ -122,13 +139,63 @@ class PrescribedPower(FrictionLaw):
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """ν."""
-        return self.law.parameters
+        """ν, and the coefficients of the polynomial, if there is one."""
+        symbols = () if self.law.order.is_integer() else SIZE_COEFFICIENTS
+        return self.law.parameters + tuple(Parameter(symbol, _MEANING, 0.0) for symbol in symbols)
 
     def reaction(self, mode: Mode) -> Reaction:
         """The force against the direction; the length of the slip is not smooth at its start."""
-        size = power_viscous * dot(slip, direction) ** int(self.law.order)
-        return Reaction(p=-size * direction)
+        if self.law.order.is_integer():
+            size = dot(slip, direction) ** int(self.law.order)
+        else:
+            size = _polynomial(sp.S.Zero, SIZE_COEFFICIENTS)
+        return Reaction(p=-power_viscous * size * direction)
+
+
+@dataclass(frozen=True)
+class PrescribedForce(FrictionLaw):
+    """The part of a law in a friction whose force per normal force is prescribed as a whole.
+
+    Parameters
+    ----------
+    name : str
+        That of the law in whose place it stands.
+    is_dry : bool
+        Whether the part is that of dry friction, with the size μ; otherwise it is the rest.
+    beside_dry : bool
+        Whether there is such a part.
+    """
+
+    name: str = "power"
+    is_dry: bool = False
+    beside_dry: bool = False
+    words = "friction of prescribed force"
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The coefficients of the polynomials, and μ; these are set later."""
+        of_force = (symbol for row in FORCE_COEFFICIENTS for symbol in row)
+        symbols = (mu,) if self.is_dry else (duration, *first_direction.symbols, *of_force)
+        return tuple(Parameter(symbol, _MEANING, 1.0) for symbol in symbols)
+
+    @property
+    def clocks(self) -> Pairs:
+        """The time in units of the duration."""
+        return () if self.is_dry else ((clock, 1 / duration),)
+
+    def definitions(self, mode: Mode) -> Pairs:
+        """The force as a function of the time."""
+        if self.is_dry:
+            return ()
+        along, aside = (_polynomial(row[0], row[1:]) for row in FORCE_COEFFICIENTS)
+        return (*_ACROSS, (_force, along * _across + aside * cross(gamma, _across)))
+
+    def reaction(self, mode: Mode) -> Reaction:
+        """The force of size μ, or what is left of the whole force."""
+        if not self.beside_dry:
+            return Reaction(p=_force)
+        share = mu / sp.sqrt(norm_squared(_force))
+        return Reaction(p=(share if self.is_dry else 1 - share) * _force)
 
 
 @dataclass(frozen=True)

@@ -146,7 +146,8 @@ class PowerFriction(FrictionLaw):
     (|f*|/νN)^{1/p} against it.  Where rolling needs no force (a ball with centred mass on a level
     plane) the slip falls like u̇ = −b u^p.  Below order 1 it is zero after the finite time
     u₀^{1−p}/((1 − p) b), and the body then rolls; above it never is.  Unless p is an odd whole
-    number the force is not smooth at zero slip, and a guard ends the equations before that.
+    number the force is not smooth at zero slip, and a guard ends the equations before that; the
+    course of a motion passes it.
 
     Examples
     --------
