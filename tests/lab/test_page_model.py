@@ -63,7 +63,8 @@ def test_modes_of_a_contact_change_at_its_events():
     settings = ["run.until=2", "run.samples=21"]
     study = ch.prepare(ch.load(EXAMPLES / "bouncing_ball.toml", settings))
     dataset = dataset_of(study, study.trajectory())
-    modes = page_model(study, dataset)["recorded"]["modes"]
+    recorded = page_model(study, dataset)["recorded"]
+    modes = recorded["modes"]
     assert modes[0]["begin"] == 0.0 and modes[-1]["end"] == 2.0
     assert [m["end"] for m in modes[:-1]] == [m["begin"] for m in modes[1:]]
     changes = {m["begin"] for m in modes[1:]}
@@ -71,10 +72,13 @@ def test_modes_of_a_contact_change_at_its_events():
     assert changes and changes <= set(dataset["event_time"].values)
     assert not changes & set(dataset["time"].values)
     assert {m["mode"] for m in modes} <= set(MODE_STYLES)
+    assert [e["kind"] for e in recorded["events"]] == list(dataset["event_kind"].values)
+    assert [e["time"] for e in recorded["events"]] == list(dataset["event_time"].values)
 
 
 def test_a_system_without_friction_has_no_modes():
-    assert of_system("rattleback")[-1]["recorded"]["modes"] == []
+    recorded = of_system("rattleback")[-1]["recorded"]
+    assert recorded["modes"] == recorded["events"] == []
 
 
 def test_live_pages_and_still_figures_have_the_same_colours_of_modes():

@@ -148,7 +148,7 @@ export function recordedMotion(model: PageModel): Motion {
   const columns = Object.fromEntries(
     Object.entries(recorded.columns).map(([name, values]) => [name, doubles(values)]),
   );
-  return { times: doubles(recorded.times), columns, modes: recorded.modes, end: recorded.end };
+  return { times: doubles(recorded.times), columns, modes: recorded.modes, events: recorded.events, end: recorded.end };
 }
 
 /** An experiment with some of its values replaced. */

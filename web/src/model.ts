@@ -170,12 +170,19 @@ export interface ModeInterval {
   end: number;
 }
 
+/** A change of the contact, such as "stick". */
+export interface ContactEvent {
+  kind: string;
+  time: number;
+}
+
 /** A trajectory stored in the page. */
 export interface Recorded {
   times: Doubles;
   columns: Record<string, Doubles>;
   /** One after the other, from the first sample to the last; none without friction. */
   modes: ModeInterval[];
+  events: ContactEvent[];
   end: { time: number; reason: string } | null;
 }
 

@@ -272,6 +272,7 @@ def motion_record(study: Study, columns: Sequence[Column], dataset: xr.Dataset) 
         "times": doubles(part["time"].to_numpy()),
         "columns": written,
         "modes": _modes(dataset),
+        "events": _events(dataset),
         "end": end,
     }
 
@@ -280,6 +281,15 @@ def _modes(dataset: xr.Dataset) -> list[dict[str, Json]]:
     """The times between changes of the mode of a contact; none where there are no modes."""
     intervals = mode_intervals(dataset) if "mode" in dataset else []
     return [{"mode": i.mode, "begin": i.begin, "end": i.end} for i in intervals]
+
+
+def _events(dataset: xr.Dataset) -> list[dict[str, Json]]:
+    """The changes of a contact by name; none where there are no modes."""
+    if "mode" not in dataset:
+        return []
+    kinds = map(str, dataset["event_kind"].values)
+    times = map(float, dataset["event_time"].values)
+    return [{"kind": kind, "time": time} for kind, time in zip(kinds, times, strict=True)]
 
 
 def _column_from_state(study: Study, column: Column, dataset: xr.Dataset) -> FloatArray:

@@ -1,6 +1,7 @@
 /** The modes of a contact with friction along a motion. */
 
-import type { ModeInterval } from "../model";
+import type { ContactEvent, ModeInterval } from "../model";
+import { readable } from "../page/numbers";
 import type { TimedCurve } from "./curve";
 import { lengths } from "./curve";
 import type { Motion } from "./motion";
@@ -26,6 +27,13 @@ export function modeAt(modes: readonly ModeInterval[], t: number): string {
     else high = middle;
   }
   return modes[low]?.mode ?? "";
+}
+
+/** The last event up to an instant, in words; empty before the first. */
+export function lastEvent({ events = [] }: Motion, t: number): string {
+  let last: ContactEvent | undefined;
+  for (const event of events) if (event.time <= t) last = event;
+  return last === undefined ? "" : `last event: ${last.kind} at ${readable(last.time, 6)} s`;
 }
 
 /** A curve with further points at the instants at which modes begin, so that each piece of it has one. */

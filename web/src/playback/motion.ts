@@ -1,6 +1,6 @@
 /** A motion: samples of named columns, and values between them. */
 
-import type { ModeInterval } from "../model";
+import type { ContactEvent, ModeInterval } from "../model";
 
 /** Samples of a motion; columns are flat, row by row. */
 export interface Motion {
@@ -8,6 +8,8 @@ export interface Motion {
   columns: Record<string, Float64Array>;
   /** The modes of a contact with friction, one after the other. */
   modes?: readonly ModeInterval[];
+  /** The changes of the contact, by name. */
+  events?: readonly ContactEvent[];
   /** Whole states, row by row, where they are known. */
   states?: Float64Array;
   /** Why it ends before its last instant, where it does. */

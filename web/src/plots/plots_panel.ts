@@ -7,7 +7,7 @@ import { font, letter } from "../page/type";
 import { formula } from "../page/mathml";
 import { readable, readableBeside } from "../page/numbers";
 import { onSchemeChange, palette, type Palette } from "../page/palette";
-import { changingModes, modeAt } from "../playback/modes";
+import { changingModes, lastEvent, modeAt } from "../playback/modes";
 import { place } from "../playback/motion";
 import { drawModes, modeKey } from "./mode_bar";
 import { seriesGroups, type SeriesGroup } from "./series";
@@ -30,6 +30,7 @@ export function plotsPanel(lab: Lab): PlotsPanel {
   const chips = element("div", { class: "lab-chips", role: "toolbar", "aria-label": "Quantities" });
   const sheets = element("div", { class: "lab-plots" });
   const keyPlace = element("div", {});
+  const event = element("p", { class: "lab-event", "aria-label": "Last change of the contact" });
   const panel = element("div", {}, chips, keyPlace, sheets);
   let mark: (mode: string) => void = () => {};
   let plots: { plot: uPlot; readings: Reading[]; size: number }[] = [];
@@ -40,7 +41,8 @@ export function plotsPanel(lab: Lab): PlotsPanel {
     sheets.replaceChildren();
     const modes = changingModes(lab.shown.value.motion);
     const key = modes.length > 0 ? modeKey(modes, palette()) : null;
-    keyPlace.replaceChildren(...(key === null ? [] : [key.element]));
+    keyPlace.replaceChildren(...(key === null ? [] : [key.element]), event);
+    event.hidden = (lab.shown.value.motion.events ?? []).length === 0;
     mark = key?.now ?? (() => {});
     plots = drawn().map((group) => {
       const holder = element("figure", { class: "lab-plot", "aria-label": `${group.meaning || group.name} over time` });
@@ -53,6 +55,7 @@ export function plotsPanel(lab: Lab): PlotsPanel {
   };
   const now = (): void => {
     mark(modeAt(changingModes(lab.shown.value.motion), lab.clock.time.value));
+    event.textContent = lastEvent(lab.shown.value.motion, lab.clock.time.value);
     for (const { plot, readings, size } of plots) {
       cursor(plot, lab);
       const { times } = lab.shown.value.motion;
@@ -199,6 +202,11 @@ function bar({ ctx, bbox, scales }: uPlot, lab: Lab, colours: Palette): void {
   const { min = 0, max = 1 } = scales["x"] ?? {};
   const box = { left: bbox.left, top: bbox.top + bbox.height + SPACE * ratio, width: bbox.width, height: BAR * ratio, ratio };
   drawModes(ctx, changingModes(lab.shown.value.motion), min, max, box, colours);
+  ctx.fillStyle = colours.ink;
+  for (const { time } of lab.shown.value.motion.events ?? []) {
+    if (time < min || time > max) continue;
+    ctx.fillRect(bbox.left + (bbox.width * (time - min)) / (max - min) - 0.5 * ratio, box.top - ratio, ratio, box.height + 2 * ratio);
+  }
 }
 
 /** The line of the instant that the scene shows is an element of its own: moving it redraws nothing. */

@@ -308,10 +308,15 @@ class _Trial:
         slope = -ratio[:, None, None] * (np.eye(2) - along) - rate[:, None, None] * along
         return slip + speed[:, None] * n, slope
 
-    def _result(self, c: FloatArray, time: float, start: FloatArray, duration: float) -> Creep:
+    def _result(
+        self, c: FloatArray, time: float, start: FloatArray, duration: float
+    ) -> Creep | None:
         end = _end(self.forces(c, np.linspace(0, 1, 65)), self.law.mu)
         if end < 1:
             end = self._root(c, end)
+            if end < 1e-8 and self.size <= self.law.mu * (1 + 1e-12):
+                # a slip that should begin does not
+                return None
         integrator = self.integrator_with(c, duration)
         lasting = float(end * duration)
         after = integrator.advance(time, start, [], time + lasting).state

@@ -108,22 +108,30 @@ class CreepTransitions(RollingTransitions, ABC):
     def _begins_to_creep(self, direction: FloatArray) -> bool:
         """Begin to slide in a direction (3,) by creeping, if the slip grows gently; whether it has.
 
-        Powers from the first on need it only if friction lets no slip grow that can be told from
-        none.  Otherwise a slip that grows like t² is soon fast enough.
+        Other laws than lower powers have no need of it unless they are strong: a slip that grows
+        like t² is soon fast enough.
         """
         law = self._creep_law
         if law is None or law.order > 1:
             return False
-        slip, tangents = self._frozen_slip(law.mu), self._numbers().mobility.tangents
+        slip, known = self._frozen_slip(law.mu), self._numbers()
+        tangents = known.mobility.tangents
         n = tangents @ direction
-        strength = float(np.linalg.norm(self._numbers().free_acceleration))
+        strength = float(np.linalg.norm(known.free_acceleration))
+        held = rest_of_point(self._frozen_slip(math.inf))
+        N = held.normal_force
+        if N <= 0:
+            return False
         force = -law.mu * direction
-        if law.order == 1 or float(n @ slip.rate(n)) > 1e-6 * strength:
-            held = rest_of_point(self._frozen_slip(math.inf))
-            N = held.normal_force
+        if float(n @ slip.rate(n)) > 1e-6 * strength:
+            # at once, which creeping is if no slip can be told from none
             force = held.holding_force @ tangents / N
             sizes = np.array([np.linalg.norm(force)]), np.array([N])
-            if N <= 0 or law.speed(*sizes)[0][0] > NO_SLIP * self._speed:
+            if law.speed(*sizes)[0][0] > NO_SLIP * self._speed:
+                return False
+        elif law.order == 1:
+            decay = (law.force(1.0, N) - law.mu) * N / known.mobility.mass
+            if decay * _STIFF < self._turning_rate:
                 return False
         return self._creep_on(law, force)
 
