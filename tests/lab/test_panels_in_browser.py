@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qs
 
@@ -146,3 +147,26 @@ def test_all_is_reached_and_heard_by_keyboard(open_page: Callable[..., Opened]) 
     for key in ("ArrowRight", "ArrowUp", "Enter"):
         sheet.press(key)
     orbits.get_by_role("button").nth(1).wait_for(timeout=60_000)
+
+
+def test_film_picture_and_model_are_downloaded(
+    open_page: Callable[..., Opened], tmp_path: Path
+) -> None:
+    opened = open_page("rattleback", viewport={"width": 500, "height": 500})
+    opened.page.get_by_label("speed").select_option(label="10×")
+    opened.page.get_by_role("tab", name="Save").click()
+    begins = {"Body in motion": b"glTF", "Picture": b"\x89PNG", "Film": b"ftyp"}
+    for name, words in begins.items():
+        with opened.page.expect_download(timeout=180_000) as download:
+            opened.page.get_by_role("button", name=name, exact=True).click()
+        path = tmp_path / download.value.suggested_filename
+        download.value.save_as(path)
+        assert words in path.read_bytes()[:12]
+    av = pytest.importorskip("av")
+    with av.open(str(path)) as film:
+        frames = list(film.decode(video=0))
+    # eight seconds at ten times the speed, thirty frames a second
+    assert len(frames) == 24
+    assert max(frames[0].width, frames[0].height) == 1280
+    assert frames[0].to_ndarray(format="gray").std() > 5.0
+    assert opened.complaints == []

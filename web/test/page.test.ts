@@ -3,7 +3,7 @@ import { test } from "node:test";
 import type { PageModel } from "../src/model";
 import { Cell, latest } from "../src/page/cell";
 import { changed, fromFragment, History, instants, opening, same, toFragment, type Experiment } from "../src/page/experiment";
-import { extent, readable, readableBeside, readableOn, roundNumber, ticks } from "../src/page/numbers";
+import { extent, readable, readableBeside, readableOn, roundNumber, ticks, tickTexts } from "../src/page/numbers";
 import { unitText } from "../src/page/units";
 import { onScale } from "../src/page/palette";
 import { font } from "../src/page/type";
@@ -134,4 +134,11 @@ test("a scale gives its ends and what is between", () => {
   assert.deepEqual(onScale(scale, 0), [0, 0, 0]);
   assert.deepEqual(onScale(scale, 1), [255, 255, 255]);
   assert.deepEqual(onScale(scale, 0.25), [128, 0, 0]);
+});
+
+test("marks on an axis read differently, however near they are", () => {
+  assert.deepEqual(tickTexts([1.036141, 1.036142, 1.036143]), ["1.036141", "1.036142", "1.036143"]);
+  assert.deepEqual(tickTexts([-0.5, 0, 0.5]), ["−0.5", "0", "0.5"]);
+  assert.deepEqual(tickTexts([2e-7]), ["2 × 10⁻⁷"]);
+  assert.equal(new Set(tickTexts(ticks(1.03614, 1.03615, 6))).size, ticks(1.03614, 1.03615, 6).length);
 });

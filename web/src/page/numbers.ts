@@ -72,3 +72,11 @@ export function ticks(low: number, high: number, count: number): number[] {
   const last = Math.floor(high / step + 1e-9);
   return Array.from({ length: last - first + 1 }, (_, k) => Number(((first + k) * step).toPrecision(12)));
 }
+
+/** What marks on an axis read, with as many digits as tell neighbours apart. */
+export function tickTexts(marks: readonly number[]): string[] {
+  const size = Math.max(...marks.map(Math.abs));
+  const step = Math.abs((marks[1] ?? 0) - (marks[0] ?? 0));
+  const digits = step > 0 ? Math.ceil(Math.log10(size / step)) + 1 : 6;
+  return marks.map((mark) => readable(mark, Math.min(12, Math.max(6, digits))));
+}

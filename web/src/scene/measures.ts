@@ -3,6 +3,9 @@
 import type { Motion } from "../playback/motion";
 import type { Surface } from "./body";
 
+/** The longest arrow of a vector along a motion, in diameters of the body. */
+export const VECTOR_LENGTH = 0.9;
+
 export function sameSurface(a: Pick<Surface, "positions">, b: Pick<Surface, "positions"> | null): boolean {
   return b !== null && a.positions.length === b.positions.length && a.positions.every((place, k) => place === b.positions[k]);
 }

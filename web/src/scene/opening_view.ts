@@ -2,9 +2,10 @@
 
 import { floats } from "../encoding";
 import type { Scene } from "../model";
-import { finiteSamples, type Motion } from "../playback/motion";
+import { finiteSamples, pose, row, turned, type Motion, type Vector } from "../playback/motion";
 import { capOpening } from "./cap";
 import { box } from "./box";
+import { largestLength, VECTOR_LENGTH } from "./measures";
 import { across, framing, type View } from "./view";
 
 /** Extent in diameters of the body up to which a path is shown as a whole. */
@@ -14,7 +15,7 @@ const WHOLE = 10;
 export function openingView(scene: Scene, motion: Motion, size: number, aspect = 1.6): View {
   const path = pathOf(scene, motion).map((place) => place / size);
   const { support } = scene;
-  const around = [...withBody(centresOf(scene, motion, path, size)), ...path];
+  const around = [...withBody(centresOf(scene, motion, path, size)), ...arrowEnds(scene, motion, size), ...path];
   if (support?.kind === "sphere") {
     const radius = Math.abs(support.radius) / size;
     const { azimuth, elevation } = sphereDirection(path, support.inside);
@@ -36,6 +37,22 @@ function centresOf(scene: Scene, motion: Motion, path: Float64Array, size: numbe
   const count = finiteSamples(motion, "centre", 3);
   if (scene.path !== null || count === 0) return path;
   return (motion.columns["centre"] ?? path).slice(0, 3 * count).map((place) => place / size);
+}
+
+/** The ends of the arrow of ω, which is shown at first, at some instants. */
+function* arrowEnds(scene: Scene, motion: Motion, size: number): Generator<number> {
+  const vector = scene.vectors.find(({ column }) => column === "omega");
+  const longest = largestLength(motion, "omega");
+  if (vector === undefined || !(longest > 0)) return;
+  const step = Math.max(1, Math.floor(motion.times.length / 60));
+  for (let n = 0; n < motion.times.length; n += step) {
+    const now = pose(motion, motion.times[n] ?? 0);
+    const value = row(motion, "omega", 3, now.t) as Vector;
+    const inSpace = vector.axes === "body" ? turned(now.attitude, value) : value;
+    const from = vector.at === "contact" ? now.contact : now.centre;
+    const end = from.map((place, i) => place / size + (VECTOR_LENGTH * (inSpace[i] ?? 0)) / longest);
+    if (end.every(Number.isFinite)) yield* end;
+  }
 }
 
 /** The points of a path and the corners of boxes of size one around some of them. */

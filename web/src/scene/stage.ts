@@ -24,7 +24,7 @@ import { BodyModel, type Surface } from "./body";
 import { box } from "./box";
 import { capOpening } from "./cap";
 import { meshGround, planeGround, sphereGround, type Ground } from "./ground";
-import { largestLength, meshSpacing, sameSurface } from "./measures";
+import { largestLength, meshSpacing, sameSurface, VECTOR_LENGTH } from "./measures";
 import { Linkage } from "./linkage";
 import { contactCurve, planCurve, traceOnBody } from "./curves";
 import { openingView, reachOf } from "./opening_view";
@@ -44,7 +44,6 @@ export interface Shown {
 }
 
 const TRACE_ON_BODY = 6.3;
-const VECTOR_LENGTH = 0.9;
 
 /** Draws motions of one model. Lengths of the model are divided by its size. */
 export class Stage {

@@ -1,6 +1,6 @@
 /** The frame of a plane of two quantities: where a value is on the paper, and the marks on its axes. */
 
-import { readable, ticks } from "../page/numbers";
+import { ticks, tickTexts } from "../page/numbers";
 import { SERIF } from "../page/type";
 import type { Palette } from "../page/palette";
 
@@ -86,18 +86,22 @@ export function drawFrame(pen: CanvasRenderingContext2D, frame: Frame, colours: 
   pen.fillStyle = colours.ink;
   pen.textAlign = "center";
   pen.textBaseline = "top";
-  for (const value of ticks(...frame.x.range, Math.max(2, wide / (5.6 * letter)))) {
+  const across = ticks(...frame.x.range, Math.max(2, wide / (5.6 * letter)));
+  const words = tickTexts(across);
+  across.forEach((value, k) => {
     const place = frame.right(value);
     tick(pen, place, top + tall, 0, 4);
-    pen.fillText(readable(value, 6), place, top + tall + 6);
-  }
+    pen.fillText(words[k] ?? "", place, top + tall + 6);
+  });
   pen.textAlign = "right";
   pen.textBaseline = "middle";
-  for (const value of ticks(...frame.y.range, Math.max(2, tall / (3.4 * letter)))) {
+  const up = ticks(...frame.y.range, Math.max(2, tall / (3.4 * letter)));
+  const texts = tickTexts(up);
+  up.forEach((value, k) => {
     const place = frame.down(value);
     tick(pen, left - 4, place, 4, 0);
-    pen.fillText(readable(value, 6), left - 7, place);
-  }
+    pen.fillText(texts[k] ?? "", left - 7, place);
+  });
   pen.font = `italic ${0.92 * letter}px ${SERIF}`;
   pen.textAlign = "center";
   pen.textBaseline = "bottom";

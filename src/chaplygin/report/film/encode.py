@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from itertools import chain, islice
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +14,8 @@ from ..drawing.style import TIME_COLOURS
 from .encoders import ENCODERS
 from .frames import Picture, Size
 
-#: Colours of the first frame in a film of type GIF; the others are those of paths.
-_COLOURS = 160
+#: Colours of the first frames of a GIF, and how many these are; the other colours are of paths.
+_COLOURS, _FIRST = 160, 24
 
 
 def write_film(frames: Iterable[Picture], path: Path, rate: int, size: Size) -> None:
@@ -58,22 +59,23 @@ def _write_gif(frames: Iterator[Picture], place: Path, rate: int) -> None:
     """Write frames with the same colours, so that nothing flickers."""
     from PIL import Image
 
-    first = Image.fromarray(next(frames))
-    own = first.quantize(_COLOURS, dither=Image.Dither.NONE).getpalette() or []
-    # those of paths, which the first frame has not yet
+    first = list(islice(frames, _FIRST))
+    # together they show light and shade on all that moves
+    together = Image.fromarray(np.concatenate([frame[::2, ::2] for frame in first]))
+    own = together.quantize(_COLOURS, dither=Image.Dither.NONE).getpalette() or []
+    # those of paths, which the first frames do not have yet
     later = TIME_COLOURS(np.linspace(0.0, 1.0, 256 - _COLOURS), bytes=True)[:, :3]
     palette = Image.new("P", (1, 1))
     palette.putpalette([*own[: 3 * _COLOURS], *later.ravel().tolist()])
-    beginning = first.quantize(palette=palette, dither=Image.Dither.NONE)
-    others = (
+    pictures = (
         Image.fromarray(frame).quantize(palette=palette, dither=Image.Dither.NONE)
-        for frame in frames
+        for frame in chain(first, frames)
     )
-    beginning.save(
+    next(pictures).save(
         place,
         format="GIF",
         save_all=True,
-        append_images=others,
+        append_images=pictures,
         duration=round(1000 / rate),
         loop=0,
         optimize=False,
