@@ -3,7 +3,7 @@ import { test } from "node:test";
 import type { PageModel } from "../src/model";
 import { Cell, latest } from "../src/page/cell";
 import { changed, fromFragment, History, instants, opening, same, toFragment, type Experiment } from "../src/page/experiment";
-import { extent, readable, readableBeside, readableOn, roundNumber, ticks, tickTexts } from "../src/page/numbers";
+import { axisTexts, extent, readable, readableBeside, readableOn, roundNumber, ticks, tickTexts } from "../src/page/numbers";
 import { unitText } from "../src/page/units";
 import { onScale } from "../src/page/palette";
 import { font } from "../src/page/type";
@@ -141,4 +141,10 @@ test("marks on an axis read differently, however near they are", () => {
   assert.deepEqual(tickTexts([-0.5, 0, 0.5]), ["−0.5", "0", "0.5"]);
   assert.deepEqual(tickTexts([2e-7]), ["2 × 10⁻⁷"]);
   assert.equal(new Set(tickTexts(ticks(1.03614, 1.03615, 6))).size, ticks(1.03614, 1.03615, 6).length);
+});
+
+test("small and large marks have a power of ten in common, in the label of the axis", () => {
+  assert.deepEqual(axisTexts([1e-5, 1.5e-5, 2e-5], "M₃  (kg m²/s)"), { texts: ["1", "1.5", "2"], label: "M₃  (10⁻⁵ kg m²/s)" });
+  assert.deepEqual(axisTexts([-2e6, 0], "h"), { texts: ["−2", "0"], label: "h  (10⁶)" });
+  assert.deepEqual(axisTexts([0, 0.5], "h"), { texts: ["0", "0.5"], label: "h" });
 });

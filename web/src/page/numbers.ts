@@ -12,10 +12,12 @@ export function readable(value: number, digits = 4): string {
   if (size >= 1e-3 && size < 1e5) return trimmed(value.toPrecision(digits)).replace("-", MINUS);
   const [mantissa = "", exponent = "0"] = value.toExponential(digits - 1).split("e");
   const short = trimmed(mantissa).replace("-", MINUS);
-  const power = Number(exponent);
-  const sign = power < 0 ? "⁻" : "";
+  return `${short} × ${powerOfTen(Number(exponent))}`;
+}
+
+function powerOfTen(power: number): string {
   const raised = [...String(Math.abs(power))].map((digit) => RAISED[Number(digit)]).join("");
-  return `${short} × 10${sign}${raised}`;
+  return `10${power < 0 ? "⁻" : ""}${raised}`;
 }
 
 /** Share of the largest of several values below which one of them is rounding. */
@@ -79,4 +81,14 @@ export function tickTexts(marks: readonly number[]): string[] {
   const step = Math.abs((marks[1] ?? 0) - (marks[0] ?? 0));
   const digits = step > 0 ? Math.ceil(Math.log10(size / step)) + 1 : 6;
   return marks.map((mark) => readable(mark, Math.min(12, Math.max(6, digits))));
+}
+
+/** What marks on an axis read, and its label (with its unit in brackets after two spaces), where a power of ten is common to them. */
+export function axisTexts(marks: readonly number[], label: string): { texts: string[]; label: string } {
+  const size = Math.max(...marks.map(Math.abs));
+  if (!(size > 0) || (size >= 1e-2 && size < 1e5)) return { texts: tickTexts(marks), label };
+  const power = Math.floor(Math.log10(size));
+  const factor = powerOfTen(power);
+  const texts = tickTexts(marks.map((mark) => mark / 10 ** power));
+  return { texts, label: label.includes("  (") ? label.replace("  (", `  (${factor} `) : `${label}  (${factor})` };
 }

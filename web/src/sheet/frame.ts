@@ -1,6 +1,6 @@
 /** The frame of a plane of two quantities: where a value is on the paper, and the marks on its axes. */
 
-import { ticks, tickTexts } from "../page/numbers";
+import { axisTexts, ticks } from "../page/numbers";
 import { SERIF } from "../page/type";
 import type { Palette } from "../page/palette";
 
@@ -87,29 +87,29 @@ export function drawFrame(pen: CanvasRenderingContext2D, frame: Frame, colours: 
   pen.textAlign = "center";
   pen.textBaseline = "top";
   const across = ticks(...frame.x.range, Math.max(2, wide / (5.6 * letter)));
-  const words = tickTexts(across);
+  const horizontal = axisTexts(across, frame.x.label);
   across.forEach((value, k) => {
     const place = frame.right(value);
     tick(pen, place, top + tall, 0, 4);
-    pen.fillText(words[k] ?? "", place, top + tall + 6);
+    pen.fillText(horizontal.texts[k] ?? "", place, top + tall + 6);
   });
   pen.textAlign = "right";
   pen.textBaseline = "middle";
   const up = ticks(...frame.y.range, Math.max(2, tall / (3.4 * letter)));
-  const texts = tickTexts(up);
+  const vertical = axisTexts(up, frame.y.label);
   up.forEach((value, k) => {
     const place = frame.down(value);
     tick(pen, left - 4, place, 4, 0);
-    pen.fillText(texts[k] ?? "", left - 7, place);
+    pen.fillText(vertical.texts[k] ?? "", left - 7, place);
   });
   pen.font = `italic ${0.92 * letter}px ${SERIF}`;
   pen.textAlign = "center";
   pen.textBaseline = "bottom";
-  pen.fillText(frame.x.label, left + wide / 2, frame.height - 2);
+  pen.fillText(horizontal.label, left + wide / 2, frame.height - 2);
   pen.translate(0.85 * letter, top + tall / 2);
   pen.rotate(-Math.PI / 2);
   pen.textBaseline = "middle";
-  pen.fillText(frame.y.label, 0, 0);
+  pen.fillText(vertical.label, 0, 0);
   pen.restore();
 }
 
