@@ -184,6 +184,8 @@ def kind_of(annotation: Any) -> Kind | None:
     origin, inner = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
         return next((note for note in inner[1:] if isinstance(note, Kind)), kind_of(inner[0]))
+    if (annotation,) == _array_like():
+        return _ARRAY_LIKE
     if origin in (Union, UnionType) and inner[: len(_array_like())] == _array_like():
         rest = inner[len(_array_like()) :]
         return _one_of([_ARRAY_LIKE, *map(kind_of, rest)]) if rest else _ARRAY_LIKE
@@ -221,8 +223,10 @@ def _enumeration(words: list[str]) -> str:
 
 
 def _array_like() -> tuple[Any, ...]:
-    """The parts of NumPy's union for what becomes an array; none's where NumPy is not in use."""
-    return get_args(getattr(sys.modules.get("numpy.typing"), "ArrayLike", ...)) or (...,)
+    """The parts of NumPy's type for what becomes an array; none's where NumPy is not in use."""
+    alias = getattr(sys.modules.get("numpy.typing"), "ArrayLike", ...)
+    # a union, or from Python 3.12 on the name of one
+    return get_args(alias) or (alias,)
 
 
 def _is_array_class(origin: Any) -> bool:
