@@ -30,9 +30,10 @@ STYLE = (
 @media screen {
   .chaplygin-formula, .chaplygin-formula .right { --page: var(--paper, Canvas);
     --shadow: rgb(128 128 128 / 0.5); background:
-    linear-gradient(90deg, var(--page) 40%, transparent) -2px 0 / 2.4em 100% no-repeat local,
-    linear-gradient(270deg, var(--page) 40%, transparent) calc(100% + 2px) 0 / 2.4em 100% no-repeat
-    local,
+    linear-gradient(90deg, var(--page) 40%, transparent)
+    -2px -2px / 2.4em calc(100% + 4px) no-repeat local,
+    linear-gradient(270deg, var(--page) 40%, transparent)
+    calc(100% + 2px) -2px / 2.4em calc(100% + 4px) no-repeat local,
     linear-gradient(90deg, var(--shadow), transparent) 1px 0 / 0.7em 100% no-repeat scroll,
     linear-gradient(270deg, var(--shadow), transparent) calc(100% - 1px) 0 / 0.7em 100%
     no-repeat scroll; }

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
+from scipy.ndimage import gaussian_filter
 
 from ...arguments import arguments_checked
 from ...core.arrays import BoolArray, FloatArray
@@ -22,6 +23,9 @@ from .rolling_body import Track, across, draw_body, track_of
 
 _COLUMNS = 720
 """Width of the drawn surface in dots."""
+
+_BORDER = 0.9
+"""Spread of a border, in dots, by which it has no steps."""
 
 _GLASS = np.array(to_rgb("#8fa6bb"))
 _GLASS_SHARE = 0.2
@@ -211,4 +215,14 @@ def _image(sheet: Canvas, layers: Crossings, colours: FloatArray, mask: BoolArra
         # where there is nothing, the colour counts for the soft border of what there is
         paint = np.where(total > 0.0, mixed / np.where(total > 0.0, total, 1.0), GROUND_LIGHT)
         cover = total
-    sheet.image(np.concatenate([paint, cover], axis=-1), layers.extent)
+    sheet.image(_with_soft_borders(paint, cover), layers.extent)
+
+
+def _with_soft_borders(paint: FloatArray, cover: FloatArray) -> FloatArray:
+    """Colours and opacity (rows, columns, 4) without steps where the opacity changes."""
+    sharp = np.concatenate([paint * cover, cover], axis=-1)
+    soft = gaussian_filter(sharp, (_BORDER, _BORDER, 0.0))
+    border = np.abs(soft - sharp)[..., 3:] > 0.005
+    opacity = np.where(border, soft[..., 3:], cover)
+    colours = np.where(border, soft[..., :3] / np.clip(soft[..., 3:], 1e-6, None), paint)
+    return np.concatenate([np.clip(colours, 0.0, 1.0), opacity], axis=-1)
