@@ -281,6 +281,7 @@ MISTAKES = [
     (VOLTERRA, 'y = "y*(z - x)", ', "", "line 7, equations.rates: the rate of y is missing"),
     (VOLTERRA, '"y*(z - x)"', '"y*(z - w)"', "line 7, equations.rates.y: unknown name 'w'"),
     (VOLTERRA, 'state = ["x", "y", "z"]', "state = []", "equations.state: must be names in quotes"),
+    (VOLTERRA, '"1/(x*y*z)"', '"0"', "laws.measures.measure: the density of a measure must not be"),
     (VOLTERRA, "[laws.measures]", "[lagrangian]\n[laws.measures]", "equations: must be absent"),
 ]  # fmt: skip
 

@@ -147,7 +147,8 @@ def with_claims(experiment: OwnExperiment, system: System) -> System:
         density = names.scalar(law.value, *key)
         on = names.formulas(law.on, *key, "on")
         powers = _powers(density, set(system.symbols), [s for s, _ in system.scalar_definitions])
-        laws.append(Measure(name, powers, law.meaning, on=on))
+        with experiment.placing_errors(*key):
+            laws.append(Measure(name, powers, law.meaning, on=on))
     for name, moved in table.symmetries.items():
         key = ("laws", "symmetries", name)
         field = {}
