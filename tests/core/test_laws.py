@@ -17,7 +17,6 @@ from chaplygin.core.laws import (
 )
 from chaplygin.core.system import System
 from chaplygin.core.vectors import real_symbol
-from chaplygin.errors import InputError
 from chaplygin.proof.prover import prove
 
 x, v, c = (real_symbol(name) for name in "xvc")
@@ -50,8 +49,3 @@ def test_what_is_given_becomes_pairs_of_formulas() -> None:
     assert Measure("measure", {x: 2}) == Measure("measure", [(x, 2)])
     assert type(BRACKET.rank) is int
     assert BRACKET.casimirs == (sp.S.One,)
-
-
-def test_a_density_of_zero_is_refused() -> None:
-    with pytest.raises(InputError, match="m: the density of a measure must not be zero"):
-        Measure("m", {x: 1, 0: 2})

@@ -40,3 +40,5 @@ def test_signs_and_powers_within_words(words, printed):
 def test_a_unit(written):
     assert unit(written) == "kg² m⁴/s²"
     assert unit("m s^-1") == "m s⁻¹"
+    # it was kg⁰.5
+    assert unit("kg^0.5 m/s") == "kg^0.5 m/s"

@@ -143,7 +143,7 @@ def _of_revolution(
         ],
     }
     lines = [problem.system.title]
-    lines += [f"    {axis['symbol']}  {axis['meaning']} ({axis['unit']})" for axis in facts["axes"]]
+    lines += _axes(facts)
     lines += ["", "  families of permanent rotations, by |K|:"]
     for family in facts["families"]:
         (first, last), (begin, end) = family["K"], family["cos_theta"]
@@ -221,12 +221,20 @@ def _facts(diagram: Diagram, mark: tuple[float, float] | None) -> dict[str, Any]
     }
 
 
+def _axes(facts: dict[str, Any]) -> list[str]:
+    """A line for each axis, with its meaning and unit."""
+    from ..printing.numerals import unit
+
+    units = (f" ({unit(axis['unit'])})" if axis["unit"] else "" for axis in facts["axes"])
+    return [
+        f"    {axis['symbol']}  {axis['meaning']}{words}".rstrip()
+        for axis, words in zip(facts["axes"], units, strict=True)
+    ]
+
+
 def _lines(facts: dict[str, Any]) -> list[str]:
     lines = [facts["title"]]
-    for axis in facts["axes"]:
-        unit = f" ({axis['unit']})" if axis["unit"] else ""
-        lines.append(f"    {axis['symbol']}  {axis['meaning']}{unit}".rstrip())
-    lines.append("")
+    lines += [*_axes(facts), ""]
     for region in facts["regions"]:
         here = " — this motion" if region["number"] == facts["region_of_motion"] else ""
         count = _count_text(region["tori"], "torus", "tori")

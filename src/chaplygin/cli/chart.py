@@ -146,8 +146,10 @@ def _print(title: str, result: dict[str, Any]) -> None:
     from rich.markup import escape
     from rich.table import Table
 
+    from ..printing.numerals import unit as unit_text
+
     typer.echo(title)
-    unit = "" if result["units"] in ("1", "unknown") else f" {result['units']}"
+    unit = "" if result["units"] in ("1", "unknown") else f" {unit_text(result['units'])}"
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, show_header=False)
     table.add_column(style="bold", no_wrap=True)
     table.add_column()

@@ -128,6 +128,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     from rich.table import Table
 
     from ..experiment.closed_form import in_space, letters, number
+    from ..printing.numerals import unit as unit_text
 
     form = solution.form
     titles = dict.fromkeys((study.system.title, form.title))
@@ -150,7 +151,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
         for index in some:
             table.add_column(f"t = {_plain(shown[index])}", justify="right", no_wrap=True)
         for name, unit, values in rows:
-            table.add_row(escape(name), escape(unit), *(values[index] for index in some))
+            table.add_row(escape(name), escape(unit_text(unit)), *(values[index] for index in some))
         typer.echo()
         shown_on.print(table)
     if study.system.reconstruction is not None and not in_space(study, solution):

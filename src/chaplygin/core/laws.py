@@ -136,11 +136,6 @@ class Measure(Law):
         Bases in state, definitions and parameters; exponents free of the state.
     meaning : str
 
-    Raises
-    ------
-    InputError
-        If a base is zero.
-
     Examples
     --------
     >>> import chaplygin as ch
@@ -153,11 +148,6 @@ class Measure(Law):
 
     density: NamedFormulas
     meaning: str = ""
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        if any(base == 0 for base, _ in self.density):
-            raise InputError(f"{self.name}: the density of a measure must not be zero")
 
     @property
     def value(self) -> sp.Expr:

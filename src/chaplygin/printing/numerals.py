@@ -29,8 +29,11 @@ def typographic_signs(text: str) -> str:
 
 
 def unit(text: str) -> str:
-    """A unit with raised exponents: ``kg² m⁴`` for ``kg^2 m^4`` or ``kg**2*m**4``."""
+    """A unit with raised exponents: ``kg² m⁴`` for ``kg^2 m^4`` or ``kg**2*m**4``.
+
+    An exponent that is no integer stays as it is: ``kg^0.5``.
+    """
     raised = re.sub(
-        r"(?:\^|\*\*)\{?(-?\d+)\}?", lambda match: match[1].translate(SUPERSCRIPTS), text
+        r"(?:\^|\*\*)\{?(-?\d+)(?![\d.])\}?", lambda match: match[1].translate(SUPERSCRIPTS), text
     )
     return raised.replace("*", " ")

@@ -147,8 +147,9 @@ def with_claims(experiment: OwnExperiment, system: System) -> System:
         density = names.scalar(law.value, *key)
         on = names.formulas(law.on, *key, "on")
         powers = _powers(density, set(system.symbols), [s for s, _ in system.scalar_definitions])
-        with experiment.placing_errors(*key):
-            laws.append(Measure(name, powers, law.meaning, on=on))
+        if density == 0:
+            raise names.error("the density of a measure must not be zero", *key)
+        laws.append(Measure(name, powers, law.meaning, on=on))
     for name, moved in table.symmetries.items():
         key = ("laws", "symmetries", name)
         field = {}
