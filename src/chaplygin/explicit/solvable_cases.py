@@ -375,8 +375,17 @@ def _solve_in_three_dimensions(problem: Problem) -> Solution | None:
     return solve_in_three_dimensions(problem, solution_of)
 
 
+def _solve_in_n_dimensions(problem: Problem) -> Solution | None:
+    from .n_dimensions.sphere import solve_on_sphere
+
+    if not any(isinstance(name, Column | NamedMatrix) for name in problem.system.state):
+        return None
+    return solve_on_sphere(problem, solution_of)
+
+
 RECOGNISERS: tuple[Recogniser, ...] = (
     _solve_in_three_dimensions,
+    _solve_in_n_dimensions,
     _solve_lagrange_top,
     _solve_free_body,
     _solve_body_of_revolution,

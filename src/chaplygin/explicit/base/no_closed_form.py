@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -79,6 +79,14 @@ def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormEr
     return NoClosedFormError(sentence)
 
 
+def off_level(problem: Problem, level: str) -> NoClosedFormError:
+    """A motion of a system that is solvable on a level, in words, which it is not on."""
+    return NoClosedFormError(
+        f"this motion of {_title_in_sentence(problem.system.title)} is not solved in closed form "
+        f"here: {_known_laws(problem)}; solvable are its motions on {level}"
+    )
+
+
 def degenerate(problem: Problem) -> NoClosedFormError:
     """A motion of a solvable system whose curve has double roots of a kind that is not solved."""
     return NoClosedFormError(
@@ -135,8 +143,22 @@ def _obstacle(problem: Problem) -> _Obstacle:
 
 
 def _family(problem: Problem) -> str:
-    """The solvable members of the family of rubber balls in the ratio k."""
-    return "are k = 1 and k = −1" if problem.system.name == rubber_ball_ratio.NAME else ""
+    """The solvable members of the family of a system."""
+    return _SOLVABLE.get(problem.system.name, "")
+
+
+_ON_SPHERE = " around a sphere of half its radius, a = −R/2"
+#: What is solvable of families of systems, by their names.
+_SOLVABLE: Mapping[str, str] = {
+    rubber_ball_ratio.NAME: "are k = 1 and k = −1",
+    "veselova-nd": "are moments I_ij that are products a_i a_j",
+    "rubber-chaplygin-ball-nd": "are moments for which I_ij + m R² are products a_i a_j",
+    "chaplygin-ball-nd": "are, on k = p∧γ, moments with 1/I_ij + 1/(m R²) = 1/(a_i a_j)",
+    "chaplygin-ball-on-level-nd": "are moments with 1/I_ij + 1/(m R²) = 1/(a_i a_j)",
+    "rubber-ball-on-sphere-nd": "are moments for which I_ij + m R² are products a_i a_j"
+    + _ON_SPHERE,
+    "special-rubber-ball-on-sphere-nd": f"is the ball{_ON_SPHERE}",
+}
 
 
 def _title_in_sentence(title: str) -> str:

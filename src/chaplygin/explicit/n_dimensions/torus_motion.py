@@ -1,0 +1,330 @@
+"""A separated motion at any time, in double precision."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from flint import arb, arb_mat
+
+from ...core.arrays import FloatArray
+from ...formulas.balls import number
+from ..genus_two.curve import DegenerateError
+from ..genus_two.phases import phase_at
+from ..one_degree.phase_reduction import Pair, pair
+from .clock import Clock, Integral, Waves, waves
+from .separation import Separation
+from .torus import (
+    Sines,
+    cosine_coefficients,
+    densities,
+    periods,
+    sines,
+    start_angles,
+    start_phases,
+)
+
+#: Steps of half a turn for the integrals of the waves, at first and at most.
+_GRID = (128, 1024)
+#: Fourier coefficients of the highest waves there, relative to the first.
+_LEVEL = 1e-15
+#: Newton steps for the clock, at most.
+_NEWTON = 60
+#: The motion passes through its start but for this.
+_SHIFT = 1e-9
+
+
+@dataclass(frozen=True)
+class Places:
+    """Where a motion is at some times.
+
+    Attributes
+    ----------
+    vector, rate : arrays (n, N)
+        y and dy/dτ, N times.
+    clock : array (N,)
+        dt/dτ.
+    """
+
+    vector: FloatArray
+    rate: FloatArray
+    clock: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class TorusMotion:
+    """One separated motion.
+
+    Attributes
+    ----------
+    means : arb_mat
+        The periods over 2π.
+    turns : tuple of arb
+        Turns of the phases in a unit of τ.
+    """
+
+    separation: Separation
+    clock: Clock
+    means: arb_mat
+    turns: tuple[arb, ...]
+    start: FloatArray
+    sines: Sines
+
+    @classmethod
+    def of(cls, separation: Separation, clock: Clock) -> TorusMotion:
+        """The motion through the start of a separation.
+
+        Raises
+        ------
+        DegenerateError
+            If roots of the curve nearly coincide.
+        ArithmeticError
+            If the motion does not pass through its start.
+        """
+        means = periods(separation)
+        column = means.inv() * arb_mat([[v] for v in separation.speeds])
+        size = len(separation.ovals)
+        turns = tuple(column[i, 0] / (2 * arb.pi()) for i in range(size))
+        angles = start_angles(separation)
+        start = np.array([number(x) for x in start_phases(separation, means, angles)])
+        motion = cls(separation, clock, means, turns, start, sines(separation, means))
+        motion._check()
+        return motion
+
+    def _check(self) -> None:
+        """Refuse a motion that misses its start."""
+        places = self._places(self.start[None])
+        for computed, given in (
+            (places.vector, self.separation.vector),
+            (places.rate, self.separation.rate),
+        ):
+            exact = np.array([number(x) for x in given])
+            if np.abs(computed[:, 0] - exact).max() > _SHIFT * np.abs(exact).max():
+                raise ArithmeticError("the closed form does not pass through its start")
+
+    @cached_property
+    def ends(self) -> tuple[tuple[float, float], ...]:
+        """The intervals of z_1, …, z_{n−1}."""
+        curve = self.separation.curve
+        pairs = [curve.ends(left) for left in self.separation.ovals]
+        return tuple((number(low), number(high)) for low, high in pairs)
+
+    @cached_property
+    def waves(self) -> Waves:
+        """dt/dτ on the torus.
+
+        On a grid that is even in ψ_kk, in which the integrals have fewer waves than in s.
+
+        Raises
+        ------
+        DegenerateError
+            If roots of the curve nearly coincide.
+        """
+        own, inverse = self.sines.waves, self.means.inv()
+        order = np.arange(1, own.shape[2] + 1)
+        steps = _GRID[0]
+        while steps <= _GRID[1]:
+            x = np.pi * np.arange(steps + 1) / steps
+            s = self.sines.own_angles(x)
+            slopes = densities(self.separation, inverse, [[arb(y) for y in row] for row in s])
+            slopes = slopes / np.array([slopes[k, k] for k in range(len(s))])
+            decay = np.abs(cosine_coefficients(slopes))
+            if decay[:, :, steps // 2 :].max() < _LEVEL * decay.max():
+                turned = np.sin(order[None, :, None] * s[:, None, :])
+                psi = np.eye(len(s))[:, :, None] * s + np.einsum("ikm,kmj->ikj", own, turned)
+                return waves(self.clock, self.ends, s, psi, slopes)
+            steps *= 2
+        raise DegenerateError
+
+    @cached_property
+    def _integral(self) -> Integral:
+        velocity = [2 * arb.pi() * x for x in self.turns]
+        return self.waves.integral(self.start, velocity)
+
+    @cached_property
+    def frequencies(self) -> tuple[arb, ...]:
+        """Turns of the phases in a unit of t; the mean of dt/dτ is known in double precision."""
+        return tuple(x / self.waves.mean for x in self.turns)
+
+    @cached_property
+    def _pairs(self) -> tuple[Pair, ...]:
+        return tuple(pair(x) for x in self.frequencies)
+
+    def at(self, times: FloatArray) -> Places:
+        """Where it is at the times (N,)."""
+        mean = self.waves.mean
+        velocity = 2 * np.pi * np.array([number(x) for x in self.turns])
+        ideal = self.start + 2 * np.pi * np.stack(
+            [phase_at(rate, times, 2.0) for rate in self._pairs], axis=1
+        )
+        tau, delta = times / mean, np.zeros_like(times)
+        for _ in range(_NEWTON):
+            phases = ideal + delta[:, None] * velocity
+            s = self.sines.angles(phases)
+            rate = self.clock.rate(self._coordinates(s))
+            miss = mean * delta + self._integral.at(phases, tau + delta)
+            step = -miss / rate
+            delta = delta + step
+            if np.all(np.abs(step * np.abs(velocity).max()) < 4e-15):
+                break
+        return self._places(ideal + delta[:, None] * velocity)
+
+    # --- from phases to the vector --------------------------------------------------------
+
+    @cached_property
+    def _numbers(self) -> _Numbers:
+        return _Numbers.of(self.separation)
+
+    def _coordinates(self, s: FloatArray) -> FloatArray:
+        low = np.array([low for low, _ in self.ends])
+        width = self._numbers.width
+        coordinates: FloatArray = (low + width * np.sin(s / 2) ** 2).T
+        return coordinates
+
+    def _places(self, phases: FloatArray) -> Places:
+        s = self.sines.angles(phases)
+        z = self._coordinates(s)
+        vector, rate = self._numbers.vector(s.T, z)
+        return Places(vector, rate, self.clock.rate(z))
+
+
+@dataclass(frozen=True)
+class _Numbers:
+    """Differences of roots and ends, each rounded once."""
+
+    width: FloatArray
+    #: (g, roots, 2): low − root and root − high, one of them positive, for all but the own ends.
+    beyond: list[list[tuple[float, bool]]]
+    #: (n, g): c_i − low or high − c_i in absolute value, and from which end it is counted.
+    poles: list[list[tuple[float, bool]]]
+    #: the coordinate that ends at c_i, whether at its low end; −1 where none does.
+    touching: list[tuple[int, bool]]
+    #: gaps[k][l] for k > l: low of k − high of l.
+    gaps: FloatArray
+    scales: FloatArray
+    speed: float
+    product_speed: float
+    leading: float
+
+    @classmethod
+    def of(cls, separation: Separation) -> _Numbers:
+        curve, ovals, poles = separation.curve, separation.ovals, separation.poles
+        ends = [curve.ends(left) for left in ovals]
+        beyond = [
+            [
+                (number(ends[k][0] - root), True)
+                if place < left
+                else (number(root - ends[k][1]), False)
+                for place, root in enumerate(curve.roots)
+                if place not in (left, left + 1)
+            ]
+            for k, left in enumerate(ovals)
+        ]
+        touching, table, scales = [], [], []
+        for i, c in enumerate(poles):
+            row, touch = [], (-1, True)
+            size = arb(1)
+            for j, other in enumerate(poles):
+                if j != i:
+                    size /= abs(c - other)
+            for k, (low, high) in enumerate(ends):
+                if c.overlaps(low) or c.overlaps(high):
+                    touch = (k, c.overlaps(low))
+                    row.append((0.0, c.overlaps(low)))
+                    size *= high - low
+                elif c < low:
+                    row.append((number(low - c), True))
+                else:
+                    row.append((number(c - high), False))
+            table.append(row)
+            touching.append(touch)
+            scales.append(number(size.sqrt()))
+        gaps = np.array(
+            [
+                [number(ends[max(k, j)][0] - ends[min(k, j)][1]) for j in range(len(ends))]
+                for k in range(len(ends))
+            ]
+        )
+        plain = cls(
+            np.array([number(high - low) for low, high in ends]),
+            beyond,
+            table,
+            touching,
+            gaps,
+            np.array(scales),
+            number(separation.speed),
+            number(separation.product_speed),
+            number(abs(curve.leading)),
+        )
+        return plain._with_signs(separation)
+
+    def _with_signs(self, separation: Separation) -> _Numbers:
+        angles = np.array([[number(x)] for x in start_angles(separation)])
+        low = np.array([number(separation.curve.ends(left)[0]) for left in separation.ovals])
+        z = low[:, None] + self.width[:, None] * np.sin(angles / 2) ** 2
+        vector, rate = self.vector(angles, z)
+        signs = []
+        for i, (own, turning) in enumerate(zip(separation.vector, separation.rate, strict=True)):
+            # a component that vanishes shows its sign in its rate
+            agrees = (
+                vector[i, 0] * number(own) > 0
+                if abs(number(own)) > 1e-6
+                else rate[i, 0] * number(turning) > 0
+            )
+            signs.append(1.0 if agrees else -1.0)
+        return _Numbers(
+            self.width,
+            self.beyond,
+            self.poles,
+            self.touching,
+            self.gaps,
+            self.scales * np.array(signs),
+            self.speed,
+            self.product_speed,
+            self.leading,
+        )
+
+    def vector(self, s: FloatArray, z: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """y and dy/dτ (n, N) at angles and coordinates (g, N)."""
+        up, down = np.sin(s / 2), np.cos(s / 2)
+        rise, fall = self.width[:, None] * up**2, self.width[:, None] * down**2
+        turning = np.array([self._rate(k, rise, fall, z) for k in range(len(s))])
+        change = self.width[:, None] * up * down * turning
+        vectors, rates = [], []
+        for i, (touch, at_low) in enumerate(self.touching):
+            y = np.full(s.shape[1], self.scales[i])
+            logarithmic = np.zeros(s.shape[1])
+            for k, (distance, above) in enumerate(self.poles[i]):
+                if k == touch:
+                    continue
+                # |c − z| grows with z where z lies above c
+                away = distance + (rise[k] if above else fall[k])
+                y = y * np.sqrt(away)
+                logarithmic += (change[k] if above else -change[k]) / (2 * away)
+            if touch < 0:
+                vectors.append(y)
+                rates.append(y * logarithmic)
+                continue
+            factor, slope = (
+                (up[touch], down[touch] / 2) if at_low else (down[touch], -up[touch] / 2)
+            )
+            vectors.append(y * factor)
+            rates.append(y * (factor * logarithmic + slope * turning[touch]))
+        return np.array(vectors), np.array(rates)
+
+    def _rate(self, k: int, rise: FloatArray, fall: FloatArray, z: FloatArray) -> FloatArray:
+        """ds_k/dτ."""
+        cofactor = np.full(z.shape[1], self.leading)
+        for distance, above in self.beyond[k]:
+            cofactor = cofactor * (distance + (rise[k] if above else fall[k]))
+        apart, product = np.ones(z.shape[1]), np.ones(z.shape[1])
+        for other in range(len(z)):
+            if other == k:
+                continue
+            high, low = max(k, other), min(k, other)
+            gap = self.gaps[k, other] + rise[high] + fall[low]
+            apart = apart * (gap if k > other else -gap)
+            product = product * z[other]
+        rate: FloatArray = np.sqrt(cofactor) * (self.speed + self.product_speed * product) / apart
+        return rate
