@@ -172,7 +172,15 @@ _CAPTION = (
     "The curve over the real line, each oval scaled to its own height, with its roots and the "
     "intervals of the separated variables; and nine turns on the torus of the two phases."
 )
+_CAPTION_OF_MORE = _CAPTION.replace("the two phases", "the phases, seen in the first two of them")
 _CAPTION_OF_ONE = "The interval on which the separated variable moves."
+
+
+def _captions(ovals: int) -> str:
+    """The caption of the figure of so many intervals."""
+    if ovals <= 1:
+        return _CAPTION_OF_ONE
+    return _CAPTION if ovals == 2 else _CAPTION_OF_MORE  # noqa: PLR2004
 
 
 def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFormSection:
@@ -200,7 +208,7 @@ def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFor
             for figure in form.constants
         ),
         ovals=tuple(typographic_signs(f"[{low:.12g}, {high:.12g}]") for low, high in form.ovals),
-        caption=_CAPTION if len(form.ovals) > 1 else _CAPTION_OF_ONE,
+        caption=_captions(len(form.ovals)),
         difference=numerals.number(float(distance), 2),
     )
 

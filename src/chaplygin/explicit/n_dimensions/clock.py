@@ -6,7 +6,8 @@ Fourier coefficients on the torus of the phases are determinants of integrals in
     c_m = det ‖(1/2π) ∮ g(z_k) (dψ_ik/ds_k) exp(−i Σ_j m_j ψ_jk(s)) ds‖,
 
 for the volume of the torus is det(dψ_ik/ds_k) ds_1 … ds_{n−1}.  They are real, as g is even in s
-and ψ odd.  So t = c_0 τ + Σ c_m (sin(m, φ) − sin(m, φ_0))/(m, dφ/dτ), and τ follows by Newton's method.
+and ψ odd.  So t = c_0 τ + Σ c_m (sin(m, φ) − sin(m, φ_0))/(m, dφ/dτ), and τ follows by Newton's
+method.
 """
 
 from __future__ import annotations
@@ -31,11 +32,12 @@ _SLOW = 1e-2
 #: Numbers in one block.
 _BLOCK = 4_000_000
 
-Factor = Callable[[FloatArray], FloatArray]
+#: A function of one coordinate, a ball.
+Factor = Callable[[arb], arb]
 
 
 class Clock(ABC):
-    """dt/dτ as a function of the coordinates z (k, n)."""
+    """dt/dτ as a function of the coordinates z (g, N)."""
 
     @abstractmethod
     def rate(self, z: FloatArray) -> FloatArray:
@@ -43,57 +45,56 @@ class Clock(ABC):
 
     @abstractmethod
     def products(
-        self, ends: Sequence[tuple[float, float]]
-    ) -> tuple[FloatArray, list[list[Factor]]]:
-        """Weights, and for each the functions of z_1, …, z_{n−1} whose product it multiplies."""
+        self, ends: Sequence[tuple[arb, arb]]
+    ) -> tuple[Sequence[arb], Sequence[Sequence[Factor]]]:
+        """Weights, and for each the functions of z_1, …, z_g whose product it multiplies."""
 
 
 @dataclass(frozen=True)
 class ProductClock(Clock):
     """dt/dτ = scale √(∏ z_k)."""
 
-    scale: float
+    scale: arb
 
     def rate(self, z: FloatArray) -> FloatArray:
         """dt/dτ."""
-        rate: FloatArray = self.scale * np.sqrt(np.prod(z, axis=0))
+        rate: FloatArray = number(self.scale) * np.sqrt(np.prod(z, axis=0))
         return rate
 
     def products(
-        self, ends: Sequence[tuple[float, float]]
-    ) -> tuple[FloatArray, list[list[Factor]]]:
+        self, ends: Sequence[tuple[arb, arb]]
+    ) -> tuple[Sequence[arb], Sequence[Sequence[Factor]]]:
         """One product of roots."""
-        return np.array([self.scale]), [[np.sqrt for _ in ends]]
+        return [self.scale], [[arb.sqrt for _ in ends]]
 
 
 @dataclass(frozen=True)
 class RootClock(Clock):
     """dt/dτ = (total − Σ z_k)^(−1/2)."""
 
-    total: float
+    total: arb
 
     def rate(self, z: FloatArray) -> FloatArray:
         """dt/dτ."""
-        rate: FloatArray = 1 / np.sqrt(self.total - np.sum(z, axis=0))
+        rate: FloatArray = 1 / np.sqrt(number(self.total) - np.sum(z, axis=0))
         return rate
 
     def products(
-        self, ends: Sequence[tuple[float, float]]
-    ) -> tuple[FloatArray, list[list[Factor]]]:
-        """x^(−1/2) = π^(−1/2) ∫ exp(−x s²) ds by the trapezoidal rule, exact to rounding here."""
-        least = self.total - sum(high for _, high in ends)
-        most = self.total - sum(low for low, _ in ends)
-        step = 0.5 / np.sqrt(most)
-        count = int(np.ceil(6.2 / np.sqrt(least) / step))
-        s = step * np.arange(count + 1)
-        weights = 2 * step / np.sqrt(np.pi) * np.exp(-least * s * s)
+        self, ends: Sequence[tuple[arb, arb]]
+    ) -> tuple[Sequence[arb], Sequence[Sequence[Factor]]]:
+        """x^(−1/2) = π^(−1/2) ∫ exp(−x s²) ds, by the trapezoidal rule to 24 digits."""
+        least = self.total - sum((high for _, high in ends), arb(0))
+        most = self.total - sum((low for low, _ in ends), arb(0))
+        step = 0.41 / most.sqrt()
+        count = int(np.ceil(number(7.6 / least.sqrt() / step)))
+        squares = [(step * i) ** 2 for i in range(count + 1)]
+        weights = [2 * step / arb.pi().sqrt() * (-least * x).exp() for x in squares]
         weights[0] /= 2
-        factors = [[self._decay(x * x, high) for _, high in ends] for x in s]
-        return weights, factors
+        return weights, [[_decay(x, high) for _, high in ends] for x in squares]
 
-    @staticmethod
-    def _decay(square: float, high: float) -> Factor:
-        return lambda z: np.exp(square * (z - high))
+
+def _decay(square: arb, high: arb) -> Factor:
+    return lambda z: (square * (z - high)).exp()
 
 
 @dataclass(frozen=True)
@@ -181,7 +182,7 @@ class Integral:
 
 def waves(
     clock: Clock,
-    ends: Sequence[tuple[float, float]],
+    ends: Sequence[tuple[arb, arb]],
     s: FloatArray,
     psi: FloatArray,
     slopes: FloatArray,
@@ -207,11 +208,12 @@ def waves(
     steps = psi.shape[2] - 1
     rule = np.full(steps + 1, 1.0 / steps)
     rule[[0, -1]] /= 2
-    weights, products = clock.products(ends)
+    balls, products = clock.products(ends)
+    weights = np.array([number(x) for x in balls])
     kernels = []
     for k, (low, high) in enumerate(ends):
-        z = low + (high - low) * np.sin(s[k] / 2) ** 2
-        factors = np.array([one[k](z) for one in products])
+        z = [low + (high - low) * (arb(x) / 2).sin() ** 2 for x in s[k]]
+        factors = np.array([[number(one[k](x)) for x in z] for one in products])
         # (N + 1, terms, i)
         kernels.append(np.einsum("qj,ij,j->jqi", factors, slopes[:, k], rule))
 

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 import sympy as sp
-from flint import arb
+from flint import arb, ctx
 
 from ...arguments import NumberOrText, arguments_checked
 from ...core.arrays import FloatArray
@@ -22,6 +22,9 @@ from .clock import ProductClock
 from .operators import Kind
 from .separation import real_roots
 from .torus_motion import TorusMotion
+
+#: Working precision of the set-up, in bits.
+BITS = 320
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -82,7 +85,8 @@ class SphereSolution(Solution):
     @cached_property
     def form(self) -> ClosedForm:
         """The curve, its roots, frequencies."""
-        return _form(self)
+        with ctx.workprec(BITS):
+            return _form(self)
 
 
 def in_state(system: System, p: FloatArray, gamma: FloatArray) -> FloatArray:
@@ -158,8 +162,9 @@ def _form(solution: SphereSolution) -> ClosedForm:
     f = [sp.Symbol(f"f_{i + 1}") for i in range(separation.integral.degree())]
     product = isinstance(motion.clock, ProductClock)
     lead = sp.Symbol("P_0")
+    first = [sp.Symbol("c_0")] if product else []
     equations = [
-        (y**2, -4 * lead * (top if product else 1) * sp.Mul(*(top - x for x in (*c, *f)))),
+        (y**2, -4 * lead * sp.Mul(*(top - x for x in (*first, *c, *f)))),
         *(
             (
                 sp.Add(*(a**i * b / e for a, b, e in zip(z, d, own, strict=True))),
@@ -175,10 +180,11 @@ def _form(solution: SphereSolution) -> ClosedForm:
         ),
     ]
     integral = separation.integral.coeffs()
+    poles = [*([arb(0)] if product else []), *sorted(separation.poles, key=number)]
     figures = [
         *(
             NamedConstant(f"c_{i}", x, "root of the curve")
-            for i, x in enumerate(sorted(separation.poles, key=number), 1)
+            for i, x in enumerate(poles, 0 if product else 1)
         ),
         *(
             NamedConstant(f"f_{i}", x, "root of the curve, an integral")
@@ -194,14 +200,14 @@ def _form(solution: SphereSolution) -> ClosedForm:
             NamedConstant(f"V_{i}", x, f"turns of z_{i} per unit of τ")
             for i, x in enumerate(motion.turns, 1)
         ),
-        NamedConstant("mean dt/dtau", arb(motion.waves.mean), "mean rate of the clock"),
+        NamedConstant("mean dt/dtau", motion.mean, "mean rate of the clock (error estimated)"),
         *(
-            NamedConstant(f"Omega_{i}", x, f"frequency of z_{i}", "turns/s")
+            NamedConstant(f"Omega_{i}", x, f"frequency of z_{i} (error estimated)", "turns/s")
             for i, x in enumerate(motion.frequencies, 1)
         ),
     ]
     return ClosedForm(
-        title=f"{solution.system.title}, {_WORDS[solution.kind]}",
+        title=f"Separation on a curve of genus {genus}, {_WORDS[solution.kind]}",
         motion=f"quasi-periodic on a torus, {genus} frequencies",
         equations=tuple(equations),
         constants=tuple(figures),

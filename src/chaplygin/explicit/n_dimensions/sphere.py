@@ -1,9 +1,9 @@
 """Motions with a special operator of inertia: which axes move, and by what they are solved.
 
 Axes on which p and γ vanish stay out of the motion.  Axes with equal factors a_i may be turned
-among each other, so that p and γ leave at most two of them, one where these are parallel.  On what is
-left, at most three axes belong to a system of three dimensions; on more the motion separates on a
-curve of genus n − 1 (:mod:`.separation`).
+among each other, so that p and γ leave at most two of them, one where these are parallel.  On
+what is left, at most three axes belong to a system of three dimensions; on more the motion
+separates on a curve of genus n − 1 (:mod:`.separation`).
 """
 
 from __future__ import annotations
@@ -31,11 +31,8 @@ from .few_axes import (
 )
 from .operators import Kind, SpecialOperator, momentum_and_vector, special_operator
 from .separation import Separation, of_ball, of_surrounding_ball, of_veselova
-from .solution import SphereSolution
+from .solution import BITS, SphereSolution
 from .torus_motion import TorusMotion
-
-#: Working precision of the set-up, in bits.
-BITS = 320
 
 Balls = Sequence[arb]
 
@@ -176,8 +173,8 @@ def _separation(kind: Kind, a: Balls, D: arb, p: Balls, gamma: Balls) -> tuple[S
         product *= x
     if kind is Kind.VESELOVA:
         # W = ∏z ∏a
-        return of_veselova(a, p, gamma), ProductClock(number(product.sqrt()))
+        return of_veselova(a, p, gamma), ProductClock(product.sqrt())
     if kind is Kind.BALL:
-        return of_ball(a, D, p, gamma), ProductClock(number(D * product.sqrt()))
+        return of_ball(a, D, p, gamma), ProductClock(D * product.sqrt())
     total = sum((1 / x for x in a), arb(0))
-    return of_surrounding_ball(a, p, gamma), RootClock(number(total))
+    return of_surrounding_ball(a, p, gamma), RootClock(total)

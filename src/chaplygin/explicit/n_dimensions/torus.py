@@ -65,9 +65,12 @@ class Sines:
     ----------
     waves : array (g, g, M)
         S_ikm for i, k and m = 1, …, M.
+    steps : int
+        Steps of half a turn with which they were computed.
     """
 
     waves: FloatArray
+    steps: int
 
     @property
     def genus(self) -> int:
@@ -157,7 +160,7 @@ def sines(separation: Separation, means: arb_mat) -> Sines:
             kept = np.abs(cosines).max(axis=(0, 1)) > _LEVEL
             count = int(np.flatnonzero(kept).max()) if kept[1:].any() else 1
             count = max(count, 1)
-            return Sines(cosines[:, :, 1 : count + 1] / np.arange(1, count + 1))
+            return Sines(cosines[:, :, 1 : count + 1] / np.arange(1, count + 1), steps)
         steps *= 2
     raise DegenerateError
 
