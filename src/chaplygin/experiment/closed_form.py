@@ -180,7 +180,7 @@ def _captions(ovals: int) -> str:
     """The caption of the figure of so many intervals."""
     if ovals <= 1:
         return _CAPTION_OF_ONE
-    return _CAPTION if ovals == 2 else _CAPTION_OF_MORE  # noqa: PLR2004
+    return _CAPTION if ovals == 2 else _CAPTION_OF_MORE
 
 
 def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFormSection:
