@@ -119,7 +119,7 @@ class Waves:
         """The function at phases (n, g)."""
         return self.mean + self._sum(phases, self.orders, self.heights).real
 
-    def integral(self, start: FloatArray, velocity: Sequence[arb]) -> Integral:
+    def integral(self, start: FloatArray, velocity: Sequence[arb]) -> WaveIntegral:
         """The integral of the function less its mean along φ = start + velocity τ."""
         rough = self.orders @ np.array([number(x) for x in velocity])
         slow = np.abs(rough) < _SLOW * np.abs(rough).max(initial=0.0)
@@ -131,7 +131,7 @@ class Waves:
         )
         fast = Waves(self.mean, self.orders[~slow], self.heights[~slow] / rough[~slow])
         begin = float(fast._sum(start[None], fast.orders, fast.heights).imag[0])
-        return Integral(fast, begin, exact, self.orders[slow] @ start, self.heights[slow])
+        return WaveIntegral(fast, begin, exact, self.orders[slow] @ start, self.heights[slow])
 
     def _sum(self, phases: FloatArray, orders: IntArray, heights: FloatArray) -> ComplexArray:
         """Σ heights exp i(m, φ)."""
@@ -150,7 +150,7 @@ class Waves:
 
 
 @dataclass(frozen=True)
-class Integral:
+class WaveIntegral:
     """∫ Σ c_m cos(m, φ) dτ over m ≠ 0, from 0 to τ.
 
     Attributes
@@ -232,11 +232,11 @@ def waves(
 
     zero = np.zeros((1, size), dtype=int)
     mean = float(coefficients(zero)[0])
-    orders, heights = _grown(coefficients, size, _LEVEL * abs(mean))
+    orders, heights = _noticeable_waves(coefficients, size, _LEVEL * abs(mean))
     return Waves(mean, orders, 2 * heights)
 
 
-def _grown(
+def _noticeable_waves(
     coefficients: Callable[[IntArray], FloatArray], size: int, level: float
 ) -> tuple[IntArray, FloatArray]:
     """All waves whose coefficients are noticeable, from the longest ones outwards."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -24,9 +24,6 @@ from ..base.solution import ClosedForm, Solution, finite_times
 from .operators import Kind, SpecialOperator
 from .solution import in_state
 
-if TYPE_CHECKING:
-    from .sphere import Axis
-
 #: The dimension of the systems of the paper.
 SIZE = 3
 _PLANES = ((0, 1), (0, 2), (1, 2))
@@ -35,6 +32,25 @@ _NAMES = {
     Kind.BALL: "chaplygin-ball-nd",
     Kind.SURROUNDING: "rubber-ball-on-sphere-nd",
 }
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A direction of the body that takes part in a motion.
+
+    Attributes
+    ----------
+    index : int
+        Of a body axis with the same factor.
+    direction : tuple of n arb
+    p, gamma : arb
+        Components along it.
+    """
+
+    index: int
+    direction: tuple[arb, ...]
+    p: arb
+    gamma: arb
 
 
 @dataclass(frozen=True, repr=False)

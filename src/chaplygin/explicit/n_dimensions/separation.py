@@ -49,8 +49,8 @@ _MARGIN, _MOST = 40, 4
 
 
 @dataclass(frozen=True)
-class Separation:
-    """A motion in separated variables.
+class SeparatedVector:
+    """A unit vector that moves by separated variables, at its start.
 
     Attributes
     ----------
@@ -95,7 +95,7 @@ def polynomial(roots: Balls) -> arb_poly:
     return product
 
 
-def coordinates(poles: Balls, vector: Balls) -> arb_poly:
+def coordinate_polynomial(poles: Balls, vector: Balls) -> arb_poly:
     """∏ (z − z_k) = Σ y_i² ∏_{j≠i} (z − c_j)."""
     total = arb_poly([0])
     for i, y in enumerate(vector):
@@ -124,7 +124,7 @@ def dot(first: Balls, second: Balls) -> arb:
     return sum((x * y for x, y in zip(first, second, strict=True)), arb(0))
 
 
-def of_veselova(a: Balls, p: Balls, gamma: Balls) -> Separation:
+def of_veselova(a: Balls, p: Balls, gamma: Balls) -> SeparatedVector:
     """The Veselova system, or the rubber ball, with I_ij = a_i a_j (with m R² added)."""
     W = dot([x * y for x, y in zip(a, gamma, strict=True)], gamma)
     lifted = [x / y for x, y in zip(p, a, strict=True)]
@@ -138,12 +138,12 @@ def of_veselova(a: Balls, p: Balls, gamma: Balls) -> Separation:
     )
 
 
-def of_ball(a: Balls, D: arb, p: Balls, gamma: Balls) -> Separation:
+def of_ball(a: Balls, D: arb, p: Balls, gamma: Balls) -> SeparatedVector:
     """The marble ball on the level k = p∧γ, I_ij = D a_i a_j/(D − a_i a_j)."""
     W = dot([x / y for x, y in zip(gamma, a, strict=True)], gamma)
     square = dot(p, p)
     k = wedge(p, gamma)
-    G = coordinates(a, gamma)
+    G = coordinate_polynomial(a, gamma)
     K = pencil(a, {pair: x * x for pair, x in k.items()})
     whole = (arb_poly([0, 1]) * K - square * G).coeffs()
     # the highest powers cancel, as p² = Σ k_ij²
@@ -162,7 +162,7 @@ def of_ball(a: Balls, D: arb, p: Balls, gamma: Balls) -> Separation:
     return _separation(a, T, [arb(0)], gamma, rate, speed=-scale / D, product=arb(1))
 
 
-def of_surrounding_ball(a: Balls, p: Balls, gamma: Balls) -> Separation:
+def of_surrounding_ball(a: Balls, p: Balls, gamma: Balls) -> SeparatedVector:
     """The rubber ball around a sphere of half its radius, I_ij = a_i a_j − m R²."""
     W = dot([x * y for x, y in zip(a, gamma, strict=True)], gamma)
     lifted = [x / y for x, y in zip(p, a, strict=True)]
@@ -176,7 +176,9 @@ def of_surrounding_ball(a: Balls, p: Balls, gamma: Balls) -> Separation:
     rate = [r * (x - pull * z) for r, x, z in zip(roots, u, gamma, strict=True)]
     poles = [1 / x for x in a]
     turns = wedge(y, rate)
-    Q = pencil(poles, {pair: x * x for pair, x in turns.items()}) - energy * coordinates(poles, y)
+    Q = pencil(poles, {pair: x * x for pair, x in turns.items()}) - energy * coordinate_polynomial(
+        poles, y
+    )
     return _separation(poles, Q, [], y, rate, speed=arb(1), product=arb(0))
 
 
@@ -189,7 +191,7 @@ def _separation(
     *,
     speed: arb,
     product: arb,
-) -> Separation:
+) -> SeparatedVector:
     """With the curve Y = −4 · integral · ∏(z − more) ∏(z − c_i)."""
     roots = [*poles, *more, *real_roots(integral)]
     leading = -4 * integral.coeffs()[integral.degree()]
@@ -203,7 +205,7 @@ def _separation(
             high <= ordered[k + 1] or ordered[k + 1].overlaps(high)
         ):
             raise DegenerateError
-    return Separation(
+    return SeparatedVector(
         tuple(poles), curve, integral, ovals, speed, product, tuple(vector), tuple(rate)
     )
 

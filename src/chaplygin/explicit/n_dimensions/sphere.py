@@ -9,7 +9,7 @@ separates on a curve of genus n − 1 (:mod:`.separation`).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from flint import arb, ctx, fmpq
@@ -23,6 +23,7 @@ from ..genus_two.curve import DegenerateError
 from .clock import Clock, ProductClock, RootClock
 from .few_axes import (
     SIZE,
+    Axis,
     RestSolution,
     of_a_body,
     solve_on_few_axes,
@@ -30,30 +31,11 @@ from .few_axes import (
     three_moments,
 )
 from .operators import Kind, SpecialOperator, momentum_and_vector, special_operator
-from .separation import Separation, of_ball, of_surrounding_ball, of_veselova
+from .separation import SeparatedVector, of_ball, of_surrounding_ball, of_veselova
 from .solution import BITS, SphereSolution
 from .torus_motion import TorusMotion
 
 Balls = Sequence[arb]
-
-
-@dataclass(frozen=True)
-class Axis:
-    """A direction of the body that takes part in a motion.
-
-    Attributes
-    ----------
-    index : int
-        Of a body axis with the same factor.
-    direction : tuple of n arb
-    p, gamma : arb
-        Components along it.
-    """
-
-    index: int
-    direction: tuple[arb, ...]
-    p: arb
-    gamma: arb
 
 
 def solve_on_sphere(problem: Problem, solve: Callable[[Problem], Solution]) -> Solution | None:
@@ -167,7 +149,9 @@ def _on_torus(problem: Problem, operator: SpecialOperator, axes: Sequence[Axis])
     )
 
 
-def _separation(kind: Kind, a: Balls, D: arb, p: Balls, gamma: Balls) -> tuple[Separation, Clock]:
+def _separation(
+    kind: Kind, a: Balls, D: arb, p: Balls, gamma: Balls
+) -> tuple[SeparatedVector, Clock]:
     product = arb(1)
     for x in a:
         product *= x

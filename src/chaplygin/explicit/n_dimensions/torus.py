@@ -21,7 +21,7 @@ from flint import acb, arb, arb_mat
 from ...core.arrays import FloatArray
 from ...formulas.balls import number
 from ..genus_two.curve import Curve, DegenerateError
-from .separation import Separation, coordinates, polynomial, real_roots
+from .separation import SeparatedVector, coordinate_polynomial, polynomial, real_roots
 
 #: Steps of half a turn: at first and at most.
 _GRID = (64, 4096)
@@ -33,7 +33,7 @@ _STEPS, _HALVINGS = 60, 30
 _CLOSE = 4e-15
 
 
-def periods(separation: Separation) -> arb_mat:
+def periods(separation: SeparatedVector) -> arb_mat:
     """The matrix of the means of z_k^i/√C_k over the intervals."""
     curve = separation.curve
     size = len(separation.ovals)
@@ -142,7 +142,7 @@ class Sines:
         return s
 
 
-def sines(separation: Separation, means: arb_mat) -> Sines:
+def sines(separation: SeparatedVector, means: arb_mat) -> Sines:
     """The Fourier coefficients of the map.
 
     Raises
@@ -166,7 +166,7 @@ def sines(separation: Separation, means: arb_mat) -> Sines:
 
 
 def densities(
-    separation: Separation, inverse: arb_mat, places: Sequence[Sequence[arb]]
+    separation: SeparatedVector, inverse: arb_mat, places: Sequence[Sequence[arb]]
 ) -> FloatArray:
     """dψ_ik/ds at places s of each z_k, (g, g, N)."""
     curve, size = separation.curve, len(separation.ovals)
@@ -192,7 +192,7 @@ def cosine_coefficients(values: FloatArray) -> FloatArray:
     return coefficients
 
 
-def start_angles(separation: Separation) -> tuple[arb, ...]:
+def start_angles(separation: SeparatedVector) -> tuple[arb, ...]:
     """The angles s_k at the start, with the direction in which z_k moves."""
     poles, y, rate = separation.poles, separation.vector, separation.rate
     z = _ordered_roots(separation)
@@ -217,8 +217,8 @@ def start_angles(separation: Separation) -> tuple[arb, ...]:
     return tuple(found)
 
 
-def _ordered_roots(separation: Separation) -> list[arb]:
-    poly = coordinates(separation.poles, separation.vector)
+def _ordered_roots(separation: SeparatedVector) -> list[arb]:
+    poly = coordinate_polynomial(separation.poles, separation.vector)
     # a coordinate stands at a pole where a component of y vanishes
     still = [c for c, y in zip(separation.poles, separation.vector, strict=True) if y == 0]
     for c in still:
@@ -226,7 +226,7 @@ def _ordered_roots(separation: Separation) -> list[arb]:
     return sorted([*still, *real_roots(poly)], key=lambda x: x.mid())
 
 
-def motion_weights(separation: Separation, z: Sequence[arb]) -> list[arb]:
+def motion_weights(separation: SeparatedVector, z: Sequence[arb]) -> list[arb]:
     """s_k′/√C_k at given coordinates."""
     weights = []
     for k, own in enumerate(z):
@@ -239,7 +239,7 @@ def motion_weights(separation: Separation, z: Sequence[arb]) -> list[arb]:
     return weights
 
 
-def start_phases(separation: Separation, means: arb_mat, angles: Sequence[arb]) -> list[arb]:
+def start_phases(separation: SeparatedVector, means: arb_mat, angles: Sequence[arb]) -> list[arb]:
     """φ at the start, in radians."""
     inverse, curve = means.inv(), separation.curve
     size = len(separation.ovals)

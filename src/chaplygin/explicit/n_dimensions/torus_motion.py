@@ -13,8 +13,8 @@ from ...formulas.balls import number
 from ..genus_two.curve import DegenerateError
 from ..genus_two.phases import phase_at
 from ..one_degree.phase_reduction import Pair, pair
-from .clock import Clock, Integral, Waves, waves
-from .separation import Separation
+from .clock import Clock, WaveIntegral, Waves, waves
+from .separation import SeparatedVector
 from .torus import (
     Sines,
     cosine_coefficients,
@@ -67,7 +67,7 @@ class TorusMotion:
         Turns of the phases in a unit of τ.
     """
 
-    separation: Separation
+    separation: SeparatedVector
     clock: Clock
     means: arb_mat
     turns: tuple[arb, ...]
@@ -75,7 +75,7 @@ class TorusMotion:
     sines: Sines
 
     @classmethod
-    def of(cls, separation: Separation, clock: Clock) -> TorusMotion:
+    def of(cls, separation: SeparatedVector, clock: Clock) -> TorusMotion:
         """The motion through the start of a separation.
 
         Raises
@@ -145,7 +145,7 @@ class TorusMotion:
         raise DegenerateError
 
     @cached_property
-    def _integral(self) -> Integral:
+    def _integral(self) -> WaveIntegral:
         velocity = [2 * arb.pi() * x for x in self.turns]
         return self.waves.integral(self.start, velocity)
 
@@ -237,7 +237,7 @@ class _Numbers:
     leading: float
 
     @classmethod
-    def of(cls, separation: Separation) -> _Numbers:
+    def of(cls, separation: SeparatedVector) -> _Numbers:
         curve, ovals, poles = separation.curve, separation.ovals, separation.poles
         ends = [curve.ends(left) for left in ovals]
         beyond = [
@@ -288,7 +288,7 @@ class _Numbers:
         )
         return plain._with_signs(separation)
 
-    def _with_signs(self, separation: Separation) -> _Numbers:
+    def _with_signs(self, separation: SeparatedVector) -> _Numbers:
         angles = np.array([[number(x)] for x in start_angles(separation)])
         low = np.array([number(separation.curve.ends(left)[0]) for left in separation.ovals])
         z = low[:, None] + self.width[:, None] * np.sin(angles / 2) ** 2
