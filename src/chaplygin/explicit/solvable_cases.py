@@ -377,10 +377,11 @@ def _solve_in_three_dimensions(problem: Problem) -> Solution | None:
 
 def _solve_in_n_dimensions(problem: Problem) -> Solution | None:
     from .n_dimensions.sphere import solve_on_sphere
+    from .n_dimensions.suslov import solve_suslov
 
     if not any(isinstance(name, Column | NamedMatrix) for name in problem.system.state):
         return None
-    return solve_on_sphere(problem, solution_of)
+    return solve_suslov(problem) or solve_on_sphere(problem, solution_of)
 
 
 RECOGNISERS: tuple[Recogniser, ...] = (
