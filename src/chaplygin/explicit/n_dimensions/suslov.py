@@ -326,8 +326,11 @@ def _planar(
     j: Sequence[Fraction],
     w: Sequence[Fraction],
 ) -> PlanarTurning:
-    images = [[sum(x * y for x, y in zip(row, v, strict=True)) for row in B] for v in (j, w)]
-    if any(_rank([j, w, list(image)]) > _PLANE for image in images):
+    images = [
+        [sum((x * y for x, y in zip(row, v, strict=True)), Fraction(0)) for row in B]
+        for v in (j, w)
+    ]
+    if any(_rank([j, w, image]) > _PLANE for image in images):
         raise off_level(
             problem, "a plane with j = (J_1n, J_2n, …) that B = J′ + J_nn leaves invariant"
         )
