@@ -11,7 +11,7 @@ from chaplygin.explicit import solve
 from chaplygin.explicit.base.no_closed_form import NoClosedFormError
 from chaplygin.explicit.base.problem import Problem
 from chaplygin.explicit.n_dimensions.few_axes import FewAxesSolution, RestSolution
-from chaplygin.explicit.n_dimensions.operators import momentum_and_vector, special_operator
+from chaplygin.explicit.n_dimensions.operators import momentum_and_vector, operator_of
 from chaplygin.explicit.n_dimensions.solution import SphereSolution
 from chaplygin.explicit.n_dimensions.sphere import BITS, _on_torus, moving_axes
 from chaplygin.flow.integrator import integrate
@@ -94,7 +94,7 @@ def test_in_three_dimensions_it_is_the_closed_form_of_the_paper(name):
     system, start = random_motion(name, 6, dimension=3)
     problem = Problem(system, system.defaults, tuple(start))
     with ctx.workprec(BITS):
-        operator = special_operator(problem)
+        operator = operator_of(problem)
         axes = moving_axes(operator, *momentum_and_vector(problem), RESOLUTION)
         general = _on_torus(problem, operator, axes)
     paper = solve(system, start)

@@ -21,7 +21,7 @@ from ...formulas.balls import ball, exact, number
 from ..base.derived_solution import DerivedSolution
 from ..base.problem import Problem
 from ..base.solution import ClosedForm, Solution, finite_times
-from .operators import Kind, SpecialOperator
+from .operators import InertiaByProducts, Kind
 from .solution import in_state
 
 #: The dimension of the systems of the paper.
@@ -113,7 +113,7 @@ def _vectors(state: Sequence[Any], by_momentum: bool) -> tuple[list[Any], list[A
 
 def solve_on_few_axes(
     problem: Problem,
-    operator: SpecialOperator,
+    operator: InertiaByProducts,
     axes: Sequence[Axis],
     solve: Callable[[Problem], Solution],
 ) -> Solution:
@@ -156,13 +156,13 @@ def solve_on_few_axes(
     return FewAxesSolution(problem.system, problem.parameters, inner, tuple(directions))
 
 
-def spare_indices(operator: SpecialOperator, axes: Sequence[Axis]) -> list[int]:
+def spare_indices(operator: InertiaByProducts, axes: Sequence[Axis]) -> list[int]:
     """Further axes, on which nothing moves, that make three in all."""
     used = [axis.index for axis in axes]
     return [i for i in range(operator.dimension) if i not in used][: SIZE - len(axes)]
 
 
-def three_moments(operator: SpecialOperator, indices: Sequence[int]) -> list[Fraction]:
+def three_moments(operator: InertiaByProducts, indices: Sequence[int]) -> list[Fraction]:
     """The moments in the planes 12, 13, 23 of three axes."""
     return [
         _moment(operator.kind, operator.products[indices[i], indices[j]], operator.D)

@@ -36,8 +36,8 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True)
-class SpecialOperator:
-    """A special operator of inertia.
+class InertiaByProducts:
+    """An operator of inertia by its K_ij; a special one where these are products.
 
     Attributes
     ----------
@@ -59,6 +59,11 @@ class SpecialOperator:
         first = (ball(K[0, 1]) * ball(K[0, 2]) / ball(K[1, 2])).sqrt()
         return (first, *(ball(K[0, j]) / first for j in range(1, self.dimension)))
 
+    @property
+    def special(self) -> bool:
+        """Whether K_ij are products a_i a_j."""
+        return _are_products(self.dimension, self.products)
+
     def equal(self, i: int, j: int) -> bool:
         """Whether a_i = a_j."""
         other = next(k for k in range(self.dimension) if k not in (i, j))
@@ -79,8 +84,8 @@ _KINDS: Mapping[str, Kind] = {
 }
 
 
-def special_operator(problem: Problem) -> SpecialOperator | None:
-    """The operator of a problem; None if it has no special one or is no such system."""
+def operator_of(problem: Problem) -> InertiaByProducts | None:
+    """The moments K_ij of a problem, products or not; None if it is no such system."""
     system = problem.system
     if system.name not in _KINDS:
         return None
@@ -98,9 +103,9 @@ def special_operator(problem: Problem) -> SpecialOperator | None:
     if kind is Kind.SURROUNDING and 2 * numbers["a"] != -numbers["R"]:
         return None
     products = _products(n, numbers, kind, D)
-    if products is None or not _are_products(n, products):
+    if products is None:
         return None
-    return SpecialOperator(kind, n, products, D)
+    return InertiaByProducts(kind, n, products, D)
 
 
 def _products(

@@ -30,10 +30,11 @@ from .few_axes import (
     spare_indices,
     three_moments,
 )
-from .operators import Kind, SpecialOperator, momentum_and_vector, special_operator
+from .operators import InertiaByProducts, Kind, momentum_and_vector, operator_of
 from .separation import SeparatedVector, of_ball, of_surrounding_ball, of_veselova
 from .solution import BITS, SphereSolution
 from .torus_motion import TorusMotion
+from .two_blocks import blocks_of, solve_two_blocks
 
 Balls = Sequence[arb]
 
@@ -54,8 +55,13 @@ def solve_on_sphere(problem: Problem, solve: Callable[[Problem], Solution]) -> S
     NoClosedFormError
         If roots of the curve coincide, or k is not p∧γ.
     """
-    operator = special_operator(problem)
+    operator = operator_of(problem)
     if operator is None:
+        return None
+    blocks = None
+    if operator.kind is Kind.VESELOVA:
+        blocks = blocks_of(operator.dimension, operator.products)
+    if blocks is None and not operator.special:
         return None
     with ctx.workprec(BITS):
         state = momentum_and_vector(problem)
@@ -65,6 +71,8 @@ def solve_on_sphere(problem: Problem, solve: Callable[[Problem], Solution]) -> S
         p, gamma = state
         if all(x == 0 for x in p):
             return RestSolution.of(problem)
+        if blocks is not None:
+            return solve_two_blocks(problem, operator.products, blocks, p, gamma)
         for part in (RESOLUTION, ROUNDING):
             axes = moving_axes(operator, p, gamma, part)
             try:
@@ -76,7 +84,7 @@ def solve_on_sphere(problem: Problem, solve: Callable[[Problem], Solution]) -> S
     raise degenerate(problem)
 
 
-def _belongs_to_a_body(operator: SpecialOperator, axes: Sequence[Axis]) -> bool:
+def _belongs_to_a_body(operator: InertiaByProducts, axes: Sequence[Axis]) -> bool:
     """Whether at most three axes move, with the moments of a body of three dimensions."""
     if len(axes) > SIZE:
         return False
@@ -84,7 +92,7 @@ def _belongs_to_a_body(operator: SpecialOperator, axes: Sequence[Axis]) -> bool:
     return of_a_body(three_moments(operator, indices))
 
 
-def moving_axes(operator: SpecialOperator, p: Balls, gamma: Balls, part: fmpq) -> list[Axis]:
+def moving_axes(operator: InertiaByProducts, p: Balls, gamma: Balls, part: fmpq) -> list[Axis]:
     """The axes on which p or γ does not vanish, of equal ones at most two.
 
     Parameters
@@ -131,7 +139,7 @@ def _dot(first: Balls, second: Balls) -> arb:
     return sum((x * y for x, y in zip(first, second, strict=True)), arb(0))
 
 
-def _on_torus(problem: Problem, operator: SpecialOperator, axes: Sequence[Axis]) -> Solution:
+def _on_torus(problem: Problem, operator: InertiaByProducts, axes: Sequence[Axis]) -> Solution:
     a = operator.factors
     factors = [a[axis.index] for axis in axes]
     p, gamma = [axis.p for axis in axes], [axis.gamma for axis in axes]

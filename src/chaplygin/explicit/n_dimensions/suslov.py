@@ -81,8 +81,8 @@ class UniformTurning(Solution):
         cosine, sine = np.cos(speed * moments), np.sin(speed * moments)
         fixed = [np.full(len(moments), number(x)) for x in w]
         unit = [number(x) / speed if speed else 0.0 for x in w]
-        turned = [_turned([number(x) for x in row], unit, cosine, sine) for row in vectors]
-        return np.stack([*fixed, *(x for row in turned for x in row)], axis=1)
+        vectors_then = [_turned([number(x) for x in row], unit, cosine, sine) for row in vectors]
+        return np.stack([*fixed, *(x for row in vectors_then for x in row)], axis=1)
 
     @property
     def pace(self) -> float:
@@ -188,18 +188,18 @@ class PlanarTurning(Solution):
         _, rate, _, _ = map(number, self._angles)
         last = _LIMIT / rate
         inner = np.clip(moments, -last, last)
-        turned = np.empty((len(moments), *rows.shape))
+        vectors_then = np.empty((len(moments), *rows.shape))
         for sign in (-1.0, 1.0):
             (chosen,) = np.nonzero((inner > 0) if sign > 0 else (inner <= 0))
             if len(chosen):
-                turned[chosen] = self._followed(rows, inner[chosen], sign)
+                vectors_then[chosen] = self._along(rows, inner[chosen], sign)
         velocity = self._velocity(moments)
         for place in np.flatnonzero(inner != moments):
             beyond = moments[place] - inner[place]
-            turned[place] = turned[place] @ _turn(velocity[:, place], beyond)
-        return np.concatenate([velocity.T, turned.reshape(len(moments), -1)], axis=1)
+            vectors_then[place] = vectors_then[place] @ _turn(velocity[:, place], beyond)
+        return np.concatenate([velocity.T, vectors_then.reshape(len(moments), -1)], axis=1)
 
-    def _followed(self, rows: FloatArray, times: FloatArray, sign: float) -> FloatArray:
+    def _along(self, rows: FloatArray, times: FloatArray, sign: float) -> FloatArray:
         """Vectors fixed in space, at times of one sign."""
 
         def rates(t: float, flat: FloatArray) -> FloatArray:
