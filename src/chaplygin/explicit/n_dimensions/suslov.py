@@ -81,7 +81,9 @@ class UniformTurning(Solution):
         cosine, sine = np.cos(speed * moments), np.sin(speed * moments)
         fixed = [np.full(len(moments), number(x)) for x in w]
         unit = [number(x) / speed if speed else 0.0 for x in w]
-        vectors_then = [_turned([number(x) for x in row], unit, cosine, sine) for row in vectors]
+        vectors_then = [
+            _after_turn([number(x) for x in row], unit, cosine, sine) for row in vectors
+        ]
         return np.stack([*fixed, *(x for row in vectors_then for x in row)], axis=1)
 
     @property
@@ -102,7 +104,7 @@ class UniformTurning(Solution):
             speed = self._speed
             phase = speed * ball(time)
             unit = [arb(0) if speed.is_zero() else x / speed for x in w]
-            rows = [_turned(row, unit, phase.cos(), phase.sin()) for row in vectors]
+            rows = [_after_turn(row, unit, phase.cos(), phase.sin()) for row in vectors]
             return (*w, *(x for row in rows for x in row))
 
     @property
@@ -270,7 +272,7 @@ def _turn(w: FloatArray, time: float) -> FloatArray:
     return turn
 
 
-def _turned(row: Sequence[Any], unit: Sequence[Any], cosine: Any, sine: Any) -> list[Any]:
+def _after_turn(row: Sequence[Any], unit: Sequence[Any], cosine: Any, sine: Any) -> list[Any]:
     """A vector fixed in space, x exp(tω) with ω_in = unit_i Ω, where it was x at t = 0."""
     *first, last = row
     along = sum(x * y for x, y in zip(first, unit, strict=True))
