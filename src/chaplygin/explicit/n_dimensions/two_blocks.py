@@ -231,9 +231,8 @@ class TwoBlockSolution(Solution):
             angle = angle + swing @ (heights / order) / speed
             stretch = np.sqrt(number(half.middle + self.amplitude) / number(half.low))
             angle = angle + half.swing(wave, other, stretch)
-            angle = angle - half.swing(
-                *(np.array(f(begin / 2)) for f in trigonometric), stretch=stretch
-            )
+            first_wave, first_other = (np.array(f(begin / 2)) for f in trigonometric)
+            angle = angle - half.swing(first_wave, first_other, stretch)
             radius = np.sqrt(x)
             growth = -half.sign * width * wave * other * speed / (2 * x)
             along = np.cos(angle) * first + np.sin(angle) * second
