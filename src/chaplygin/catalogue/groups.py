@@ -150,6 +150,7 @@ INTEGRABLE = frozenset(
         "two-veselova-constraints",
         *("special-veselova-nd", "special-rubber-ball-nd", "special-chaplygin-ball-nd"),
         *("special-rubber-ball-on-sphere-nd", "ball-bearing"),
+        "straight-line-ball",
     )
 )
 

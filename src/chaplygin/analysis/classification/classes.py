@@ -37,6 +37,8 @@ class DynamicalStructure:
         Variables whose change of sign reverses the motion.
     reductions : tuple of Fact
         Proven reductions and separations of variables.
+    shifts : tuple of Fact
+        Shifts of variables on which nothing else depends, if without these Theorem 5 applies.
     open : tuple of str
         Laws that would give a measure but are not proven without conditions, with their verdicts.
     """
@@ -53,6 +55,7 @@ class DynamicalStructure:
     reversal: tuple[str, ...]
     reductions: tuple[Fact, ...]
     open: tuple[str, ...] = ()
+    shifts: tuple[Fact, ...] = ()
 
     @property
     def remaining(self) -> int:
@@ -151,6 +154,17 @@ def _kinds(facts: DynamicalStructure) -> tuple[IntegrabilityClass, ...]:
                 (*facts.integrals, facts.volume.law),
             )
         )
+    if facts.shifts and facts.volume is not None:
+        kinds.append(
+            IntegrabilityClass(
+                "euler-jacobi",
+                "integrable by Euler and Jacobi without what is shifted, on which nothing else "
+                f"depends: {_number(facts.count, 'integral')} in "
+                f"{facts.dimension - len(facts.shifts)} dimensions and an invariant measure; it "
+                "follows by a quadrature",
+                (*facts.integrals, facts.volume.law, *facts.shifts),
+            )
+        )
     kinds += _hamiltonian(facts)
     return tuple(kinds) or (IntegrabilityClass("none known", _lacking(facts), facts.reductions),)
 
@@ -247,6 +261,15 @@ def _motions(facts: DynamicalStructure) -> list[Statement]:
                 "wound by straight lines after a change of time (θ̇ = λ/Φ), not uniformly in the "
                 "time itself; on a resonant torus the periods may differ. No chaos.",
                 (*facts.integrals, facts.volume.law),
+            )
+        ]
+    if facts.shifts and facts.volume is not None:
+        return [
+            Statement(
+                "But for what is shifted: on compact common levels without equilibria on which the "
+                "measure is regular, tori wound by straight lines after a change of time "
+                "(θ̇ = λ/Φ). No chaos.",
+                (*facts.integrals, facts.volume.law, *facts.shifts),
             )
         ]
     if facts.lie:

@@ -28,6 +28,7 @@ from .configuration_measures import MeasureFacts, configuration_measure
 from .conserved_covectors import sources
 from .facts import Fact, ProofBudget, fact_of
 from .hamiltonian_forms import Forms, hamiltonian, measures
+from .ignorable import ignorable_shifts
 from .lie_theorem import independent_symmetries, lie_symmetries
 from .ranks import RankSample, rational_parameters, with_numeric_parameters
 from .sign_reversal import reversal
@@ -182,6 +183,12 @@ def _place(
         reductions=tuple(_words(law) for law in laws if isinstance(law, Reduction)),
         open=(*left, existence.open) if existence.open else left,
     )
+    missing = structure.remaining - 2
+    if missing > 0 and structure.measures and structure.volume and not structure.lie:
+        name = structure.volume.law.law
+        shifts = ignorable_shifts(sample, chosen, symmetries, laws, name)
+        if len(shifts) == missing:
+            structure = replace(structure, shifts=shifts)
     if not structure.lasting and not sample.on:
         structure = replace(structure, reversal=_reversed_variables(system))
     kinds, dynamics = classes_and_dynamics(structure)
