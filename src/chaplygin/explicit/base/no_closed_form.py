@@ -79,11 +79,11 @@ def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormEr
     return NoClosedFormError(sentence)
 
 
-def off_level(problem: Problem, level: str) -> NoClosedFormError:
-    """A motion of a system that is solvable on a level, in words, which it is not on."""
+def not_among(problem: Problem, solvable: str) -> NoClosedFormError:
+    """A motion of a system of which others are solvable: those on, or with, what the words say."""
     return NoClosedFormError(
         f"this motion of {_title_in_sentence(problem.system.title)} is not solved in closed form "
-        f"here: {_known_laws(problem)}; solvable are its motions on {level}"
+        f"here: {_known_laws(problem)}; solvable are its motions {solvable}"
     )
 
 

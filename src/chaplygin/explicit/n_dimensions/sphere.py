@@ -16,7 +16,7 @@ from flint import arb, ctx, fmpq
 
 from ...formulas.balls import ball, number
 from ...formulas.relative_zero import RESOLUTION, ROUNDING, vanishes
-from ..base.no_closed_form import degenerate, off_level
+from ..base.no_closed_form import degenerate, not_among
 from ..base.problem import Problem
 from ..base.solution import Solution
 from ..genus_two.curve import DegenerateError
@@ -66,7 +66,7 @@ def solve_on_sphere(problem: Problem, solve: Callable[[Problem], Solution]) -> S
     with ctx.workprec(BITS):
         state = momentum_and_vector(problem)
         if state is None:
-            raise off_level(problem, "k = p∧γ, without momentum in planes across γ")
+            raise not_among(problem, "on k = p∧γ, without momentum in planes across γ")
         problem = replace(problem, system=replace(problem.system, reconstruction=None))
         p, gamma = state
         if all(x == 0 for x in p):

@@ -34,7 +34,7 @@ from ...core.arrays import FloatArray
 from ...core.system import System
 from ...errors import InputError
 from ...formulas.balls import ball, exact, number
-from ..base.no_closed_form import off_level
+from ..base.no_closed_form import not_among
 from ..base.problem import Problem
 from ..base.solution import ClosedForm, NamedConstant, Solution, finite_times
 
@@ -333,8 +333,8 @@ def _planar(
         for v in (j, w)
     ]
     if any(_rank([j, w, image]) > _PLANE for image in images):
-        raise off_level(
-            problem, "a plane with j = (J_1n, J_2n, …) that B = J′ + J_nn leaves invariant"
+        raise not_among(
+            problem, "with w and j = (J_1n, J_2n, …) in a plane that B = J′ + J_nn leaves invariant"
         )
     first = _unit([ball(x) for x in j])
     other = [ball(x) for x in w]
