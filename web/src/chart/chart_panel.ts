@@ -22,6 +22,9 @@ const KINDS = [
   { value: "rotation", text: "rotation number" },
 ];
 
+/** A chart is painted again after so many times as long as that takes. */
+const PAINTING = 20;
+
 export interface ChartPanel {
   element: HTMLElement;
   sheet: Sheet;
@@ -56,6 +59,7 @@ class Panel implements ChartPanel {
   private readonly bar = element("progress", { class: "lab-progress", max: 1, value: 0, "aria-label": "Share of the chart that is done", hidden: true });
   private readonly key = element("div", { class: "lab-key" });
   private due = 0;
+  private pause = 60;
 
   constructor(
     private readonly lab: Lab,
@@ -189,8 +193,11 @@ class Panel implements ChartPanel {
       for (const { column, row, side } of cells) this.block(column, row, side);
       if (this.due === 0) this.due = window.setTimeout(() => {
         this.due = 0;
+        const start = performance.now();
         this.colour();
-      }, 60);
+        // workers wait while the page paints
+        this.pause = Math.max(60, PAINTING * (performance.now() - start));
+      }, this.pause);
     });
     this.drawn = { setting, ground, values: run.values, picture, scale: [0, 1] };
     this.sides = new Uint8Array(setting.size * setting.size);

@@ -34,8 +34,8 @@ export interface ChartGround {
 /** States found for cells this coarse help to find those of finer ones. */
 const HELPFUL = 4;
 
-/** Cells that a worker is given at a time. */
-const TILE = 8;
+/** Cells that a worker is given at a time: first, and at most; later ones take about so many milliseconds. */
+const [TILE, LARGEST_TILE, TILE_TIME] = [8, 64, 200];
 
 /** The experiment of a cell; a message where it has none. */
 export async function cellStart(engine: Engine, ground: ChartGround, setting: ChartSetting, x: number, y: number): Promise<{ experiment: Experiment; state: Float64Array } | { message: string }> {
@@ -113,14 +113,18 @@ export function chartRun(ground: ChartGround, setting: ChartSetting, progress: (
   let finished = 0;
   let stopped = false;
   const work = async ({ engine }: WorkerEngine): Promise<void> => {
+    let count = TILE;
     while (!stopped && next < cells.length) {
-      const tile = cells.slice(next, next + TILE);
+      const began = performance.now();
+      const tile = cells.slice(next, next + count);
       next += tile.length;
       const places = tile.map(({ column, row }): [number, number] => [middle(setting.xRange, column, size), middle(setting.yRange, row, size)]);
       const found = await cellValues(engine, ground, setting, places, (tile[0]?.side ?? 1) >= HELPFUL).catch(() => tile.map(() => NaN));
       if (stopped) return;
       tile.forEach(({ column, row }, k) => (values[row * size + column] = found[k] ?? NaN));
       finished += tile.length;
+      const fitting = Math.round((tile.length * TILE_TIME) / Math.max(1, performance.now() - began));
+      count = Math.min(LARGEST_TILE, Math.max(TILE, fitting));
       progress(tile, finished / cells.length);
     }
   };
