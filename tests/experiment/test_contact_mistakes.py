@@ -68,7 +68,7 @@ MISTAKES: dict[str, tuple[str, str]] = {
     ),
     "two resistances": (
         BALL + FRICTION + "rolling = 0.1\ncontour = 0.1\n" + CONTACT,
-        "line 7, contact: rolling and contour exclude each other, as both resist to rolling; leave "
+        "line 7, contact: rolling and contour exclude each other, as both resist rolling; leave "
         "out one of them",
     ),
     "negative mu": (

@@ -112,7 +112,7 @@ class FrictionTable(Table):
             )
         if self.rolling and self.contour:
             raise ValueError(
-                "rolling and contour exclude each other, as both resist to rolling; leave out one "
+                "rolling and contour exclude each other, as both resist rolling; leave out one "
                 "of them"
             )
         return self
