@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
 from typing import TypeAlias
 
 import sympy as sp
@@ -20,6 +19,7 @@ from ..core.laws import (
     Symmetry,
 )
 from ..core.named_formulas import expand
+from ..core.remembered import remembered
 from ..core.system import System, flat
 from ..core.vectors import Vector, to_components
 from .fields.quotient_ring import Poly
@@ -36,7 +36,7 @@ def claim_text(system: System, law: Law) -> Text:
     return {"system": _system(system), "law": {"kind": type(law).__name__, **_law(system, law)}}
 
 
-@lru_cache(maxsize=8)
+@remembered(8)
 def _system(system: System) -> Text:
     return {
         "name": system.name,

@@ -22,6 +22,7 @@ from ..check.claim.claim import Claim as CheckedClaim, read_claim
 from ..check.claim.errors import UndefinedError
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Law, Measure, PoissonStructure, Separation
+from ..core.remembered import remembered
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
@@ -189,7 +190,7 @@ def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker)
         yield _Part(alternative.defining_factors, Proof(0, failure=str(reason)))
         return
     for claim in claims:
-        levels = LevelSet(claim.system, claim.law.on).components
+        levels = _components(claim.system, claim.law.on)
         for level in levels:
             part = _on(level, claim, budget, checker)
             yield replace(
@@ -199,6 +200,12 @@ def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker)
                 return
         for excluded in claim.excluded_zeros:
             yield _Part((*alternative.defining_factors, excluded), Proof(0, failure="not decided"))
+
+
+@remembered(16)
+def _components(system: System, on: tuple[sp.Expr, ...]) -> tuple[LevelSet, ...]:
+    """The components of a level; several laws of a system have the same one."""
+    return LevelSet(system, on).components
 
 
 def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Part:

@@ -1,0 +1,56 @@
+"""Functions that remember their last results."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache, wraps
+from typing import ParamSpec, TypeVar
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def remembered(size: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
+    """A decorator that keeps the last results of a function without effects.
+
+    With arguments that cannot be hashed, as systems with lists or matrices that may change, or given
+    by keyword, the function is called every time.
+
+    Parameters
+    ----------
+    size : int
+        How many results are kept.
+
+    Examples
+    --------
+    >>> calls = []
+    >>> @remembered(4)
+    ... def length(items):
+    ...     calls.append(items)
+    ...     return len(items)
+    >>> length((1, 2)), length((1, 2)), length([1]), length([1])
+    (2, 2, 1, 1)
+    >>> calls
+    [(1, 2), [1], [1]]
+    """
+
+    def decorated(function: Callable[P, T]) -> Callable[P, T]:
+        kept = lru_cache(maxsize=size)(function)
+
+        @wraps(function)
+        def wrapper(*arguments: P.args, **keywords: P.kwargs) -> T:
+            if keywords or not _can_be_hashed(arguments):
+                return function(*arguments, **keywords)
+            return kept(*arguments)
+
+        return wrapper
+
+    return decorated
+
+
+def _can_be_hashed(value: object) -> bool:
+    try:
+        hash(value)
+    except TypeError:
+        return False
+    return True
