@@ -13,8 +13,8 @@ T = TypeVar("T")
 def remembered(size: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
     """A decorator that keeps the last results of a function without effects.
 
-    With arguments that cannot be hashed, as systems with lists or matrices that may change, or given
-    by keyword, the function is called every time.
+    With arguments that cannot be hashed, as systems with lists or matrices that may change, or
+    given by keyword, the function is called every time.
 
     Parameters
     ----------
