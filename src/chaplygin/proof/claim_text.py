@@ -18,8 +18,8 @@ from ..core.laws import (
     Reduction,
     Symmetry,
 )
+from ..core.memory import memory
 from ..core.named_formulas import expand
-from ..core.remembered import remembered
 from ..core.system import System, flat
 from ..core.vectors import Vector, to_components
 from .fields.quotient_ring import Poly
@@ -36,7 +36,7 @@ def claim_text(system: System, law: Law) -> Text:
     return {"system": _system(system), "law": {"kind": type(law).__name__, **_law(system, law)}}
 
 
-@remembered(8)
+@memory(8)
 def _system(system: System) -> Text:
     return {
         "name": system.name,

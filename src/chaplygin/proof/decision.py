@@ -22,7 +22,7 @@ from ..check.claim.claim import Claim as CheckedClaim, read_claim
 from ..check.claim.errors import UndefinedError
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Law, Measure, PoissonStructure, Separation
-from ..core.remembered import remembered
+from ..core.memory import memory
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
@@ -202,7 +202,7 @@ def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker)
             yield _Part((*alternative.defining_factors, excluded), Proof(0, failure="not decided"))
 
 
-@remembered(16)
+@memory(16)
 def _components(system: System, on: tuple[sp.Expr, ...]) -> tuple[LevelSet, ...]:
     """The components of a level; several laws of a system have the same one."""
     return LevelSet(system, on).components

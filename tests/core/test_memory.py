@@ -5,13 +5,13 @@ from __future__ import annotations
 import sympy as sp
 
 import chaplygin as ch
-from chaplygin.core.remembered import remembered
+from chaplygin.core.memory import memory
 
 
 def test_errors_are_not_kept() -> None:
     calls = []
 
-    @remembered(2)
+    @memory(2)
     def inverse(number: int) -> float:
         calls.append(number)
         return 1 / number

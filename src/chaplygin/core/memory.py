@@ -10,7 +10,7 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 
-def remembered(size: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
+def memory(size: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
     """A decorator that keeps the last results of a function without effects.
 
     With arguments that cannot be hashed, as systems with lists or matrices that may change, or
@@ -24,7 +24,7 @@ def remembered(size: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
     Examples
     --------
     >>> calls = []
-    >>> @remembered(4)
+    >>> @memory(4)
     ... def length(items):
     ...     calls.append(items)
     ...     return len(items)
@@ -34,18 +34,18 @@ def remembered(size: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
     [(1, 2), [1], [1]]
     """
 
-    def decorated(function: Callable[P, T]) -> Callable[P, T]:
-        kept = lru_cache(maxsize=size)(function)
+    def decorator(function: Callable[P, T]) -> Callable[P, T]:
+        results = lru_cache(maxsize=size)(function)
 
         @wraps(function)
         def wrapper(*arguments: P.args, **keywords: P.kwargs) -> T:
             if keywords or not _can_be_hashed(arguments):
                 return function(*arguments, **keywords)
-            return kept(*arguments)
+            return results(*arguments)
 
         return wrapper
 
-    return decorated
+    return decorator
 
 
 def _can_be_hashed(value: object) -> bool:
