@@ -160,7 +160,8 @@ def _form(solution: SphereSolution) -> ClosedForm:
     dtau, dt, top, y = sp.symbols("dtau dt z y")
     c = [sp.Symbol(f"c_{i + 1}") for i in range(genus + 1)]
     f = [sp.Symbol(f"f_{i + 1}") for i in range(separation.integral.degree())]
-    product = isinstance(motion.clock, ProductClock)
+    clock = motion.clock
+    product = isinstance(clock, ProductClock)
     lead = sp.Symbol("P_0")
     first = [sp.Symbol("c_0")] if product else []
     equations = [
@@ -194,11 +195,16 @@ def _form(solution: SphereSolution) -> ClosedForm:
         *(
             NamedConstant(f"v_{i}", x, "speed of an Abelian integral")
             for i, x in enumerate(separation.speeds)
-            if not x.is_zero()
+            if not x.is_zero() and x != 1
         ),
         *(
             NamedConstant(f"V_{i}", x, f"turns of z_{i} per unit of τ")
             for i, x in enumerate(motion.turns, 1)
+        ),
+        *(
+            [NamedConstant("s_0", clock.scale, "factor of the clock")]
+            if isinstance(clock, ProductClock)
+            else []
         ),
         NamedConstant("mean dt/dtau", motion.mean, "mean rate of the clock (error estimated)"),
         *(
