@@ -6,6 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
+from scipy.integrate import DOP853
 
 from chaplygin.flow.kernel.tableaux import Explicit, explicit, explicit_fine, gauss
 
@@ -97,6 +98,15 @@ def test_the_fine_table_rounds_to_the_short_one() -> None:
     for fine, short in zip(explicit_fine().a, explicit().a, strict=True):
         for x, y in zip(fine, short, strict=True):
             assert abs(x - y) <= abs(y) * Fraction(1, 10**14) + Fraction(1, 10**16)
+
+
+def test_the_short_table_is_that_of_scipy() -> None:
+    table, stages = explicit(), len(DOP853.B)
+    assert [[float(x) for x in row] for row in table.a] == [
+        list(DOP853.A[i, :i]) for i in range(stages)
+    ]
+    for mine, other in ((table.b, DOP853.B), (table.e3, DOP853.E3), (table.e5, DOP853.E5)):
+        assert [float(x) for x in mine] == list(other[:stages])
 
 
 def test_tables_are_made_once() -> None:

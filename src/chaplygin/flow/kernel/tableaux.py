@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -9,8 +10,8 @@ from typing import Any
 
 import mpmath
 
-from ...core.arrays import FloatArray
 from ..machine_code.arithmetic import Arithmetic, Double, Pair
+from . import dop853_doubles
 
 
 @dataclass(frozen=True)
@@ -39,14 +40,11 @@ def explicit() -> Explicit:
 
     Hairer, Nørsett, Wanner 1993, II.5.
     """
-    from scipy.integrate import DOP853
-
-    stages = len(DOP853.B)
     return Explicit(
-        a=tuple(_fractions(DOP853.A[i, :i]) for i in range(stages)),
-        b=_fractions(DOP853.B),
-        e3=_fractions(DOP853.E3[:stages]),
-        e5=_fractions(DOP853.E5[:stages]),
+        a=tuple(map(_fractions, dop853_doubles.A)),
+        b=_fractions(dop853_doubles.B),
+        e3=_fractions(dop853_doubles.E3),
+        e5=_fractions(dop853_doubles.E5),
     )
 
 
@@ -64,7 +62,7 @@ def arithmetic_and_method(digits: int) -> tuple[type[Arithmetic[Any]], Explicit]
     return (Double, explicit()) if digits == 16 else (Pair, explicit_fine())
 
 
-def _fractions(values: FloatArray) -> tuple[Fraction, ...]:
+def _fractions(values: Iterable[float]) -> tuple[Fraction, ...]:
     return tuple(Fraction(float(v)) for v in values)
 
 
