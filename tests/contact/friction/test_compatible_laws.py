@@ -260,7 +260,7 @@ def test_laws_that_exclude_each_other(laws, message):
         "equations.free_body",
         "friction.friction_law",
         "friction.modes",
-        "friction.prescribed",
+        "friction.prescribed_friction",
         "equations.reaction",
         "friction.rolling_friction",
         "equations.situation",

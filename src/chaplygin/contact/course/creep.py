@@ -22,7 +22,7 @@ from ...core.arrays import FloatArray
 from ..equations.situation import FrictionalContact
 from ..friction.friction_law import FrictionLaw
 from ..friction.modes import Mode
-from ..friction.prescribed import (
+from ..friction.prescribed_friction import (
     DEGREE,
     FORCE_COEFFICIENTS,
     PrescribedForce,

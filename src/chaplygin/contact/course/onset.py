@@ -17,7 +17,7 @@ import numpy as np
 from ...core.arrays import FloatArray
 from ..friction.contensou import range_of
 from ..friction.modes import Mode
-from ..friction.prescribed import (
+from ..friction.prescribed_friction import (
     DEGREE,
     HEADING_COEFFICIENTS,
     LATITUDE_COEFFICIENTS,

@@ -13,7 +13,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...core.arrays import FloatArray
-from ..friction.prescribed import first_direction_values
+from ..friction.prescribed_friction import first_direction_values
 from ..impact.mobility import Mobility
 from .compiled import OMEGA, VELOCITY, ContactNumbers
 from .mode_integrator import ModeIntegrator, with_values

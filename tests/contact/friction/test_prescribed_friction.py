@@ -9,7 +9,7 @@ import pytest
 
 from chaplygin.contact.friction.dry_friction import ContensouErismann, Coulomb
 from chaplygin.contact.friction.modes import Mode
-from chaplygin.contact.friction.prescribed import (
+from chaplygin.contact.friction.prescribed_friction import (
     DEGREE,
     HEADING_COEFFICIENTS,
     LATITUDE_COEFFICIENTS,

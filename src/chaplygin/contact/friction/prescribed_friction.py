@@ -1,4 +1,4 @@
-"""Dry friction, or resistance to rolling, whose direction is prescribed as a function of time.
+"""Friction, or resistance to rolling, whose direction or force is prescribed in time.
 
 Where a held contact begins to slide, the slip grows like t² and its direction is that of the
 friction force: the equations are smooth in time only if the direction is known.  So it is taken as
@@ -271,7 +271,7 @@ def prescribed_direction(law: FrictionLaw, span: Range = "") -> PrescribedDirect
     Examples
     --------
     >>> from chaplygin.contact.friction.dry_friction import Coulomb
-    >>> from chaplygin.contact.friction.prescribed import prescribed_direction
+    >>> from chaplygin.contact.friction.prescribed_friction import prescribed_direction
     >>> prescribed_direction(Coulomb(0.3)).name
     'coulomb'
     """
