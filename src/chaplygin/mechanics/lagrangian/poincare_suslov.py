@@ -230,8 +230,11 @@ def _without_irrelevant(
     parts: Balance, irrelevant: Sequence[sp.Symbol], formula: sp.Basic
 ) -> sp.Basic:
     """A formula without definitions that depend on irrelevant coordinates."""
-    steps = parts.tape.steps([to_components(formula)])
-    far = {s: value for s, value in steps if _depends(parts, [value], irrelevant)}
+    far: dict[sp.Symbol, sp.Expr] = {}
+    # each step comes after those it uses
+    for symbol, value in parts.tape.steps([to_components(formula)]):
+        if value.free_symbols & {*irrelevant, *far}:
+            far[symbol] = value
     return expand(to_components(formula), far) if far else formula
 
 
