@@ -6,8 +6,8 @@ friction that would hold the contact, f: with friction N (μ + ν|u|ᵖ) against
     u = −((|f|/N − μ)/ν)^{1/p} f/|f|,    and zero where |f| < μN.
 
 The equations for u are stiff there, those for f are not.  So f/N is taken as a polynomial of the
-time, whose coefficients are chosen such that the slip that it causes is the one above at Chebyshev
-points.
+time, whose coefficients are chosen such that the slip that it causes is the one above at the points
+of Radau's method.
 """
 
 from __future__ import annotations
