@@ -22,6 +22,23 @@ BALL = (
 )
 
 
+def with_options(options: list[str]) -> list[str]:
+    """The arguments of `BALL` and a file to write, with some options in place of theirs."""
+    arguments = [*BALL, "-o", "ball.zarr"]
+    pairs = list(zip(arguments[1::2], arguments[2::2], strict=True))
+    replaced = [_place(*options[:2])] if len(options) > 1 else []
+    return [
+        arguments[0],
+        *(text for pair in pairs if _place(*pair) not in replaced for text in pair),
+        *options,
+    ]
+
+
+def _place(option: str, value: str) -> str:
+    """What an option sets: a key of the file, or itself."""
+    return value.partition("=")[0] if option == "--set" else option
+
+
 @pytest.fixture
 def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Ask:
     """Run `chaplygin section` in an empty folder; exit code, standard output, standard error."""
@@ -175,7 +192,7 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     ],
 )
 def test_mistakes_are_told_in_one_sentence(ask: Ask, arguments: list[str], sentence: str) -> None:
-    code, out, err = ask(*BALL, "-o", "ball.zarr", *arguments)
+    code, out, err = ask(*with_options(arguments))
     assert (code, out) == (2, "")
     assert err.startswith("error: ")
     assert sentence in err
