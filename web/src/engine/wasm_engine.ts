@@ -76,8 +76,10 @@ export class WasmEngine implements Engine {
       count += run!.count;
       if (run!.outcome !== 0) return { states: states.slice(0, count * size), count, outcome: run!.outcome, ended: began + run!.ended };
       const last = states.subarray((count - 1) * size, count * size);
-      onPhaseSpace(module, last, values, every);
-      [state, began] = [last, times[count - 1]!];
+      const now = times[count - 1]!;
+      // the start itself stays as it was given
+      if (now !== began) onPhaseSpace(module, last, values, every);
+      [state, began] = [last, now];
     }
     return { states, count, outcome: 0, ended: began };
   }
