@@ -166,11 +166,16 @@ def test_a_report_is_never_wider_than_the_screen(width: int, chromium: Any, repo
     assert widest <= width
 
 
-#: Equations, or their right sides, that are wider than the place that they have.
+#: Equations, or their right sides, that are wider than their place: their text, whether they
+#: scroll, and how large they are beside the text around.
 CUT = """
 () => [...document.querySelectorAll('.chaplygin-formula, .chaplygin-formula .right')]
   .filter((each) => each.clientWidth > 0 && each.scrollWidth > each.clientWidth + 1)
-  .map((each) => each.textContent)
+  .map((each) => {
+    const size = (element) => parseFloat(getComputedStyle(element).fontSize);
+    const sizes = [...each.querySelectorAll('math')].map((math) => size(math) / size(each));
+    return [each.textContent, getComputedStyle(each).overflowX, Math.min(...sizes)];
+  })
 """
 
 
@@ -178,13 +183,18 @@ CUT = """
 @pytest.mark.parametrize("width", [390, 1280])
 @pytest.mark.parametrize("name", ["tippe_top", "trailer"])
 def test_no_equation_is_cut(name: str, width: int, chromium: Any, tmp_path: Path) -> None:
+    """On a phone what would be too small to be read scrolls."""
     study = prepare(load(EXAMPLES / f"{name}.toml", ["run.until=0.01", "run.samples=11"]))
     write_study(study, tmp_path, True, ProofBudget(1, 0), Unheard())
     opened = Opened(
         chromium, tmp_path / "report.html", viewport={"width": width, "height": 900}
     ).ready()
     assert opened.page.locator(".chaplygin-formula").count() > 2
-    assert opened.page.evaluate(CUT) == []
+    wide = opened.page.evaluate(CUT)
+    assert not wide or width == 390
+    for _, overflow, smallest in wide:
+        assert overflow == "auto"
+        assert smallest == pytest.approx(0.6, abs=0.01)
 
 
 def test_the_still_stays_without_javascript(chromium: Any, report: Path) -> None:
