@@ -72,3 +72,24 @@ def test_a_log_has_what_is_told_while_something_is_waited_for() -> None:
         [sys.executable, "-c", script], capture_output=True, text=True, check=True
     )
     assert done.stderr == "preparing …\n"
+
+
+def test_a_line_of_a_log_comes_before_what_is_said_afterwards() -> None:
+    """The line is being written while the task ends, into something slow."""
+    script = (
+        "import sys, threading, time\nfrom chaplygin.cli.terminal.progress import progress\n"
+        "class Slow:\n"
+        "    entered = threading.Event()\n"
+        "    def write(self, text):\n"
+        "        if 'work' in text: self.entered.set(); time.sleep(0.5)\n"
+        "        sys.stdout.write(text)\n"
+        "    def flush(self): pass\n"
+        "    def isatty(self): return False\n"
+        "sys.stderr = Slow()\n"
+        "with progress('work'): Slow.entered.wait()\n"
+        "sys.stderr.write('error\\n')"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "work …\nerror\n"

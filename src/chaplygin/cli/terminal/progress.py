@@ -136,7 +136,8 @@ class _Log:
         self._over = threading.Event()
         self._share: float | None = None
         self._last_line = ""
-        threading.Thread(target=self._write, daemon=True).start()
+        self._writer = threading.Thread(target=self._write, daemon=True)
+        self._writer.start()
 
     def _write(self) -> None:
         """A line after a moment, and whenever there is something new to say."""
@@ -158,4 +159,6 @@ class _Log:
         self._task, self._share = what, None
 
     def stop(self) -> None:
+        """End; what is being written comes before what the program writes next."""
         self._over.set()
+        self._writer.join()
