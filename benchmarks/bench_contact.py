@@ -1,9 +1,9 @@
-"""A loaded ball that slides, sticks, rolls and slips: error against time, beside SciPy and MuJoCo.
+"""A loaded ball that slides, sticks, rolls and slips: error against time, beside other programs.
 
 The motion is the "loaded ball" of the tests' reference table: dry friction μ = 0.3, five changes of
 the contact.  SciPy integrates the same equations of sliding with the friction smoothed at
-small slip, as is mostly done.  MuJoCo, if it is installed, steps its elliptic cone.  Programs take
-turns; medians of processor time.
+small slip, as is mostly done.  Where they are installed, MuJoCo steps its elliptic cone, and Drake
+its convex formulation of contact (SAP).  Programs take turns; medians of processor time.
 """
 
 from __future__ import annotations
@@ -120,6 +120,58 @@ def mujoco(step: float, integrator: str) -> Run:
     return run
 
 
+def drake(step: float) -> Run:
+    """Drake with steps of one length."""
+    from pydrake.geometry import HalfSpace, Sphere
+    from pydrake.math import RigidTransform, RotationMatrix
+    from pydrake.multibody.math import SpatialVelocity
+    from pydrake.multibody.plant import (
+        AddMultibodyPlantSceneGraph,
+        CoulombFriction,
+        DiscreteContactApproximation,
+    )
+    from pydrake.multibody.tree import RotationalInertia, SpatialInertia
+    from pydrake.systems.analysis import Simulator
+    from pydrake.systems.framework import DiagramBuilder
+
+    body, given = CASE["body"], CASE["start"]
+    inertia = np.array(body["inertia"], dtype=float)
+    full = np.diag(inertia) if inertia.ndim == 1 else inertia
+    moments = (full[0, 0], full[1, 1], full[2, 2], full[0, 1], full[0, 2], full[1, 2])
+    about = SpatialInertia.MakeFromCentralInertia(
+        body["mass"], np.zeros(3), RotationalInertia(*moments)
+    )
+    friction = CoulombFriction(CASE["contact"]["mu"], CASE["contact"]["mu"])
+    builder = DiagramBuilder()
+    plant, _ = AddMultibodyPlantSceneGraph(builder, step)
+    plant.set_discrete_contact_approximation(DiscreteContactApproximation.kSap)
+    plant.mutable_gravity_field().set_gravity_vector([0, 0, -CASE["gravity"]])
+    ball = plant.AddRigidBody("ball", about)
+    shape = body["shape"]
+    place = RigidTransform(np.array(shape["centre"], dtype=float))
+    plant.RegisterCollisionGeometry(ball, place, Sphere(shape["radius"]), "ball", friction)
+    plant.RegisterCollisionGeometry(
+        plant.world_body(), RigidTransform(), HalfSpace(), "plane", friction
+    )
+    plant.Finalize()
+    diagram = builder.Build()
+    turn = Rotation.from_quat(given["attitude"], scalar_first=True)
+    pose = RigidTransform(RotationMatrix(turn.as_matrix()), given["position"])
+    velocity = SpatialVelocity(turn.apply(given["omega"]), given["velocity"])
+
+    def run() -> np.ndarray:
+        simulator = Simulator(diagram)
+        context = plant.GetMyMutableContextFromRoot(simulator.get_mutable_context())
+        plant.SetFreeBodyPose(context, ball, pose)
+        plant.SetFreeBodySpatialVelocity(context, ball, velocity)
+        simulator.AdvanceTo(UNTIL)
+        end = plant.GetFreeBodyPose(context, ball)
+        spin = plant.EvalBodySpatialVelocityInWorld(context, ball).rotational()
+        return np.concatenate([end.translation(), end.rotation().matrix().T @ spin])
+
+    return run
+
+
 def main() -> None:
     """Print the table, or the same for programs."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -140,6 +192,11 @@ def main() -> None:
         runs["MuJoCo Euler, 0.001 s"] = mujoco(1e-3, "Euler")
     except ImportError:
         print("MuJoCo is not installed", file=sys.stderr)
+    try:
+        for step in (1e-3, 1e-4):
+            runs[f"Drake SAP, {step:g} s"] = drake(step)
+    except ImportError:
+        print("Drake is not installed", file=sys.stderr)
     errors = {name: float(np.abs(run() - truth).max()) for name, run in runs.items()}
     seconds: dict[str, list[float]] = {name: [] for name in runs}
     for _ in range(TURNS):
