@@ -27,8 +27,28 @@ from .torus_motion import TorusMotion
 BITS = 320
 
 
+class WaveSolution(Solution):
+    """A motion of p and γ by waves that are summed up in double precision."""
+
+    @property
+    def left_open(self) -> str:
+        """What the closed form does not hold."""
+        return (
+            "the attitude besides γ and p, which stay in space, and error bounds; an integration "
+            "of the whole motion has the attitude"
+        )
+
+    @arguments_checked
+    def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
+        """Refused: its waves are summed up in double precision."""
+        raise InputError(
+            f"{self.system.title}: its closed form is evaluated in double precision alone, without "
+            "error bounds"
+        )
+
+
 @dataclass(frozen=True, repr=False, eq=False)
-class SphereSolution(Solution):
+class SphereSolution(WaveSolution):
     """A motion on the cotangent bundle of a sphere, on a torus of n' − 1 phases.
 
     Attributes
@@ -65,22 +85,6 @@ class SphereSolution(Solution):
     def pace(self) -> float:
         """The rate at which the phases grow with time, in turns."""
         return sum(abs(number(x)) for x in self.motion.frequencies)
-
-    @property
-    def left_open(self) -> str:
-        """What the closed form does not hold."""
-        return (
-            "the attitude besides γ and p, which stay in space, and error bounds; an integration "
-            "of the whole motion has the attitude"
-        )
-
-    @arguments_checked
-    def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
-        """Refused: the waves of the clock are summed up in double precision."""
-        raise InputError(
-            f"{self.system.title}: its closed form is evaluated in double precision alone, without "
-            "error bounds"
-        )
 
     @cached_property
     def form(self) -> ClosedForm:

@@ -31,16 +31,15 @@ from flint import acb, arb, ctx
 from ...arguments import NumberOrText, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System
-from ...errors import InputError
 from ...formulas.balls import ball, number
 from ...formulas.relative_zero import ROUNDING, vanishes
 from ..base.problem import Problem
-from ..base.solution import ClosedForm, NamedConstant, Solution, finite_times
+from ..base.solution import ClosedForm, NamedConstant, finite_times
 from ..genus_two.curve import DegenerateError
 from ..genus_two.phases import phase_at
 from ..one_degree.phase_reduction import pair
 from .separation import dot
-from .solution import BITS, in_state
+from .solution import BITS, WaveSolution, in_state
 
 Balls = Sequence[arb]
 
@@ -167,7 +166,7 @@ class Half:
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class TwoBlockSolution(Solution):
+class TwoBlockSolution(WaveSolution):
     """A motion with two or three frequencies.
 
     Attributes
@@ -245,22 +244,6 @@ class TwoBlockSolution(Solution):
     def pace(self) -> float:
         """The rate at which the phases grow with time, in turns."""
         return sum(abs(number(x)) for x in self._rates)
-
-    @property
-    def left_open(self) -> str:
-        """What the closed form does not hold."""
-        return (
-            "the attitude besides γ and p, which stay in space, and error bounds; an integration "
-            "of the whole motion has the attitude"
-        )
-
-    @arguments_checked
-    def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
-        """Refused: the waves of the angles are summed up in double precision."""
-        raise InputError(
-            f"{self.system.title}: its closed form is evaluated in double precision alone, without "
-            "error bounds"
-        )
 
     @cached_property
     def form(self) -> ClosedForm:
