@@ -17,6 +17,9 @@ from ..formulas.graph import Term
 #: A start may miss a relation by this share of what it consists of, and by so much besides.
 SLACK, LEAST = 1e-9, 1e-13
 
+#: Starts that are examined at a time.
+ROWS = 2048
+
 #: Numbers within so many powers of ten of one are not called too large or too small.
 _USUAL_POWERS = 10
 
@@ -65,13 +68,20 @@ def require_on_phase_space(
     """
     if not relations or not len(points):
         return
-    magnitudes = np.abs(numbers(relations, points, parameters))
-    missed, sizes = np.split(magnitudes, 2, axis=1)
-    excess = missed / (SLACK * sizes + LEAST)
+
+    def excess(rows: slice) -> tuple[FloatArray, FloatArray]:
+        """By how much relations are missed, and how many times what is allowed that is."""
+        varied = parameters[rows] if len(parameters) > 1 else parameters
+        missed, sizes = np.split(np.abs(numbers(relations, points[rows], varied)), 2, axis=1)
+        return missed, missed / (SLACK * sizes + LEAST)
+
+    # part by part: intermediate results stay in the cache of the processor
+    parts = (slice(first, first + ROWS) for first in range(0, len(points), ROWS))
     # what is not a number is not within bounds
-    if (excess <= 1).all():
+    if all((excess(rows)[1] <= 1).all() for rows in parts):
         return
-    worst = np.unravel_index(np.argmax(np.nan_to_num(excess, nan=np.inf)), excess.shape)
+    missed, ratios = excess(slice(None))
+    worst = np.unravel_index(np.argmax(np.nan_to_num(ratios, nan=np.inf)), ratios.shape)
     for symbol, number in zip(system.symbols, points[worst[0]], strict=True):
         if not np.isfinite(number):
             raise InputError(

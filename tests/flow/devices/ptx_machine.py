@@ -217,10 +217,21 @@ class PtxMachine:
     launches: list[tuple[str, int]] = field(default_factory=list)
 
     def run(
-        self, ptx: str, entry: str, arguments: Sequence[Any], wanted: Sequence[int], most: int
+        self,
+        ptx: str,
+        entry: str,
+        inputs: Sequence[Any],
+        outputs: Sequence[np.ndarray],
+        most: int,
     ) -> None:
         """Run a kernel; see :class:`chaplygin.flow.devices.cuda.GraphicsProcessor`."""
         self.launches.append((entry, most))
+        for array in outputs:
+            array.fill(np.nan if array.dtype.kind == "f" else 0)
+        self.carry_out(ptx, entry, [*inputs, *outputs], most)
+
+    def carry_out(self, ptx: str, entry: str, arguments: Sequence[Any], most: int) -> None:
+        """Run a kernel on arrays, which it may change, and numbers."""
         memory: dict[int, Any] = {}
         passed: list[Any] = []
         places = itertools.count(1 << 40, 1 << 32)
@@ -235,12 +246,12 @@ class PtxMachine:
         kernel = load(ptx, memory)[entry]
         for _ in range(min(self.threads, most)):
             kernel(*passed)
-        for place in wanted:
-            array = arguments[place]
-            kind = as_float if array.dtype == np.float64 else as_integer
-            flat = array.reshape(-1)
-            for k in range(array.size):
-                flat[k] = kind(memory[passed[place] + 8 * k])
+        for array, base in zip(arguments, passed, strict=True):
+            if isinstance(array, np.ndarray):
+                kind = as_float if array.dtype == np.float64 else as_integer
+                flat = array.reshape(-1)
+                for k in range(array.size):
+                    flat[k] = kind(memory[base + 8 * k])
 
 
 def load(ptx: str, memory: dict[int, Any]) -> dict[str, Callable[..., None]]:

@@ -28,6 +28,14 @@ class Buffer:
     pinned: bool
     closed: bool = False
 
+    @property
+    def size(self) -> int:
+        return self.memory.size
+
+    @property
+    def handle(self) -> int:
+        return int(self.memory.ctypes.data)
+
     def __dlpack__(self, **options: Any) -> Any:
         assert self.pinned, "the host cannot read the memory of a device"
         return self.memory.__dlpack__(**options)
@@ -41,7 +49,10 @@ class Buffer:
     def copy_from(self, other: Buffer, *, stream: Any) -> None:
         self.memory[:] = other.memory
 
-    def close(self, stream: Any) -> None:
+    def fill(self, byte: int, *, stream: Any) -> None:
+        self.memory[:] = byte
+
+    def close(self, stream: Any = None) -> None:
         self.closed = True
 
 
@@ -73,6 +84,7 @@ class StandIn(ModuleType):
             allocate=lambda size: self._buffer(size, True)
         )
         self.LaunchConfig = lambda *, grid, block: (grid, block)
+        self.Buffer = SimpleNamespace(from_handle=self._part)
 
     def Device(self) -> Any:
         def set_current() -> None:
@@ -91,6 +103,20 @@ class StandIn(ModuleType):
         self.buffers.append(Buffer(np.full(size, 0xA5, dtype=np.uint8), pinned))
         return self.buffers[-1]
 
+    def _part(self, handle: int, size: int, *, owner: Buffer) -> Buffer:
+        first = handle - owner.handle
+        assert 0 <= first <= first + size <= owner.size
+        return Buffer(owner.memory[first : first + size], owner.pinned)
+
+    def _memory_at(self, address: int) -> np.ndarray:
+        """The memory of the device from an address on."""
+        for buffer in self.buffers:
+            first = address - buffer.handle
+            if 0 <= first < buffer.size and not buffer.closed:
+                assert not buffer.pinned
+                return buffer.memory[first:]
+        raise AssertionError("no memory has this address")
+
     def _from_ptx(self, module: bytes) -> Any:
         self.compiled.append(module.decode())
         return SimpleNamespace(get_kernel=lambda name: Kernel(module.decode(), name))
@@ -99,16 +125,16 @@ class StandIn(ModuleType):
         self.grids.append(config)
         kinds = [np.int64, None, *[np.float64] * 2, None, np.float64, *[None] * 3]
         kinds += [np.float64] * 2 + [np.int64] * 2 + [np.float64, np.int64]
-        arguments = []
+        arguments: list[Any] = []
         for argument, kind in zip(passed, kinds, strict=True):
             if kind is None:
                 assert isinstance(argument, (np.int64, np.float64))
                 arguments.append(argument.item())
             else:
-                assert not argument.pinned
-                arguments.append(argument.memory.view(kind))
-        wanted = [k for k, kind in enumerate(kinds) if kind is not None]
-        PtxMachine(3).run(kernel.ptx, kernel.name, arguments, wanted, 1 << 30)
+                assert isinstance(argument, np.uint64)
+                arguments.append(self._memory_at(int(argument)).view(kind))
+        # parts of one memory, in the order of their places
+        PtxMachine(3).carry_out(kernel.ptx, kernel.name, arguments, 1 << 30)
 
 
 def test_motions_through_the_driver(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -126,7 +152,8 @@ def test_motions_through_the_driver(monkeypatch: pytest.MonkeyPatch) -> None:
         assert found.states.tolist() == right.states.tolist()
         assert found.steps.tolist() == right.steps.tolist()
         assert found.outcome.tolist() == [0, 0, 0]
-    assert all(buffer.closed for buffer in core.buffers)
+    # the memory of the host is locked once, that of the device returned after every call
+    assert [buffer.closed for buffer in core.buffers] == [False, True, True]
     assert len(core.compiled) == 1
     assert core.grids == [(1, BLOCK)] * 2
     assert core.current >= 3
@@ -137,10 +164,23 @@ def test_as_many_threads_as_run_at_once(motions: int, blocks: int) -> None:
     core = StandIn()
     grids = []
     core.launch = lambda stream, config, kernel, *passed: grids.append(config)  # type: ignore
-    array = np.arange(3.0)
-    CudaProcessor(core, core.Device()).run("", "march", [array, 1, 2.5], [0], motions)
+    unwritten = np.arange(3.0), np.arange(2)
+    CudaProcessor(core, core.Device()).run("", "march", [1, 2.5], unwritten, motions)
     assert grids == [(blocks, BLOCK)]
-    assert array.tolist() == [0.0, 1.0, 2.0]
+    assert np.isnan(unwritten[0]).all()
+    assert unwritten[1].tolist() == [0, 0]
+
+
+def test_memory_of_the_host_is_used_again_and_grows() -> None:
+    core = StandIn()
+    core.launch = lambda *_: None  # type: ignore[method-assign]
+    processor = CudaProcessor(core, core.Device())
+    for size in (10, 10, 10**4, 20):
+        processor.run("", "march", [np.zeros(size)], [np.zeros(1)], 1)
+    assert [(b.size > 5000, b.closed) for b in core.buffers if b.pinned] == [
+        (False, True),
+        (True, False),
+    ]
 
 
 def test_memory_is_returned_when_a_kernel_fails() -> None:
@@ -151,9 +191,8 @@ def test_memory_is_returned_when_a_kernel_fails() -> None:
 
     core.launch = fail  # type: ignore[method-assign]
     with pytest.raises(RuntimeError, match="illegal"):
-        CudaProcessor(core, core.Device()).run("", "march", [np.zeros(4)], [0], 1)
-    assert len(core.buffers) == 2
-    assert all(buffer.closed for buffer in core.buffers)
+        CudaProcessor(core, core.Device()).run("", "march", [1], [np.zeros(4)], 1)
+    assert [buffer.closed for buffer in core.buffers if not buffer.pinned] == [True]
 
 
 def test_the_stand_in_has_the_names_of_the_library() -> None:
@@ -165,6 +204,10 @@ def test_the_stand_in_has_the_names_of_the_library() -> None:
     inspect.signature(core.ObjectCode.get_kernel).bind(object(), "march")
     inspect.signature(core.Device.allocate).bind(object(), 8, stream=stream)
     inspect.signature(core.LegacyPinnedMemoryResource.allocate).bind(object(), 8)
+    inspect.signature(core.Buffer.from_handle).bind(1, 8, owner=buffer)
+    inspect.signature(core.Buffer.fill).bind(buffer, 0xFF, stream=stream)
+    for name in ("size", "handle"):
+        assert hasattr(core.Buffer, name)
     for name in ("copy_to", "copy_from"):
         inspect.signature(getattr(core.Buffer, name)).bind(buffer, buffer, stream=stream)
     inspect.signature(core.Buffer.close).bind(buffer, stream)

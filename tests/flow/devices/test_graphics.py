@@ -138,7 +138,7 @@ def test_pieces_and_threads_change_nothing(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(module, "PIECE", 3 * 2 * 2 * 8)
     found = there.propagate(states, [0.1, 0.2], values)
     assert_same(found, here.propagate(states, [0.1, 0.2], values))
-    assert machine.launches == [("march", 3), ("march", 3), ("march", 1)]
+    assert sorted(machine.launches) == [("march", 1), ("march", 3), ("march", 3)]
 
 
 def test_another_coefficient_gives_other_bits() -> None:

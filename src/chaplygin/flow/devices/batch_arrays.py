@@ -77,17 +77,22 @@ class BatchOutput:
         """All of them, in the order of the loop's arguments."""
         return self.states, self.times, self.counts, self.outcome, self.end_times, self.steps
 
+    def clear(self, first: int, last: int) -> None:
+        """Set the results of some motions to those of none: not a number, and zero."""
+        for array in self.arrays:
+            array[first:last] = np.nan if array.dtype.kind == "f" else 0
+
 
 def empty_output(task: BatchInput) -> BatchOutput:
-    """Room for the results of a call."""
+    """Room for the results of a call, with any content."""
     motions, numbers, words = task.starts.shape
-    counts, outcome, steps = (np.zeros(motions, dtype=np.int64) for _ in range(3))
+    counts, outcome, steps = (np.empty(motions, dtype=np.int64) for _ in range(3))
     return BatchOutput(
-        np.full((motions, task.samples, numbers, words), np.nan),
-        np.full((motions, task.samples), np.nan),
+        np.empty((motions, task.samples, numbers, words)),
+        np.empty((motions, task.samples)),
         counts,
         outcome,
-        np.zeros(motions),
+        np.empty(motions),
         steps,
     )
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, Protocol, TypeAlias
 
@@ -12,18 +13,32 @@ import numpy.typing as npt
 
 from ...errors import InputError
 
-#: An argument of a kernel: an array in the memory of the host, or a number.
-Argument: TypeAlias = npt.NDArray[Any] | int | float
+#: An array in the memory of the host, without gaps.
+Array: TypeAlias = npt.NDArray[np.float64] | npt.NDArray[np.int64]
 
-#: Threads of a block: few, so that blocks with many registers fill a processor.
-BLOCK = 64
+#: An argument of a kernel.
+Argument: TypeAlias = Array | int | float
+
+#: Threads of a block: a warp, so that blocks with many registers fill a processor.
+BLOCK = 32
+
+#: Blocks of a multiprocessor at most: with more, their stages no longer fit its cache.
+BLOCKS = 8
+
+#: Bytes to whose multiples arrays are aligned in a buffer.
+ALIGNMENT = 256
 
 
 class GraphicsProcessor(Protocol):
     """A graphics processor, as far as it is needed here."""
 
     def run(
-        self, ptx: str, entry: str, arguments: Sequence[Argument], outputs: Sequence[int], most: int
+        self,
+        ptx: str,
+        entry: str,
+        inputs: Sequence[Argument],
+        outputs: Sequence[Array],
+        most: int,
     ) -> None:
         """Run a kernel to its end.
 
@@ -32,10 +47,11 @@ class GraphicsProcessor(Protocol):
         ptx : str
         entry : str
             The name of the kernel.
-        arguments : sequence of array, int or float
-            Arrays are copied to the device, 64-bit numbers passed as they are.
-        outputs : sequence of int
-            Places of the arrays that are copied back.
+        inputs : sequence of array, int or float
+            Its first arguments: arrays are copied to the device, 64-bit numbers passed as they are.
+        outputs : sequence of array
+            The arrays that it writes, its further arguments.  Where it writes nothing, floats
+            become not a number and integers zero.
         most : int
             Threads at most; as many as run at once are started, if these are fewer.
         """
@@ -51,60 +67,91 @@ class CudaProcessor:
     core : module
         ``cuda.core``.
     device : cuda.core.Device
+    pinned : list of cuda.core.Buffer
+        Memory of the host that the device can copy from and to, and that no call uses now.  To lock
+        such memory takes longer than many a kernel.
     """
 
     core: Any
     device: Any
+    pinned: list[Any] = field(default_factory=list, repr=False, compare=False)
 
     def run(
-        self, ptx: str, entry: str, arguments: Sequence[Argument], outputs: Sequence[int], most: int
+        self,
+        ptx: str,
+        entry: str,
+        inputs: Sequence[Argument],
+        outputs: Sequence[Array],
+        most: int,
     ) -> None:
         """Run a kernel; see :class:`GraphicsProcessor`."""
         core, device = self.core, self.device
         # each thread of the host has a current device of its own
         device.set_current()
+        into = [argument for argument in inputs if isinstance(argument, np.ndarray)]
+        *places, size = _places([*into, *outputs])
+        first = places[len(into)]
+        pinned = self._pinned_buffer(size)
         stream = device.create_stream()
-        buffers: dict[int, tuple[Any, Any]] = {}
+        there = device.allocate(size, stream=stream)
+        view = np.from_dlpack(pinned).view(np.uint8)
         try:
             kernel = _kernel(core, device.device_id, ptx, entry)
-            passed: list[Any] = []
-            for place, argument in enumerate(arguments):
-                if not isinstance(argument, np.ndarray):
-                    number = np.float64 if isinstance(argument, float) else np.int64
-                    passed.append(number(argument))
-                    continue
-                buffers[place] = self._device_copy(argument, stream)
-                passed.append(buffers[place][1])
+            for array, place in zip(into, places, strict=False):
+                view[place : place + array.nbytes] = _bytes(array)
+            self._part(there, 0, first).copy_from(self._part(pinned, 0, first), stream=stream)
+            for array, place in zip(outputs, places[len(into) :], strict=True):
+                # a float whose bits are all 1 is not a number
+                byte = 0xFF if array.dtype.kind == "f" else 0
+                self._part(there, place, max(array.nbytes, 1)).fill(byte, stream=stream)
+            addresses = iter([np.uint64(int(there.handle) + place) for place in places])
+            passed = [
+                next(addresses) if isinstance(argument, np.ndarray) else _number(argument)
+                for argument in (*inputs, *outputs)
+            ]
             resident = kernel.occupancy.max_active_blocks_per_multiprocessor(BLOCK, 0)
-            blocks = resident * device.properties.multiprocessor_count
+            blocks = min(resident, BLOCKS) * device.properties.multiprocessor_count
             blocks = max(1, min(blocks, -(-most // BLOCK)))
             core.launch(stream, core.LaunchConfig(grid=blocks, block=BLOCK), kernel, *passed)
-            for place in outputs:
-                pinned, there = buffers[place]
-                there.copy_to(pinned, stream=stream)
+            results = self._part(there, first, size - first)
+            results.copy_to(self._part(pinned, first, size - first), stream=stream)
             stream.sync()
-            for place in outputs:
-                array = arguments[place]
-                assert isinstance(array, np.ndarray)
-                array.reshape(-1).view(np.uint8)[:] = self._bytes(buffers[place][0])
+            for array, place in zip(outputs, places[len(into) :], strict=True):
+                _bytes(array)[:] = view[place : place + array.nbytes]
         finally:
-            for pair in buffers.values():
-                for buffer in pair:
-                    buffer.close(stream)
+            there.close(stream)
             stream.close()
+            self.pinned.append(pinned)
 
-    def _device_copy(self, array: npt.NDArray[Any], stream: Any) -> tuple[Any, Any]:
-        """A buffer in pinned memory of the host, and its copy on the device."""
-        size = max(array.nbytes, 8)
-        pinned = self.core.LegacyPinnedMemoryResource().allocate(size)
-        self._bytes(pinned)[: array.nbytes] = array.reshape(-1).view(np.uint8)
-        there = self.device.allocate(size, stream=stream)
-        there.copy_from(pinned, stream=stream)
-        return pinned, there
+    def _part(self, buffer: Any, first: int, size: int) -> Any:
+        """Some bytes of a buffer."""
+        return self.core.Buffer.from_handle(int(buffer.handle) + first, size, owner=buffer)
 
-    @staticmethod
-    def _bytes(buffer: Any) -> npt.NDArray[np.uint8]:
-        return np.from_dlpack(buffer).view(np.uint8)
+    def _pinned_buffer(self, size: int) -> Any:
+        """Memory of the host, taken from what earlier calls have locked if it is large enough."""
+        try:
+            pinned = self.pinned.pop()
+        except IndexError:
+            pass
+        else:
+            if pinned.size >= size:
+                return pinned
+            pinned.close()
+        return self.core.LegacyPinnedMemoryResource().allocate(size)
+
+
+def _places(arrays: Sequence[Array]) -> list[int]:
+    """Where each array begins in a buffer for them all, and the bytes of that buffer."""
+    sizes = [max(1, -(-array.nbytes // ALIGNMENT)) * ALIGNMENT for array in arrays]
+    return [0, *itertools.accumulate(sizes)]
+
+
+def _number(argument: float) -> np.float64 | np.int64:
+    return np.float64(argument) if isinstance(argument, float) else np.int64(argument)
+
+
+def _bytes(array: Array) -> npt.NDArray[np.uint8]:
+    return array.reshape(-1).view(np.uint8)
 
 
 @lru_cache(maxsize=64)
@@ -128,12 +175,18 @@ def open_processor() -> GraphicsProcessor:
             "device = 'gpu' needs the library cuda-core: pip install 'chaplygin[gpu]'"
         ) from None
     try:
-        device = core.Device()
-        device.set_current()
+        return _first_device(core)
     # without a driver, without a device, with a driver too old: each raises an error of its own
     except Exception as error:
         reason = " ".join(str(error).split()).rstrip(".")
         raise InputError(
             f"device = 'gpu': no graphics processor of NVIDIA can be used here ({reason})"
         ) from None
+
+
+@lru_cache(maxsize=1)
+def _first_device(core: Any) -> CudaProcessor:
+    """The device, once in a process, so that all share the memory that is locked."""
+    device = core.Device()
+    device.set_current()
     return CudaProcessor(core, device)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
@@ -19,8 +20,14 @@ from .ptx import cached_ptx
 #: Where motions are computed.
 Device: TypeAlias = Literal["cpu", "gpu"]
 
-#: Bytes of results on the device at a time, about.
+#: Motions that are computed at a time: some for each thread of a large device.
+MOTIONS = 2**17
+
+#: Bytes of their results at most, about.
 PIECE = 2**28
+
+#: Pieces at once: while one is computed, others are copied to the device and from it.
+PIECES = 3
 
 
 @dataclass(frozen=True)
@@ -40,22 +47,24 @@ class GraphicsLoop:
         """The motions, piece by piece; `threads` of the host have nothing to do here."""
         result = empty_output(task)
         each = max(1, result.states.nbytes // max(task.motions, 1))
-        motions = max(1, PIECE // each)
-        for first in range(0, task.motions, motions):
-            self._run_piece(task, result, slice(first, min(first + motions, task.motions)))
+        motions = max(1, min(MOTIONS, PIECE // each))
+        pieces = [
+            slice(first, min(first + motions, task.motions))
+            for first in range(0, task.motions, motions)
+        ]
+        with ThreadPoolExecutor(PIECES) as pool:
+            list(pool.map(lambda some: self._run_piece(task, result, some), pieces))
         return result
 
     def _run_piece(self, task: BatchInput, result: BatchOutput, some: slice) -> None:
         count = some.stop - some.start
         parameters = task.parameters[some] if task.stride else task.parameters
-        results = [array[some] for array in result.arrays]
-        arguments = [
+        inputs = [
             *(np.zeros(1, dtype=np.int64), count, task.starts[some], parameters, task.stride),
             *(task.times, task.samples, task.tolerance, task.limit),
-            *results,
         ]
-        wanted = range(len(arguments) - len(results), len(arguments))
-        self.processor.run(self.ptx, ENTRY, arguments, wanted, count)
+        outputs = [array[some] for array in result.arrays]
+        self.processor.run(self.ptx, ENTRY, inputs, outputs, count)
 
 
 def refuse_graphics(device: Device) -> None:

@@ -33,6 +33,7 @@ class ProcessorLoop:
         result = empty_output(task)
 
         def compute(first: int, last: int) -> None:
+            result.clear(first, last)
             work = native.aligned_zeros(self.code.work_size)
             self.code.functions["march"](
                 *(first, last, task.starts.ctypes.data, task.parameters.ctypes.data),
