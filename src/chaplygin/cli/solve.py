@@ -131,6 +131,9 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     from ..printing.numerals import unit as unit_text
 
     form = solution.form
+    shown = _moments_shown(moments)
+    # what is refused is refused before anything is printed
+    rows = list(_rows(study, solution, shown, digits))
     titles = dict.fromkeys((study.system.title, form.title))
     typer.echo(f"{': '.join(titles)}, {form.source}".rstrip(", "))
     typer.echo(f"{form.motion[:1].upper()}{form.motion[1:]}")
@@ -142,8 +145,6 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     for item in form.constants:
         facts.add_row(escape(letters(item.symbol)), number(item), escape(letters(item.meaning)))
     shown_on.print(facts)
-    shown = _moments_shown(moments)
-    rows = list(_rows(study, solution, shown, digits))
     for some in _blocks(shown, rows, shown_on.width):
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
         table.add_column("", style="bold", no_wrap=True)
@@ -156,7 +157,8 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
         shown_on.print(table)
     if study.system.reconstruction is not None and not in_space(study, solution):
         inform("the attitude and the position in space are not part of this closed form")
-    if digits is not None and solution.left_open:
+    out_of_reach = any("nan" in values for _, _, values in rows)
+    if solution.left_open and (digits is not None or out_of_reach):
         inform(solution.left_open)
     if len(shown) < len(moments):
         inform(

@@ -21,7 +21,7 @@ from ..base.solution import ClosedForm, NamedConstant, Solution, finite_times
 from .clock import ProductClock
 from .operators import Kind
 from .separation import real_roots
-from .torus_motion import TorusMotion
+from .torus_motion import Places, TorusMotion
 
 #: Working precision of the set-up, in bits.
 BITS = 320
@@ -33,10 +33,7 @@ class WaveSolution(Solution):
     @property
     def left_open(self) -> str:
         """What the closed form does not hold."""
-        return (
-            "the attitude besides γ and p, which stay in space, and error bounds; an integration "
-            "of the whole motion has the attitude"
-        )
+        return "error bounds: the waves of this motion are summed up in double precision"
 
     @arguments_checked
     def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
@@ -54,7 +51,7 @@ class SphereSolution(WaveSolution):
     Attributes
     ----------
     system : System
-        Not lifted: attitude and contact point are left open.
+        Not lifted.
     kind : Kind
     factors : tuple of arb
         a_i of the axes on which the motion takes place.
@@ -75,7 +72,18 @@ class SphereSolution(WaveSolution):
     @arguments_checked
     def states(self, times: npt.ArrayLike) -> FloatArray:
         """States at `times` (N,), as an array (N, size), in double precision."""
-        places = self.motion.at(finite_times(times))
+        return self._states(self.motion.at(finite_times(times)))
+
+    def parameters_at(self, times: FloatArray) -> FloatArray:
+        """τ at times (N,)."""
+        return self.motion.tau(times)
+
+    def along(self, x: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """States (N, size) and dt/dτ at τ = x (N,)."""
+        places = self.motion.along(x)
+        return self._states(places), places.clock
+
+    def _states(self, places: Places) -> FloatArray:
         a = np.array([number(x) for x in self.factors])
         velocity = places.rate / places.clock
         p, gamma = _MAPS[self.kind](a, number(self.D), places.vector, velocity)

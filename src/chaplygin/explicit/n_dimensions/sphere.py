@@ -9,7 +9,6 @@ separates on a curve of genus n − 1 (:mod:`.separation`).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 
 import numpy as np
 from flint import arb, ctx, fmpq
@@ -30,6 +29,7 @@ from .few_axes import (
     spare_indices,
     three_moments,
 )
+from .motion_in_space import in_space, reduced_problem
 from .operators import InertiaByProducts, Kind, momentum_and_vector, operator_of
 from .separation import SeparatedVector, of_ball, of_surrounding_ball, of_veselova
 from .solution import BITS, SphereSolution
@@ -67,20 +67,32 @@ def solve_on_sphere(problem: Problem, solve: Callable[[Problem], Solution]) -> S
         state = momentum_and_vector(problem)
         if state is None:
             raise not_among(problem, "on k = p∧γ, without momentum in planes across γ")
-        problem = replace(problem, system=replace(problem.system, reconstruction=None))
+        reduced = reduced_problem(problem)
         p, gamma = state
         if all(x == 0 for x in p):
-            return RestSolution.of(problem)
-        if blocks is not None:
-            return solve_two_blocks(problem, operator.products, blocks, p, gamma)
-        for part in (RESOLUTION, ROUNDING):
-            axes = moving_axes(operator, p, gamma, part)
-            try:
-                if _belongs_to_a_body(operator, axes):
-                    return solve_on_few_axes(problem, operator, axes, solve)
-                return _on_torus(problem, operator, axes)
-            except DegenerateError:
-                continue
+            solution: Solution = RestSolution.of(reduced)
+        elif blocks is not None:
+            solution = solve_two_blocks(reduced, operator.products, blocks, p, gamma)
+        else:
+            solution = _separated(reduced, operator, p, gamma, solve)
+        return in_space(problem, solution)
+
+
+def _separated(
+    problem: Problem,
+    operator: InertiaByProducts,
+    p: Balls,
+    gamma: Balls,
+    solve: Callable[[Problem], Solution],
+) -> Solution:
+    for part in (RESOLUTION, ROUNDING):
+        axes = moving_axes(operator, p, gamma, part)
+        try:
+            if _belongs_to_a_body(operator, axes):
+                return solve_on_few_axes(problem, operator, axes, solve)
+            return _on_torus(problem, operator, axes)
+        except DegenerateError:
+            continue
     raise degenerate(problem)
 
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from flint import acb, arb, arb_mat
@@ -29,6 +30,8 @@ _GRID = (64, 4096)
 _LEVEL = 5e-17
 #: Steps of Newton's method, at most, and halvings of one.
 _STEPS, _HALVINGS = 60, 30
+#: Places of the table for each wave, at least, and the degree of its polynomials.
+_PLACES, _DEGREE = 16, 9
 #: Largest error of phases, in radians, for which an inversion ends.
 _CLOSE = 4e-15
 
@@ -57,7 +60,7 @@ def _abelian(curve: Curve, left: int, power: int, end: arb) -> arb:
     return acb.integral(form, acb(0), acb(end)).real
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sines:
     """ψ_ik(s) = δ_ik s + Σ_m S_ikm sin ms.
 
@@ -77,22 +80,43 @@ class Sines:
         """The number of phases."""
         return len(self.waves)
 
-    def phases(self, s: FloatArray) -> FloatArray:
-        """φ (n, g) at angles s (n, g), in radians."""
-        order = np.arange(1, self.waves.shape[2] + 1)
-        phases: FloatArray = s + np.einsum(
-            "ikm,nkm->ni", self.waves, np.sin(s[:, :, None] * order), optimize=True
-        )
-        return phases
+    @cached_property
+    def _table(self) -> FloatArray:
+        """Taylor coefficients of ψ_ik − δ_ik s at the places of a grid, (k, places, i, degree).
 
-    def slopes(self, s: FloatArray) -> FloatArray:
-        """dψ_ik/ds at angles s (n, g), as (n, g, g)."""
-        order = np.arange(1, self.waves.shape[2] + 1)
-        turning = np.einsum(
-            "ikm,nkm->nik", self.waves * order, np.cos(s[:, :, None] * order), optimize=True
-        )
-        slopes: FloatArray = np.eye(self.genus) + turning
-        return slopes
+        In the distance from the place over half the spacing.
+        """
+        order = np.arange(self.waves.shape[2] + 1)
+        places = _PLACES * 2 ** int(np.ceil(np.log2(len(order))))
+        half = np.pi / places
+        table = np.empty((self.genus, places, self.genus, _DEGREE + 1))
+        spectrum = np.zeros((self.genus, self.genus, places), dtype=complex)
+        scaled = np.concatenate([np.zeros((self.genus, self.genus, 1)), self.waves], axis=2) + 0j
+        for degree in range(_DEGREE + 1):
+            spectrum[:, :, : len(order)] = scaled
+            table[..., degree] = places * np.fft.ifft(spectrum).imag.transpose(1, 2, 0)
+            scaled = scaled * (1j * half * order / (degree + 1))
+        return table
+
+    def phases_and_slopes(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """φ (n, g) in radians, and dψ_ik/ds as (n, i, k), at angles s (n, g)."""
+        places = self._table.shape[1]
+        half = np.pi / places
+        near = np.rint(s / (2 * half))
+        x = (s - near * (2 * half)) / half
+        cells = near.astype(int) % places
+        phases, slopes = s.copy(), np.empty((len(s), self.genus, self.genus))
+        for k in range(self.genus):
+            terms = self._table[k, cells[:, k]]
+            own = x[:, k, None]
+            value, slope = terms[..., -1], np.zeros((len(s), self.genus))
+            for degree in range(_DEGREE - 1, -1, -1):
+                slope = slope * own + value
+                value = value * own + terms[..., degree]
+            phases += value
+            slopes[:, :, k] = slope / half
+            slopes[:, k, k] += 1
+        return phases, slopes
 
     def own_angles(self, x: FloatArray) -> FloatArray:
         """The angles s_k (g, N), from 0 to π, at which the growing ψ_kk have the values x (N,)."""
@@ -120,25 +144,27 @@ class Sines:
         Newton's method with halved steps: the residual falls, and no place is singular.
         """
         s = phases.copy()
-        miss = self.phases(s) - phases
+        reached, slopes = self.phases_and_slopes(s)
+        miss = reached - phases
+        scale = np.maximum(1.0, np.abs(phases).max(axis=1))
         for _ in range(_STEPS):
             worst = np.abs(miss).max(axis=1)
-            scale = np.maximum(1.0, np.abs(phases).max(axis=1))
             (open_,) = np.nonzero(worst > _CLOSE * scale)
             if not len(open_):
                 break
-            step = np.linalg.solve(self.slopes(s[open_]), miss[open_][:, :, None])[:, :, 0]
+            step = np.linalg.solve(slopes[open_], miss[open_][:, :, None])[:, :, 0]
             share = np.ones(len(open_))
             for _ in range(_HALVINGS):
                 tried = s[open_] - share[:, None] * step
-                left = self.phases(tried) - phases[open_]
+                reached, turned = self.phases_and_slopes(tried)
+                left = reached - phases[open_]
                 worse = np.abs(left).max(axis=1) > worst[open_] * (1 - share / 4)
                 # at rounding level no step helps
                 worse &= worst[open_] > 16 * _CLOSE * scale[open_]
                 if not worse.any():
                     break
                 share[worse] /= 2
-            s[open_], miss[open_] = tried, left
+            s[open_], miss[open_], slopes[open_] = tried, left, turned
         return s
 
 

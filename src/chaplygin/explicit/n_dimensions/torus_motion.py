@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -182,11 +183,32 @@ class TorusMotion:
 
     def at(self, times: FloatArray) -> Places:
         """Where it is at the times (N,)."""
-        mean = number(self.mean)
-        velocity = 2 * np.pi * np.array([number(x) for x in self.turns])
-        ideal = self.start + 2 * np.pi * np.stack(
-            [phase_at(rate, times, 2.0) for rate in self._pairs], axis=1
-        )
+        ideal, delta = self._delays(times)
+        return self._places(ideal + delta[:, None] * self._velocity)
+
+    def tau(self, times: FloatArray) -> FloatArray:
+        """τ at the times (N,)."""
+        tau: FloatArray = times / number(self.mean) + self._delays(times)[1]
+        return tau
+
+    def along(self, tau: FloatArray) -> Places:
+        """Where it is at τ (N,)."""
+        return self._places(self._phases([pair(x) for x in self.turns], tau))
+
+    @property
+    def _velocity(self) -> FloatArray:
+        return 2 * np.pi * np.array([number(x) for x in self.turns])
+
+    def _phases(self, turns: Sequence[Pair], times: FloatArray) -> FloatArray:
+        """Phases (N, g) that grow uniformly."""
+        grown = np.stack([phase_at(rate, times, 2.0) for rate in turns], axis=1)
+        phases: FloatArray = self.start + 2 * np.pi * grown
+        return phases
+
+    def _delays(self, times: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """The phases that belong to the mean of dt/dτ, and by how much τ is more than there."""
+        mean, velocity = number(self.mean), self._velocity
+        ideal = self._phases(self._pairs, times)
         tau, delta = times / mean, np.zeros_like(times)
         for _ in range(_NEWTON):
             phases = ideal + delta[:, None] * velocity
@@ -197,7 +219,7 @@ class TorusMotion:
             delta = delta + step
             if np.all(np.abs(step * np.abs(velocity).max()) < 4e-15):
                 break
-        return self._places(ideal + delta[:, None] * velocity)
+        return ideal, delta
 
     # --- from phases to the vector --------------------------------------------------------
 

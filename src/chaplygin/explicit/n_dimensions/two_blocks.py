@@ -172,7 +172,7 @@ class TwoBlockSolution(WaveSolution):
     Attributes
     ----------
     system : System
-        Not lifted: attitude and contact point are left open.
+        Not lifted.
     amplitude, speed, phase : arb
         amp, θ̇ and θ at t = 0.
     halves : (Half, Half)
