@@ -19,6 +19,7 @@ from ..experiment.subjects.plan import PlanMotion, plan_motion
 from ..explicit.base.solution import Solution
 from ..flow.trajectory import Trajectory
 from . import figures, page
+from .drawing.layout import layout_done
 from .stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
 from .study_folder import TRAJECTORY, begin, end
 from .subject_figures import subject_figures
@@ -88,11 +89,13 @@ def write_study(
     solution = known_solution(study)
     report.say("drawing")
     pictures = _figures(study, smooth, plan, solution)
-    svgs = {name: figures.svg_text(figure) for name, figure in pictures.items()}
+    svgs = {}
     for name, figure in pictures.items():
+        with layout_done(figure):
+            svgs[name] = figures.svg_text(figure)
+            figures.save(figure, folder / "figures" / f"{name}.png")
         with atomic_file(folder / "figures" / f"{name}.svg") as place:
             place.write_text(figures.svg_file(svgs[name]), encoding="utf-8")
-        figures.save(figure, folder / "figures" / f"{name}.png")
     text = page.render(study, trajectory, dataset, pictures, svgs, budget, failure, solution)
     with atomic_file(folder / "report.html") as temporary:
         temporary.write_text(text, encoding="utf-8")

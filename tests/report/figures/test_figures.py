@@ -20,7 +20,7 @@ from chaplygin.geometry.mesh import outline_from_contact
 from chaplygin.geometry.view import rotation_matrices
 from chaplygin.report import figures
 from chaplygin.report.drawing.dataset_access import readable
-from chaplygin.report.drawing.files import _make_narrow
+from chaplygin.report.drawing.narrow import make_narrow
 from chaplygin.report.drawing.shading import PlaneGround, SphereGround
 from chaplygin.report.figures.time_series import turning_angles
 from spread import spread
@@ -693,7 +693,7 @@ def test_on_a_phone_no_label_is_cut() -> None:
     figure = Figure(figsize=(6.3, 4.0))
     axes = figure.add_axes((0.12, 0.2, 0.86, 0.75))
     axes.set(ylim=(-0.0375, 0.0375), ylabel="$y$  (m)")
-    _make_narrow(figure)
+    make_narrow(figure)
     figure.draw_without_rendering()
     assert axes.get_tightbbox().x0 >= -1e-6
 

@@ -6,25 +6,23 @@ import hashlib
 import io
 import pickle
 import re
-import textwrap
-import warnings
 from collections.abc import Mapping
 from pathlib import Path as FilePath
 from xml.sax.saxutils import quoteattr
 
 import matplotlib as mpl
-from matplotlib.axes import Axes
+from matplotlib.backend_bases import FigureCanvasBase
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.figure import Figure
-from matplotlib.gridspec import GridSpec
-from matplotlib.legend import Legend
 from matplotlib.lines import Line2D
-from matplotlib.text import Text
-from matplotlib.ticker import AutoLocator
 
 from ...arguments import arguments_checked
 from ...errors import InputError
 from ...experiment.files import atomic_file
+from .layout import layout_done
 from .modes import MODE_STYLES
+from .narrow import make_narrow
 from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE
 from .svg_paths import grouped_marks, short_path, with_shared_letters, with_shared_paths
 from .ticks import set_plain_ticks
@@ -50,14 +48,18 @@ PAGE_COLOURS = {
 }
 """Colours of figures that a page may change, by the names of its style sheet."""
 
-NARROW = 3.65
-"""Width in inches of a figure on a telephone."""
+_COLOUR_NAMES = {colour: name for name, colour in reversed(PAGE_COLOURS.items())}
 
-_LONG = 40
-"""Characters of a line of a key that is too long for a telephone."""
+_PAGE_COLOUR = re.compile(rf"(?<=[ :\"])(?:{'|'.join(_COLOUR_NAMES)})(?=[;\"])")
 
-_LEAST = 0.85
-"""Share of a key's width that a plot on a telephone has at least, if the key can be narrower."""
+_DPI = 220
+"""Points of an inch of a picture in points."""
+
+_CANVASES: dict[str, tuple[type[FigureCanvasBase], int]] = {
+    ".png": (FigureCanvasAgg, _DPI),
+    ".pdf": (FigureCanvasPdf, 72),
+}
+"""What matplotlib draws on, and the points of an inch by which it lays out."""
 
 _FINE, _COARSE = 0.3, 0.75
 """Points by which a curve may be simplified, and one on a telephone."""
@@ -111,7 +113,8 @@ def save(figure: Figure, path: str | FilePath) -> FilePath:
         else:
             with mpl.rc_context(STYLE):
                 set_plain_ticks(figure)
-                figure.savefig(place, format=suffix[1:], dpi=220, metadata=FORMATS[suffix])
+                with layout_done(figure, *_CANVASES[suffix]):
+                    figure.savefig(place, format=suffix[1:], dpi=_DPI, metadata=FORMATS[suffix])
     return target
 
 
@@ -170,7 +173,8 @@ def svg_text(figure: Figure) -> str:
     tolerance = max(_FINE, mpl.rcParams["path.simplify_threshold"])
     with mpl.rc_context(STYLE | {"path.simplify_threshold": tolerance}):
         set_plain_ticks(figure)
-        figure.savefig(stream, format="svg", metadata=FORMATS[".svg"])
+        with layout_done(figure):
+            figure.savefig(stream, format="svg", metadata=FORMATS[".svg"])
     text = stream.getvalue()
     text = text[text.index("<svg") :]
     text = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->", "", text, flags=re.S)
@@ -212,7 +216,7 @@ def page_svg(figure: Figure, narrow: bool = False) -> str:
     """
     shown: Figure = pickle.loads(pickle.dumps(figure)) if narrow else figure
     if narrow:
-        _make_narrow(shown)
+        make_narrow(shown)
     # at the size of a telephone no eye sees more of a curve
     tolerance = _COARSE if narrow else _FINE
     with mpl.rc_context({"path.simplify_threshold": tolerance}):
@@ -222,9 +226,7 @@ def page_svg(figure: Figure, narrow: bool = False) -> str:
 
 
 def _with_page_colours(text: str) -> str:
-    for name, colour in PAGE_COLOURS.items():
-        text = re.sub(rf"(?<=[ :\"]){colour}(?=[;\"])", f"var(--{name}, {colour})", text)
-    return text
+    return _PAGE_COLOUR.sub(lambda match: f"var(--{_COLOUR_NAMES[match[0]]}, {match[0]})", text)
 
 
 @arguments_checked
@@ -270,116 +272,6 @@ def page_svgs(
         texts[f"{name} wide"], texts[f"{name} narrow"] = with_shared_paths(wide, narrow, mark)
     texts, letters = with_shared_letters(texts)
     return {name: (texts[f"{name} wide"], texts[f"{name} narrow"]) for name in figures}, letters
-
-
-def _make_narrow(figure: Figure) -> None:
-    """Fit a figure to the width of a telephone."""
-    wide, high = figure.get_size_inches()
-    if figure.get_layout_engine() is None:
-        larger = min(wide / NARROW, 1.5)
-        for text in figure.findobj(Text):
-            text.set_fontsize(text.get_fontsize() * larger)
-        if figure.legends:
-            _widen_margins(figure, larger)
-        for axes in figure.axes:
-            if axes.axison and axes.name == "rectilinear":
-                axes.locator_params(nbins=4)
-                _uncut(figure, axes)
-        return
-    panels = [axes for axes in figure.axes if axes.axison]
-    for axes in panels:
-        _wrap_legend(axes)
-    high *= _stack(figure, panels)
-    columns = {spec.colspan.start for axes in panels if (spec := axes.get_subplotspec())}
-    if len(columns) > 1 or (len(panels) == 1 and _is_long(figure, panels[0])):
-        # what stands side by side, or has a long key, would be crowded out: it stays as it is
-        return
-    figure.set_size_inches(NARROW, high)
-    for key in figure.legends:
-        key.set_ncols(2)
-    for axes in panels:
-        if axes.get_xscale() == "linear" and isinstance(
-            axes.xaxis.get_major_locator(), AutoLocator
-        ):
-            axes.locator_params(axis="x", nbins=4)
-        legend = axes.get_legend()
-        if legend is not None and _share(figure, axes, legend) < 1.0:
-            legend = _in_columns(axes, legend, 1 if len(legend.get_texts()) < 3 else 2)
-            if _share(figure, axes, legend) < _LEAST:
-                _in_columns(axes, legend, 1)
-
-
-def _in_columns(axes: Axes, legend: Legend, columns: int) -> Legend:
-    """A legend wider than its axes anew; it stands above them, at their right end."""
-    texts = [text.get_text() for text in legend.get_texts()]
-    handles = [handle for handle in legend.legend_handles if handle is not None]
-    anchor = legend.get_bbox_to_anchor().transformed(axes.transAxes.inverted())
-    with mpl.rc_context(STYLE):
-        return axes.legend(
-            handles, texts, loc="lower right", bbox_to_anchor=anchor.bounds, ncols=columns
-        )
-
-
-def _stack(figure: Figure, panels: list[Axes]) -> float:
-    """Put panels below each other; the added height."""
-    specs = [spec for axes in panels if (spec := axes.get_subplotspec())]
-    columns = {spec.colspan.start for spec in specs}
-    if len(panels) < 2 or len(specs) < len(panels) or len({s.get_gridspec() for s in specs}) > 1:
-        return 1.0
-    if len(columns) == 1:
-        return 1.0 if len(panels) < 6 else 1.3
-    places = [(spec.colspan.start, spec.rowspan.start) for spec in specs]
-    rows = GridSpec(len(panels), 1, figure=figure)
-    for row, place in enumerate(sorted(places)):
-        panels[places.index(place)].set_subplotspec(rows[row])
-    return len(columns)
-
-
-def _widen_margins(figure: Figure, larger: float) -> None:
-    """Give labels, and a key below the axes, room for larger letters."""
-    wide, high = figure.get_size_inches()
-    (axes,) = figure.axes
-    box = axes.get_position()
-    left, foot = larger * box.x0 * wide, larger * box.y0 * high
-    tall = high + foot - box.y0 * high
-    figure.set_size_inches(wide, tall)
-    axes.set_position((left / wide, foot / tall, box.x1 - left / wide, box.height * high / tall))
-
-
-def _uncut(figure: Figure, axes: Axes) -> None:
-    """Move the left side of axes so far that nothing of their label is cut away."""
-    figure.draw_without_rendering()
-    drawn = axes.get_tightbbox()
-    beyond = 0.0 if drawn is None else -drawn.x0 / figure.bbox.width
-    if beyond > 0.0:
-        box = axes.get_position()
-        axes.set_position((box.x0 + beyond, box.y0, box.width - beyond, box.height))
-
-
-def _is_long(figure: Figure, axes: Axes) -> bool:
-    """Whether axes have a legend that needs the width of a page."""
-    legend = axes.get_legend() or next(iter(figure.legends), None)
-    texts = [] if legend is None else [text.get_text() for text in legend.get_texts()]
-    lines = [line for text in texts for line in text.splitlines()]
-    return max(map(len, lines), default=0) > _LONG
-
-
-def _wrap_legend(axes: Axes) -> None:
-    """Break the long words of a legend into lines, but for those with formulas."""
-    legend = axes.get_legend()
-    for text in [] if legend is None else legend.get_texts():
-        if "$" not in text.get_text():
-            text.set_text(textwrap.fill(text.get_text(), _LONG))
-
-
-def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
-    """The share of a legend's width that its axes have, 1 at most."""
-    with warnings.catch_warnings():
-        # a legend too wide for the figure leaves its axes no room, which is what is asked here
-        warnings.filterwarnings("ignore", message="constrained_layout not applied")
-        figure.draw_without_rendering()
-    room = axes.get_window_extent().width
-    return min(1.0, float(room / legend.get_window_extent().width))
 
 
 def _own_ids(svg: str) -> str:

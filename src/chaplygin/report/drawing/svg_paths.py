@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 
 #: Numbers after each command of a path with absolute coordinates.
 _NUMBERS = {"M": 2, "L": 2, "Q": 4, "C": 6, "z": 0}
@@ -62,6 +63,7 @@ def short_path(path: str) -> str:
     return "".join(written)
 
 
+@lru_cache(maxsize=100_000)
 def _decimal(hundredths: int) -> str:
     """A number of hundredths as a decimal without what can be left out."""
     sign, size = "-" if hundredths < 0 else "", abs(hundredths)
