@@ -242,8 +242,14 @@ def _balls(
         yield (
             str(symbol),
             unit[symbol],
-            [middle if radius == "0" else f"{middle} ± {radius}" for middle, radius in parts],
+            [_with_error(middle, radius) for middle, radius in parts],
         )
+
+
+def _with_error(middle: str, radius: str) -> str:
+    if radius == "inf":
+        return "left open"
+    return middle if radius == "0" else f"{middle} ± {radius}"
 
 
 def _rigorous_states(

@@ -148,15 +148,17 @@ def _family(problem: Problem) -> str:
 
 
 _ON_SPHERE = " around a sphere of half its radius, a = −R/2"
+_TWO_BLOCKS = ", and those with the symmetry SO(r)×SO(n − r)"
 #: What is solvable of families of systems, by their names.
 _SOLVABLE: Mapping[str, str] = {
     rubber_ball_ratio.NAME: "are k = 1 and k = −1",
-    "veselova-nd": "are moments I_ij that are products a_i a_j",
-    "rubber-chaplygin-ball-nd": "are moments for which I_ij + m R² are products a_i a_j",
+    "veselova-nd": f"are moments I_ij that are products a_i a_j{_TWO_BLOCKS}",
+    "rubber-chaplygin-ball-nd": "are moments for which I_ij + m R² are products a_i a_j"
+    + _TWO_BLOCKS,
     "chaplygin-ball-nd": "are, on k = p∧γ, moments with 1/I_ij + 1/(m R²) = 1/(a_i a_j)",
     "chaplygin-ball-on-level-nd": "are moments with 1/I_ij + 1/(m R²) = 1/(a_i a_j)",
     "rubber-ball-on-sphere-nd": "are moments for which I_ij + m R² are products a_i a_j"
-    + _ON_SPHERE,
+    f"{_ON_SPHERE}{_TWO_BLOCKS}",
     "special-rubber-ball-on-sphere-nd": f"is the ball{_ON_SPHERE}",
 }
 

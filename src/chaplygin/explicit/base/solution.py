@@ -227,7 +227,7 @@ class Solution(WithOverview):
         time : float, int, str, Fraction or arb
         digits : int
             Relative accuracy aimed at; the radii of the balls say what was reached.  They are
-            infinite for a place in space that is left open.
+            infinite for a place in space, and for an attitude of n dimensions, that is left open.
 
         Raises
         ------

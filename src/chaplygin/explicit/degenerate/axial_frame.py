@@ -23,13 +23,9 @@ from flint import acb, arb
 from ...core.system import System
 from ..base.solution import ClosedForm, NamedConstant
 from ..one_degree import FAST, MotionSample, QuadratureMotion
+from ..one_degree.frames import BodyFrame, Inclination, euler_quaternion
 from ..one_degree.functions import BALLS, Count, Functions, T
-from ..one_degree.solution import (
-    BodyFrame,
-    Inclination,
-    QuadratureSolution,
-    euler_quaternion,
-)
+from ..one_degree.solution import QuadratureSolution
 from ..one_degree.uniformisation import Oscillating
 from ..one_degree.vectors import conjugate, cross, dot, product, times
 from .axisymmetric import Axial

@@ -6,7 +6,7 @@ such as the vertical γ, follows from the attitude.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -16,16 +16,11 @@ from ...arguments import NumberOrText
 from ...core.system import System
 from ...errors import InputError
 from ...formulas.relative_zero import START_TOLERANCE, vanishes
-from ..base.solution import ClosedForm, Solution
+from ..base.solution import Solution
 from ..one_degree import Equilibrium, MotionSample, QuadratureMotion, motion_chart
+from ..one_degree.frames import BodyFrame, Inclination, euler_quaternion, intrinsic_angle
 from ..one_degree.functions import BALLS, Count, Functions, T
-from ..one_degree.solution import (
-    BodyFrame,
-    Inclination,
-    QuadratureSolution,
-    euler_quaternion,
-    intrinsic_angle,
-)
+from ..one_degree.solution import QuadratureSolution
 from ..one_degree.uniform import Rotation, UniformSolution
 from ..one_degree.vectors import conjugate, dot, product, times
 from ..one_degree.working_precision import exact_time
@@ -91,10 +86,8 @@ def solve_free_body(
         if isinstance(chart, Equilibrium):
             raise InputError("start: the rotation is too near to one about a principal axis")
         motion = QuadratureMotion(chart, u, rate, top.rates, units=(1.0, 1.0))
-        frame = PrecessionFrame(top, attitude, motion)
-        return FreeRotation(
-            lifted, parameters, motion, frame, lambda: form_of(top, motion), fixed, in_space
-        )
+        frame = PrecessionFrame(top, attitude, motion, fixed, in_space)
+        return QuadratureSolution(lifted, parameters, motion, frame, lambda: form_of(top, motion))
 
 
 def _on_phase_space(vertical: Vector, attitude: Vector, in_space: bool) -> tuple[Vector, Vector]:
@@ -170,41 +163,6 @@ class UniformRotation(UniformSolution):
         return _with_fixed_direction(F, state, self.fixed, self.in_space)
 
 
-class FreeRotation(QuadratureSolution):
-    """A free body with three different moments, in elliptic functions.
-
-    Attributes
-    ----------
-    fixed : three arb
-        The direction γ in space.
-    in_space : bool
-        Whether the attitude is part of the state.
-    """
-
-    def __init__(
-        self,
-        system: System,
-        parameters: Mapping[sp.Symbol, NumberOrText],
-        motion: QuadratureMotion,
-        frame: PrecessionFrame,
-        form: Callable[[], ClosedForm],
-        fixed: Vector,
-        in_space: bool,
-    ) -> None:
-        super().__init__(system, parameters, motion, frame, form)
-        self.fixed, self.in_space = fixed, in_space
-
-    def _state(
-        self,
-        F: Functions[T],
-        sample: MotionSample[T, Count],
-        angles: Sequence[T],
-        position: Sequence[T],
-    ) -> list[T]:
-        state = super()._state(F, sample, angles, position)
-        return _with_fixed_direction(F, state, self.fixed, self.in_space)
-
-
 class PrecessionFrame(BodyFrame):
     """M and the attitude of a free body from the angle between an axis and M.
 
@@ -214,16 +172,39 @@ class PrecessionFrame(BodyFrame):
     attitude : four arb
         At time 0.
     motion : QuadratureMotion
+    fixed : three arb
+        The direction γ in space.
+    in_space : bool
+        Whether the attitude is part of the state.
     """
 
-    def __init__(self, top: Top, attitude: Vector, motion: QuadratureMotion) -> None:
+    def __init__(
+        self,
+        top: Top,
+        attitude: Vector,
+        motion: QuadratureMotion,
+        fixed: Vector,
+        in_space: bool,
+    ) -> None:
         self.top, self.symmetry = top, top.axis
+        self.fixed, self.in_space = fixed, in_space
         halves = motion.half_angles(BALLS, motion.start)
         self._phi = intrinsic_angle(*halves, top.direction, top.direction)
         euler = euler_quaternion(BALLS, *halves[:2], self._phi, arb(0))
         order = [(k - top.axis - 1) % AXES for k in range(AXES)]
         turn = [euler[0]] + [euler[k + 1] for k in order]
         self.attitude = times(attitude, conjugate(turn))
+
+    def state(
+        self,
+        F: Functions[T],
+        motion: QuadratureMotion,
+        sample: MotionSample[T, Count],
+        angles: Sequence[T],
+    ) -> list[T]:
+        """M, γ and the attitude."""
+        state = super().state(F, motion, sample, angles)
+        return _with_fixed_direction(F, state, self.fixed, self.in_space)
 
     def start_angles(self, motion: QuadratureMotion) -> list[arb]:
         """φ at time 0, and ψ counted from there."""

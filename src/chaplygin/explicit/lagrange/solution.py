@@ -23,13 +23,9 @@ from ...errors import InputError
 from ...formulas.relative_zero import START_TOLERANCE, vanishes
 from ..base.solution import Solution
 from ..one_degree import Equilibrium, MotionSample, QuadratureMotion, motion_chart
+from ..one_degree.frames import BodyFrame, Inclination, intrinsic_angle
 from ..one_degree.functions import BALLS, Count, Functions, T
-from ..one_degree.solution import (
-    BodyFrame,
-    Inclination,
-    QuadratureSolution,
-    intrinsic_angle,
-)
+from ..one_degree.solution import QuadratureSolution
 from ..one_degree.uniform import Rotation, UniformSolution
 from ..one_degree.working_precision import exact_time
 from ..revolution.body import BITS

@@ -96,10 +96,10 @@ class LinearMotion:
         paths = np.empty((len(lefts), self.size))
         for first in range(0, len(lefts), _BLOCK):
             block = slice(first, first + _BLOCK)
-            turns[block], paths[block] = self._collocated(lefts[block], widths[block])
+            turns[block], paths[block] = self._on_panels(lefts[block], widths[block])
         return turns, paths
 
-    def _collocated(self, lefts: FloatArray, widths: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def _on_panels(self, lefts: FloatArray, widths: FloatArray) -> tuple[FloatArray, FloatArray]:
         c, w, a = _gauss()
         n, count = self.size, len(lefts)
         A, b = self.rates((lefts[:, None] + widths[:, None] * c).ravel())

@@ -32,7 +32,7 @@ class Kind(Enum):
 
     VESELOVA = "Veselova system or rubber ball"
     BALL = "marble ball on the level k = p∧γ"
-    SURROUNDING = "rubber ball around a sphere of half its radius"
+    SURROUNDING = "rubber ball on a sphere"
 
 
 @dataclass(frozen=True)
@@ -45,12 +45,15 @@ class InertiaByProducts:
         K_ij for i ≠ j.
     D : Fraction
         m R²; 0 for a body about a fixed point.
+    epsilon : Fraction
+        γ̇ = −ε ω γ: 1, and a/(R + a) on a sphere.
     """
 
     kind: Kind
     dimension: int
     products: Mapping[tuple[int, int], Fraction]
     D: Fraction
+    epsilon: Fraction = Fraction(1)
 
     @property
     def factors(self) -> tuple[arb, ...]:
@@ -61,7 +64,9 @@ class InertiaByProducts:
 
     @property
     def special(self) -> bool:
-        """Whether K_ij are products a_i a_j."""
+        """Whether the motion separates: K_ij are products a_i a_j, on a sphere ε = −1."""
+        if self.kind is Kind.SURROUNDING and self.epsilon != -1:
+            return False
         return _are_products(self.dimension, self.products)
 
     def equal(self, i: int, j: int) -> bool:
@@ -100,12 +105,13 @@ def operator_of(problem: Problem) -> InertiaByProducts | None:
         return None
     kind = _KINDS[system.name]
     D = numbers["m"] * numbers["R"] ** 2 if "m" in numbers else Fraction(0)
-    if kind is Kind.SURROUNDING and 2 * numbers["a"] != -numbers["R"]:
-        return None
+    epsilon = Fraction(1)
+    if kind is Kind.SURROUNDING:
+        epsilon = numbers["a"] / (numbers["R"] + numbers["a"])
     products = _products(n, numbers, kind, D)
     if products is None:
         return None
-    return InertiaByProducts(kind, n, products, D)
+    return InertiaByProducts(kind, n, products, D, epsilon)
 
 
 def _products(

@@ -34,7 +34,8 @@ from .operators import InertiaByProducts, Kind, momentum_and_vector, operator_of
 from .separation import SeparatedVector, of_ball, of_surrounding_ball, of_veselova
 from .solution import BITS, SphereSolution
 from .torus_motion import TorusMotion
-from .two_blocks import blocks_of, solve_two_blocks
+from .two_blocks import blocks_of
+from .two_blocks_solution import solve_two_blocks
 
 Balls = Sequence[arb]
 
@@ -59,8 +60,10 @@ def solve_on_sphere(problem: Problem, solve: Callable[[Problem], Solution]) -> S
     if operator is None:
         return None
     blocks = None
-    if operator.kind is Kind.VESELOVA:
-        blocks = blocks_of(operator.dimension, operator.products)
+    if operator.kind is not Kind.BALL:
+        # with one axis in a block the motion on a plane is that of a body of three dimensions
+        least = 2 if operator.kind is Kind.VESELOVA else 1
+        blocks = blocks_of(operator.dimension, operator.products, least)
     if blocks is None and not operator.special:
         return None
     with ctx.workprec(BITS):
@@ -72,13 +75,13 @@ def solve_on_sphere(problem: Problem, solve: Callable[[Problem], Solution]) -> S
         if all(x == 0 for x in p):
             solution: Solution = RestSolution.of(reduced)
         elif blocks is not None:
-            solution = solve_two_blocks(reduced, operator.products, blocks, p, gamma)
+            solution = solve_two_blocks(reduced, blocks, operator.epsilon, p, gamma)
         else:
-            solution = _separated(reduced, operator, p, gamma, solve)
+            solution = _solve_on_axes(reduced, operator, p, gamma, solve)
         return in_space(problem, solution)
 
 
-def _separated(
+def _solve_on_axes(
     problem: Problem,
     operator: InertiaByProducts,
     p: Balls,

@@ -15,12 +15,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Protocol, TypeAlias, TypeVar
 
-from flint import acb, acb_mat, arb, fmpq
+from flint import acb, acb_mat, arb, ctx, fmpq
 
 #: Constants in formulas.
 Constant: TypeAlias = int | float | fmpq | arb | acb
 
 _NAN = acb(float("nan"), float("nan"))
+#: Roots that are taken of a function before the series of its logarithm.
+_ROOTS = 16
+#: Powers up to this are products.
+_PRODUCTS = 16
 
 
 class DividedDifferences:
@@ -109,15 +113,33 @@ class DividedDifferences:
     def sqrt(self) -> DividedDifferences:
         """The root with positive real part; not finite where a ball meets the negative axis."""
         size = self.matrix.nrows()
-        known, root = self.matrix, acb_mat(size, size)
+        values = [self.matrix[i, i].sqrt(analytic=True) for i in range(size)]
+        return DividedDifferences(_root(self.matrix, values))
+
+    def log(self) -> DividedDifferences:
+        """The logarithm; not finite where a ball meets the negative axis.
+
+        By repeated roots f^(1/2^k) = 1 + z and the series of log(1 + z), with a bound of its rest.
+        """
+        size, terms = self.matrix.nrows(), ctx.prec // _ROOTS + 4
+        values = [_logarithm(self.matrix[i, i]) for i in range(size)]
+        z = self.matrix
+        for k in range(1, _ROOTS + 1):
+            z = _root(z, [(x / 2**k).exp() for x in values])
         for i in range(size):
-            root[i, i] = known[i, i].sqrt(analytic=True)
-        for width in range(1, size):
-            for i in range(size - width):
-                j = i + width
-                inner = sum((root[i, k] * root[k, j] for k in range(i + 1, j)), acb(0))
-                root[i, j] = (known[i, j] - inner) / (root[i, i] + root[j, j])
-        return DividedDifferences(root)
+            z[i, i] = (values[i] / 2**_ROOTS).expm1()
+        length = max(sum((abs(x) for x in row), arb(0)).upper() for row in z.tolist())
+        if not length < 0.5:
+            return DividedDifferences(self._constant(_NAN))
+        total = acb_mat(size, size)
+        for k in range(terms, 0, -1):
+            total = (self._constant(arb((-1) ** (k + 1)) / k) + total) * z
+        rest = arb(0, (length ** (terms + 1) / (1 - length)).upper())
+        for i in range(size):
+            for j in range(i, size):
+                total[i, j] = (total[i, j] + acb(rest, rest)) * 2**_ROOTS
+            total[i, i] = values[i]
+        return DividedDifferences(total)
 
     def exp(self) -> DividedDifferences:
         """e to the power of the function."""
@@ -134,6 +156,25 @@ class DividedDifferences:
         return DividedDifferences((rotated.exp() - (-rotated).exp()) * acb(0, -0.5))
 
 
+def _root(matrix: acb_mat, values: Sequence[acb]) -> acb_mat:
+    """The square root of an upper triangular matrix, with the roots of its diagonal."""
+    size = matrix.nrows()
+    root = acb_mat(size, size)
+    for i in range(size):
+        root[i, i] = values[i]
+    for width in range(1, size):
+        for i in range(size - width):
+            j = i + width
+            inner = sum((root[i, k] * root[k, j] for k in range(i + 1, j)), acb(0))
+            root[i, j] = (matrix[i, j] - inner) / (root[i, i] + root[j, j])
+    return root
+
+
+def _logarithm(x: acb) -> acb:
+    """The logarithm, not finite where a ball meets the negative axis."""
+    return x.log() if x.real > 0 or not x.imag.contains(0) else _NAN
+
+
 #: Real or complex balls, or divided differences of them.
 Argument = TypeVar("Argument", arb, acb, DividedDifferences)
 
@@ -148,6 +189,19 @@ class Formula(Protocol):
 def analytic_root(x: Argument) -> Argument:
     """A square root, not finite where a complex ball meets the branch cut."""
     return x.sqrt(analytic=True) if isinstance(x, acb) else x.sqrt()
+
+
+def power(x: Argument, exponent: fmpq) -> Argument:
+    """A real power, not finite where a complex ball meets the branch cut."""
+    if abs(exponent) <= _PRODUCTS and exponent.q == 1:
+        whole: Argument = x ** int(exponent.p)
+        return whole
+    if abs(exponent) <= _PRODUCTS and exponent.q == 2:
+        half: Argument = analytic_root(x) ** int(exponent.p)
+        return half
+    logarithm = _logarithm(x) if isinstance(x, acb) else x.log()
+    result: Argument = (logarithm * arb(exponent)).exp()
+    return result
 
 
 def value(function: Formula, point: arb | acb) -> acb:

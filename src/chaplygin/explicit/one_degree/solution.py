@@ -1,22 +1,14 @@
-"""Motions of bodies in one degree of freedom: state, attitude and path from a quadrature.
+"""Motions in one degree of freedom: state, angles and path from a quadrature.
 
-The axis of a body is inclined by θ to a direction that is fixed in space; φ is the angle about the
-axis and ψ the precession,
-
-    Q = Q₀ R₃(ψ) R₁(θ) R₃(φ).
-
-Every vector of the reduced state has components in the nodal frame (along the line of nodes,
-across it, along the axis) that depend on x and x′ alone, so that its components in the body follow
-by φ.  φ, ψ and the path are quadratures along x(t), assembled by one formula in balls and arrays.
+Angles and the path are quadratures along x(t), assembled by one formula in balls and arrays; a
+:class:`.frames.Frame` makes the state of them.
 """
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Generic
 
 import numpy as np
 import numpy.typing as npt
@@ -38,8 +30,8 @@ from .angles import (
     unit_complex,
 )
 from .chebyshev_integrals import working_bits
-from .functions import BALLS, DOUBLES, Count, Functions, T
-from .vectors import times
+from .frames import MotionFrame
+from .functions import BALLS, DOUBLES
 from .working_precision import exact_time, working_digits
 
 #: Below this angle of precession, in the time of one unit of the phase, the path in a tail is
@@ -47,92 +39,6 @@ from .working_precision import exact_time, working_digits
 SLOW = 1e-3
 
 Parameters = Mapping[sp.Symbol, NumberOrText]
-
-
-@dataclass(frozen=True)
-class Inclination(Generic[T]):
-    """The inclination θ of the axis of a body, with the vectors of its reduced state.
-
-    Attributes
-    ----------
-    sine, cosine : arb or array
-        Of θ/2.
-    vectors : sequence of three arb or arrays
-        Components along the line of nodes, across it and along the axis.
-    """
-
-    sine: T
-    cosine: T
-    vectors: Sequence[Sequence[T]]
-
-
-class BodyFrame(ABC):
-    """The state of a body as a function of x, x′ and the angles of a motion.
-
-    Attributes
-    ----------
-    symmetry : int
-        Number of the body axis from which θ is counted, from 0.
-    attitude : four arb, or none
-        Q₀; the unit quaternion if there are none.
-    angles : int
-        The number of quadratures that are angles: φ, or φ and ψ for a motion in space.
-    position : two arb, or none
-        At time 0, if the path is among the quadratures.
-    turning_path : bool
-        Whether the path turns with ψ, and is integrated as if ψ = 0 at the turning point.
-    """
-
-    symmetry: int = 2
-    attitude: Sequence[arb] = ()
-    angles: int = 2
-    position: Sequence[arb] = ()
-    turning_path: bool = False
-
-    @abstractmethod
-    def inclination(
-        self, F: Functions[T], motion: QuadratureMotion, sample: MotionSample[T, Count]
-    ) -> Inclination[T]:
-        """θ, and the vectors of the reduced state in the nodal frame."""
-
-    @abstractmethod
-    def start_angles(self, motion: QuadratureMotion) -> Sequence[arb]:
-        """φ, or φ and ψ, at time 0."""
-
-    def path_speed(self, x: acb) -> acb:
-        """(ẋ + iẏ) e^{−iψ} of the path in the tail of an asymptotic motion.
-
-        To be defined by a frame whose motions may have a path and be asymptotic.
-        """
-        raise NotImplementedError
-
-
-def euler_quaternion(F: Functions[T], sine: T, cosine: T, phi: T, psi: T) -> list[T]:
-    """R₃(ψ) R₁(θ) R₃(φ), from sin θ/2 and cos θ/2."""
-    plus, minus = (psi + phi) / 2, (psi - phi) / 2
-    return [cosine * F.cos(plus), sine * F.cos(minus), sine * F.sin(minus), cosine * F.sin(plus)]
-
-
-def intrinsic_angle(
-    sine: arb, cosine: arb, lean: arb, vertical: Sequence[arb], turning: Sequence[arb]
-) -> arb:
-    """φ at a start, from the vertical or, where the axis is vertical, from the rotation.
-
-    Parameters
-    ----------
-    sine, cosine : arb
-        Of θ/2, with their signs.
-    lean : arb
-        θ̇, or a number with its sign.
-    vertical, turning : three arb
-        γ, and ω or the angular momentum; body axes, the axis of symmetry last.
-    """
-    across = 2 * sine * cosine
-    if across > 0 or across < 0:
-        return arb.atan2(vertical[0] / across, vertical[1] / across)
-    if lean > 0 or lean < 0:
-        return arb.atan2(-turning[1] / lean, turning[0] / lean)
-    return arb(0)
 
 
 @dataclass(frozen=True)
@@ -164,13 +70,13 @@ class Constants:
 
 
 class QuadratureSolution(Solution):
-    """A motion of a body in one degree of freedom.
+    """A motion in one degree of freedom.
 
     Attributes
     ----------
     motion : QuadratureMotion
         x(t) with its angles, and with the path of a motion in space.
-    frame : BodyFrame
+    frame : MotionFrame
     """
 
     def __init__(
@@ -178,7 +84,7 @@ class QuadratureSolution(Solution):
         system: System,
         parameters: Parameters,
         motion: QuadratureMotion,
-        frame: BodyFrame,
+        frame: MotionFrame,
         form: Callable[[], ClosedForm],
     ) -> None:
         self.system, self.parameters = system, parameters
@@ -219,31 +125,6 @@ class QuadratureSolution(Solution):
         step = right - unit_complex(turn) * left
         return Constants(angles, angle_gains, origin, heading, turn, step)
 
-    def _state(
-        self,
-        F: Functions[T],
-        sample: MotionSample[T, Count],
-        angles: Sequence[T],
-        position: Sequence[T],
-    ) -> list[T]:
-        frame = self.frame
-        inclination = frame.inclination(F, self.motion, sample)
-        # the place of each body axis in the order in which the axis of symmetry is the last
-        order = [(k - frame.symmetry - 1) % 3 for k in range(3)]
-        phi = angles[0]
-        sin, cos = F.sin(phi), F.cos(phi)
-        state: list[T] = []
-        for along, across, axial in inclination.vectors:
-            body = [along * cos + across * sin, across * cos - along * sin, axial]
-            state += [body[k] for k in order]
-        if frame.angles == 2:
-            sine, cosine = inclination.sine, inclination.cosine
-            euler = euler_quaternion(F, sine, cosine, phi, angles[1])
-            turn = [euler[0]] + [euler[k + 1] for k in order]
-            constant = [F.number(q) for q in frame.attitude]
-            state += times(constant, turn) if constant else turn
-        return state + list(position)
-
     # --- in balls --------------------------------------------------------------------------
 
     @arguments_checked
@@ -280,7 +161,7 @@ class QuadratureSolution(Solution):
             angles = [x + begin for x, begin in zip(angles, constants.angles, strict=True)]
             place = constants.origin + constants.heading * path
             position = [place.real, place.imag] if frame.position else []
-            return tuple(self._state(BALLS, sample, angles, position))
+            return (*frame.state(BALLS, motion, sample, angles), *position)
 
     # --- in double precision ---------------------------------------------------------------
 
@@ -296,14 +177,14 @@ class QuadratureSolution(Solution):
         # constants are rounded to doubles once
         with ctx.workprec(working_bits(FAST)):
             angles, position = self._fast(moments, sample)
-            state = self._state(DOUBLES, sample, angles, position)
+            state = [*self.frame.state(DOUBLES, self.motion, sample, angles), *position]
         return np.stack([np.broadcast_to(x, moments.shape) for x in state], axis=1)
 
 
 class _FastAngles:
     """Angles and positions in double precision, at many times at once."""
 
-    def __init__(self, motion: QuadratureMotion, frame: BodyFrame, constants: Constants) -> None:
+    def __init__(self, motion: QuadratureMotion, frame: MotionFrame, constants: Constants) -> None:
         self._frame, self._constants = frame, constants
         self._begin = [float(angle) for angle in constants.angles]
         self._gains = [LinearPhase.from_balls(gain) for gain in constants.gains]
@@ -342,12 +223,12 @@ class _Tail:
     Parameters
     ----------
     motion : QuadratureMotion
-    frame : BodyFrame
+    frame : MotionFrame
     side : −1 or 1
         Past or future.
     """
 
-    def __init__(self, motion: QuadratureMotion, frame: BodyFrame, side: int) -> None:
+    def __init__(self, motion: QuadratureMotion, frame: MotionFrame, side: int) -> None:
         known = motion.integrals(FAST)
         edge = known.panels[-1].high if side > 0 else known.panels[0].low
         time, *values = (known.value(i, edge) for i in range(known.count))

@@ -17,8 +17,9 @@ from ...errors import InputError
 from ...mechanics.rolling.equations import Rolling
 from ..base.solution import Solution
 from ..one_degree import FAST, Equilibrium, QuadratureMotion, motion_chart
+from ..one_degree.frames import euler_quaternion
 from ..one_degree.functions import BALLS
-from ..one_degree.solution import QuadratureSolution, euler_quaternion
+from ..one_degree.solution import QuadratureSolution
 from ..one_degree.uniform import Rotation, UniformSolution
 from ..one_degree.uniformisation import Uniformisation
 from ..one_degree.vectors import conjugate, product

@@ -26,8 +26,8 @@ from ...errors import InputError
 from ...formulas.balls import array_function
 from ...formulas.relative_zero import START_TOLERANCE, vanishes
 from ..one_degree import MotionSample, NestedRates, QuadratureMotion, Rates
+from ..one_degree.frames import BodyFrame, Inclination, intrinsic_angle
 from ..one_degree.functions import BALLS, Count, Functions, T
-from ..one_degree.solution import BodyFrame, Inclination, intrinsic_angle
 from ..one_degree.uniformisation import Heteroclinic, Oscillating, Uniformisation
 from .body import AxisymmetricBody, Level, level_of, u
 
