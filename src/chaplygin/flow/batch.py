@@ -249,7 +249,7 @@ class BatchIntegrator:
                 "for fewer, or stream them (docs/ensembles.md)"
             )
         allowed = MOST_STEPS if most is None else most
-        given = BatchInput(rows, constants, moments, samples, self.tolerance, allowed)
+        given = BatchInput(rows, constants, moments, samples, self.tolerance, allowed, width)
         found = self.loop.run(given, threads)
         ends = (found.outcome, self._with_sign(found.end_times), found.steps)
         return found.states, found.times, found.counts, ends

@@ -254,7 +254,8 @@ def _compiled_integrator(
             [terms[name] for name in names if not name.startswith("=")],
             [terms[name[1:]] for name in names if name.startswith("=")],
             equations.groups,
-            len(system.symbols),
+            # stored after the state
+            [reader.graph.state(len(system.symbols) + k) for k in range(len(names))],
         )
     stages, _ = _METHODS[digits]
     levels = serial_terms([terms[name.lstrip("=")] for name in names])

@@ -14,6 +14,9 @@ from ..core.system import System
 from .array_evaluation import NUMPY
 from .graph import Graph, Reader, Term, topological_order
 
+#: States that are evaluated at a time, so that intermediate results stay in the processor's cache.
+_STATES = 2048
+
 
 class CompiledTerms:
     """Terms as one function of arrays.
@@ -47,8 +50,12 @@ class CompiledTerms:
 
         Not-a-number where a formula has no real value.
         """
+        values = np.empty((self._size, states.shape[1]))
         with np.errstate(all="ignore"):
-            return self._function(states, parameters, np.empty((self._size, states.shape[1])))
+            for first in range(0, states.shape[1], _STATES):
+                some = slice(first, first + _STATES)
+                self._function(states[:, some], parameters, values[:, some])
+        return values
 
 
 class SystemFormulas:

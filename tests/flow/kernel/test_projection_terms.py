@@ -25,7 +25,7 @@ def kept_of(system: System, names: list[Any], vanishing: tuple[Any, ...] = ()) -
         [reader(laws.get(name, name)) for name in names],
         [reader(formula) for formula in vanishing],
         groups,
-        len(system.symbols),
+        [reader.graph.state(len(system.symbols) + k) for k in range(len(names) + len(vanishing))],
     )
 
 

@@ -24,9 +24,10 @@ Examples
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, TypeAlias
+from functools import lru_cache
+from typing import ClassVar
 
 import numpy as np
 
@@ -36,11 +37,18 @@ from ...core.parameters import Parameters
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
-from ...flow.batch import batch_integrator
 from ...flow.devices.graphics import Device
+from ...flow.kernel.projection_terms import dot
 from ...flow.level_projection import select_parameters
+from ...flow.linearisation.deviation_growth import (
+    DeviationGrowth,
+    Vector,
+    deviation_growth,
+    orthonormal_terms,
+)
 from ...flow.linearisation.state_scales import state_scales
-from ...flow.linearisation.tangent_space import TangentSpace, orthonormal
+from ...flow.linearisation.tangent_space import TangentSpace
+from ...formulas.graph import Graph, Term
 
 #: Part of a motion left out at the beginning, where a deviation finds its direction.
 TRANSIENT = 0.2
@@ -84,6 +92,16 @@ class ChaosIndicator(ABC):
         if self.intervals < 2 * BATCHES:
             raise InputError(f"intervals = {self.intervals}: at least {2 * BATCHES} are needed")
 
+    @property
+    def space(self) -> TangentSpace:
+        """The deviations that count: all that the relations allow."""
+        return tangent(self.system)
+
+    @property
+    def deviations(self) -> int:
+        """How many deviations are carried."""
+        return 1
+
     @abstractmethod
     @arguments_checked
     def __call__(
@@ -91,14 +109,15 @@ class ChaosIndicator(ABC):
     ) -> dict[str, FloatArray | IntArray]:
         """Values, errors if any, outcomes and times reached, (n,) each."""
 
-    def unit_deviations(
-        self, deviations: FloatArray, basis: FloatArray
-    ) -> tuple[FloatArray, FloatArray]:
+    def unit_terms(
+        self, graph: Graph, deviations: Sequence[Vector], basis: Sequence[Vector]
+    ) -> tuple[list[list[Term]], list[Term]]:
         """Deviations of length one and the lengths lost, without the span of a basis."""
-        return orthonormal(deviations, basis)
+        return orthonormal_terms(graph, deviations, basis)
 
-
-_Arrays: TypeAlias = tuple[Any, Any, Any, Any, Any]
+    def recorded_terms(self, graph: Graph, frames: Sequence[Vector]) -> list[Term]:
+        """Further numbers of each interval, from its deviations of length one."""
+        return []
 
 
 @dataclass(frozen=True)
@@ -110,8 +129,8 @@ class TangentGrowth:
     logarithms : (n, intervals, d) array
         Of the lengths lost in each interval; not numbers after the end of a motion, and all of
         them if deviations part too fast to be resolved.
-    frames : (n, d, size) array
-        The deviations at the end, of length one in the measures of the motion.
+    recorded : (n, numbers) array
+        Further numbers at the end.
     outcome : (n,) array of int
         0, or why a motion ended.
     end_times : (n,) array
@@ -119,7 +138,7 @@ class TangentGrowth:
     """
 
     logarithms: FloatArray
-    frames: FloatArray
+    recorded: FloatArray
     outcome: IntArray
     end_times: FloatArray
 
@@ -151,97 +170,74 @@ def _some(space: TangentSpace) -> TangentSpace:
 
 
 def tangent_growth(
-    rule: ChaosIndicator,
-    space: TangentSpace,
-    deviations: int,
-    starts: FloatArray,
-    parameters: Parameters,
+    rule: ChaosIndicator, starts: FloatArray, parameters: Parameters
 ) -> TangentGrowth:
     """Deviations along many motions.
 
     Parameters
     ----------
     rule : ChaosIndicator
-        The system, the length of the motions and of the intervals.
-    space : TangentSpace
-        Deviations that count.
-    deviations : int
-        Number of deviations.
+        The system, the deviations that count, the length of the motions and of the intervals.
     starts : (n, size) array
         In flat order, on the phase space.
     parameters : mapping of Symbol or name to number or (n,) array
     """
     states = np.array(starts, dtype=np.float64)
     sizes = state_scales(rule.system, states, rule.until, parameters, rule.tolerance)
-    growth = _growth_arrays(rule, space, (deviations, 1), (states, sizes), parameters)
+    growth, shrunk = _growth(rule, 1, states, sizes, parameters)
     pieces = 2
-    while pieces <= PARTED and len(lost := np.flatnonzero(_has_short_deviations(growth))):
+    while pieces <= PARTED and len(lost := np.flatnonzero(_has_short_deviations(growth, shrunk))):
         chosen = select_parameters(parameters, lost)
-        again = _growth_arrays(
-            rule, space, (deviations, pieces), (states[lost], sizes[lost]), chosen
-        )
-        for known, new in zip(growth, again, strict=True):
+        again, shrunk[lost] = _growth(rule, pieces, states[lost], sizes[lost], chosen)
+        for known, new in zip(vars(growth).values(), vars(again).values(), strict=True):
             known[lost] = new
         pieces *= 2
-    growth[0][_has_short_deviations(growth)] = np.nan
-    return TangentGrowth(*growth[:4])
+    growth.logarithms[_has_short_deviations(growth, shrunk)] = np.nan
+    return growth
 
 
-def _has_short_deviations(growth: _Arrays) -> BoolArray:
+def _has_short_deviations(growth: TangentGrowth, shrunk: FloatArray) -> BoolArray:
     """Complete motions with deviations too short beside others."""
-    _, _, outcome, _, shrunk = growth
-    result: BoolArray = (outcome == 0) & ~(shrunk <= APART)
+    result: BoolArray = (growth.outcome == 0) & ~(shrunk <= APART)
     return result
 
 
-def _growth_arrays(
+@lru_cache(maxsize=16)
+def _machine_code(rule: ChaosIndicator) -> DeviationGrowth:
+    return deviation_growth(
+        rule.space,
+        rule.deviations,
+        rule.unit_terms,
+        rule.recorded_terms,
+        tolerance=rule.tolerance,
+        device=rule.device,
+    )
+
+
+def _growth(
     rule: ChaosIndicator,
-    space: TangentSpace,
-    counts: tuple[int, int],
-    begin: tuple[FloatArray, FloatArray],
+    pieces: int,
+    states: FloatArray,
+    sizes: FloatArray,
     parameters: Parameters,
-) -> _Arrays:
-    """Logarithms, frames, outcomes, times reached, and relative shrinking.
+) -> tuple[TangentGrowth, FloatArray]:
+    """Deviations along motions, and by what share the shortest of an interval have shrunk.
 
     Parameters
     ----------
-    counts : pair of int
-        Deviations, and pieces of each interval.
-    begin : pair of (n, size) arrays
-        The starts, and the sizes by which deviations are measured.
+    pieces : int
+        Of each interval; deviations are made of length one after each.
+    states, sizes : (n, size) arrays
+        The starts, and by what deviations are measured.
     """
-    deviations, pieces = counts
-    flow = batch_integrator(
-        rule.system, tolerance=rule.tolerance, deviations=deviations, device=rule.device
-    )
-    states, sizes = begin[0].copy(), begin[1]
-    relations = tangent(rule.system)
-    frames = space.frames(states, parameters, flow.deviations, sizes)
-    logarithms = np.full((len(states), rule.intervals * pieces, flow.deviations), np.nan)
-    outcome, ended = np.zeros(len(states), dtype=np.int64), np.zeros(len(states))
-    interval = rule.until / logarithms.shape[1]
-    for k in range(logarithms.shape[1]):
-        live = np.flatnonzero(outcome == 0)
-        if not len(live):
-            break
-        chosen = select_parameters(parameters, live)
-        carried = frames[live] * sizes[live, None]
-        run = flow.propagate(states[live], [interval], chosen, deviations=carried)
-        ended[live] = k * interval + run.end_times
-        outcome[live] = run.outcome
-        going = run.outcome == 0
-        live, chosen = live[going], select_parameters(chosen, going)
-        level = np.zeros((len(live), len(relations.conditions)))
-        states[live] = relations.on_level(run.states[going, 0], level, chosen, sizes[live])
-        basis, _ = space.excluded_basis(states[live], chosen, sizes[live])
-        tangents = np.asarray(run.deviations)[going, 0] / sizes[live, None]
-        frames[live], lengths = rule.unit_deviations(tangents, basis)
-        with np.errstate(divide="ignore"):
-            logarithms[live, k] = np.log(lengths)
-    frames[outcome != 0] = np.nan
+    times = np.linspace(0.0, rule.until, rule.intervals * pieces + 1)[1:]
+    run = _machine_code(rule).run(states, sizes, times, parameters)
+    with np.errstate(divide="ignore"):
+        logarithms = np.log(run.lengths)
     shrunk = np.maximum(logarithms.max(axis=2), 0.0) - logarithms.min(axis=2)
-    parted = logarithms.reshape(len(states), rule.intervals, pieces, flow.deviations)
-    return parted.sum(axis=2), frames, outcome, ended, shrunk.max(axis=1)
+    parted = logarithms.reshape(len(states), rule.intervals, pieces, rule.deviations)
+    growth = TangentGrowth(parted.sum(axis=2), run.recorded[:, -1], run.outcome, run.end_times)
+    return growth, shrunk.max(axis=1)
 
 
 @arguments_checked
@@ -254,15 +250,19 @@ class MaximalExponent(ChaosIndicator):
     with the square of the time would show.
     """
 
-    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {"error": "error of the largest exponent"}
+
+    @property
+    def space(self) -> TangentSpace:
+        """The deviations that integrals allow, modulo the flow."""
+        return transverse_space(self.system)
 
     @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
-        growth = tangent_growth(self, transverse_space(self.system), 1, starts, parameters)
+        growth = tangent_growth(self, starts, parameters)
         value, error = _rate(growth.logarithms[:, :, 0], self.until)
         return {
             "value": value,
@@ -278,16 +278,24 @@ class ExponentSum(ChaosIndicator):
     It is zero if a measure is preserved; if it is negative, the motion is attracted.
     """
 
-    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {"error": "error of the sum of exponents"}
+
+    @property
+    def space(self) -> TangentSpace:
+        """The deviations that integrals allow, modulo the flow."""
+        return transverse_space(self.system)
+
+    @property
+    def deviations(self) -> int:
+        """As many as there are."""
+        return self.space.dimension
 
     @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
-        space = transverse_space(self.system)
-        growth = tangent_growth(self, space, space.dimension, starts, parameters)
+        growth = tangent_growth(self, starts, parameters)
         value, error = _rate(growth.logarithms.sum(axis=2), self.until)
         return {
             "value": value,
@@ -318,7 +326,7 @@ class FastLyapunovIndicator(ChaosIndicator):
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        growth = tangent_growth(self, tangent(self.system), 1, starts, parameters)
+        growth = tangent_growth(self, starts, parameters)
         value = np.cumsum(growth.logarithms[:, :, 0], axis=1).max(axis=1)
         return {"value": value, "outcome": growth.outcome, "ended": growth.end_times}
 
@@ -338,7 +346,7 @@ class Megno(ChaosIndicator):
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        growth = tangent_growth(self, tangent(self.system), 1, starts, parameters)
+        growth = tangent_growth(self, starts, parameters)
         total = np.cumsum(growth.logarithms[:, :, 0], axis=1)
         before = np.concatenate([np.zeros((len(total), 1)), total[:, :-1]], axis=1)
         count = np.arange(1, self.intervals + 1)
@@ -354,21 +362,33 @@ class SmallerAlignmentIndex(ChaosIndicator):
     (Skokos 2001).  It falls evenly on chaotic motions, to −16 where rounding ends it.
     """
 
-    def unit_deviations(
-        self, deviations: FloatArray, basis: FloatArray
-    ) -> tuple[FloatArray, FloatArray]:
+    @property
+    def deviations(self) -> int:
+        """A pair."""
+        return 2
+
+    def unit_terms(
+        self, graph: Graph, deviations: Sequence[Vector], basis: Sequence[Vector]
+    ) -> tuple[list[list[Term]], list[Term]]:
         """Each for itself, so that they can become parallel."""
-        pairs = [orthonormal(deviations[:, i : i + 1], basis) for i in range(deviations.shape[1])]
-        frames, lengths = zip(*pairs, strict=True)
-        return np.concatenate(frames, axis=1), np.concatenate(lengths, axis=1)
+        frames, lengths = zip(
+            *(orthonormal_terms(graph, [deviation], basis) for deviation in deviations), strict=True
+        )
+        return [vector for (vector,) in frames], [length for (length,) in lengths]
+
+    def recorded_terms(self, graph: Graph, frames: Sequence[Vector]) -> list[Term]:
+        """The squares of |u + v| and |u − v|."""
+        u, v = frames
+        sums = [x + y for x, y in zip(u, v, strict=True)]
+        differences = [x - y for x, y in zip(u, v, strict=True)]
+        return [dot(graph, sums, sums), dot(graph, differences, differences)]
 
     @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        growth = tangent_growth(self, tangent(self.system), 2, starts, parameters)
-        u, v = growth.frames[:, 0], growth.frames[:, 1]
-        apart = np.minimum(np.linalg.norm(u + v, axis=1), np.linalg.norm(u - v, axis=1))
+        growth = tangent_growth(self, starts, parameters)
+        apart = np.sqrt(growth.recorded.min(axis=1))
         value = np.log10(np.maximum(apart, np.finfo(float).eps))
         return {"value": value, "outcome": growth.outcome, "ended": growth.end_times}

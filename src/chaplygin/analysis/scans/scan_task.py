@@ -22,6 +22,7 @@ from ...core.system import System
 from ...errors import InputError
 from ...flow.batch import batch_integrator
 from ...flow.devices.graphics import Device
+from ...flow.devices.threads import map_in_threads
 from ...flow.ensemble.task import Coordinate, Task, Variable
 from ...flow.kernel.outcomes import STATUS_MESSAGES
 from ...flow.variable_metadata import cf_attributes
@@ -94,6 +95,10 @@ class Scan:
 
     def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.number]]:
         """Rows of the chart: numbers, outcomes and times reached, (last − first, columns)."""
+        parts = map_in_threads(lambda a, b: self._rows(first + a, first + b), last - first)
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+    def _rows(self, first: int, last: int) -> dict[str, npt.NDArray[np.number]]:
         cells = self.plane.cells(first, last)
         good = np.flatnonzero(cells.reasons == 0)
         arrays = {name: np.full(len(cells.reasons), np.nan) for name in (*self.numbers, "ended")}

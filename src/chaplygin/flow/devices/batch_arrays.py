@@ -27,6 +27,8 @@ class BatchInput:
     tolerance : float
     limit : int
         Steps of a motion at most.
+    recorded : int
+        Numbers of a sample.
     """
 
     starts: FloatArray
@@ -35,6 +37,7 @@ class BatchInput:
     samples: int
     tolerance: float
     limit: int
+    recorded: int
 
     @property
     def motions(self) -> int:
@@ -85,10 +88,10 @@ class BatchOutput:
 
 def empty_output(task: BatchInput) -> BatchOutput:
     """Room for the results of a call, with any content."""
-    motions, numbers, words = task.starts.shape
+    motions, _, words = task.starts.shape
     counts, outcome, steps = (np.empty(motions, dtype=np.int64) for _ in range(3))
     return BatchOutput(
-        np.empty((motions, task.samples, numbers, words)),
+        np.empty((motions, task.samples, task.recorded, words)),
         np.empty((motions, task.samples)),
         counts,
         outcome,

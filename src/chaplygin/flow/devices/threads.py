@@ -6,9 +6,12 @@ import itertools
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from contextvars import ContextVar
+from contextvars import ContextVar, copy_context
+from typing import TypeVar
 
 import numpy as np
+
+T = TypeVar("T")
 
 #: Threads that a section of a program may use at most; set by code that runs several at once.
 THREADS: ContextVar[int] = ContextVar("THREADS", default=2**31)
@@ -24,6 +27,27 @@ def available_threads() -> int:
     else:
         processors = os.cpu_count() or 1
     return min(processors, THREADS.get())
+
+
+def map_in_threads(compute: Callable[[int, int], T], count: int) -> list[T]:
+    """Results of ``compute(first, last)`` on ranges that together are 0, …, count − 1.
+
+    There is a range for each processor that may be used, or fewer; what a range computes may use
+    its share of them.  For work whose parts of NumPy leave other processors idle.
+    """
+    processors = available_threads()
+    edges = np.linspace(0, count, max(1, min(processors, count)) + 1).astype(int).tolist()
+    ranges = list(itertools.pairwise(edges))
+    if len(ranges) == 1:
+        return [compute(0, count)]
+
+    def alone(first: int, last: int) -> T:
+        THREADS.set(processors // len(ranges))
+        return compute(first, last)
+
+    with ThreadPoolExecutor(len(ranges)) as pool:
+        jobs = [pool.submit(copy_context().run, alone, *ends) for ends in ranges]
+        return [job.result() for job in jobs]
 
 
 def run_in_threads(compute: Callable[[int, int], None], count: int, threads: int | None) -> None:

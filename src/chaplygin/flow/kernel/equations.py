@@ -132,6 +132,8 @@ class Equations:
         The places of each component in all the deviations.
     choices : tuple of SectionChoice
         In place of one section, several.
+    renewal : tuple of Term
+        New values of all numbers from each sample on, and what is recorded there in their place.
     """
 
     graph: Graph
@@ -145,6 +147,7 @@ class Equations:
     guards: tuple[Term, ...] = ()
     deviations: tuple[tuple[int, ...], ...] = ()
     choices: tuple[SectionChoice, ...] = ()
+    renewal: tuple[Term, ...] = ()
 
     @property
     def has_section(self) -> bool:
@@ -170,6 +173,8 @@ class Equations:
             pieces[f"section_{i}"] = (choice.value, choice.slope, choice.where)
         if self.guards:
             pieces["guards"] = self.guards
+        if self.renewal:
+            pieces["renewal"] = self.renewal
         return pieces
 
 

@@ -18,8 +18,7 @@ class ProjectionTerms:
     residuals : tuple of Term
         Functions that vanish; the values of the level are state variables after the last one.
     correction : tuple of Term
-        The change of each state variable that makes them vanish; the residuals are state
-        variables after the last one.
+        The change of each state variable that makes them vanish, in terms of their residuals.
     """
 
     residuals: tuple[Term, ...]
@@ -31,14 +30,24 @@ def projection_terms(
     conserved: Sequence[Term],
     vanishing: Sequence[Term],
     groups: Sequence[Sequence[int]],
-    size: int,
+    residuals: Sequence[Term],
 ) -> ProjectionTerms:
     """The projection onto values of some functions and zeros of others.
 
     The change is the shortest in which each vector of the state counts relative to its length:
     −D Gᵀ(G D Gᵀ)⁻¹ c, with G the gradients, c the residuals and D the squared lengths.  Where
     gradients are dependent, as in a steady motion, what they share is corrected once.
+
+    Parameters
+    ----------
+    graph : Graph
+    conserved, vanishing : sequence of Term
+    groups : sequence of sequence of int
+        The places of the components of each vector of the state.
+    residuals : sequence of Term
+        By how much the functions miss their values, in this order.
     """
+    size = sum(map(len, groups))
     states = [graph.state(i) for i in range(size)]
     functions = [*conserved, *vanishing]
     zero, one = graph.number(0), graph.number(1)
@@ -55,24 +64,24 @@ def projection_terms(
     ]
     gradients = [[columns[i][k] for i in range(size)] for k in range(len(functions))]
     scaled = [[g * d for g, d in zip(row, lengths, strict=True)] for row in gradients]
-    matrix = [[_dot(graph, row, other) for other in scaled] for row in gradients]
-    residuals = [graph.state(size + k) for k in range(len(functions))]
+    matrix = [[dot(graph, row, other) for other in scaled] for row in gradients]
     shares = _solution(graph, matrix, residuals)
     moves = [
-        -_dot(graph, shares, [scaled[k][i] for k in range(len(functions))]) for i in range(size)
+        -dot(graph, shares, [scaled[k][i] for k in range(len(functions))]) for i in range(size)
     ]
     left = [value - graph.state(size + k) for k, value in enumerate(conserved)]
     return ProjectionTerms((*left, *vanishing), tuple(moves))
 
 
-def _dot(graph: Graph, a: Sequence[Term], b: Sequence[Term]) -> Term:
+def dot(graph: Graph, a: Sequence[Term], b: Sequence[Term]) -> Term:
+    """The sum of products."""
     total = graph.number(0)
     for x, y in zip(a, b, strict=True):
         total = total + x * y
     return total
 
 
-def _solution(graph: Graph, matrix: list[list[Term]], right: list[Term]) -> list[Term]:
+def _solution(graph: Graph, matrix: list[list[Term]], right: Sequence[Term]) -> list[Term]:
     """The solution of symmetric equations without rows that depend on earlier ones."""
     size = len(right)
     rows = [[*row, b] for row, b in zip(matrix, right, strict=True)]

@@ -101,6 +101,7 @@ class RungeKuttaLoop(Generic[V]):
             ("choice", 3 if equations.choices else 0),
             ("flow", 2 * self.dimension if equations.choices else 0),
             ("guards", max(len(equations.guards), 1)),
+            ("renewal", len(equations.renewal)),
         ):
             self.space.reserve(name, count * words)
         for name in _LANE_VECTORS.split():
@@ -291,7 +292,7 @@ class RungeKuttaLoop(Generic[V]):
         w.store("double", literal(_EMPTY), self.lane_address("mode", lane))
 
     def _write_state(self, lane: str, index: str, row_number: str) -> None:
-        """The state of a lane; on a section, moved onto it along the flow."""
+        """What is recorded of a lane; on a section, its state moved onto it along the flow."""
         w, words = self.w, self.n.words
         row = w.emit(f"add i64 {w.emit(f'mul i64 {index}, %wanted')}, {row_number}")
         if self.equations.has_section:
@@ -300,9 +301,13 @@ class RungeKuttaLoop(Generic[V]):
             w.store(
                 "double", w.emit(f"fadd double {now}, {left}"), w.address("double", "%moments", row)
             )
-        start = w.emit(f"mul i64 {row}, {self.dimension * words}")
-        for i in range(self.dimension * words):
-            value = w.load("double", self._component("y", i, lane))
+        name, first, last = "y", 0, self.dimension
+        if self.equations.renewal:
+            name, first, last = "renewal", self.dimension, len(self.equations.renewal)
+        recorded = (last - first) * words
+        start = w.emit(f"mul i64 {row}, {recorded}")
+        for i in range(recorded):
+            value = w.load("double", self._component(name, first * words + i, lane))
             if self.equations.has_section:
                 rate = w.load("double", self._component("rates", i, lane))
                 value = w.emit(
@@ -473,6 +478,23 @@ class RungeKuttaLoop(Generic[V]):
             fresh = n.load(self.place("rates", last_stage * self.dimension), i)
             chosen = n.choose(moved, fresh, n.load(self.place("rates"), i))
             n.store(chosen, self.place("rates"), i)
+        if self.equations.renewal:
+            sampled = w.compare("oeq", event, w.constant(_SAMPLE))
+            with w.branch(w.any(sampled)):
+                self._renew(sampled)
+
+    def _renew(self, sampled: str) -> None:
+        """Replace the numbers of some lanes by what follows a sample."""
+        n = self.n
+        self.evaluate("renewal", "y")
+        for i in range(self.dimension):
+            if self.equations.renewal[i] is self.equations.graph.state(i):
+                continue
+            new = n.choose(sampled, n.load(self.place("renewal"), i), self._y(i))
+            n.store(new, self.place("y"), i)
+            rest = n.load(self.place("rest"), i)
+            n.store(n.choose(sampled, n.number(Fraction(0)), rest), self.place("rest"), i)
+        self.rates(0, "y")
 
     def _y(self, i: int) -> V:
         return self.n.load(self.place("y"), i)

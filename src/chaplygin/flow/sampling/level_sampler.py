@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -25,6 +26,7 @@ from ...errors import InputError
 from ...formulas.array_evaluation import parameter_rows
 from ...formulas.compiled import CompiledTerms, SystemFormulas
 from ..cost import require_room
+from ..devices.threads import map_in_threads
 from .counter_rng import counter_normals
 from .fibration import Fibration
 from .great_circles import GreatCircleProposal
@@ -135,13 +137,11 @@ class LevelSampler:
         points = np.empty((count, size))
         pending, attempt, tries = np.arange(count), 0, self._tries
         while pending.size:
-            unmet = []
-            for start in range(0, pending.size, _BATCH // tries):
-                some = pending[start : start + _BATCH // tries]
-                states, done = self._first(seed, first + some, attempt, tries)
-                points[some[done]] = states
-                unmet.append(some[~done])
-            pending, attempt = np.concatenate(unmet), attempt + tries
+            attempts = partial(self._attempts, seed, first + pending, attempt, tries)
+            parts = map_in_threads(attempts, pending.size)
+            done = np.concatenate([part for _, part in parts])
+            points[pending[done]] = np.concatenate([states for states, _ in parts])
+            pending, attempt = pending[~done], attempt + tries
             tries = min(tries + 1, _BATCH)
             if attempt > _MOST_ATTEMPTS:
                 raise InputError(
@@ -149,6 +149,17 @@ class LevelSampler:
                     f"point of it was met in {attempt} attempts"
                 )
         return points
+
+    def _attempts(
+        self, seed: int, members: IntArray, attempt: int, tries: int, low: int, high: int
+    ) -> tuple[FloatArray, BoolArray]:
+        """The first accepted of some attempts, for the members from `low` to `high`."""
+        step = _BATCH // tries
+        parts = [
+            self._first(seed, members[start : min(start + step, high)], attempt, tries)
+            for start in range(low, high, step)
+        ]
+        return np.concatenate([s for s, _ in parts]), np.concatenate([d for _, d in parts])
 
     def _first(
         self, seed: int, members: IntArray, attempt: int, tries: int
@@ -177,20 +188,16 @@ class LevelSampler:
             passed[throw] += density[here]
             hit[here] = below & (thresholds[throw] < passed[throw])
         if (passed > self._density_bound).any():
-            raise self._beyond()
+            raise InputError(
+                f"{self.system.name}: the density of the level {level_label(self.values)} has no "
+                "bound that could be found: it lies next to a critical level"
+            )
         accepted = np.flatnonzero(hit)
         owner, first = np.unique(weighted_points.which[accepted] // tries, return_index=True)
         done = np.zeros(members.size, dtype=bool)
         done[owner] = True
-        return self._onto_level(
-            np.ascontiguousarray(weighted_points.states[:, accepted[first]])
-        ).T, done
-
-    def _beyond(self) -> InputError:
-        return InputError(
-            f"{self.system.name}: the density of the level {level_label(self.values)} has no bound "
-            "that could be found: it lies next to a critical level"
-        )
+        states = np.ascontiguousarray(weighted_points.states[:, accepted[first]])
+        return self._onto_level(states).T, done
 
     def _too_far(self) -> InputError:
         return InputError(
