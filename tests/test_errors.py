@@ -20,5 +20,6 @@ def test_the_nearest_name() -> None:
     assert nearest("Mu", names) == f", did you mean 'mu'?{allowed}"
     assert nearest("m_3", names) == f", did you mean 'M_3'?{allowed}"
     assert nearest("masss", names) == f", did you mean 'mass'?{allowed}"
+    assert nearest("diameter", ["parameters"]) == "; allowed: parameters"
     assert nearest("q", names) == f";{allowed}"
     assert nearest("q", []) == "; allowed: none"

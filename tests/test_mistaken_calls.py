@@ -47,6 +47,9 @@ GRID = c.analysis.scans.scan_grid(S, *AXES, {"M": (1, 0, 0), "gamma": (0, 0, 1)}
 RETURNS = c.analysis.orbits.ReturnMap(c.PoincareMap(S, sec))
 
 MISTAKES: dict[str, Callable[[], Any]] = {
+    "Experiment.path object": lambda: EXP.path(object()),
+    "Experiment.where number": lambda: EXP.where("body", 1),
+    "measure_exists by keyword": lambda: c.measure_exists(source="ball"),
     "Ball str": lambda: c.Ball("1"),
     "Ball None": lambda: c.Ball(None),
     "Ball neg": lambda: c.Ball(-1),
@@ -508,6 +511,8 @@ def test_an_unknown_quantity_is_a_missing_key_too() -> None:
         motion["omga"]
     with pytest.raises(KeyError, match="by its name in quotes, not by 3"):
         motion[3]  # type: ignore[index]
+    with pytest.raises(KeyError, match=r"by its name in quotes, not by \{\}"):
+        motion[{}]  # type: ignore[index]
 
 
 @pytest.mark.parametrize("members", ["x", None, {"M": "x"}, object()])

@@ -49,7 +49,9 @@ def nearest(name: str, names: Iterable[str]) -> str:
     """
     allowed = list(names)
     same = [word for word in allowed if word.casefold() == name.casefold()]
-    close = same or difflib.get_close_matches(name, allowed, n=1)
+    # one letter of two or three may be wrong; "diameter" is not to mean "parameters"
+    likeness = 0.6 if len(name) < 5 else 0.7
+    close = same or difflib.get_close_matches(name, allowed, n=1, cutoff=likeness)
     guess = f", did you mean '{close[0]}'?" if close else ";"
     return f"{guess} allowed: {', '.join(_families(allowed)) or 'none'}"
 

@@ -226,3 +226,16 @@ def test_without_body_or_mechanism_nothing_is_decided(find: Ask) -> None:
     code, out, _ = find("measure", "suslov", "--json")
     assert code == 1
     assert "existence" not in json.loads(out)
+
+
+def test_an_equilibrium_excludes_a_measure_of_equations(find: Ask) -> None:
+    Path("damped.toml").write_text(
+        """
+        equations = {state = ["x", "v"], rates = {x = "v", v = "-x - 0.1*v"}}
+        start = {x = 1.0, v = 0.0}
+        """
+    )
+    code, out, _ = find("measure", "damped.toml", "--json")
+    assert code == 1
+    assert "the equilibrium x = 0, v = 0" in json.loads(out)["excluded"]
+    assert "no invariant measure has a density" in find("measure", "damped.toml")[1]

@@ -410,5 +410,5 @@ def test_vertical_disk():
 
 
 def test_what_it_needs_is_said():
-    with pytest.raises(InputError, match="neither a Rolling nor a Mechanism"):
+    with pytest.raises(InputError, match="source must be a Rolling or a Mechanism"):
         measure_exists("ball")

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from ..core.system import Parameter, System
     from ..experiment.study import Study
+    from ..measures.equilibria import EquilibriumObstruction
     from ..measures.result import MeasureExistence
     from ..search import Question, SearchResult
 
@@ -124,13 +125,16 @@ def command(
     )
     with results_on_interrupt("the results found so far are about to be printed"):
         results, complete = _results(kind, question)
-        decision = _existence(study) if kind == "measure" and complete else None
+        asked = kind == "measure" and complete
+        decision = _existence(study) if asked else None
+        excluded = _obstruction(system) if asked and not results and decision is None else None
         elapsed = time.monotonic() - began
         if json:
             print_json(
                 _as_json(kind, question, results, complete, elapsed)
                 | {"at": list(conditions)}
                 | ({} if decision is None else {"existence": _existence_json(decision)})
+                | ({} if excluded is None else {"excluded": str(excluded)})
             )
         else:
             if at is None and conditions:
@@ -142,6 +146,8 @@ def command(
             if decision is not None:
                 lines = str(decision).splitlines()
                 typer.echo("\n" + "\n".join(_paragraph(line) for line in lines))
+            if excluded is not None:
+                typer.echo("\n" + _paragraph(str(excluded)))
     if not complete:
         raise typer.Exit(EXIT_CODE)
     raise typer.Exit(0 if results or decision else 1)
@@ -195,6 +201,13 @@ def _existence(study: Study) -> MeasureExistence | None:
     except (InputError, OutOfReachError, ZeroDivisionError):
         # constraints of another kind, or numbers at which the derivation fails
         return None
+
+
+def _obstruction(system: System) -> EquilibriumObstruction | None:
+    """An equilibrium that excludes a measure, where equations alone are known."""
+    from ..measures.equilibria import equilibrium_obstruction
+
+    return equilibrium_obstruction(system)
 
 
 def _paragraph(line: str) -> str:

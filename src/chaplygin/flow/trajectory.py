@@ -176,6 +176,8 @@ class Trajectory(WithOverview):
 
     def __getitem__(self, name: str) -> WorkingArray:
         """A state variable or an observable by name."""
+        if not isinstance(name, str):
+            raise unknown_variable(self.system, name, self.records)
         if name in self.records:
             return self.records[name]
         if name not in map(str, self.system.state):

@@ -1,4 +1,4 @@
-"""Whether an invariant measure exists whose density depends on the configuration alone."""
+"""Whether an invariant measure exists, and equilibria that exclude one."""
 
 import lazy_loader
 

@@ -12,9 +12,7 @@ volumes in nonholonomic mechanics*).  Potentials and gyrostats do not matter.
 
 from __future__ import annotations
 
-from functools import singledispatch
-
-from ..errors import InputError
+from ..arguments import arguments_checked
 from ..mechanics.lagrangian.mechanism import Mechanism
 from ..mechanics.rolling.equations import Rolling
 from ..proof.fields.budget import EFFORT
@@ -23,8 +21,10 @@ from .result import MeasureExistence
 from .rolling_bodies import decide_body
 
 
-@singledispatch
-def measure_exists(source: object, name: str = "", *, effort: int = EFFORT) -> MeasureExistence:
+@arguments_checked
+def measure_exists(
+    source: Rolling | Mechanism, name: str = "", *, effort: int = EFFORT
+) -> MeasureExistence:
     """Decide whether an invariant measure exists whose density depends on the configuration alone.
 
     Parameters
@@ -57,17 +57,6 @@ def measure_exists(source: object, name: str = "", *, effort: int = EFFORT) -> M
     particle: has a smooth invariant measure whose density depends on the configuration alone
     density: √(1 + y²)
     """
-    raise InputError(
-        f"measure_exists: {type(source).__name__} is neither a Rolling nor a Mechanism; the "
-        "question needs to know the constraints and the kinetic energy"
-    )
-
-
-@measure_exists.register
-def _(source: Rolling, name: str = "rolling-body", *, effort: int = EFFORT) -> MeasureExistence:
-    return decide_body(source, name, effort)
-
-
-@measure_exists.register
-def _(source: Mechanism, name: str = "", *, effort: int = EFFORT) -> MeasureExistence:
+    if isinstance(source, Rolling):
+        return decide_body(source, name or "rolling-body", effort)
     return decide_mechanism(source, name or source.name, effort)

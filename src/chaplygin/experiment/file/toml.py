@@ -27,6 +27,9 @@ _TOKEN = re.compile(
     re.DOTALL,
 )
 
+#: A dotted key of bare parts, as nearly all are.
+_BARE = re.compile(r"[A-Za-z0-9_-]+(?:\.[A-Za-z0-9_-]+)*")
+
 
 def key_lines(text: str) -> dict[Key, int]:
     """The lines on which the tables and keys of a TOML text stand.
@@ -89,6 +92,8 @@ def _statements(text: str) -> Iterator[tuple[int, str]]:
 def _path(statement: str) -> Key:
     """The dotted path of a header or of a key with its ``=``, read as TOML reads it."""
     key = statement.strip().strip("[]= \t\r")
+    if _BARE.fullmatch(key):
+        return tuple(key.split("."))
     try:
         nested: object = tomllib.loads(f"{key} = 0")
     except ValueError:

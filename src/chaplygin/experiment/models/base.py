@@ -9,6 +9,7 @@ from typing import Any
 
 from pydantic import Field, PrivateAttr
 
+from ...arguments import arguments_checked
 from ...errors import InputError
 from ..file.source import Source
 from ..file.table import Table
@@ -44,6 +45,7 @@ class ExperimentBase(Table):
         """The options ``KEY=VALUE`` that were applied to the text."""
         return self._source.overrides
 
+    @arguments_checked
     def has(self, *key: str) -> bool:
         """Whether a key such as ``has("body", "mass")`` is given or has a default."""
         table: object = self.model_dump()
@@ -53,10 +55,12 @@ class ExperimentBase(Table):
             table = table[part]
         return True
 
+    @arguments_checked
     def path(self, option: str) -> Key:
         """The key that an option sets."""
         return self._source.path(option)
 
+    @arguments_checked
     def where(self, *key: str) -> str:
         """The place of a key in the file, such as ``where("body", "mass")``."""
         return self._source.where(key)
