@@ -26,6 +26,16 @@ test("a row that says the same again changes nothing", () => {
   plain.forEach((x, k) => assert.ok(Math.abs(x - twice[k]!) < 1e-14));
 });
 
+test("of rows that nearly depend on each other, what rounding leaves is no direction", () => {
+  // a unit vector near the plane z = 0: its length says again what its components do
+  const z = 3e-8;
+  const x = Math.sqrt(1 - z * z);
+  const dependent = [[2 * x, 0, 2 * z], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map((row) => Float64Array.from(row));
+  const rounding = [1e-16, 0, 0, 2e-16];
+  const step = shortestStep({ rows: dependent, misses: rounding }, 3);
+  assert.ok(norm(step) < 1e-15, `${norm(step)}`);
+});
+
 test("vectors are made orthonormal; those that depend on others are left out", () => {
   const sum = rows[0]!.map((x, k) => x - 3 * rows[1]![k]!);
   const basis = orthonormal([...rows, sum]);

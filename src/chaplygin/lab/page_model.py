@@ -30,7 +30,7 @@ from .slider_range import parameter_range
 
 #: Of a motion in a page, so that states agree with Taylor series to 1e-12, and of its sections,
 #: as on the command line.
-TOLERANCE, SECTION_TOLERANCE = 1e-15, 1e-13
+TOLERANCE, SECTION_TOLERANCE = 2e-16, 1e-13
 
 #: Samples of a motion in a page at most.
 MOST_SAMPLES = 1201

@@ -9,21 +9,27 @@ export interface Equations {
 /** A row is dependent on earlier ones if so small a share of it is left. */
 const DEPENDENT = 1e-9;
 
-/** The shortest step that makes up for what is missed; rows that depend on others are left out. */
+/**
+ * The shortest step that makes up for what is missed. The row of which most is left comes next, so that what depends on
+ * others is left out, and not what little is left of a row that rounding has changed.
+ */
 export function shortestStep({ rows, misses }: Equations, size: number): Float64Array {
   const step = new Float64Array(size);
-  const basis: Float64Array[] = [];
-  rows.forEach((row, i) => {
-    const left = Float64Array.from(row);
-    const whole = norm(row);
-    for (let pass = 0; pass < 2; pass++) for (const q of basis) remove(left, q);
-    const length = norm(left);
-    if (!(length > DEPENDENT * whole)) return;
-    for (let k = 0; k < size; k++) left[k]! /= length;
-    const share = (misses[i]! - dot(row, step)) / length;
-    for (let k = 0; k < size; k++) step[k]! += share * left[k]!;
-    basis.push(left);
-  });
+  const left = rows.map((row) => Float64Array.from(row));
+  const whole = rows.map(norm);
+  const share = (i: number): number => norm(left[i]!) / (whole[i]! || 1);
+  const open = new Set(rows.keys());
+  while (open.size > 0) {
+    const i = [...open].reduce((a, b) => (share(b) > share(a) ? b : a));
+    open.delete(i);
+    const length = norm(left[i]!);
+    if (!(length > DEPENDENT * whole[i]!)) break;
+    const q = left[i]!.map((x) => x / length);
+    const way = (misses[i]! - dot(rows[i]!, step)) / length;
+    for (let k = 0; k < size; k++) step[k]! += way * q[k]!;
+    // twice, as rounding leaves something the first time
+    for (const j of open) for (let pass = 0; pass < 2; pass++) remove(left[j]!, q);
+  }
   return step;
 }
 

@@ -7,6 +7,8 @@ import type { Module } from "./module.js";
 /** A start may miss a relation by this much, relative to its size; more is refused, as in Python. */
 const SLACK = 1e-12;
 const STEPS = 40;
+/** Relations of a motion that are missed by no more are left alone: to restore them costs a rounding. */
+const LEFT_ALONE = 1e-14;
 /** A step so short, relative to the state, is one of rounding. */
 const ROUNDING = 1e-15;
 /** Pieces of the way from a reference to a point of a section: first, and at most. */
@@ -95,20 +97,33 @@ function stateByName(module: Module, given: Float64Array, values: Float64Array):
   return first.done ? { message: `${text}; the nearest admissible state is shown`, nearest: point } : { message: text };
 }
 
-/** Move some numbers of a whole state, in place, until the relations hold. */
+/**
+ * Put a state of a motion on the relations again, in place, where they are missed by more than rounding: off them an
+ * error may grow. What places it in space is moved onto the rest, never the other way round.
+ */
+export function restoreRelations(module: Module, state: Float64Array, values: Float64Array): void {
+  const { phase_space: table, whole_relations: count, relations, conditions } = module.tables;
+  if (count === 0 || largestMiss(module.values(table, state, values), state, count) <= LEFT_ALONE) return;
+  const places = Array.from(state.keys());
+  onPhaseSpace(module, state, values, places.slice(0, conditions.inputs), relations);
+  onPhaseSpace(module, state, values, places.slice(conditions.inputs));
+}
+
+/** Move some numbers of a whole state, in place, until the first relations hold, or all of them. */
 export function onPhaseSpace(
   module: Module,
   state: Float64Array,
   values: Float64Array,
   moving: readonly number[],
+  first = module.tables.whole_relations,
 ): { done: boolean; misses: number[] } {
   const { phase_space: table, whole_relations: count } = module.tables;
   let before: number[] | null = null;
-  if (count === 0) return { done: true, misses: [] };
+  if (first === 0 || moving.length === 0) return { done: true, misses: [] };
   const size = state.length;
   for (let step = 0; step < STEPS; step++) {
     const numbers = module.values(table, state, values);
-    const misses = Array.from(numbers.subarray(0, count));
+    const misses = Array.from(numbers.subarray(0, first));
     before ??= misses;
     if (!misses.every(Number.isFinite)) break;
     const rows = misses.map((_, i) =>
@@ -118,21 +133,24 @@ export function onPhaseSpace(
     moving.forEach((k, j) => (state[k]! += change[j]!));
     const scale = 1 + Math.max(...state.map(Math.abs));
     const longest = Math.max(...change.map(Math.abs));
-    if (longest <= ROUNDING * scale) return { done: satisfied(numbers, state, count), misses: before };
+    if (longest <= ROUNDING * scale) return { done: largestMiss(numbers, state, first) <= SLACK, misses: before };
   }
   return { done: false, misses: before ?? [] };
 }
 
-/** Whether relations hold but for rounding; what depends on others may have left one unsolved. */
-function satisfied(numbers: Float64Array, state: Float64Array, count: number): boolean {
+/** By how much the first relations are missed at most, relative to their size; what depends on others may be left unsolved. */
+function largestMiss(numbers: Float64Array, state: Float64Array, first: number): number {
   const size = state.length;
+  const count = numbers.length / (size + 1);
   const scale = 1 + Math.max(...state.map(Math.abs));
-  for (let i = 0; i < count; i++) {
+  let largest = 0;
+  for (let i = 0; i < first; i++) {
     let reach = 0;
     for (let k = 0; k < size; k++) reach += Math.abs(numbers[count + i * size + k]!);
-    if (!(Math.abs(numbers[i]!) <= SLACK * (1 + reach * scale))) return false;
+    const share = Math.abs(numbers[i]!) / (1 + reach * scale);
+    largest = share <= largest ? largest : share;
   }
-  return true;
+  return largest;
 }
 
 /**

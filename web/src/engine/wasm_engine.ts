@@ -17,7 +17,7 @@ import type {
 } from "./engine.js";
 import { indicators } from "./indicator.js";
 import { Module, type Marched } from "./module.js";
-import { onPhaseSpace, startFrom, startOnLevel } from "./start.js";
+import { restoreRelations, startFrom, startOnLevel } from "./start.js";
 import { DrawnSurfaces, type Surfaces } from "./surfaces.js";
 
 /** Stretches of a motion, after each of which its state is put on the relations again. */
@@ -58,12 +58,11 @@ export class WasmEngine implements Engine {
     return { times: moments, columns, states, end: this.end(marched) };
   }
 
-  /** Whole states at times, in stretches after which the relations hold but for one rounding: off them an error may grow. */
+  /** Whole states at times, in stretches after which the relations hold but for rounding. */
   private states(start: Numbers, values: Float64Array, times: Numbers): Pick<Marched, "states" | "count" | "outcome" | "ended"> {
     const { model, module } = this;
     const table = module.tables.motion;
     const size = table.dimension;
-    const every = Array.from({ length: size }, (_, k) => k);
     const states = new Float64Array(times.length * size);
     const piece = Math.ceil(times.length / STRETCHES);
     let state: Numbers = start;
@@ -78,7 +77,7 @@ export class WasmEngine implements Engine {
       const last = states.subarray((count - 1) * size, count * size);
       const now = times[count - 1]!;
       // the start itself stays as it was given
-      if (now !== began) onPhaseSpace(module, last, values, every);
+      if (now !== began) restoreRelations(module, last, values);
       [state, began] = [last, now];
     }
     return { states, count, outcome: 0, ended: began };

@@ -86,18 +86,20 @@ function turnsOutward(p, n, a, b, c) {
 var DEPENDENT = 1e-9;
 function shortestStep({ rows, misses }, size) {
   const step = new Float64Array(size);
-  const basis = [];
-  rows.forEach((row, i) => {
-    const left = Float64Array.from(row);
-    const whole = norm(row);
-    for (let pass = 0; pass < 2; pass++) for (const q of basis) remove(left, q);
-    const length = norm(left);
-    if (!(length > DEPENDENT * whole)) return;
-    for (let k = 0; k < size; k++) left[k] /= length;
-    const share = (misses[i] - dot(row, step)) / length;
-    for (let k = 0; k < size; k++) step[k] += share * left[k];
-    basis.push(left);
-  });
+  const left = rows.map((row) => Float64Array.from(row));
+  const whole = rows.map(norm);
+  const share = (i) => norm(left[i]) / (whole[i] || 1);
+  const open = new Set(rows.keys());
+  while (open.size > 0) {
+    const i = [...open].reduce((a, b) => share(b) > share(a) ? b : a);
+    open.delete(i);
+    const length = norm(left[i]);
+    if (!(length > DEPENDENT * whole[i])) break;
+    const q = left[i].map((x) => x / length);
+    const way = (misses[i] - dot(rows[i], step)) / length;
+    for (let k = 0; k < size; k++) step[k] += way * q[k];
+    for (const j of open) for (let pass = 0; pass < 2; pass++) remove(left[j], q);
+  }
   return step;
 }
 function orthonormal(vectors) {
@@ -127,6 +129,7 @@ function norm(a) {
 // src/engine/start.ts
 var SLACK = 1e-12;
 var STEPS = 40;
+var LEFT_ALONE = 1e-14;
 var ROUNDING = 1e-15;
 var PIECES = 4;
 var MOST_PIECES = 64;
@@ -204,14 +207,21 @@ function stateByName(module, given, values) {
   const text = `start: the relation ${tables.relation_texts[worst]} = 0 is missed by ${short(first.misses[worst])}`;
   return first.done ? { message: `${text}; the nearest admissible state is shown`, nearest: point } : { message: text };
 }
-function onPhaseSpace(module, state, values, moving) {
+function restoreRelations(module, state, values) {
+  const { phase_space: table, whole_relations: count, relations, conditions } = module.tables;
+  if (count === 0 || largestMiss(module.values(table, state, values), state, count) <= LEFT_ALONE) return;
+  const places = Array.from(state.keys());
+  onPhaseSpace(module, state, values, places.slice(0, conditions.inputs), relations);
+  onPhaseSpace(module, state, values, places.slice(conditions.inputs));
+}
+function onPhaseSpace(module, state, values, moving, first = module.tables.whole_relations) {
   const { phase_space: table, whole_relations: count } = module.tables;
   let before = null;
-  if (count === 0) return { done: true, misses: [] };
+  if (first === 0 || moving.length === 0) return { done: true, misses: [] };
   const size = state.length;
   for (let step = 0; step < STEPS; step++) {
     const numbers = module.values(table, state, values);
-    const misses = Array.from(numbers.subarray(0, count));
+    const misses = Array.from(numbers.subarray(0, first));
     before ??= misses;
     if (!misses.every(Number.isFinite)) break;
     const rows = misses.map(
@@ -221,19 +231,22 @@ function onPhaseSpace(module, state, values, moving) {
     moving.forEach((k, j) => state[k] += change[j]);
     const scale = 1 + Math.max(...state.map(Math.abs));
     const longest = Math.max(...change.map(Math.abs));
-    if (longest <= ROUNDING * scale) return { done: satisfied(numbers, state, count), misses: before };
+    if (longest <= ROUNDING * scale) return { done: largestMiss(numbers, state, first) <= SLACK, misses: before };
   }
   return { done: false, misses: before ?? [] };
 }
-function satisfied(numbers, state, count) {
+function largestMiss(numbers, state, first) {
   const size = state.length;
+  const count = numbers.length / (size + 1);
   const scale = 1 + Math.max(...state.map(Math.abs));
-  for (let i = 0; i < count; i++) {
+  let largest = 0;
+  for (let i = 0; i < first; i++) {
     let reach = 0;
     for (let k = 0; k < size; k++) reach += Math.abs(numbers[count + i * size + k]);
-    if (!(Math.abs(numbers[i]) <= SLACK * (1 + reach * scale))) return false;
+    const share = Math.abs(numbers[i]) / (1 + reach * scale);
+    largest = share <= largest ? largest : share;
   }
-  return true;
+  return largest;
 }
 function keptIntegrals(module, conditions, coordinates) {
   const { tables, model } = module;
@@ -713,12 +726,11 @@ var WasmEngine = class _WasmEngine {
     const moments = Float64Array.from({ length: count }, (_, i) => model.direction * times[i]);
     return { times: moments, columns, states, end: this.end(marched) };
   }
-  /** Whole states at times, in stretches after which the relations hold but for one rounding: off them an error may grow. */
+  /** Whole states at times, in stretches after which the relations hold but for rounding. */
   states(start, values, times) {
     const { model, module } = this;
     const table = module.tables.motion;
     const size = table.dimension;
-    const every = Array.from({ length: size }, (_, k) => k);
     const states = new Float64Array(times.length * size);
     const piece = Math.ceil(times.length / STRETCHES);
     let state = start;
@@ -732,7 +744,7 @@ var WasmEngine = class _WasmEngine {
       if (run.outcome !== 0) return { states: states.slice(0, count * size), count, outcome: run.outcome, ended: began + run.ended };
       const last = states.subarray((count - 1) * size, count * size);
       const now = times[count - 1];
-      if (now !== began) onPhaseSpace(module, last, values, every);
+      if (now !== began) restoreRelations(module, last, values);
       [state, began] = [last, now];
     }
     return { states, count, outcome: 0, ended: began };
