@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { editedExperiment } from "../src/downloads/experiment_file";
-import { glb } from "../src/downloads/gltf";
+import { glb, movingBody } from "../src/downloads/gltf";
+import { movingLinkage } from "../src/scene/linkage";
 import { plotsSvg, sectionSvg } from "../src/downloads/svg";
 import { csv, sectionCsv } from "../src/downloads/table";
 import { ellipsoid } from "../src/scene/ellipsoid";
@@ -76,10 +77,8 @@ test("a drawing is well formed, interrupted where values are missing", () => {
   assert.equal(section.match(/h0/g)?.length, 1);
 });
 
-test("a binary glTF holds the body and its motion", () => {
-  const mesh = ellipsoid([3, 2, 1], [1, 0, 0, 0], 6, 8);
-  const tones = Uint8Array.from({ length: mesh.indices.length / 3 }, (_, k) => k % 2);
-  const bytes = glb("body", { ...mesh, tones }, motion);
+/** The document of a binary glTF file, and its numbers. */
+function opened(bytes: Uint8Array): { document: any; read: (index: number) => Float32Array } {
   const view = new DataView(bytes.buffer);
   assert.equal(view.getUint32(0, true), 0x46546c67);
   assert.equal(view.getUint32(8, true), bytes.length);
@@ -92,6 +91,14 @@ test("a binary glTF holds the body and its motion", () => {
     const { byteOffset, byteLength } = document.bufferViews[accessor.bufferView];
     return new Float32Array(binary.slice(byteOffset, byteOffset + byteLength).buffer);
   };
+  return { document, read };
+}
+
+test("a binary glTF holds the body and its motion", () => {
+  const mesh = ellipsoid([3, 2, 1], [1, 0, 0, 0], 6, 8);
+  const tones = Uint8Array.from({ length: mesh.indices.length / 3 }, (_, k) => k % 2);
+  const bytes = glb("body", motion.times, [movingBody({ ...mesh, tones }, motion)]);
+  const { document, read } = opened(bytes);
   const [places, turns] = document.animations[0].samplers;
   assert.deepEqual(Array.from(read(places.input)), [0, 0.5, 1]);
   assert.deepEqual(Array.from(read(places.output)), [0, 0, 1, 0, 0, 2, 0, 0, 3]);
@@ -99,4 +106,25 @@ test("a binary glTF holds the body and its motion", () => {
   assert.deepEqual(Array.from(read(turns.output)).map((value) => value + 0), [0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0]);
   const counted = document.meshes[0].primitives.reduce((sum: number, { indices }: { indices: number }) => sum + document.accessors[indices].count, 0);
   assert.equal(counted, mesh.indices.length);
+});
+
+test("a binary glTF holds the parts of a mechanism, as long as all of them have a place", () => {
+  const columns = { rod: Float64Array.of(0, 0, 2, 0, 0, 0, 0, 2, NaN, 0, 0, 2), axle: Float64Array.of(0, 0, 0, 1, 0, Math.PI / 2, 2, 0, 0) };
+  const backward: Motion = { times: Float64Array.of(0, -0.5, -1), columns, end: null };
+  const solids = movingLinkage([{ kind: "rod", column: "rod" }, { kind: "axle", column: "axle" }], 0.2, backward);
+  const { document, read } = opened(glb("trailer", backward.times, solids));
+  assert.deepEqual(document.nodes.map(({ name }: { name: string }) => name), ["space", "rod 1", "axle 1"]);
+  const { samplers, channels } = document.animations[0];
+  const moves = channels.map(({ target }: { target: { node: number; path: string } }) => `${target.node} ${target.path}`);
+  assert.deepEqual(moves, ["1 translation", "1 rotation", "1 scale", "2 translation", "2 rotation"]);
+  const numbers = samplers.map(({ output }: { output: number }) => Array.from(read(output), (value) => Math.round(1e4 * value) / 1e4));
+  assert.deepEqual(Array.from(read(samplers[0].input)), [0, 0.5]);
+  assert.deepEqual(numbers[0], [1, 0, 0.1, 0, 1, 0.1]);
+  assert.deepEqual(numbers[1], [0, 0, 0, 1, 0, 0, 0.7071, 0.7071]);
+  assert.deepEqual(numbers[2], [2, 1, 1, 2, 1, 1]);
+  // the wheels of an axle stand on the ground, on both sides of its bar
+  const [bar, left, right] = document.meshes[1].primitives.map(({ attributes }: { attributes: { POSITION: number } }) => document.accessors[attributes.POSITION]);
+  assert.ok(Math.abs(left.min[2]) < 1e-6 && Math.abs(right.min[2]) < 1e-6 && bar.min[2] > 0.05);
+  assert.ok(left.min[1] > 0.08 && right.max[1] < -0.08);
+  assert.equal(document.materials.length, 2);
 });

@@ -54,9 +54,11 @@ export function experimentPanel(lab: Lab): HTMLElement {
   });
   const reset = element("button", { type: "button", class: "lab-button" }, "As at first");
   reset.addEventListener("click", () => void lab.change(opening(model)));
+  // names in words need more room than letters
+  const worded = [...model.start_inputs, ...model.parameters].some(({ mathml, name }) => !mathml && name.length > 5);
   return element(
     "div",
-    { class: "lab-sliders" },
+    { class: worded ? "lab-sliders lab-worded" : "lab-sliders" },
     group("Start", true, starts, note),
     group("Parameters", parameters.length <= 6 || innerWidth > 620, parameters, null),
     element("details", { open: true }, element("summary", {}, "Run"), until.element, reset),

@@ -11,7 +11,8 @@ import type { ScenePanel } from "../scene/scene_panel";
 import type { SectionPanel } from "../section/section_panel";
 import { editedExperiment } from "./experiment_file";
 import { film } from "./film";
-import { glb } from "./gltf";
+import { movingLinkage } from "../scene/linkage";
+import { glb, movingBody, type MovingSolid } from "./gltf";
 import { plotsSvg, sectionSvg } from "./svg";
 import { csv, sectionCsv } from "./table";
 
@@ -111,10 +112,15 @@ function addOfScene({ lab }: Downloadable, scene: ScenePanel, name: string, add:
     save(`${name}.mp4`, answer);
     lab.say(`The film lasts ${duration.toFixed(1)} s.`);
   });
-  if (lab.shown.value.surfaces.body !== null) {
-    add("Body in motion", "for other 3D programs (glTF, GLB)", () => {
-      const { surfaces: { body }, motion } = lab.shown.value;
-      if (body !== null) save(`${name}.glb`, new Blob([glb(lab.model.title, body, motion) as Uint8Array<ArrayBuffer>], { type: "model/gltf-binary" }));
+  const { links, path } = lab.model.scene;
+  const solids = (): MovingSolid[] => {
+    const { surfaces: { body }, motion } = lab.shown.value;
+    return [...(body === null ? [] : [movingBody(body, motion)]), ...movingLinkage(links, stage.mark, motion)];
+  };
+  if (lab.shown.value.surfaces.body !== null || links.length > 0) {
+    add(path === null ? "Body in motion" : "Mechanism in motion", "for other 3D programs (glTF, GLB)", () => {
+      const content = glb(lab.model.title, lab.shown.value.motion.times, solids());
+      save(`${name}.glb`, new Blob([content as Uint8Array<ArrayBuffer>], { type: "model/gltf-binary" }));
     });
   }
 }

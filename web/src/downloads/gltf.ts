@@ -1,7 +1,7 @@
-/** A body with its motion as a binary glTF file, which programs for drawing in space open. */
+/** Solids with their motion as a binary glTF file, which programs for drawing in space open. */
 
 import type { Mesh } from "../engine/body_mesh";
-import { channels, daylight } from "../page/palette";
+import { channels as channelsOf, daylight } from "../page/palette";
 import type { Motion } from "../playback/motion";
 
 const FLOAT = 5126;
@@ -54,51 +54,90 @@ class Buffer {
   }
 }
 
-/** The body (in its own axes, with a tone for each triangle) along a motion. Up is y there, z here. */
-export function glb(title: string, mesh: Mesh, motion: Motion): Uint8Array {
-  const buffer = new Buffer();
-  const position = buffer.add(mesh.positions, "VEC3", true);
-  const normal = buffer.add(mesh.normals, "VEC3", false);
-  const primitives = [0, 1].map((tone) => {
+/** Triangles of one colour. */
+export interface Coat {
+  colour: string;
+  positions: Float32Array;
+  normals: Float32Array;
+  indices: Uint32Array;
+}
+
+/** A solid in its own axes, and where it is at each of the instants of a motion; its attitudes are (w, x, y, z). */
+export interface MovingSolid {
+  name: string;
+  coats: Coat[];
+  places: Float64Array;
+  attitudes: Float64Array;
+  scales?: Float64Array;
+}
+
+/** A body along a motion. */
+export function movingBody(mesh: Mesh, motion: Motion): MovingSolid {
+  const { positions, normals } = mesh;
+  const colours = mesh.hollow ? daylight.shell : daylight.body;
+  const coats = colours.map((colour, tone) => {
     const chosen: number[] = [];
     mesh.tones.forEach((each, k) => {
-      if (each === tone) chosen.push(mesh.indices[3 * k] ?? 0, mesh.indices[3 * k + 1] ?? 0, mesh.indices[3 * k + 2] ?? 0);
+      if (each === tone) chosen.push(...mesh.indices.subarray(3 * k, 3 * k + 3));
     });
-    const indices = buffer.add(Uint32Array.from(chosen), "SCALAR", false);
-    return { attributes: { POSITION: position, NORMAL: normal }, indices, material: tone };
+    return { colour, positions, normals, indices: Uint32Array.from(chosen) };
   });
   const count = motion.times.length;
-  const times = buffer.add(Float32Array.from(motion.times), "SCALAR", true);
-  const centre = motion.columns["centre"];
-  const places = buffer.add(Float32Array.from({ length: 3 * count }, (_, k) => centre?.[k] ?? 0), "VEC3", false);
-  const turns = buffer.add(quaternions(motion, count), "VEC4", false);
-  const tones = mesh.hollow ? daylight.shell : daylight.body;
+  const column = (name: string, width: number): Float64Array => motion.columns[name] ?? new Float64Array(width * count).fill(NaN);
+  return { name: "body", coats: coats.filter(({ indices }) => indices.length > 0), places: column("centre", 3), attitudes: column("attitude", 4) };
+}
+
+/** Solids along a motion, at the instants at which all of them have a place. Up is y there, z here. */
+export function glb(title: string, times: Float64Array, solids: readonly MovingSolid[]): Uint8Array {
+  const buffer = new Buffer();
+  const here = (values: Float64Array, n: number): boolean => {
+    const width = values.length / times.length;
+    return values.subarray(width * n, width * n + width).every(Number.isFinite);
+  };
+  const good = Array.from(times.keys()).filter((n) => solids.every(({ places, attitudes }) => here(places, n) && here(attitudes, n)));
+  const chosen = (values: Float64Array): Float32Array => {
+    const width = values.length / times.length;
+    return Float32Array.from(good.flatMap((n) => Array.from(values.subarray(width * n, width * n + width))));
+  };
+  const stored = new Map<Float32Array, number>();
+  const once = (values: Float32Array, bounds: boolean): number => {
+    const index = stored.get(values) ?? buffer.add(values, "VEC3", bounds);
+    stored.set(values, index);
+    return index;
+  };
+  const began = times[good[0] ?? 0] ?? 0;
+  const input = buffer.add(Float32Array.from(good, (n) => Math.abs((times[n] ?? 0) - began)), "SCALAR", true);
+  const colours = [...new Set(solids.flatMap(({ coats }) => coats.map(({ colour }) => colour)))];
+  const samplers: { input: number; output: number; interpolation: "LINEAR" }[] = [];
+  const channels: { sampler: number; target: { node: number; path: string } }[] = [];
+  const drive = (node: number, path: string, output: number): void => {
+    channels.push({ sampler: samplers.push({ input, output, interpolation: "LINEAR" }) - 1, target: { node, path } });
+  };
+  const meshes = solids.map(({ name, coats, places, attitudes, scales }, k) => {
+    drive(k + 1, "translation", buffer.add(chosen(places), "VEC3", false));
+    drive(k + 1, "rotation", buffer.add(quaternions(chosen(attitudes)), "VEC4", false));
+    if (scales !== undefined) drive(k + 1, "scale", buffer.add(chosen(scales), "VEC3", false));
+    const primitives = coats.map(({ colour, positions, normals, indices }) => ({
+      attributes: { POSITION: once(positions, true), NORMAL: once(normals, false) },
+      indices: buffer.add(indices, "SCALAR", false),
+      material: colours.indexOf(colour),
+    }));
+    return { name, primitives };
+  });
   const document = {
     asset: { version: "2.0", generator: "chaplygin" },
     scene: 0,
-    scenes: [{ name: title, nodes: [1] }],
+    scenes: [{ name: title, nodes: [0] }],
     nodes: [
-      { name: "body", mesh: 0 },
-      { name: "space", children: [0], rotation: [-Math.SQRT1_2, 0, 0, Math.SQRT1_2] },
+      { name: "space", children: solids.map((_, k) => k + 1), rotation: [-Math.SQRT1_2, 0, 0, Math.SQRT1_2] },
+      ...solids.map(({ name }, k) => ({ name, mesh: k })),
     ],
-    meshes: [{ name: "body", primitives }],
-    materials: tones.map((colour) => ({
-      pbrMetallicRoughness: { baseColorFactor: [...channels(colour).map(linear), 1], metallicFactor: 0, roughnessFactor: 0.55 },
+    meshes,
+    materials: colours.map((colour) => ({
+      pbrMetallicRoughness: { baseColorFactor: [...channelsOf(colour).map(linear), 1], metallicFactor: 0, roughnessFactor: 0.55 },
       doubleSided: true,
     })),
-    animations: [
-      {
-        name: "motion",
-        samplers: [
-          { input: times, output: places, interpolation: "LINEAR" },
-          { input: times, output: turns, interpolation: "LINEAR" },
-        ],
-        channels: [
-          { sampler: 0, target: { node: 0, path: "translation" } },
-          { sampler: 1, target: { node: 0, path: "rotation" } },
-        ],
-      },
-    ],
+    animations: [{ name: "motion", samplers, channels }],
     accessors: buffer.accessors,
     bufferViews: buffer.views,
     buffers: [{ byteLength: buffer.length }],
@@ -106,16 +145,15 @@ export function glb(title: string, mesh: Mesh, motion: Motion): Uint8Array {
   return container(JSON.stringify(document), buffer.bytes());
 }
 
-/** Attitudes in the order x, y, z, w, each on the side of the one before. */
-function quaternions(motion: Motion, count: number): Float32Array {
-  const attitude = motion.columns["attitude"];
-  const out = new Float32Array(4 * count);
+/** Attitudes (w, x, y, z) in the order x, y, z, w, each on the side of the one before. */
+function quaternions(attitudes: Float32Array): Float32Array {
+  const out = new Float32Array(attitudes.length);
   let before = [0, 0, 0, 1];
-  for (let n = 0; n < count; n++) {
-    const [w = 1, x = 0, y = 0, z = 0] = [0, 1, 2, 3].map((k) => attitude?.[4 * n + k] ?? (k === 0 ? 1 : 0));
+  for (let n = 0; n < attitudes.length; n += 4) {
+    const [w = 1, x = 0, y = 0, z = 0] = attitudes.subarray(n, n + 4);
     const sign = x * (before[0] ?? 0) + y * (before[1] ?? 0) + z * (before[2] ?? 0) + w * (before[3] ?? 0) < 0 ? -1 : 1;
     before = [sign * x, sign * y, sign * z, sign * w];
-    out.set(before, 4 * n);
+    out.set(before, n);
   }
   return out;
 }

@@ -12,8 +12,8 @@ import { place } from "../playback/motion";
 import { drawModes, modeKey } from "./mode_bar";
 import { seriesGroups, type SeriesGroup } from "./series";
 
-/** Height of a plot, in letters of the page. */
-const HEIGHT = 10.5;
+/** Height of a plot, in letters of the page; of a wide one a share of its width, and no more of a window. */
+const [HEIGHT, OF_WIDTH, OF_WINDOW] = [10.5, 0.32, 0.24];
 
 /** Space over the bar of modes, and its height, in CSS pixels. */
 const [SPACE, BAR] = [3, 8];
@@ -97,7 +97,7 @@ export function plotsPanel(lab: Lab): PlotsPanel {
     const first = width === 0;
     width = sheets.clientWidth;
     if (first) build();
-    else for (const { plot } of plots) plot.setSize({ width, height: plot.height });
+    else for (const { plot } of plots) plot.setSize({ width, height: heightOf(lab, width) });
   }).observe(sheets);
   return { element: panel, chosen: drawn };
 }
@@ -141,18 +141,26 @@ function dataOf(lab: Lab, group: SeriesGroup): uPlot.AlignedData {
   return [lab.shown.value.motion.times, ...group.components.map(({ values }) => values)];
 }
 
+function heightOf(lab: Lab, width: number): number {
+  return Math.round(Math.max(HEIGHT * letter(), Math.min(OF_WIDTH * width, OF_WINDOW * window.innerHeight))) + roomForModes(lab);
+}
+
+/** What the bar of modes takes under a plot; the ticks of time go down through it. */
+function roomForModes(lab: Lab): number {
+  return changingModes(lab.shown.value.motion).length > 0 ? SPACE + BAR : 0;
+}
+
 function plotOf(lab: Lab, group: SeriesGroup, holder: HTMLElement, width: number): uPlot {
   const colours = palette();
   const marks = { stroke: colours.quiet, font: font(0.8 * letter()), ticks: { stroke: colours.line, width: 1, size: 4 }, grid: { stroke: colours.line, width: 0.5 } };
   const dashes = [[], [7, 3], [2, 3], [8, 3, 2, 3]];
   const label = `${group.text}${group.unit ? `  (${group.unit})` : ""}`;
-  // the ticks of time go down through the bar of modes
-  const room = changingModes(lab.shown.value.motion).length > 0 ? SPACE + BAR : 0;
+  const room = roomForModes(lab);
   const ticks = { ...marks.ticks, size: marks.ticks.size + room };
   const plot: uPlot = new uPlot(
     {
       width,
-      height: Math.round(HEIGHT * letter()) + room,
+      height: heightOf(lab, width),
       legend: { show: false },
       scales: { x: { time: false } },
       cursor: { y: false, drag: { x: false, y: false }, points: { size: 6 }, focus: { prox: 24 } },

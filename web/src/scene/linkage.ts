@@ -2,7 +2,8 @@
 
 import { BoxGeometry, CylinderGeometry, Group, Mesh, MeshPhongMaterial, SphereGeometry } from "three";
 import type { Link } from "../model";
-import type { Palette } from "../page/palette";
+import type { Coat, MovingSolid } from "../downloads/gltf";
+import { daylight, type Palette } from "../page/palette";
 import { row, type Motion } from "../playback/motion";
 
 /** The parts of a mechanism; `mark` is the length of a wheel. */
@@ -15,12 +16,10 @@ export class Linkage {
     private readonly mark: number,
     colours: Palette,
   ) {
-    const dark = new MeshPhongMaterial({ color: colours.dark ? "#8fa6bb" : "#33424f", specular: 0x222222 });
-    const rod = new MeshPhongMaterial({ color: colours.body[1], specular: 0x222222 });
-    const joint = new MeshPhongMaterial({ color: colours.body[0], specular: 0x222222 });
+    const materials = materialsOf(colours);
     for (const link of links) {
       const group = new Group();
-      for (const mesh of shape(link.kind, mark, { dark, rod, joint })) {
+      for (const mesh of shape(link.kind, mark, materials)) {
         mesh.castShadow = true;
         group.add(mesh);
       }
@@ -32,28 +31,76 @@ export class Linkage {
   /** Put all parts where they are at an instant. */
   at(motion: Motion, t: number): void {
     for (const { link, group } of this.parts) {
-      const width = link.kind === "rod" ? 4 : link.kind === "point" ? 2 : 3;
-      const values = row(motion, link.column, width, t);
-      group.visible = values !== null && values.every(Number.isFinite);
-      if (values === null) continue;
-      const [x = 0, y = 0, third = 0, fourth = 0] = values;
-      if (link.kind === "rod") {
-        const length = Math.hypot(third - x, fourth - y);
-        group.position.set((x + third) / 2, (y + fourth) / 2, 0.5 * this.mark);
-        group.rotation.z = Math.atan2(fourth - y, third - x);
-        group.scale.x = length;
-      } else {
-        group.position.set(x, y, 0);
-        group.rotation.z = link.kind === "point" ? 0 : third;
-      }
+      const place = placeOf(link.kind, row(motion, link.column, WIDTHS[link.kind], t), this.mark);
+      group.visible = place !== null;
+      if (place === null) continue;
+      group.position.set(place.x, place.y, place.z);
+      group.rotation.z = place.heading;
+      group.scale.x = place.length;
     }
   }
+}
+
+interface Place {
+  x: number;
+  y: number;
+  z: number;
+  heading: number;
+  /** By which a rod is drawn out. */
+  length: number;
+}
+
+/** Numbers of the column of a part. */
+const WIDTHS = { rod: 4, wheel: 3, axle: 3, blade: 3, point: 2 } as const;
+
+/** Where a part is, by a row of its column; null where it is nowhere. */
+function placeOf(kind: Link["kind"], values: ArrayLike<number> | null, mark: number): Place | null {
+  if (values === null || !Array.from(values).every(Number.isFinite)) return null;
+  const [x = 0, y = 0, third = 0, fourth = 0] = Array.from(values);
+  if (kind !== "rod") return { x, y, z: 0, heading: kind === "point" ? 0 : third, length: 1 };
+  const length = Math.hypot(third - x, fourth - y);
+  return { x: (x + third) / 2, y: (y + fourth) / 2, z: 0.5 * mark, heading: Math.atan2(fourth - y, third - x), length };
+}
+
+/** The parts along a motion, in the colours of daylight. */
+export function movingLinkage(links: readonly Link[], mark: number, motion: Motion): MovingSolid[] {
+  const materials = materialsOf(daylight);
+  const numbers = new Map<string, number>();
+  return links.map((link) => {
+    const number = (numbers.get(link.kind) ?? 0) + 1;
+    numbers.set(link.kind, number);
+    const [column, width] = [motion.columns[link.column], WIDTHS[link.kind]];
+    const places = Array.from(motion.times, (_, n) => placeOf(link.kind, column?.subarray(width * n, width * n + width) ?? null, mark));
+    const each = (values: (place: Place) => number[], count: number): Float64Array =>
+      Float64Array.from(places.flatMap((place) => (place === null ? Array<number>(count).fill(NaN) : values(place))));
+    const solid: MovingSolid = {
+      name: `${link.kind} ${number}`,
+      coats: shape(link.kind, mark, materials).map(coatOf),
+      places: each(({ x, y, z }) => [x, y, z], 3),
+      attitudes: each(({ heading }) => [Math.cos(heading / 2), 0, 0, Math.sin(heading / 2)], 4),
+    };
+    return link.kind === "rod" ? { ...solid, scales: each(({ length }) => [length, 1, 1], 3) } : solid;
+  });
+}
+
+/** The triangles of a mesh where it stands in its part. */
+function coatOf(mesh: Mesh): Coat {
+  mesh.updateMatrix();
+  const geometry = mesh.geometry.clone().applyMatrix4(mesh.matrix);
+  const corners = (name: string): Float32Array => Float32Array.from(geometry.getAttribute(name).array);
+  const { color } = mesh.material as MeshPhongMaterial;
+  return { colour: `#${color.getHexString()}`, positions: corners("position"), normals: corners("normal"), indices: Uint32Array.from(geometry.index?.array ?? []) };
 }
 
 interface Materials {
   dark: MeshPhongMaterial;
   rod: MeshPhongMaterial;
   joint: MeshPhongMaterial;
+}
+
+function materialsOf(colours: Palette): Materials {
+  const of = (color: string): MeshPhongMaterial => new MeshPhongMaterial({ color, specular: 0x222222 });
+  return { dark: of(colours.dark ? "#8fa6bb" : "#33424f"), rod: of(colours.body[1]), joint: of(colours.body[0]) };
 }
 
 function shape(kind: Link["kind"], mark: number, { dark, rod, joint }: Materials): Mesh[] {

@@ -27,7 +27,7 @@ import { meshGround, planeGround, sphereGround, type Ground } from "./ground";
 import { largestLength, meshSpacing, sameSurface, VECTOR_LENGTH } from "./measures";
 import { Linkage } from "./linkage";
 import { contactCurve, planCurve, traceOnBody } from "./curves";
-import { openingView, reachOf } from "./opening_view";
+import { leadsFar, openingView, reachOf } from "./opening_view";
 import { paintedCurve, type PaintedCurve } from "./paint";
 import { Ribbon } from "./ribbon";
 import { ellipsoid } from "./ellipsoid";
@@ -44,6 +44,9 @@ export interface Shown {
 }
 
 const TRACE_ON_BODY = 6.3;
+
+/** Diameters of the body that are in view where the reader follows it. */
+const SEEN = 12;
 
 /** Draws motions of one model. Lengths of the model are divided by its size. */
 export class Stage {
@@ -134,6 +137,11 @@ export class Stage {
   /** Spacing of the grid on the ground in metres; 0 without one. */
   get spacing(): number {
     return this.ground?.spacing ?? 0;
+  }
+
+  /** The length of a wheel of a mechanism, metres. */
+  get mark(): number {
+    return 0.2 * this.size;
   }
 
   /** Draw in the colours that the reader prefers now. */
@@ -286,7 +294,7 @@ export class Stage {
     const contact = contactCurve(this.motion);
     this.buildGround(contact.points);
     if (scene.links.length > 0) {
-      this.linkage = new Linkage(scene.links, 0.2 * this.size, colours);
+      this.linkage = new Linkage(scene.links, this.mark, colours);
       this.metres.add(this.linkage.group);
     }
     const path = this.paintedCurve(scene.path !== null ? planCurve(this.scene, this.motion) : contact);
@@ -345,9 +353,11 @@ export class Stage {
   private buildGround(path: Float64Array): void {
     const { scene, colours, size } = this;
     this.reach = reachOf(scene.path !== null ? planCurve(this.scene, this.motion).points : path, size);
+    // of a path that leads far only a part is seen at once
+    const seen = leadsFar(scene, this.motion) ? Math.min(this.reach, SEEN) : this.reach;
     const support = scene.support ?? (scene.path === null ? null : { kind: "plane" as const });
     if (support === null || support.kind === "point") return;
-    if (support.kind === "plane") this.ground = planeGround(roundNumber(Math.max(0.5, this.reach / 16) * size), colours);
+    if (support.kind === "plane") this.ground = planeGround(roundNumber(Math.max(0.5, seen / 16) * size), colours);
     else if (support.kind === "sphere") {
       // the radius may be one of the parameters: the contact tells it
       const radius = Math.hypot(path[0] ?? NaN, path[1] ?? NaN, path[2] ?? NaN) || Math.abs(support.radius);

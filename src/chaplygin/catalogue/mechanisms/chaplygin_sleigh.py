@@ -250,7 +250,7 @@ ENTRIES = (
             "y": ("contact of the blade", "m"),
             "phi": ("direction of the blade", "rad"),
             "v": ("velocity of the contact along the blade", "m/s"),
-            "Omega": ("angular velocity", "1/s"),
+            "Omega": ("angular velocity", "rad/s"),
         },
     ),
     Entry(

@@ -107,7 +107,7 @@ ENTRIES = (
         variables={
             "phi": ("angle of the second body against the first", "rad"),
             "u": ("velocity of the first body along itself", "m/s"),
-            "phidot": ("rate of the angle at the pivot", "1/s"),
+            "phidot": ("rate of the angle at the pivot", "rad/s"),
             "x": ("middle of the first axle", "m"),
             "y": ("middle of the first axle", "m"),
             "theta": ("heading of the first body", "rad"),

@@ -75,7 +75,7 @@ def board(p: Numbers) -> Mechanism:
         },
         parameters=_parameters(p),
         laws=(
-            Integral("steering", steer, "angular velocity of steering", source=SOURCE, unit="1/s"),
+            Integral("steering", steer, "angular velocity of steering", source=SOURCE, unit="rad/s"),
             Measure(
                 "measure",
                 {(K - J_0) * sine**2 + m * ell**2 * cosine**2: HALF},
@@ -133,9 +133,9 @@ ENTRIES = (
         start=Start(state={"phi": 0.2, "s": 0.5, "w": 3.0, "phidot": 0.4}, until=15.0),
         variables={
             "phi": ("angle of the front wheels", "rad"),
-            "s": ("rate of rolling, in u = l s cos φ and Ω = s sin φ", "1/s"),
-            "w": ("angular velocity of the rotor against the board", "1/s"),
-            "phidot": ("angular velocity of steering", "1/s"),
+            "s": ("rate of rolling, in u = l s cos φ and Ω = s sin φ", "rad/s"),
+            "w": ("angular velocity of the rotor against the board", "rad/s"),
+            "phidot": ("angular velocity of steering", "rad/s"),
             "x": ("middle of the board", "m"),
             "y": ("middle of the board", "m"),
             "theta": ("heading of the board", "rad"),

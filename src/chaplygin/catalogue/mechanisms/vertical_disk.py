@@ -127,8 +127,8 @@ ENTRIES = (
             "x": ("place down the slope", "m"),
             "y": ("place across the slope", "m"),
             "theta": ("heading", "rad"),
-            "psidot": ("angular velocity of rolling", "1/s"),
-            "w": ("angular velocity of turning", "1/s"),
+            "psidot": ("angular velocity of rolling", "rad/s"),
+            "w": ("angular velocity of turning", "rad/s"),
         },
     ),
 )
