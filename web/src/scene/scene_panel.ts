@@ -139,7 +139,6 @@ export function scenePanel(lab: Lab): ScenePanel | null {
   return { element: area, stage, switches, refresh, choice: () => stage.viewChoice, restore };
 }
 
-/** Whether there is anything to draw: a body that turns, a mechanism, a way. */
 /** Whether the system has something to be drawn in space. */
 export function drawable(lab: Lab): boolean {
   const { columns } = lab.shown.value.motion;
@@ -170,7 +169,8 @@ function switchesOf(lab: Lab, stage: Stage, shown: Shown, changed: () => void): 
     follow.setAttribute("aria-pressed", "false");
   });
   add("path", "Path on the ground", "p", shown.trace, (on) => (shown.trace = on));
-  if (scene.path === null) {
+  const hasBody = scene.path === null && (scene.inertia_axes !== null || lab.shown.value.surfaces.body !== null);
+  if (hasBody) {
     add("trace", "Trace of the contact on the body", "t", shown.traceOnBody, (on) => (shown.traceOnBody = on));
   }
   scene.vectors.forEach((vector, index) => {
@@ -186,7 +186,7 @@ function switchesOf(lab: Lab, stage: Stage, shown: Shown, changed: () => void): 
   if (scene.inertia_axes !== null && scene.body !== null) {
     add("inertia", "Inertia ellipsoid", "i", shown.inertia, (on) => (shown.inertia = on));
   }
-  if (scene.path === null) add("centre", "Centre of mass", "c", shown.centre, (on) => (shown.centre = on));
+  if (hasBody) add("centre", "Centre of mass", "c", shown.centre, (on) => (shown.centre = on));
   const reset = element("button", { type: "button", title: "Whole view (r)", "data-key": "r" }, "whole view");
   reset.addEventListener("click", () => {
     stage.reset();
