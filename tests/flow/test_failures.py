@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.catalogue import CATALOGUE
+from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.system import Guard, System
 from chaplygin.errors import InputError, RunError
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.initial_state import initial_state
+from chaplygin.report.summary import summary
 
 x = sp.Symbol("x", real=True)
 
@@ -143,3 +144,14 @@ def test_after_a_failure_the_next_run_is_as_good_as_ever(ball):
     before = integrate(system, start, [0.0, 5.0])
     failure(system, start, [0.0, 1e7], time_limit=0.01)
     assert integrate(system, start, [0.0, 5.0]).states.tolist() == before.states.tolist()
+
+
+def test_a_quantity_without_a_value_does_not_stop_a_motion():
+    system = from_catalogue("special-veselova-nd")
+    rest = {"p": [0.0] * 4, "gamma": [0.6, 0.0, 0.0, 0.8]}
+    motion = integrate(system, rest, [0.0, 1.0])
+    assert np.isnan(motion["law_quadratic1"]).all()
+    assert (motion["law_energy"] == 0.0).all()
+    assert (motion.states[1] == motion.states[0]).all()
+    assert "undefined along this motion" in str(motion)
+    assert summary(motion)["drift"]["quadratic1"] is None

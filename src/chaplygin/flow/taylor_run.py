@@ -139,7 +139,11 @@ class TaylorRun:
         self.stepper.parameters[len(self.parameters) :] = [self.kind(x) for x in factors]
 
     def _require_numbers(self, state: WorkingArray) -> None:
-        """Refuse a start at which a recorded quantity is not a finite number."""
+        """Refuse a start at which a recorded quantity is not a finite number.
+
+        Where the motion itself goes on, as at rest where a quotient of momenta is constant, the
+        quantity is undefined there and is recorded as NaN.
+        """
         values = iter(self.code.outputs(state, self.parameters))
         for quantity in recorded_quantities(self.system):
             for _ in quantity.formulas:
@@ -148,6 +152,8 @@ class TaylorRun:
                     extremes = self._extreme_numbers(state, self._has_values)
                     if extremes:
                         raise InputError(f"start: {extremes} ({quantity.name} would be {value})")
+                    if self._has_step(state, self.parameters):
+                        return
                     raise InputError(f"start: {quantity.name} is {value} there; {NO_VALUE}")
 
     def _extreme_numbers(

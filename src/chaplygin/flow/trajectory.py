@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -22,6 +23,9 @@ from ..formulas.array_evaluation import values
 from .taylor.working_numbers import WorkingArray, WorkingNumber
 
 Number = TypeVar("Number", bound=np.generic)
+
+#: Of the drift of a quantity without a value along the motion, such as 0/0 at rest.
+UNDEFINED = "undefined along this motion"
 
 
 class UnknownVariableError(InputError, KeyError):
@@ -206,7 +210,8 @@ class Trajectory(WithOverview):
 
     def _drift(self, name: str) -> str:
         values = self.records[f"law_{name}"]
-        return f"{float(max(abs(value - values[0]) for value in values)):.1e}"
+        change = float(max(abs(value - values[0]) for value in values))
+        return UNDEFINED if math.isnan(change) else f"{change:.1e}"
 
     @arguments_checked
     def subsample(self, pieces: int) -> Trajectory:

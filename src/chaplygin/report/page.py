@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -37,7 +38,7 @@ from ..proof.verdict import Verdict
 from . import figures
 from .contact_section import contact_plates, contact_section
 from .drawing.modes import changes_mode
-from .summary import drift
+from .summary import drift_text
 
 #: Term operations that the proof of one law may take, and those of all together: the first unless
 #: more is asked for, the second so many times the first.
@@ -187,9 +188,9 @@ def render(
                 "formula": Markup(equations_html([("", law.value)])),
                 "source": law.source,
                 "verdict": verdicts[law.name],
-                "value": number(float(trajectory.records[f"law_{law.name}"][0]), 12),
+                "value": _value_text(float(trajectory.records[f"law_{law.name}"][0])),
                 "unit": unit(law.unit),
-                "drift": number(drift(trajectory.records[f"law_{law.name}"]), 2),
+                "drift": drift_text(trajectory.records[f"law_{law.name}"]),
             }
             for law in (() if contact else system.integrals)
         ],
@@ -256,6 +257,10 @@ def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
             }
         )
     return rows
+
+
+def _value_text(value: float) -> str:
+    return "–" if math.isnan(value) else number(value, 12)
 
 
 def _legend(words: str) -> dict[str, object]:

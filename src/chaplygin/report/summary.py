@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, SupportsFloat
 
 import numpy as np
 
 from ..core.system import System
 from ..experiment.dataset import Samples
-from ..flow.trajectory import Trajectory
+from ..flow.trajectory import UNDEFINED, Trajectory
+from ..printing.numerals import number
 
 
 def drift(values: Samples) -> float:
@@ -28,7 +30,8 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
             str(s): _plain(x) for s, x in zip(system.symbols, trajectory.states[-1], strict=True)
         },
         "drift": {
-            law.name: drift(trajectory.records[f"law_{law.name}"]) for law in system.integrals
+            law.name: _defined(drift(trajectory.records[f"law_{law.name}"]))
+            for law in system.integrals
         },
         "events": [
             {"time": h.time, "what": h.guard.message, "stopped": h.is_terminal}
@@ -38,6 +41,17 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
         "order": statistics.order,
         "seconds": statistics.seconds,
     }
+
+
+def drift_text(values: Samples) -> str:
+    """The drift as a number, or that there is none."""
+    value = drift(values)
+    return UNDEFINED if math.isnan(value) else number(value, 2)
+
+
+def _defined(value: float) -> float | None:
+    """A drift; None for a quantity that has no value along the motion, such as 0/0 at rest."""
+    return None if math.isnan(value) else value
 
 
 def _plain(number: SupportsFloat) -> float | str:
@@ -53,6 +67,7 @@ def summary_text(system: System, trajectory: Trajectory, facts: dict[str, Any]) 
     laws = {law.name: law for law in trajectory.system.integrals}
     for name, value in facts["drift"].items():
         source = f", {laws[name].source}" if laws[name].source else ""
-        lines.append(f"  {laws[name].meaning}{source}: drift {value:.1e}")
+        words = UNDEFINED if value is None else f"drift {value:.1e}"
+        lines.append(f"  {laws[name].meaning}{source}: {words}")
     lines += [f"  {event}" for event in trajectory.events]
     return "\n".join(lines)

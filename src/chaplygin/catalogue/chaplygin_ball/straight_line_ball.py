@@ -86,6 +86,15 @@ def _velocity(vector: MatrixExpr) -> MatrixExpr:
     return A * vector - m * R**2 * dot(lever, vector) / (1 + m * R**2 * dot(beta, lever)) * lever
 
 
+def _across(value: sp.Expr) -> Integral:
+    meaning = "momentum about the horizontal normal of the line"
+    return Integral("across", value, meaning, source=SOURCE, unit=MOMENTUM)
+
+
+def _upward(value: sp.Expr) -> Integral:
+    return Integral("upward", value, "vertical momentum", source=SOURCE, unit=MOMENTUM)
+
+
 def build(p: Numbers) -> System:
     """The equations from the principle of d'Alembert, with the multiplier λ₀."""
     return System(
@@ -111,14 +120,8 @@ def build(p: Numbers) -> System:
         relations=(unit_length(), dot(omega, alpha)),
         laws=(
             Integral("energy", HALF * dot(M, omega), "energy", source=SOURCE, unit="J"),
-            Integral(
-                "across",
-                dot(M, beta),
-                "momentum about the horizontal normal of the line",
-                source=SOURCE,
-                unit=MOMENTUM,
-            ),
-            Integral("upward", dot(M, gamma), "vertical momentum", source=SOURCE, unit=MOMENTUM),
+            _across(dot(M, beta)),
+            _upward(dot(M, gamma)),
             Measure("measure", {Delta: HALF}, "invariant measure", source=SOURCE),
             SHIFT,
             Isomorphism(
@@ -181,6 +184,8 @@ def momenta(p: Numbers) -> System:
             Integral(
                 "energy", HALF * (P * omega_b + S * omega_c), "energy", source=SOURCE, unit="J"
             ),
+            _across(P),
+            _upward(S),
             Measure("measure", {Delta: -HALF}, "invariant measure", source=SOURCE),
             SHIFT,
         ),
