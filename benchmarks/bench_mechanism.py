@@ -4,7 +4,8 @@ Compared are the derivation of the equations, the arithmetic operations in them 
 matrix and forcing as returned, and after its elimination of common subexpressions), one evaluation
 of the accelerations in NumPy, and the eigenvalues of straight running at 5 m/s.  The accelerations
 of this package are solved for; SymPy's are solved numerically at every evaluation.  A Kane model
-taken in by `from_sympy` is a third way.  All take turns; medians of processor time are compared.
+taken in by `from_sympy` is a third way.  For derivations all take turns, each time in a process of
+its own in which nothing is remembered; medians of processor time are compared.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ import statistics
 import sys
 import time
 from collections.abc import Callable
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -100,10 +102,11 @@ def taken_in_eigenvalues(system: System) -> list[complex]:
     ]
 
 
-def timed(job: Callable[[], Any]) -> tuple[float, Any]:
+def seconds(job: Callable[[], Any]) -> float:
+    """Processor time of a job."""
     began = time.process_time()
-    result = job()
-    return time.process_time() - began, result
+    job()
+    return time.process_time() - began
 
 
 def each(job: Callable[[], Any], seconds: float = 0.5) -> float:
@@ -118,33 +121,35 @@ def each(job: Callable[[], Any], seconds: float = 0.5) -> float:
 def measured(turns: int, linearisation: bool) -> dict[str, dict[str, float]]:
     """Medians by way and quantity."""
     found: dict[str, dict[str, list[float]]] = {}
+    ways = (("chaplygin", own), ("SymPy", kane), ("SymPy, taken in", taken_in))
 
     def note(way: str, what: str, value: float) -> None:
         found.setdefault(way, {}).setdefault(what, []).append(value)
 
     for _ in range(turns):
-        for way, derive in (("chaplygin", own), ("SymPy", kane), ("SymPy, taken in", taken_in)):
-            sp.core.cache.clear_cache()
-            seconds, model = timed(derive)
-            note(way, "derivation (s)", seconds)
-            if isinstance(model, System):
-                note(way, "operations", operations(model))
-                note(way, "one evaluation (µs)", 1e6 * each(own_rate(model)))
-            else:
-                pair = (model.mass_matrix_full, model.forcing_full)
-                note(way, "operations", int(sum(sp.count_ops(part) for part in pair)))
-                steps, parts = sp.cse(pair)
-                shared = (*(value for _, value in steps), *parts)
-                note(way, "after sharing", int(sum(sp.count_ops(e) for e in shared)))
-                note(way, "one evaluation (µs)", 1e6 * each(kane_rate(model)))
-            if linearisation:
-                job = {
-                    "chaplygin": lambda: whipple_bicycle.linearisation_near(SPEED).eigenvalues,
-                    "SymPy": lambda model=model: kane_eigenvalues(model),
-                    "SymPy, taken in": lambda model=model: taken_in_eigenvalues(model),
-                }[way]
-                whipple_bicycle.model()
-                note(way, "eigenvalues (s)", timed(job)[0])
+        for way, derive in ways:
+            with get_context("spawn").Pool(1) as fresh:
+                note(way, "derivation (s)", fresh.apply(seconds, (derive,)))
+    for way, derive in ways:
+        model = derive()
+        if isinstance(model, System):
+            note(way, "operations", operations(model))
+            note(way, "one evaluation (µs)", 1e6 * each(own_rate(model)))
+        else:
+            pair = (model.mass_matrix_full, model.forcing_full)
+            note(way, "operations", int(sum(sp.count_ops(part) for part in pair)))
+            steps, parts = sp.cse(pair)
+            shared = (*(value for _, value in steps), *parts)
+            note(way, "after sharing", int(sum(sp.count_ops(e) for e in shared)))
+            note(way, "one evaluation (µs)", 1e6 * each(kane_rate(model)))
+        if linearisation:
+            job = {
+                "chaplygin": lambda: whipple_bicycle.linearisation_near(SPEED).eigenvalues,
+                "SymPy": lambda model=model: kane_eigenvalues(model),
+                "SymPy, taken in": lambda model=model: taken_in_eigenvalues(model),
+            }[way]
+            whipple_bicycle.model()
+            note(way, "eigenvalues (s)", seconds(job))
     return {
         way: {what: statistics.median(values) for what, values in row.items()}
         for way, row in found.items()

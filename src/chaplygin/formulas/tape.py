@@ -10,13 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from graphlib import TopologicalSorter
 from itertools import count
 
 import sympy as sp
 
 from ..core.vectors import real_symbol
+from .cancellation import in_lowest_terms
 
 SHORT = 2
 """Operations up to which a value is written out instead of being named."""
@@ -28,6 +29,8 @@ SPREAD = 400
 """Terms up to which a formula may be multiplied out to that end."""
 
 Step = tuple[sp.Symbol, sp.Expr]
+
+_operations = lru_cache(maxsize=4096)(sp.count_ops)
 
 
 @dataclass(frozen=True)
@@ -81,7 +84,7 @@ class Tape:
 
     def name(self, value: sp.Expr, label: str = "z") -> sp.Expr:
         """A name for a value, made from `label`, or the value itself where it is short."""
-        if sp.count_ops(value) <= SHORT:
+        if _operations(value) <= SHORT:
             return value
         if value not in self._names:
             symbol = self.fresh(label)
@@ -131,11 +134,11 @@ class Tape:
             if not inner:
                 break
             written = written.xreplace(inner)
-            if sp.count_ops(written) > LARGEST:
+            if _operations(written) > LARGEST:
                 return value
         shortened = simplify_small(written)
-        limit = max(SMALL // 2, sp.count_ops(value))
-        return shortened if sp.count_ops(shortened) <= limit else value
+        limit = max(SMALL // 2, _operations(value))
+        return shortened if _operations(shortened) <= limit else value
 
     def steps(self, formulas: Iterable[sp.Expr]) -> tuple[Step, ...]:
         """The definitions on which formulas depend, in an order in which each can be computed."""
@@ -157,17 +160,18 @@ class Tape:
         return tuple((s, self._values[s]) for s in TopologicalSorter(ordered).static_order())
 
 
+@lru_cache(maxsize=4096)
 def simplify_small(value: sp.Expr) -> sp.Expr:
     """A small formula as short as cancelling and sin² + cos² = 1 make it; a large one unchanged."""
-    if value.is_Atom or sp.count_ops(value) > LARGEST or _spread(value) > SPREAD:
+    if value.is_Atom or _operations(value) > LARGEST or _spread(value) > SPREAD:
         return value
     candidates = [value]
     angles = sorted({f.args[0] for f in value.atoms(sp.sin, sp.cos)}, key=str)
     if angles:
         candidates.append(_on_circles(value, angles))
     if not value.has(sp.Derivative, sp.Subs):
-        candidates.extend(sp.factor_terms(sp.cancel(c)) for c in tuple(candidates))
-    return min(candidates, key=sp.count_ops)
+        candidates.extend(in_lowest_terms(c) for c in tuple(candidates))
+    return min(candidates, key=_operations)
 
 
 def _spread(value: sp.Expr) -> int:
@@ -200,7 +204,7 @@ def _on_circle(value: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
         }
         if table:
             candidates.append(sp.expand(value.xreplace(table)))
-    return min(candidates, key=sp.count_ops)
+    return min(candidates, key=_operations)
 
 
 def _whole(exponent: sp.Expr) -> bool:

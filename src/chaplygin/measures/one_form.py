@@ -16,7 +16,6 @@ provided that spinning about the normal, which moves no γ, does not change the 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -40,7 +39,7 @@ from ..core.vectors import (
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.shapes.shapes import Ball
 from ..mechanics.shapes.surfaces import Plane
-from .shape_geometry import Geometry, geometry
+from .shape_geometry import geometry
 
 #: Bases with exponents.
 Powers = tuple[tuple[sp.Expr, sp.Expr], ...]
@@ -139,7 +138,19 @@ def one_form(rolling: Rolling) -> OneForm:
     else:
         trace = sp.Add(*(A.entries[i, i] for i in range(3))) + share * norm_squared(lever)
         tau, wander = real_symbol("tau_A"), Vector("V_r")
-        definitions += ((wander, here.spread(here.contract(r))), (tau, _twist(here, inverse)))
+        short, columns = Vector("K_r"), [Vector(f"K_{i}") for i in (1, 2, 3)]
+        units = [unit_vector(i) for i in (1, 2, 3)]
+        twists = [
+            dot(inverse(unit), here.spread(column))
+            for unit, column in zip(units, columns, strict=True)
+        ]
+        definitions += (
+            (short, here.contract(r)),
+            *((c, here.contract(cross(gamma, e))) for c, e in zip(columns, units, strict=True)),
+            (wander, here.spread(short)),
+            # Σ (A e_i, V(γ×e_i)), the trace of AVγ×
+            (tau, sp.Add(*twists)),
+        )
         turned = cross(gamma, inverse(cross(gamma, wander))) + tau * cross(gamma, r)
         form = -m * (here.spread(inverse(r) - trace * r) - here.stretch(turned))
         value = dot(cross(gamma, wander), inverse(gamma)) + dot(gamma, r) * tau
@@ -170,13 +181,3 @@ def _scale(rolling: Rolling) -> sp.Expr:
         return sp.S.One
     scale: sp.Expr = 1 - shape.gauss().support / a
     return scale
-
-
-def _twist(here: Geometry, inverse: Callable[[sp.MatrixExpr], sp.MatrixExpr]) -> sp.Expr:
-    """τ = Σ (A e_i, V(γ×e_i)), the trace of AVγ×."""
-    return sp.Add(
-        *(
-            dot(inverse(unit_vector(i)), here.spread(here.contract(cross(gamma, unit_vector(i)))))
-            for i in (1, 2, 3)
-        )
-    )

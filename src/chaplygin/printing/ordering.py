@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property, total_ordering
 
 import sympy as sp
 from sympy.matrices.expressions import Identity, MatAdd, MatMul, MatrixExpr
@@ -33,7 +34,28 @@ def _weight(formula: sp.Basic) -> int:
     return sum(map(_weight, formula.args))
 
 
-def _term_key(term: sp.Basic) -> tuple[int, int, bool, str]:
+@total_ordering
+class _Spelling:
+    """The text of a formula, written only where an order depends on it."""
+
+    def __init__(self, formula: sp.Basic) -> None:
+        self.formula = formula
+
+    @cached_property
+    def text(self) -> str:
+        return str(sp.sstr(self.formula))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Spelling) and self.text == other.text
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def __lt__(self, other: _Spelling) -> bool:
+        return self.text < other.text
+
+
+def _term_key(term: sp.Basic) -> tuple[int, int, bool, _Spelling]:
     """Short terms first; before them ½ (M, ω), and a negative number after all."""
     negative = is_negative(term)
     place = 1
@@ -41,7 +63,7 @@ def _term_key(term: sp.Basic) -> tuple[int, int, bool, str]:
         place = 2
     elif isinstance(term, (sp.Mul, Dot)) and isinstance(term.as_coeff_Mul()[1], Dot):
         place = 1 if negative else 0
-    return place, _weight(term), negative, str(sp.sstr(term))
+    return place, _weight(term), negative, _Spelling(term)
 
 
 def is_negative(term: sp.Basic) -> bool:
@@ -88,7 +110,7 @@ def common_fraction(formula: sp.Basic) -> sp.Rational:
     return share if not shares and share.is_Rational and share.q != 1 else sp.S.One
 
 
-def _factor_key(factor: sp.Expr) -> tuple[int, int, str]:
+def _factor_key(factor: sp.Expr) -> tuple[int, int, str | _Spelling]:
     """Sort key: letters, derivatives, scalar products, functions, roots, sums."""
     base = factor.base if isinstance(factor, sp.Pow) else factor
     if isinstance(base, sp.Symbol):
@@ -96,7 +118,9 @@ def _factor_key(factor: sp.Expr) -> tuple[int, int, str]:
         kind = 4 if letter.accents or letter.primes else 3 if letter.base in GREEK else 2
         return 0, _FIRST.get(str(base), kind), str(base).casefold()
     rank = 3 if isinstance(base, sp.Add) else 1 if isinstance(base, Dot) else 2
-    return 0 if base.is_number else rank, 0, str(sp.sstr(factor))
+    if base.is_number:
+        return 0, 0, str(sp.sstr(factor))
+    return rank, 0, _Spelling(factor)
 
 
 def vector_of(symbols: Sequence[sp.Expr]) -> Vector | None:

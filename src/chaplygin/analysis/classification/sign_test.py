@@ -25,6 +25,9 @@ Sign = Literal["kept", "changes", "unknown"]
 #: Boxes that are tested before the sign is left unknown.
 BOXES = 3000
 
+#: Radius of a box, as a part of its bound, below which no smaller one is tried: a zero is near.
+SMALLEST = 1e-9
+
 
 def sign(sample: RankSample, formulas: Sequence[sp.Expr]) -> Sign:
     """Whether none of some formulas vanishes or becomes infinite on a phase space.
@@ -105,6 +108,7 @@ def _is_covered(sample: RankSample, formula: sp.Expr, expansion: sp.Expr) -> boo
     conditions = [c for c in sample.level_set.moving if c.free_symbols <= set(bounds)]
     # a little wider than the bound itself, which need not be a binary fraction
     waiting = [tuple((arb(0), arb(float(bounds[s])) * arb("1.0001")) for s in order)]
+    smallest = [SMALLEST * radius for _, radius in waiting[0]]
     with ball_precision():
         for _ in range(BOXES):
             if not waiting:
@@ -114,6 +118,8 @@ def _is_covered(sample: RankSample, formula: sp.Expr, expansion: sp.Expr) -> boo
             if any(_is_nonzero_on(sample, c, values) for c in conditions):
                 continue
             if not _is_nonzero_on(sample, formula, values):
+                if all(r < s for (_, r), s in zip(box, smallest, strict=True)):
+                    return False
                 waiting += _halves(box)
     return False
 

@@ -129,9 +129,10 @@ def same_field(
         return False
     compared = False
     try:
-        for point in rational_points(second, second_numbers):
+        for point, rates in _points_with_rates(second, second_numbers):
             compared = True
-            if rates_at(first, point, first_numbers) != rates_at(second, point, second_numbers):
+            value = _evaluator(first, point, first_numbers).value
+            if any(value(own) != rate for own, rate in zip(first.rates, rates, strict=True)):
                 return False
     except (NotExactError, OutOfReachError, UnknownSymbolError, ZeroDivisionError):
         # a field with roots or functions, or singular elsewhere, is none of those that are known
@@ -171,6 +172,10 @@ def rates_at(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[fm
 
 def rational_points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
     """Rational points of a phase space of two vectors u and n, n² = 1, and perhaps (u, n) = 0."""
+    return (point for point, _ in _points_with_rates(system, numbers))
+
+
+def _points_with_rates(system: System, numbers: Numbers) -> Iterator[tuple[list[fmpq], list[fmpq]]]:
     if len(system.symbols) != 2 * SIZE:
         return
     relations = [to_components(relation) for relation in system.relations]
@@ -181,8 +186,8 @@ def rational_points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
             values = _evaluator(system, point, numbers)
             try:
                 on_it = all(values.value(relation) == 0 for relation in relations)
-                if on_it and rates_at(system, point, numbers):
-                    yield point
+                if on_it and (rates := [values.value(rate) for rate in system.rates]):
+                    yield point, rates
                     count += 1
                     break
             except ZeroDivisionError:
