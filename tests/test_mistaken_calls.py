@@ -50,6 +50,7 @@ MISTAKES: dict[str, Callable[[], Any]] = {
     "Experiment.path object": lambda: EXP.path(object()),
     "Experiment.where number": lambda: EXP.where("body", 1),
     "measure_exists by keyword": lambda: c.measure_exists(source="ball"),
+    "unit_vector 4": lambda: c.core.unit_vector(4),
     "Ball str": lambda: c.Ball("1"),
     "Ball None": lambda: c.Ball(None),
     "Ball neg": lambda: c.Ball(-1),

@@ -42,7 +42,6 @@ from .display import formula_latex
 
 Scalar: TypeAlias = sp.Expr
 Components: TypeAlias = sp.ImmutableDenseMatrix
-
 _LABELS = {2: ("x", "y"), 3: ("1", "2", "3"), 4: ("w", "x", "y", "z")}
 
 zero: MatrixExpr = ZeroMatrix(3, 1)
@@ -230,7 +229,9 @@ def vectors(names: str) -> tuple[Vector, ...]:
 
 @arguments_checked
 def unit_vector(axis: int) -> MatrixExpr:
-    """The unit vector along body axis 1, 2 or 3."""
+    """The unit vector along body axis 1, 2 or 3; InputError for another one."""
+    if axis not in (1, 2, 3):
+        raise InputError(f"unit_vector: axis must be 1, 2 or 3, not {axis}")
     return constant([int(axis == i) for i in (1, 2, 3)])
 
 

@@ -49,7 +49,10 @@ class RunLog:
 
 
 #: The reason why a formula has no finite value if its variables have usual sizes.
-NO_VALUE = "a formula divides by zero, or takes a root or logarithm of what has none"
+NO_VALUE = (
+    "a formula divides by zero, or takes a root or logarithm of what has none, or the numbers of "
+    "the system differ too much in size"
+)
 
 
 class StoppedError(Exception):

@@ -75,7 +75,9 @@ def board(p: Numbers) -> Mechanism:
         },
         parameters=_parameters(p),
         laws=(
-            Integral("steering", steer, "angular velocity of steering", source=SOURCE, unit="rad/s"),
+            Integral(
+                "steering", steer, "angular velocity of steering", source=SOURCE, unit="rad/s"
+            ),
             Measure(
                 "measure",
                 {(K - J_0) * sine**2 + m * ell**2 * cosine**2: HALF},

@@ -103,7 +103,9 @@ def train(count: int, values: Mapping[str, float] | None = None) -> Mechanism:
         constraints=tuple(constraints),
         definitions=definitions,
         parameters=_parameters(count, p),
-        laws=(Integral("turning", turn, "angular velocity of the car", source=SOURCE, unit="rad/s"),),
+        laws=(
+            Integral("turning", turn, "angular velocity of the car", source=SOURCE, unit="rad/s"),
+        ),
         title=TITLE,
         source=SOURCE,
         summary=SUMMARY,
