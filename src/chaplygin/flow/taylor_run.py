@@ -198,7 +198,7 @@ class TaylorRun:
 
     def _with_integrals(self, state: WorkingArray) -> Projector:
         """A projector onto the relations and the present values of the integrals together."""
-        blocks = (*self.code.core, *self.code.laws)
+        blocks = (*self.code.core, *self.code.laws())
         relations = sum(block.count for block in self.code.core)
         free = Projector(blocks, slice(0, self.core), self.parameters, self.left_alone)
         target = free.values(state)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from importlib.metadata import version
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 import numpy as np
 import sympy as sp
@@ -21,6 +21,11 @@ from .projection import Block
 from .recurrences import SERIES_SIGNATURES, series_text
 from .state_series import SeriesLayout, Step, TaylorSeries, series_order
 from .working_numbers import Direction, Precision, WorkingArray, WorkingNumber
+
+#: Formulas that vanish, by name, with the columns of the state that they move.
+Residuals: TypeAlias = dict[str, tuple[list[sp.Expr], slice]]
+#: Of the functions of formulas, by name.
+Shapes: TypeAlias = dict[str, FormulaShape]
 
 #: Tolerances finer than this are beyond the working precision.
 FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
@@ -78,9 +83,10 @@ class CompiledSystem:
         changes it, so that a user works with a copy.
     outputs : callable
         From states and parameters to observables, laws and guards.
-    core, lift, laws : tuple of Block
-        The relations of the reduced state, of its lift to space, and the integrals; at most one
-        block each.
+    core, lift : tuple of Block
+        The relations of the reduced state and of its lift to space; at most one block each.
+    laws : callable
+        That of the integrals, which is compiled when it is asked for.
     variable_guards : tuple of int
         Guards that can change during a motion; others are the same in every state.
     from_cache : bool
@@ -91,7 +97,7 @@ class CompiledSystem:
     outputs: Callable[[WorkingArray, WorkingArray], WorkingArray]
     core: tuple[Block, ...]
     lift: tuple[Block, ...]
-    laws: tuple[Block, ...]
+    laws: Callable[[], tuple[Block, ...]]
     variable_guards: tuple[int, ...]
     from_cache: bool = False
 
@@ -110,7 +116,7 @@ class _Layout:
 
     series: SeriesLayout
     variable_guards: tuple[int, ...]
-    formulas: dict[str, FormulaShape]
+    formulas: Shapes
 
 
 @dataclass(frozen=True)
@@ -154,16 +160,21 @@ class _Plan:
         return [item.value for group in groups for item in group]
 
     @cached_property
-    def _blocks(self) -> dict[str, tuple[list[sp.Expr], slice]]:
+    def _blocks(self) -> Residuals:
         """Residuals with the columns that they move."""
         core = slice(0, len(self.system.symbols))
         lift = self.system.reconstruction
         blocks = {
             "core": (list(self.system.relations), core),
             "lift": (list(lift.relations) if lift else [], slice(core.stop, None)),
-            "laws": ([law.value for law in self.system_in_space.integrals], core),
         }
         return {name: block for name, block in blocks.items() if block[0]}
+
+    @cached_property
+    def _law_blocks(self) -> Residuals:
+        """The integrals, which the reduced state moves."""
+        laws = [law.value for law in self.system_in_space.integrals]
+        return {"laws": (laws, slice(0, len(self.system.symbols)))} if laws else {}
 
     def code(self) -> tuple[bytes, _Layout]:
         """The machine code, and its layout."""
@@ -182,20 +193,35 @@ class _Plan:
         size = len(rates)
         order = series_order(max(self.tolerance, FINEST["double"]))
         series = series_text(rates, events, size, order)
-        texts, shapes = [series.text], {}
-        formulas = {"outputs": reader.components(self._output_formulas)}
-        for name, (residuals, columns) in self._blocks.items():
-            formulas[name] = reader.components(residuals)
-            moved = [graph.state(i) for i in range(size)[columns]]
-            rows = graph.jacobian(formulas[name], moved)
-            formulas[f"{name}_slopes"] = [slope for row in rows for slope in row]
-        for name, terms in formulas.items():
-            text, shapes[name] = formulas_text(name, terms, size)
-            texts.append(text)
+        outputs = {"outputs": reader.components(self._output_formulas)}
+        text, shapes = _with_slopes(graph, reader, size, self._blocks, outputs)
         layout = SeriesLayout(
             size, len(events), first + len(events), order, series.doubles, series.stride
         )
-        return jit.object_code("\n".join(texts)), _Layout(layout, variable, shapes)
+        return jit.object_code(f"{series.text}\n{text}"), _Layout(layout, variable, shapes)
+
+    def law_code(self) -> tuple[bytes, Shapes]:
+        """The machine code of the integrals and their derivatives."""
+        system = self.system_in_space
+        graph = Graph()
+        text, shapes = _with_slopes(
+            graph, Reader(system, graph), len(system.symbols), self._law_blocks, {}
+        )
+        return jit.object_code(text), shapes
+
+    def laws(self) -> tuple[Block, ...]:
+        """The block of the integrals in doubles."""
+        if not self._law_blocks:
+            return ()
+        name = jit.code_name(f"{self.name} laws")
+        (code, shapes), _ = cache.cached_entry(name, self.law_code)
+        native = jit.Native(
+            *jit.link(name, code, dict.fromkeys(shapes, SIGNATURE)), from_cache=True
+        )
+        values, slopes = (
+            NativeFormulas(shapes[key], native, key) for key in ("laws", "laws_slopes")
+        )
+        return (Block(values, slopes, values.shape.count),)
 
     def compile(self) -> CompiledSystem:
         """The system in doubles."""
@@ -214,7 +240,7 @@ class _Plan:
             formulas["outputs"],
             blocks.get("core", ()),
             blocks.get("lift", ()),
-            blocks.get("laws", ()),
+            self.laws,
             layout.variable_guards,
             from_cache,
         )
@@ -224,7 +250,8 @@ class _Plan:
         from .heyoka_series import HeyokaFormulas, HeyokaSeries, heyoka_code
 
         double = replace(self, precision="double", tolerance=1e-15).compile()
-        residuals = {name: block[0] for name, block in self._blocks.items()}
+        every = {**self._blocks, **self._law_blocks}
+        residuals = {name: block[0] for name, block in every.items()}
         code, from_cache = cache.cached_entry(
             cache.code_name(self.name, version("heyoka")),
             lambda: heyoka_code(
@@ -239,13 +266,35 @@ class _Plan:
         blocks = {
             name: (replace(getattr(double, name)[0], residual=wide[name]),) for name in self._blocks
         }
+
+        def laws() -> tuple[Block, ...]:
+            return tuple(replace(block, residual=wide["laws"]) for block in double.laws())
+
         return replace(
             double,
             series=HeyokaSeries(code.integrator),
             outputs=wide["outputs"],
+            laws=laws,
             from_cache=from_cache,
             **blocks,
         )
+
+
+def _with_slopes(
+    graph: Graph, reader: Reader, size: int, blocks: Residuals, more: Mapping[str, list[Term]]
+) -> tuple[str, Shapes]:
+    """Residuals and their derivatives, with further formulas, in LLVM's assembly language."""
+    formulas = dict(more)
+    for name, (residuals, columns) in blocks.items():
+        formulas[name] = reader.components(residuals)
+        moved = [graph.state(i) for i in range(size)[columns]]
+        rows = graph.jacobian(formulas[name], moved)
+        formulas[f"{name}_slopes"] = [slope for row in rows for slope in row]
+    texts, shapes = [], {}
+    for name, terms in formulas.items():
+        text, shapes[name] = formulas_text(name, terms, size)
+        texts.append(text)
+    return "\n".join(texts), shapes
 
 
 @lru_cache(maxsize=64)
