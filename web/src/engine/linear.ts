@@ -9,11 +9,29 @@ export interface Equations {
 /** A row is dependent on earlier ones if so small a share of it is left. */
 const DEPENDENT = 1e-9;
 
-/**
- * The shortest step that makes up for what is missed. The row of which most is left comes next, so that what depends on
- * others is left out, and not what little is left of a row that rounding has changed.
- */
+/** The shortest step that makes up for what is missed; rows that depend on others are left out. */
 export function shortestStep({ rows, misses }: Equations, size: number): Float64Array {
+  const step = new Float64Array(size);
+  const basis: Float64Array[] = [];
+  rows.forEach((row, i) => {
+    const left = Float64Array.from(row);
+    const whole = norm(row);
+    for (let pass = 0; pass < 2; pass++) for (const q of basis) remove(left, q);
+    const length = norm(left);
+    if (!(length > DEPENDENT * whole)) return;
+    for (let k = 0; k < size; k++) left[k]! /= length;
+    const share = (misses[i]! - dot(row, step)) / length;
+    for (let k = 0; k < size; k++) step[k]! += share * left[k]!;
+    basis.push(left);
+  });
+  return step;
+}
+
+/**
+ * The same for rows that nearly depend on each other, where little is missed: the row of which most is left comes next, so
+ * that what rounding leaves of a row is no direction.
+ */
+export function correction({ rows, misses }: Equations, size: number): Float64Array {
   const step = new Float64Array(size);
   const left = rows.map((row) => Float64Array.from(row));
   const whole = rows.map(norm);

@@ -1,7 +1,7 @@
 /** Starts: from the numbers that a user turns, and from points of a section on a level. */
 
 import type { LevelTask, Numbers, StartTask, State } from "./engine.js";
-import { dot, orthonormal, shortestStep } from "./linear.js";
+import { correction, dot, orthonormal, shortestStep } from "./linear.js";
 import type { Module } from "./module.js";
 
 /** A start may miss a relation by this much, relative to its size; more is refused, as in Python. */
@@ -105,8 +105,8 @@ export function restoreRelations(module: Module, state: Float64Array, values: Fl
   const { phase_space: table, whole_relations: count, relations, conditions } = module.tables;
   if (count === 0 || largestMiss(module.values(table, state, values), state, count) <= LEFT_ALONE) return;
   const places = Array.from(state.keys());
-  onPhaseSpace(module, state, values, places.slice(0, conditions.inputs), relations);
-  onPhaseSpace(module, state, values, places.slice(conditions.inputs));
+  onPhaseSpace(module, state, values, places.slice(0, conditions.inputs), correction, relations);
+  onPhaseSpace(module, state, values, places.slice(conditions.inputs), correction);
 }
 
 /** Move some numbers of a whole state, in place, until the first relations hold, or all of them. */
@@ -115,6 +115,7 @@ export function onPhaseSpace(
   state: Float64Array,
   values: Float64Array,
   moving: readonly number[],
+  stepFor = shortestStep,
   first = module.tables.whole_relations,
 ): { done: boolean; misses: number[] } {
   const { phase_space: table, whole_relations: count } = module.tables;
@@ -129,7 +130,7 @@ export function onPhaseSpace(
     const rows = misses.map((_, i) =>
       Float64Array.from(moving, (k) => numbers[count + i * size + k]!),
     );
-    const change = shortestStep({ rows, misses: misses.map((x) => -x) }, moving.length);
+    const change = stepFor({ rows, misses: misses.map((x) => -x) }, moving.length);
     moving.forEach((k, j) => (state[k]! += change[j]!));
     const scale = 1 + Math.max(...state.map(Math.abs));
     const longest = Math.max(...change.map(Math.abs));

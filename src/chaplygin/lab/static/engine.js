@@ -86,6 +86,22 @@ function turnsOutward(p, n, a, b, c) {
 var DEPENDENT = 1e-9;
 function shortestStep({ rows, misses }, size) {
   const step = new Float64Array(size);
+  const basis = [];
+  rows.forEach((row, i) => {
+    const left = Float64Array.from(row);
+    const whole = norm(row);
+    for (let pass = 0; pass < 2; pass++) for (const q of basis) remove(left, q);
+    const length = norm(left);
+    if (!(length > DEPENDENT * whole)) return;
+    for (let k = 0; k < size; k++) left[k] /= length;
+    const share = (misses[i] - dot(row, step)) / length;
+    for (let k = 0; k < size; k++) step[k] += share * left[k];
+    basis.push(left);
+  });
+  return step;
+}
+function correction({ rows, misses }, size) {
+  const step = new Float64Array(size);
   const left = rows.map((row) => Float64Array.from(row));
   const whole = rows.map(norm);
   const share = (i) => norm(left[i]) / (whole[i] || 1);
@@ -211,10 +227,10 @@ function restoreRelations(module, state, values) {
   const { phase_space: table, whole_relations: count, relations, conditions } = module.tables;
   if (count === 0 || largestMiss(module.values(table, state, values), state, count) <= LEFT_ALONE) return;
   const places = Array.from(state.keys());
-  onPhaseSpace(module, state, values, places.slice(0, conditions.inputs), relations);
-  onPhaseSpace(module, state, values, places.slice(conditions.inputs));
+  onPhaseSpace(module, state, values, places.slice(0, conditions.inputs), correction, relations);
+  onPhaseSpace(module, state, values, places.slice(conditions.inputs), correction);
 }
-function onPhaseSpace(module, state, values, moving, first = module.tables.whole_relations) {
+function onPhaseSpace(module, state, values, moving, stepFor = shortestStep, first = module.tables.whole_relations) {
   const { phase_space: table, whole_relations: count } = module.tables;
   let before = null;
   if (first === 0 || moving.length === 0) return { done: true, misses: [] };
@@ -227,7 +243,7 @@ function onPhaseSpace(module, state, values, moving, first = module.tables.whole
     const rows = misses.map(
       (_, i) => Float64Array.from(moving, (k) => numbers[count + i * size + k])
     );
-    const change = shortestStep({ rows, misses: misses.map((x) => -x) }, moving.length);
+    const change = stepFor({ rows, misses: misses.map((x) => -x) }, moving.length);
     moving.forEach((k, j) => state[k] += change[j]);
     const scale = 1 + Math.max(...state.map(Math.abs));
     const longest = Math.max(...change.map(Math.abs));
