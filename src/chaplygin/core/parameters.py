@@ -63,6 +63,9 @@ def parameters_by_symbol(
     """
     if not parameters:
         return {}
+    given = {key: value for key, value in parameters.items() if isinstance(key, sp.Symbol)}
+    if len(given) == len(parameters) and given.keys() <= system.defaults.keys():
+        return given
     symbols = {str(symbol): symbol for symbol in system.defaults}
     require_parameters(system.name, symbols, parameters)
     return {symbols[str(key)]: value for key, value in parameters.items()}

@@ -95,9 +95,20 @@ def project_to_level(
         ]
         usable = np.isfinite(slopes).all(axis=(1, 2))
         pending, defects = pending[usable], defects[usable]
-        inverse = np.linalg.pinv(slopes[usable], rcond=REDUNDANT)
+        inverse = _inverse(slopes[usable])
         moving[np.ix_(pending, free)] -= (inverse @ defects[:, :, None])[:, :, 0]
     return best, missed <= LEVEL_TOLERANCE
+
+
+def _inverse(slopes: FloatArray) -> FloatArray:
+    """Moore and Penrose's inverses of slopes (n, formulas, size)."""
+    if slopes.shape[1] > 1:
+        return np.asarray(np.linalg.pinv(slopes, rcond=REDUNDANT), dtype=np.float64)
+    # of a single row, without its decomposition
+    squares = (slopes**2).sum(axis=2, keepdims=True)
+    return np.swapaxes(
+        np.divide(slopes, squares, out=np.zeros_like(slopes), where=squares > 0), 1, 2
+    )
 
 
 def select_parameters(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy.typing as npt
 import sympy as sp
@@ -70,26 +70,12 @@ class Formulas:
         return flat.reshape(*flat.shape[:-1], len(self.formulas), len(self.system.symbols))
 
     @cached_property
-    def _terms(self) -> list[Term]:
-        known = {*self.system.symbols, *self.system.defaults, *dict(self.system.scalar_definitions)}
-        formulas = [to_components(formula) for formula in self.formulas]
-        for formula in formulas:
-            unknown = sorted(map(str, formula.free_symbols - known))
-            if unknown:
-                raise InputError(
-                    f"{self.system.name}: the formula {formula} uses {', '.join(unknown)}, which "
-                    "is neither a state variable, a definition nor a parameter"
-                )
-        reader = Reader(self.system, Graph())
-        return [reader(formula) for formula in formulas]
+    def _terms(self) -> tuple[Term, ...]:
+        return _read(self.system, tuple(self.formulas))
 
     @cached_property
-    def _slope_terms(self) -> list[Term]:
-        if not self._terms:
-            return []
-        graph = self._terms[0].graph
-        states = [graph.state(i) for i in range(len(self.system.symbols))]
-        return [slope for row in graph.jacobian(self._terms, states) for slope in row]
+    def _slope_terms(self) -> tuple[Term, ...]:
+        return _slopes(self.system, tuple(self.formulas))
 
     def _values(
         self, terms: Sequence[Term], states: npt.ArrayLike, parameters: Parameters | None
@@ -109,3 +95,29 @@ class Formulas:
     def __getstate__(self) -> dict[str, object]:
         # terms are told apart by their identity, which another process does not keep
         return {"system": self.system, "formulas": self.formulas}
+
+
+# kept for all instances: code for many motions makes one for each block of them
+@lru_cache(maxsize=256)
+def _read(system: System, formulas: tuple[sp.Expr, ...]) -> tuple[Term, ...]:
+    known = {*system.symbols, *system.defaults, *dict(system.scalar_definitions)}
+    scalars = [to_components(formula) for formula in formulas]
+    for formula in scalars:
+        unknown = sorted(map(str, formula.free_symbols - known))
+        if unknown:
+            raise InputError(
+                f"{system.name}: the formula {formula} uses {', '.join(unknown)}, which is neither "
+                "a state variable, a definition nor a parameter"
+            )
+    reader = Reader(system, Graph())
+    return tuple(reader(formula) for formula in scalars)
+
+
+@lru_cache(maxsize=256)
+def _slopes(system: System, formulas: tuple[sp.Expr, ...]) -> tuple[Term, ...]:
+    terms = _read(system, formulas)
+    if not terms:
+        return ()
+    graph = terms[0].graph
+    states = [graph.state(i) for i in range(len(system.symbols))]
+    return tuple(slope for row in graph.jacobian(terms, states) for slope in row)

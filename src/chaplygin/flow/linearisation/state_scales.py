@@ -14,6 +14,7 @@ from ...core.arrays import FloatArray
 from ...core.system import System
 from ...formulas.array_formulas import Formulas
 from ..batch import batch_integrator
+from ..devices.graphics import Device
 from ..kernel.equations import groups
 
 #: Part of a motion over which the sizes of its vectors are taken, and the number of samples.
@@ -30,6 +31,7 @@ def state_scales(
     until: float,
     parameters: Parameters = None,
     tolerance: float = 1e-12,
+    device: Device = "cpu",
 ) -> FloatArray:
     """The greatest sizes of the vectors of the state over the first tenth of motions.
 
@@ -44,6 +46,8 @@ def state_scales(
         Parameters that replace the defaults.
     tolerance : float
         See :func:`chaplygin.flow.batch.batch_integrator`.
+    device : "cpu" or "gpu"
+        Where the motions are computed.
 
     Returns
     -------
@@ -51,7 +55,8 @@ def state_scales(
         The size of the vector of each variable, positive; see `state_scales_at`.
     """
     times = STRETCH * until * np.arange(1, LOOKS + 1) / LOOKS
-    run = batch_integrator(system, tolerance=tolerance).propagate(starts, times, parameters)
+    flow = batch_integrator(system, tolerance=tolerance, device=device)
+    run = flow.propagate(starts, times, parameters)
     first = np.asarray(starts, dtype=np.float64)
     return state_scales_at(system, np.concatenate([first[:, None], run.states], axis=1), parameters)
 
