@@ -123,7 +123,10 @@ def test_a_centre_of_mass_outside_is_told(ask: Ask) -> None:
     assert ask("show", "ball.toml", "--as", "toml", "--set", "body.shape.radius=4")[2] == ""
 
 
-def test_a_centre_of_mass_outside_is_seen_where_a_study_is_printed() -> None:
+def test_a_centre_of_mass_outside_is_seen_where_a_study_is_printed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
     text = BALL.replace("radius = 1.0", "radius = 1.0\ncentre = [0, 0, 3]")
     Path("ball.toml").write_text(text)
     assert "    note    body.shape.centre puts the centre of mass outside the body" in str(

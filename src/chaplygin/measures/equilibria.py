@@ -65,6 +65,11 @@ def equilibrium_obstruction(system: System) -> EquilibriumObstruction | None:
         None says nothing: only points with coordinates −1, 0 and 1 are tried, and where these are
         too many the origin and its neighbours on the axes.
 
+    Raises
+    ------
+    InputError
+        If it is not a System.
+
     Examples
     --------
     >>> import chaplygin as ch
