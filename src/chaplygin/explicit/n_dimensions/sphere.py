@@ -9,6 +9,7 @@ separates on a curve of genus n − 1 (:mod:`.separation`).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import combinations
 
 import numpy as np
 from flint import arb, ctx, fmpq
@@ -96,7 +97,21 @@ def _solve_on_axes(
             return _on_torus(problem, operator, axes)
         except DegenerateError:
             continue
-    raise degenerate(problem)
+    pair = next(
+        ((a, b) for a, b in combinations(axes, 2) if operator.equal(a.index, b.index)), None
+    )
+    if pair is None:
+        raise degenerate(problem)
+    equal = [
+        i + 1
+        for i in range(operator.dimension)
+        if i == pair[0].index or operator.equal(pair[0].index, i)
+    ]
+    names = " and ".join(map(str, equal)) if len(equal) < SIZE else ", ".join(map(str, equal))
+    raise not_among(
+        problem,
+        f"with p and γ parallel in the axes {names}, whose a_i are equal, and those on three axes",
+    )
 
 
 def _belongs_to_a_body(operator: InertiaByProducts, axes: Sequence[Axis]) -> bool:
