@@ -9,6 +9,8 @@ import pytest
 
 from chaplygin.catalogue import entry, from_catalogue
 from chaplygin.core.matrices import Skew
+from chaplygin.errors import InputError
+from chaplygin.flow.integrator import integrate
 from chaplygin.formulas.array_evaluation import values
 from chaplygin.proof.prover import prove
 
@@ -99,3 +101,18 @@ def test_n_minus_one_integrals_are_independent(name):
         for t in tangents
     ]  # fmt: skip
     assert np.linalg.matrix_rank(np.array(slopes), tol=1e-6) == n - 1
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["special-veselova-nd", "special-rubber-ball-nd", "special-rubber-ball-on-sphere-nd"],
+)
+def test_a_start_may_give_the_angular_velocity(name):
+    system = from_catalogue(name)
+    gamma = np.array([0.0, 0.0, 0.6, 0.8])
+    u = np.array([0.3, -0.5, 0.8, -0.6])
+    omega = (np.outer(u, gamma) - np.outer(gamma, u))[np.triu_indices(4, 1)]
+    motion = integrate(system, {"omega": omega, "gamma": gamma}, [0.0, 1.0])
+    assert motion["omega"][0] == pytest.approx(omega, abs=1e-14)
+    with pytest.raises(InputError, match="constraint"):
+        integrate(system, {"omega": omega + 0.1, "gamma": gamma}, [0.0, 1.0])

@@ -269,3 +269,21 @@ def momentum_and_direction(rolls: bool) -> Mapping[str, tuple[str, str]]:
         "p": ("momentum in planes through γ", MOMENTUM),
         "gamma": (f"{fixed}, body axes", "1"),
     }
+
+
+@dataclass(frozen=True, kw_only=True)
+class WithoutTwist(Family):
+    """A family of systems whose ω lies in planes through γ."""
+
+    @property
+    def constraint(self) -> str:
+        """The condition on ω."""
+        return "it must turn in planes through gamma alone, omega = u gamma^T - gamma u^T"
+
+    def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
+        """(ωγ) ∧ γ."""
+        u = [sum(x * y for x, y in zip(row, gamma, strict=True)) for row in omega]
+        return [
+            [a * y - x * b for b, y in zip(u, gamma, strict=True)]
+            for a, x in zip(u, gamma, strict=True)
+        ]

@@ -24,7 +24,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -41,6 +41,7 @@ from ..so_n.entry_of_dimension import (
     D,
     Family,
     R,
+    WithoutTwist,
     across,
     cycle,
     direction,
@@ -202,7 +203,7 @@ def quadratic_integrals(
 
 
 @dataclass(frozen=True, kw_only=True)
-class SpecialVeselova(Special):
+class SpecialVeselova(WithoutTwist, Special):
     """The Veselova system, or the rubber ball where it rolls, with moments of products."""
 
     @property
@@ -241,7 +242,10 @@ class SpecialVeselova(Special):
             *_hamiltonian(p, gamma, a, energy),
         )
         field = {p: dot(u, p) * gamma, gamma: -u}
-        return self._on_cotangent_bundle(inertia, parameters, definitions, field, laws)
+        system = self._on_cotangent_bundle(inertia, parameters, definitions, field, laws)
+        # a_i a_j ω_ij γ_j, with m R² in a_i a_j
+        direct = sp.ImmutableDenseMatrix(sp.diag(*a))
+        return replace(system, start={p: direct * (omega * (direct * gamma))})
 
 
 @dataclass(frozen=True, kw_only=True)

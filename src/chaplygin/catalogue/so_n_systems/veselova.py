@@ -16,9 +16,8 @@ density (det B)^(−1/2) of an invariant measure belongs to every operator of in
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
@@ -33,8 +32,8 @@ from ..so_n.entry_of_dimension import (
     SOURCE,
     SQUARE,
     D,
-    Family,
     R,
+    WithoutTwist,
     across,
     cycle,
     direction,
@@ -116,7 +115,7 @@ def quadratic_integrals(inertia: Inertia, p: Column) -> tuple[Pairs, tuple[Integ
 
 
 @dataclass(frozen=True, kw_only=True)
-class Veselova(Family):
+class Veselova(WithoutTwist):
     """The Veselova system of every dimension; the rubber ball where it rolls."""
 
     def start(self, dimension: int) -> Values:
@@ -130,19 +129,6 @@ class Veselova(Family):
     def variables(self) -> Mapping[str, tuple[str, str]]:
         """Meaning and unit of the variables of the state."""
         return momentum_and_direction(self.rolls)
-
-    @property
-    def constraint(self) -> str:
-        """The condition on ω."""
-        return "it must turn in planes through gamma alone, omega = u gamma^T - gamma u^T"
-
-    def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
-        """(ωγ) ∧ γ."""
-        u = [sum(x * y for x, y in zip(row, gamma, strict=True)) for row in omega]
-        return [
-            [a * y - x * b for b, y in zip(u, gamma, strict=True)]
-            for a, x in zip(u, gamma, strict=True)
-        ]
 
     def equations(self, inertia: Inertia, parameters: tuple[Parameter, ...]) -> System:
         """The equations on the cotangent bundle of the sphere, in p and γ."""
