@@ -25,7 +25,7 @@ from .taylor.working_numbers import WorkingArray, WorkingNumber
 Number = TypeVar("Number", bound=np.generic)
 
 #: Of the drift of a quantity without a value along the motion, such as 0/0 at rest.
-UNDEFINED = "undefined along this motion"
+NO_VALUE = "undefined along this motion"
 
 
 class UnknownVariableError(InputError, KeyError):
@@ -211,7 +211,7 @@ class Trajectory(WithOverview):
     def _drift(self, name: str) -> str:
         values = self.records[f"law_{name}"]
         change = float(max(abs(value - values[0]) for value in values))
-        return UNDEFINED if math.isnan(change) else f"{change:.1e}"
+        return NO_VALUE if math.isnan(change) else f"{change:.1e}"
 
     @arguments_checked
     def subsample(self, pieces: int) -> Trajectory:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..core.system import System
 from ..experiment.dataset import Samples
-from ..flow.trajectory import UNDEFINED, Trajectory
+from ..flow.trajectory import NO_VALUE, Trajectory
 from ..printing.numerals import number
 
 
@@ -30,7 +30,7 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
             str(s): _plain(x) for s, x in zip(system.symbols, trajectory.states[-1], strict=True)
         },
         "drift": {
-            law.name: _defined(drift(trajectory.records[f"law_{law.name}"]))
+            law.name: _number_or_none(drift(trajectory.records[f"law_{law.name}"]))
             for law in system.integrals
         },
         "events": [
@@ -46,10 +46,10 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
 def drift_text(values: Samples) -> str:
     """The drift as a number, or that there is none."""
     value = drift(values)
-    return UNDEFINED if math.isnan(value) else number(value, 2)
+    return NO_VALUE if math.isnan(value) else number(value, 2)
 
 
-def _defined(value: float) -> float | None:
+def _number_or_none(value: float) -> float | None:
     """A drift; None for a quantity that has no value along the motion, such as 0/0 at rest."""
     return None if math.isnan(value) else value
 
@@ -67,7 +67,7 @@ def summary_text(system: System, trajectory: Trajectory, facts: dict[str, Any]) 
     laws = {law.name: law for law in trajectory.system.integrals}
     for name, value in facts["drift"].items():
         source = f", {laws[name].source}" if laws[name].source else ""
-        words = UNDEFINED if value is None else f"drift {value:.1e}"
+        words = NO_VALUE if value is None else f"drift {value:.1e}"
         lines.append(f"  {laws[name].meaning}{source}: {words}")
     lines += [f"  {event}" for event in trajectory.events]
     return "\n".join(lines)

@@ -74,7 +74,7 @@ def test_as_with_arrays(name: str, measure: Any) -> None:
     np.testing.assert_allclose(np.log(found.lengths), right, atol=1e-9)
     assert found.outcome.tolist() == [0] * 6
     assert found.end_times.tolist() == [TIMES[-1]] * 6
-    assert found.recorded.shape == (6, len(TIMES), 0)
+    assert found.records.shape == (6, len(TIMES), 0)
 
 
 def test_parameters_of_each_motion() -> None:
@@ -104,7 +104,7 @@ def test_states_stay_on_the_phase_space() -> None:
             space, 1, orthonormal_terms, square_of_direction, tolerance=1e-5, device="cpu"
         )
         run = growth.run(state, np.ones((1, 6)), times)
-        drifts.append(np.abs(run.recorded[0, :, 0] - 1).max())
+        drifts.append(np.abs(run.records[0, :, 0] - 1).max())
     assert drifts[0] < drifts[1] / 20
 
 

@@ -115,7 +115,7 @@ class ChaosIndicator(ABC):
         """Deviations of length one and the lengths lost, without the span of a basis."""
         return orthonormal_terms(graph, deviations, basis)
 
-    def recorded_terms(self, graph: Graph, frames: Sequence[Vector]) -> list[Term]:
+    def record_terms(self, graph: Graph, frames: Sequence[Vector]) -> list[Term]:
         """Further numbers of each interval, from its deviations of length one."""
         return []
 
@@ -129,7 +129,7 @@ class TangentGrowth:
     logarithms : (n, intervals, d) array
         Of the lengths lost in each interval; not numbers after the end of a motion, and all of
         them if deviations part too fast to be resolved.
-    recorded : (n, numbers) array
+    records : (n, numbers) array
         Further numbers at the end.
     outcome : (n,) array of int
         0, or why a motion ended.
@@ -138,7 +138,7 @@ class TangentGrowth:
     """
 
     logarithms: FloatArray
-    recorded: FloatArray
+    records: FloatArray
     outcome: IntArray
     end_times: FloatArray
 
@@ -208,7 +208,7 @@ def _machine_code(rule: ChaosIndicator) -> DeviationGrowth:
         rule.space,
         rule.deviations,
         rule.unit_terms,
-        rule.recorded_terms,
+        rule.record_terms,
         tolerance=rule.tolerance,
         device=rule.device,
     )
@@ -239,7 +239,7 @@ def _growth(
     shrunk = np.maximum(reduce(np.maximum, columns), 0.0) - reduce(np.minimum, columns)
     parted = logarithms.reshape(len(states), rule.intervals, pieces, rule.deviations)
     whole = reduce(np.add, np.moveaxis(parted, 2, 0))
-    growth = TangentGrowth(whole, run.recorded[:, -1], run.outcome, run.end_times)
+    growth = TangentGrowth(whole, run.records[:, -1], run.outcome, run.end_times)
     return growth, shrunk.max(axis=1)
 
 
@@ -381,7 +381,7 @@ class SmallerAlignmentIndex(ChaosIndicator):
         )
         return [vector for (vector,) in frames], [length for (length,) in lengths]
 
-    def recorded_terms(self, graph: Graph, frames: Sequence[Vector]) -> list[Term]:
+    def record_terms(self, graph: Graph, frames: Sequence[Vector]) -> list[Term]:
         """The squares of |u + v| and |u − v|."""
         u, v = frames
         sums = [x + y for x, y in zip(u, v, strict=True)]
@@ -394,6 +394,6 @@ class SmallerAlignmentIndex(ChaosIndicator):
     ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
         growth = tangent_growth(self, starts, parameters)
-        apart = np.sqrt(growth.recorded.min(axis=1))
+        apart = np.sqrt(growth.records.min(axis=1))
         value = np.log10(np.maximum(apart, np.finfo(float).eps))
         return {"value": value, "outcome": growth.outcome, "ended": growth.end_times}

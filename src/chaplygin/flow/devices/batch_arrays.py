@@ -27,7 +27,7 @@ class BatchInput:
     tolerance : float
     limit : int
         Steps of a motion at most.
-    recorded : int
+    sample_width : int
         Numbers of a sample.
     """
 
@@ -37,7 +37,7 @@ class BatchInput:
     samples: int
     tolerance: float
     limit: int
-    recorded: int
+    sample_width: int
 
     @property
     def motions(self) -> int:
@@ -91,7 +91,7 @@ def empty_output(task: BatchInput) -> BatchOutput:
     motions, _, words = task.starts.shape
     counts, outcome, steps = (np.empty(motions, dtype=np.int64) for _ in range(3))
     return BatchOutput(
-        np.empty((motions, task.samples, task.recorded, words)),
+        np.empty((motions, task.samples, task.sample_width, words)),
         np.empty((motions, task.samples)),
         counts,
         outcome,

@@ -67,14 +67,14 @@ class CudaProcessor:
     core : module
         ``cuda.core``.
     device : cuda.core.Device
-    pinned : list of cuda.core.Buffer
+    staging : list of cuda.core.Buffer
         Memory of the host that the device can copy from and to, and that no call uses now.  To lock
         such memory takes longer than many a kernel.
     """
 
     core: Any
     device: Any
-    pinned: list[Any] = field(default_factory=list, repr=False, compare=False)
+    staging: list[Any] = field(default_factory=list, repr=False, compare=False)
 
     def run(
         self,
@@ -121,7 +121,7 @@ class CudaProcessor:
         finally:
             there.close(stream)
             stream.close()
-            self.pinned.append(pinned)
+            self.staging.append(pinned)
 
     def _part(self, buffer: Any, first: int, size: int) -> Any:
         """Some bytes of a buffer."""
@@ -130,7 +130,7 @@ class CudaProcessor:
     def _pinned_buffer(self, size: int) -> Any:
         """Memory of the host, taken from what earlier calls have locked if it is large enough."""
         try:
-            pinned = self.pinned.pop()
+            pinned = self.staging.pop()
         except IndexError:
             pass
         else:

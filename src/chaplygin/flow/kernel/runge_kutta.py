@@ -479,21 +479,21 @@ class RungeKuttaLoop(Generic[V]):
             chosen = n.choose(moved, fresh, n.load(self.place("rates"), i))
             n.store(chosen, self.place("rates"), i)
         if self.equations.renewal:
-            sampled = w.compare("oeq", event, w.constant(_SAMPLE))
-            with w.branch(w.any(sampled)):
-                self._renew(sampled)
+            at_sample = w.compare("oeq", event, w.constant(_SAMPLE))
+            with w.branch(w.any(at_sample)):
+                self._renew(at_sample)
 
-    def _renew(self, sampled: str) -> None:
+    def _renew(self, at_sample: str) -> None:
         """Replace the numbers of some lanes by what follows a sample."""
         n = self.n
         self.evaluate("renewal", "y")
         for i in range(self.dimension):
             if self.equations.renewal[i] is self.equations.graph.state(i):
                 continue
-            new = n.choose(sampled, n.load(self.place("renewal"), i), self._y(i))
+            new = n.choose(at_sample, n.load(self.place("renewal"), i), self._y(i))
             n.store(new, self.place("y"), i)
             rest = n.load(self.place("rest"), i)
-            n.store(n.choose(sampled, n.number(Fraction(0)), rest), self.place("rest"), i)
+            n.store(n.choose(at_sample, n.number(Fraction(0)), rest), self.place("rest"), i)
         self.rates(0, "y")
 
     def _y(self, i: int) -> V:

@@ -74,7 +74,7 @@ class GrowthRun:
     ----------
     lengths : (n, intervals, d) array
         What deviations have lost after each interval; not a number after the end of a motion.
-    recorded : (n, intervals, numbers) array
+    records : (n, intervals, numbers) array
         Further numbers.
     outcome : (n,) array of int
         0, or why a motion ended.
@@ -83,7 +83,7 @@ class GrowthRun:
     """
 
     lengths: FloatArray
-    recorded: FloatArray
+    records: FloatArray
     outcome: IntArray
     end_times: FloatArray
 
@@ -99,7 +99,7 @@ class DeviationGrowth:
     deviations : int
     tolerance : float
         See :func:`chaplygin.flow.batch.batch_integrator`.
-    recorded : int
+    record_width : int
         Further numbers of every interval.
     loop : BatchLoop
     """
@@ -107,7 +107,7 @@ class DeviationGrowth:
     space: TangentSpace
     deviations: int
     tolerance: float
-    recorded: int
+    record_width: int
     loop: BatchLoop = field(repr=False)
 
     def run(
@@ -136,13 +136,13 @@ class DeviationGrowth:
         values = parameter_rows(system, parameters, len(starts))
         values = np.broadcast_to(values, (len(starts), values.shape[1]))
         constants = np.concatenate([values, sizes], axis=1)[..., None]
-        numbers = self.deviations + self.recorded
+        numbers = self.deviations + self.record_width
         task = BatchInput(
             *(rows, constants, times, len(times), self.tolerance, MOST_STEPS, numbers)
         )
         result = self.loop.run(task, None)
-        lengths, recorded = np.split(result.states[..., 0], [self.deviations], axis=2)
-        return GrowthRun(lengths, recorded, result.outcome, result.end_times)
+        lengths, records = np.split(result.states[..., 0], [self.deviations], axis=2)
+        return GrowthRun(lengths, records, result.outcome, result.end_times)
 
 
 def deviation_growth(
@@ -178,7 +178,7 @@ def deviation_growth(
         [graph.state(size * k + i) * graph.recip(sizes[i]) for i in range(size)]
         for k in range(1, deviations + 1)
     ]
-    frames, lengths = normalise(graph, measured, _excluded(space, reader, sizes))
+    frames, lengths = normalise(graph, measured, _excluded_basis(space, reader, sizes))
     relations = [reader(relation) for relation in system.relations]
     correction = projection_terms(graph, (), relations, equations.groups, relations).correction
     # back onto the phase space
@@ -195,7 +195,7 @@ def deviation_growth(
     return DeviationGrowth(space, deviations, tolerance, len(recorded), loop)
 
 
-def _excluded(space: TangentSpace, reader: Reader, sizes: Vector) -> list[list[Term]]:
+def _excluded_basis(space: TangentSpace, reader: Reader, sizes: Vector) -> list[list[Term]]:
     """An orthonormal basis of what is no deviation that counts, measured."""
     graph, places = reader.graph, range(len(sizes))
     slopes = graph.jacobian(
