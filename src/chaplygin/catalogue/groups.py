@@ -151,6 +151,7 @@ INTEGRABLE = frozenset(
         *("special-veselova-nd", "special-rubber-ball-nd", "special-chaplygin-ball-nd"),
         *("special-rubber-ball-on-sphere-nd", "ball-bearing"),
         "straight-line-ball",
+        "straight-line-ball-momenta",
     )
 )
 

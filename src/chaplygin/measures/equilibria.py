@@ -33,6 +33,15 @@ class EquilibriumObstruction:
         The equilibrium, in flat order.
     trace : sympy.Expr
         Of the linearisation there, on the phase space, for the default parameters: not zero.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> damped = ch.System("damped", "Damped oscillator", {x: v, v: -x - v / 10})
+    >>> ch.measures.equilibrium_obstruction(damped).point
+    (0, 0)
     """
 
     system: System
