@@ -155,7 +155,8 @@ def _client(client: Client | str | int) -> Iterator[Client]:
                 n_workers=number,
                 threads_per_worker=1,
                 dashboard_address=":0",
-                silence_logs=logging.ERROR,
+                # failures come with the futures; a heartbeat to a scheduler that closes is none
+                silence_logs=logging.CRITICAL,
             ) as cluster,
             distributed.Client(cluster, set_as_default=False) as connected,
         ):
