@@ -44,7 +44,7 @@ def chart_of(
     x, y : Axis
     until : float, optional
         How long motions are followed; as long as that of the experiment if left out.
-    formulas, held
+    formulas, fixed
         See :func:`chaplygin.analysis.scans.grid.scan_grid`.
     device : "cpu" or "gpu"
         Where the motions are computed; see :func:`chaplygin.flow.batch.batch_integrator`.
