@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import mpmath
@@ -11,6 +12,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from chaplygin.core.laws import Integral
+from chaplygin.core.system import Parameter, System
 from chaplygin.errors import InputError
 from chaplygin.flow.gauss import GaussTrajectories, gauss_integrator
 from chaplygin.flow.integrator import integrate
@@ -23,9 +25,11 @@ from flow.small import (
     TOP,
     body,
     exactly_on_the_sphere,
+    p,
     starts,
     u,
     x,
+    y,
 )
 
 E = 0.6
@@ -50,6 +54,23 @@ def test_an_oscillator(digits: Any, allowed: float) -> None:
         for k, t in enumerate((1, 250)):
             right = mpmath.cos(mpmath.sqrt(square) * t)
             assert abs(found[0, k, 0] - right) < allowed * max(1, t / 30)
+
+
+def test_rounded_constants_do_not_make_a_quadratic_integral_drift() -> None:
+    """Nothing is held here: x² + y² is kept by the method alone, over thousands of steps."""
+    turn = System(
+        name="turn",
+        title="A rotation whose rate is no number of 53 bits",
+        field={x: -p * y / 3, y: p * x / 3},
+        parameters=(Parameter(p, "rate", 7.1, admissible=(p > 0,)),),
+    )
+    flow = gauss_integrator(turn, [1.0, 0.0])
+    assert flow.held_names == ()
+    motion = flow.propagate([[1.0, 0.0]], [1e4])
+    assert motion.steps[0] > 5_000
+    (state,), (rest,) = motion.states[0], motion.rest[0]
+    square = sum((Fraction(a) + Fraction(b)) ** 2 for a, b in zip(state, rest, strict=True))
+    assert abs(square - 1) < 1e-14
 
 
 def test_a_planet() -> None:
