@@ -36,11 +36,11 @@ SETTLING = 8
 #: Steps are lengthened after the estimate was this much below its bound for this many steps.
 ROOM_TO_LENGTHEN, STEPS_TO_LENGTHEN = 0.1, 32
 
-#: Displacements of stages are enlarged by this, so that the rates' change is above a rounding.
-ENLARGED = 2.0**20
+#: Displacements of stages are multiplied by this, so that the rates' change is above a rounding.
+MAGNIFICATION = 2.0**20
 
 #: Vectors of the linear iteration.
-_LINEAR = ("at_stage", "defect", "missing", "displaced")
+_LINEAR = ("at_stage", "defect", "missing", "displacement")
 
 
 class _LoopGenerator:
@@ -352,26 +352,26 @@ class _LoopGenerator:
             for name in ("defect", "missing"):
                 d.store(p.leading(defect), self.address(name), i)
         convergence = _Convergence(self, h, 1e-37, 1e-34)
-        further = w.op("fmul", h, w.constant(ENLARGED))
+        further = w.op("fmul", h, w.constant(MAGNIFICATION))
         with w.forever() as leave:
             for i in range(self.size):
                 off = self._matrix_product(columns, "missing", i)
-                stage = w.call("fma", further, off, d.load(self.address("stage"), i))
-                d.store(stage, self.address("displaced"), i)
-            self._rates("fresh", "displaced")
+                further_off = w.call("fma", further, off, d.load(self.address("stage"), i))
+                d.store(further_off, self.address("displacement"), i)
+            self._rates("fresh", "displacement")
             changes = []
             for i in range(self.size):
                 fresh, base = (d.load(self.address(n), i) for n in ("fresh", "at_stage"))
-                difference = w.op("fmul", w.op("fsub", fresh, base), w.constant(1 / ENLARGED))
+                difference = w.op("fmul", w.op("fsub", fresh, base), w.constant(1 / MAGNIFICATION))
                 missing = w.op("fadd", d.load(self.address("defect"), i), difference)
                 changes.append(w.op("fsub", missing, d.load(self.address("missing"), i)))
                 d.store(missing, self.address("missing"), i)
             convergence.look(changes, leave)
         for i in range(self.size):
-            missing, defect = (d.load(self.address(name), i) for name in ("missing", "defect"))
-            more = p.whole(w.op("fsub", missing, defect))
-            rate = p.plus(p.load(self.address("fine_rates"), i), more)
-            p.store(rate, self.address("fine_rates"), i)
+            last, first = (d.load(self.address(name), i) for name in ("missing", "defect"))
+            more = p.whole(w.op("fsub", last, first))
+            exact_rate = p.plus(p.load(self.address("fine_rates"), i), more)
+            p.store(exact_rate, self.address("fine_rates"), i)
         return convergence.place
 
     def _fine_rates(self) -> None:
