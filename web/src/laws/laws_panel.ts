@@ -72,11 +72,11 @@ export function lawsPanel(lab: Lab): HTMLElement | null {
   const values = (): void => {
     for (const { law, value } of rows) {
       if (law.column === null) continue;
-      const now = row(lab.shown.value.motion, law.column, 1, lab.clock.time.value)?.[0] ?? NaN;
+      const now = row(lab.shown.value.motion, law.column, 1, lab.clock.reading.value)?.[0] ?? NaN;
       value.textContent = `${readable(now, 7)} ${units.get(law.column) ?? ""}`;
     }
   };
-  lab.clock.time.after(values);
+  lab.clock.reading.after(values);
   lab.shown.watch(({ motion }) => {
     for (const { law, away } of rows) {
       if (law.column !== null) away.textContent = readable(drift(motion, law.column) ?? NaN, 2);

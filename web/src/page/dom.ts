@@ -83,3 +83,11 @@ export function fitCanvas(canvas: HTMLCanvasElement): { width: number; height: n
   }
   return { width, height, ratio };
 }
+
+/** Settled when what the page shows has been painted; in a page that is out of sight, soon. */
+export function painted(): Promise<void> {
+  return new Promise((done) => {
+    requestAnimationFrame(() => setTimeout(done));
+    setTimeout(done, 500);
+  });
+}

@@ -28,7 +28,7 @@ export function permalink(lab: Lab, holder: HTMLElement, choices: Choices): () =
     clearTimeout(due);
     due = setTimeout(write, REST);
   };
-  lab.shown.after(write);
+  lab.shown.after(later);
   for (const kind of ["change", "click", "pointerup", "keyup", "wheel"]) holder.addEventListener(kind, later, { passive: true });
   return () => {
     const t = lab.clock.time.value;

@@ -5,19 +5,25 @@ import { Cell } from "../page/cell";
 /** Speeds, times real time. */
 export const SPEEDS = [0.02, 0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10] as const;
 
+/** Milliseconds between numbers that are written while a motion plays: faster ones cannot be read. */
+const BETWEEN = 100;
+
 /** Runs through the time of a motion, again and again. */
 export class Clock {
   readonly time = new Cell(0);
+  /** The time for numbers that are read: that of the motion, but while it plays not at every picture. */
+  readonly reading = new Cell(0);
   readonly playing = new Cell(false);
   readonly speed = new Cell(1);
   private end = 1;
   private frame = 0;
   private before = 0;
+  private written = 0;
 
   /** Give the time at which the motion ends. */
   set until(end: number) {
     this.end = end;
-    if (this.time.value > end) this.time.value = end;
+    if (this.time.value > end) this.seek(end);
   }
 
   get until(): number {
@@ -26,7 +32,7 @@ export class Clock {
 
   play(): void {
     if (this.playing.value) return;
-    if (this.time.value >= this.end) this.time.value = 0;
+    if (this.time.value >= this.end) this.seek(0);
     this.playing.value = true;
     this.before = 0;
     this.frame = requestAnimationFrame(this.step);
@@ -36,6 +42,7 @@ export class Clock {
     if (!this.playing.value) return;
     cancelAnimationFrame(this.frame);
     this.playing.value = false;
+    this.reading.value = this.time.value;
   }
 
   toggle(): void {
@@ -46,6 +53,7 @@ export class Clock {
   /** Go to an instant. */
   seek(t: number): void {
     this.time.value = Math.min(Math.max(t, 0), this.end);
+    this.reading.value = this.time.value;
   }
 
   /** The next speed of the list, faster or slower. */
@@ -61,6 +69,10 @@ export class Clock {
     this.before = instant;
     const next = this.time.value + passed * this.speed.value;
     this.time.value = next >= this.end ? 0 : next;
+    if (instant - this.written >= BETWEEN) {
+      this.written = instant;
+      this.reading.value = this.time.value;
+    }
     this.frame = requestAnimationFrame(this.step);
   };
 }

@@ -36,17 +36,24 @@ export function transport(lab: Lab, full: () => void): HTMLElement {
   clock.playing.watch((playing) => redraw(play, playing ? "pause" : "play", playing ? "Pause (space)" : "Play (space)"));
   const unit = "s";
   const show = (): void => {
-    const t = clock.time.value;
+    const t = clock.reading.value;
     const digits = clock.until < 1 ? 4 : clock.until < 100 ? 2 : 1;
-    scrub.max = String(clock.until);
-    scrub.value = String(t);
-    scrub.style.setProperty("--share", String(clock.until > 0 ? t / clock.until : 0));
     const text = `${t.toFixed(digits)} ${unit}`;
     reading.textContent = `t = ${text}`;
     scrub.setAttribute("aria-valuetext", `${text} of ${clock.until.toFixed(digits)} ${unit}`);
   };
-  clock.time.watch(show);
-  lab.shown.after(show);
+  const move = (): void => {
+    const t = clock.time.value;
+    scrub.max = String(clock.until);
+    scrub.value = String(t);
+    scrub.style.setProperty("--share", String(clock.until > 0 ? t / clock.until : 0));
+  };
+  clock.reading.watch(show);
+  clock.time.watch(move);
+  lab.shown.after(() => {
+    show();
+    move();
+  });
   lab.wanted.watch(() => {
     undo.disabled = !lab.history.canUndo;
     redo.disabled = !lab.history.canRedo;

@@ -54,12 +54,12 @@ export function plotsPanel(lab: Lab): PlotsPanel {
     now();
   };
   const now = (): void => {
-    mark(modeAt(changingModes(lab.shown.value.motion), lab.clock.time.value));
-    event.textContent = lastEvent(lab.shown.value.motion, lab.clock.time.value);
-    for (const { plot, readings, size } of plots) {
-      cursor(plot, lab);
-      const { times } = lab.shown.value.motion;
-      const { index, share } = place(times, lab.clock.time.value);
+    const { motion } = lab.shown.value;
+    const t = lab.clock.reading.value;
+    mark(modeAt(changingModes(motion), t));
+    event.textContent = lastEvent(motion, t);
+    const { index, share } = place(motion.times, t);
+    for (const { readings, size, plot } of plots) {
       readings.forEach((reading, k) => {
         const values = plot.data[k + 1];
         const value = (1 - share) * (values?.[index] ?? NaN) + (share > 0 ? share * (values?.[index + 1] ?? NaN) : 0);
@@ -89,7 +89,8 @@ export function plotsPanel(lab: Lab): PlotsPanel {
     );
   }
   lab.shown.after(renew);
-  lab.clock.time.after(now);
+  lab.clock.reading.after(now);
+  lab.clock.time.after(() => plots.forEach(({ plot }) => cursor(plot, lab)));
   onSchemeChange(build);
   let width = 0;
   new ResizeObserver(() => {

@@ -23,13 +23,15 @@ export type Surface = Omit<Triangles, "tones">;
 /** A body in its own axes. */
 export class BodyModel {
   readonly group = new Group();
+  /** Distance of the farthest point from the origin of its axes. */
+  radius = 0;
   private readonly materials: MeshPhongMaterial[] = [];
 
   private readonly middle = new Vector3();
 
   constructor(surface: Surface, colours: Palette) {
     const { hollow } = surface;
-    for (const side of hollow ? [BackSide, FrontSide] : [DoubleSide]) {
+    for (const side of hollow ? [BackSide, FrontSide] : [FrontSide]) {
       const material = twoTones(this.middle, side, hollow, colours);
       const mesh = new Mesh(new BufferGeometry(), material);
       mesh.castShadow = !hollow;
@@ -44,6 +46,7 @@ export class BodyModel {
   reshape(surface: Surface): void {
     const { low, high } = box(surface.positions);
     this.middle.set(...low).add(new Vector3(...high)).multiplyScalar(0.5);
+    this.radius = surface.positions.reduce((most, _, k, all) => (k % 3 === 0 ? Math.max(most, Math.hypot(all[k] ?? 0, all[k + 1] ?? 0, all[k + 2] ?? 0)) : most), 0);
     for (const mesh of this.group.children) {
       if (!(mesh instanceof Mesh)) continue;
       (mesh.geometry as BufferGeometry).dispose();
@@ -58,7 +61,9 @@ export class BodyModel {
   /** Show the body as of glass, so that what is in it is seen. */
   set glass(on: boolean) {
     for (const material of this.materials) {
-      if (material.userData["wall"] === true) continue;
+      if (material.userData["wall"] === true || material.transparent === on) continue;
+      // the far side of a body that is closed is seen through it alone
+      if (material.side !== BackSide) material.side = on ? DoubleSide : FrontSide;
       material.opacity = on ? 0.4 : 1;
       material.transparent = on;
       material.depthWrite = !on;

@@ -4,6 +4,7 @@ import {
   BackSide,
   BufferAttribute,
   BufferGeometry,
+  CircleGeometry,
   Color,
   FrontSide,
   Group,
@@ -55,21 +56,24 @@ export function planeGround(spacing: number, colours: Palette): Ground {
         #include <colorspace_fragment>
       }`,
   });
-  const lines = new Mesh(new PlaneGeometry(1, 1), grid);
+  const lines = new Mesh(new CircleGeometry(1, CORNERS), grid);
   const shadow = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial({ opacity: colours.shadow, depthWrite: false }));
   shadow.receiveShadow = true;
   lines.renderOrder = -2;
   shadow.renderOrder = -1;
   lines.frustumCulled = shadow.frustumCulled = false;
   group.add(lines, shadow);
-  const corners = [lines, shadow].map((mesh) => mesh.geometry.getAttribute("position") as BufferAttribute);
+  const [disk, sheet] = [lines, shadow].map((mesh) => mesh.geometry.getAttribute("position") as BufferAttribute);
+  const round = Float32Array.from(disk?.array ?? []);
+  // a circle lies within its corners
+  const outward = 1 / Math.cos(Math.PI / CORNERS);
   return {
     group,
     spacing,
     around(target, reach, body, shadowed) {
       // corners are moved rather than the mesh: the grid stays where it is in space
-      square(corners[0], target, reach);
-      square(corners[1], body, shadowed);
+      stretched(disk, round, target, outward * reach);
+      stretched(sheet, SQUARE, body, shadowed);
       (grid.uniforms["middle"]?.value as Vector3).set(...target);
       const uniform = grid.uniforms["reach"];
       if (uniform) uniform.value = reach;
@@ -77,9 +81,14 @@ export function planeGround(spacing: number, colours: Palette): Ground {
   };
 }
 
-function square(attribute: BufferAttribute | undefined, [x, y]: Vector, half: number): void {
+/** Corners of the disk in which the grid is seen. */
+const CORNERS = 48;
+
+const SQUARE = Float32Array.of(-1, 1, 0, 1, 1, 0, -1, -1, 0, 1, -1, 0);
+
+function stretched(attribute: BufferAttribute | undefined, corners: Float32Array, [x, y]: Vector, half: number): void {
   if (attribute === undefined) return;
-  for (let k = 0; k < 4; k++) attribute.setXYZ(k, x + half * (k % 2 ? 1 : -1), y + half * (k < 2 ? 1 : -1), 0);
+  for (let k = 0; k < attribute.count; k++) attribute.setXYZ(k, x + half * (corners[3 * k] ?? 0), y + half * (corners[3 * k + 1] ?? 0), 0);
   attribute.needsUpdate = true;
 }
 

@@ -69,16 +69,15 @@ export function scenePanel(lab: Lab): ScenePanel | null {
     due = requestAnimationFrame(() => {
       due = 0;
       stage.draw(lab.clock.time.value);
-      legend();
     });
   };
   const readings = new Map<string, HTMLElement>();
   let mark: (mode: string) => void = () => {};
   const legend = (): void => {
     const { motion } = lab.shown.value;
-    mark(modeAt(changingModes(motion), lab.clock.time.value));
+    mark(modeAt(changingModes(motion), lab.clock.reading.value));
     for (const vector of scene.vectors) {
-      const value = row(motion, vector.column, 3, lab.clock.time.value);
+      const value = row(motion, vector.column, 3, lab.clock.reading.value);
       const reading = readings.get(vector.name);
       if (reading && value) reading.textContent = `${readable(Math.hypot(...value), 3)} ${unitText(vector.unit)}`;
     }
@@ -103,6 +102,7 @@ export function scenePanel(lab: Lab): ScenePanel | null {
     const span = element("div", {}, element("span", {}, "t = 0"), strip, element("span", {}, `${readable(end)} s`));
     bar.replaceChildren(...(key === null ? [span] : [key.element, span]));
     note.textContent = stage.spacing > 0 ? `grid ${readable(stage.spacing)} m` : "";
+    legend();
   };
   const switches = switchesOf(lab, stage, shown, () => {
     relabel();
@@ -119,6 +119,7 @@ export function scenePanel(lab: Lab): ScenePanel | null {
     stage.draw(lab.clock.time.value);
   }).observe(area);
   lab.clock.time.after(refresh);
+  lab.clock.reading.after(legend);
   lab.shown.after(({ motion, surfaces }) => {
     stage.setMotion(motion, surfaces);
     relabel();

@@ -211,7 +211,7 @@ export class Stage {
     const metres = this.view.target.map((place) => place * this.size) as Vector;
     const nearby = Math.min(Math.max(this.reach, 2), 0.62 * this.view.distance);
     const place = this.placeOf(now);
-    this.ground?.around(metres, nearby * this.size, place, 1.7 * this.size);
+    this.ground?.around(metres, nearby * this.size, place, this.shadowed(now));
     const body = new Vector3(...place).divideScalar(this.size);
     this.lamp.target.position.copy(body);
     this.lamp.position.copy(body).add(this.lampDirection().multiplyScalar(6));
@@ -247,6 +247,14 @@ export class Stage {
   dispose(): void {
     this.clear();
     this.renderer.dispose();
+  }
+
+  /** Half the side of the square on the ground in which the shadow lies. */
+  private shadowed({ centre }: Pose): number {
+    const most = 1.7 * this.size;
+    if (this.body === null) return most;
+    // the lamp stands 22° from the vertical
+    return Math.min(most, 0.41 * Math.abs(centre[2]) + 1.1 * this.body.radius + 0.06 * this.size);
   }
 
   private lampDirection(): Vector3 {

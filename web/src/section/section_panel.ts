@@ -3,7 +3,7 @@
 import type { State } from "../engine/engine";
 import type { Lab } from "../lab";
 import type { Quantity } from "../model";
-import { element } from "../page/dom";
+import { element, painted } from "../page/dom";
 import { megnoColour, megnoWords } from "../page/indicator";
 import { plain } from "../page/mathml";
 import { extent, readableBeside } from "../page/numbers";
@@ -239,22 +239,23 @@ class Panel implements SectionPanel {
         refused = found.message;
         continue;
       }
-      // the points first: drawing the scene anew takes longer than computing them
       await this.trace(found.state, false, place);
+      const isLast = place === places.at(-1);
+      // the points are seen first: to draw the scene anew takes longer than to compute them
+      if (isLast) await painted();
       if (era !== this.era) return;
-      if (place === places.at(-1)) this.play(found.state);
+      if (isLast) void this.play(found.state);
     }
     if (refused !== "") this.lab.say(sentence(refused), true);
   }
 
   /** Show the motion of an orbit in the scene. */
-  private play(start: Float64Array): void {
+  private async play(start: Float64Array): Promise<void> {
     const { lab } = this;
     const { parameters } = lab.shown.value.experiment;
     this.current = JSON.stringify([parameters, Array.from(start)]);
-    void lab.change({ ...lab.wanted.value, start: { state: Array.from(start) } });
-    lab.clock.seek(0);
     this.mark();
+    if (await lab.change({ ...lab.wanted.value, start: { state: Array.from(start) } })) lab.clock.seek(0);
   }
 
   /** Compute an orbit, piece by piece; the picture grows as it goes. */
@@ -369,7 +370,7 @@ class Panel implements SectionPanel {
       const words = `Play orbit ${orbit.number + 1}: ${orbit.x.length} points${orbit.indicator === null ? "" : `, ${megnoWords(orbit.indicator)}`}`;
       const isOn = state !== null && same(orbit.start, state);
       const made = element("button", { type: "button", "aria-label": words, title: words, "aria-current": isOn ? "true" : null }, element("i", { style: `background:${this.colour(orbit)}` }), String(orbit.number + 1));
-      made.addEventListener("click", () => this.play(orbit.start));
+      made.addEventListener("click", () => void this.play(orbit.start));
       return made;
     });
     this.entries.replaceChildren(...entries);

@@ -72,7 +72,7 @@ export class Sheet {
 
   /** The pen on the picture, in CSS pixels, to add to what is painted. */
   get pen(): CanvasRenderingContext2D | null {
-    return this.base.getContext("2d");
+    return penOf(this.base);
   }
 
   get canvas(): HTMLCanvasElement {
@@ -116,7 +116,7 @@ export class Sheet {
   /** Draw the marks anew. */
   mark(): void {
     const { ratio } = fitCanvas(this.over);
-    const pen = this.over.getContext("2d");
+    const pen = penOf(this.over);
     if (pen === null) return;
     const { frame } = this;
     const colours = palette();
@@ -270,6 +270,11 @@ export class Sheet {
     event.preventDefault();
     act();
   }
+}
+
+/** A pen of the processor: pens of the graphics card hold the page up where it is drawn by software. */
+function penOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D | null {
+  return canvas.getContext("2d", { willReadFrequently: true });
 }
 
 function mean([low, high]: Range): number {
