@@ -6,12 +6,13 @@ import ctypes
 import math
 from collections.abc import Callable
 
+import llvmlite.binding as llvm
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
 from chaplygin.flow.machine_code.ir_writer import IRWriter, literal
-from chaplygin.flow.machine_code.jit import aligned_zeros, load_code
+from chaplygin.flow.machine_code.jit import ATTRIBUTES, aligned_zeros, load_code, optimise
 
 WIDTHS = pytest.mark.parametrize("lanes", [1, 2, 4, 8, 16])
 _P = ctypes.c_void_p
@@ -97,6 +98,23 @@ def test_masks(lanes: int) -> None:
     first = [0.5, 2.0, 3.5, math.nan, 1.0, 3.0, 2.9, -4.0][:lanes]
     right = [-10.0, 10.0, -10.0, math.nan, -10.0, -10.0, 10.0, -10.0][:lanes]
     assert run(lanes, write, first) == pytest.approx(right, nan_ok=True)
+
+
+@pytest.mark.parametrize(
+    "features, masked", [("+avx2,+fma", "vmaskmov"), ("+avx512f,+avx512vl", ") {%k")]
+)
+def test_choices_are_stored_whole(features: str, masked: str) -> None:
+    """Back to where one of the two came from; stores through a mask are slow on some processors."""
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    target = llvm.Target.from_triple("x86_64-unknown-linux-gnu")
+    machine = target.create_target_machine(features=features, opt=2)
+
+    w = IRWriter(8)
+    x, y = w.load(w.type, "%data"), w.load(w.type, w.address(w.type, "%data", 1))
+    w.store(w.type, w.choose(w.compare("olt", x, y), y, x), "%data")
+    text = w.text("void @work(ptr %data)", "#0") + ATTRIBUTES
+    assert masked not in machine.emit_assembly(optimise(text, machine))
 
 
 @WIDTHS

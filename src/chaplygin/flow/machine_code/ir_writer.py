@@ -124,7 +124,10 @@ class IRWriter:
     def choose(self, mask: str, yes: str, no: str) -> str:
         """`yes` where the mask is set, else `no`."""
         kind = self.type
-        return self.emit(f"select {self.mask} {mask}, {kind} {yes}, {kind} {no}")
+        # a value without history: a choice that goes back to where one of the two came from would
+        # be stored through the mask, which AMD's processors do slowly
+        other = self.emit(f"freeze {kind} {no}")
+        return self.emit(f"select {self.mask} {mask}, {kind} {yes}, {kind} {other}")
 
     def conjunction(self, a: str, b: str) -> str:
         """The mask that is set where both are."""
