@@ -27,21 +27,21 @@ def files_entered(walk: Callable[[], object]) -> list[str]:
 
     def note(frame: FrameType, event: str, _: object) -> None:
         file = frame.f_code.co_filename
-        if event != "call" or not (file.startswith(HOME) and file.endswith(".py")):
+        if event != "call" or file in files or not (file.startswith(HOME) and file.endswith(".py")):
             return
         caller: FrameType | None = frame
         while caller is not None:
             if caller.f_code.co_name == "<module>" and caller.f_code.co_filename.startswith(HOME):
                 return
             caller = caller.f_back
-        files.add(file[len(HOME) + 1 :])
+        files.add(file)
 
     sys.setprofile(note)
     try:
         walk()
     finally:
         sys.setprofile(None)
-    return sorted(files)
+    return sorted(file[len(HOME) + 1 :] for file in files)
 
 
 def write_report(folder: str) -> None:

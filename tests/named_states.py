@@ -9,15 +9,8 @@ from chaplygin.catalogue import CATALOGUE, Entry, Start
 from chaplygin.catalogue.catalogue_entry import Numbers
 from chaplygin.core.laws import Integral, Measure
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import (
-    Diagonal,
-    cross,
-    dot,
-    norm_squared,
-    real_symbol,
-    unit_vector,
-    vectors,
-)
+from chaplygin.core.vector_operators import unit_vector
+from chaplygin.core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors
 
 u, omega, theta, x, y = (real_symbol(name) for name in ("u", "omega", "theta", "x", "y"))
 m, a, inertia = (real_symbol(name) for name in ("m", "a", "I"))

@@ -46,6 +46,15 @@ def nearest(name: str, names: Iterable[str]) -> str:
         The unknown name.
     names
         The names that would have been accepted.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> nearest("radus", ["radius", "mass"])
+    ", did you mean 'radius'? allowed: radius, mass"
     """
     allowed = list(names)
     same = [word for word in allowed if word.casefold() == name.casefold()]

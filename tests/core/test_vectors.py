@@ -11,6 +11,7 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings, strategies as st
 
+from chaplygin.core.vector_operators import gradient, hat, outer, unit_vector
 from chaplygin.core.vectors import (
     Cross,
     Diagonal,
@@ -20,14 +21,10 @@ from chaplygin.core.vectors import (
     constant,
     cross,
     dot,
-    gradient,
-    hat,
     identity,
     norm_squared,
-    outer,
     real_symbol,
     to_components,
-    unit_vector,
     vectors,
     zero,
 )

@@ -7,7 +7,8 @@ import sympy as sp
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import Vector, cross, dot, unit_vector
+from chaplygin.core.vector_operators import unit_vector
+from chaplygin.core.vectors import Vector, cross, dot
 from chaplygin.measures.equilibria import equilibrium_obstruction
 
 x, y, k = sp.symbols("x y k", real=True)

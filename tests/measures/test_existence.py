@@ -11,6 +11,7 @@ import sympy as sp
 from chaplygin.borisov_mamaev.obstructions.limit_cycle import CASE
 from chaplygin.core.laws import Identity, Measure
 from chaplygin.core.system import Parameter, System
+from chaplygin.core.vector_operators import unit_vector
 from chaplygin.core.vectors import (
     Diagonal,
     Symmetric,
@@ -21,7 +22,6 @@ from chaplygin.core.vectors import (
     norm_squared,
     real_symbol,
     to_components,
-    unit_vector,
 )
 from chaplygin.errors import InputError
 from chaplygin.measures.closed_form import closed_form, density

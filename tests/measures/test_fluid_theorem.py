@@ -17,7 +17,6 @@ from chaplygin.measures.fluid_theorem import THEOREM, C, N, S, action_of_fluid, 
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.cavity import Cavity
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
-from chaplygin.mechanics.rolling.fluid import fluids_of
 from chaplygin.mechanics.rolling.initial_state import evaluate
 from chaplygin.mechanics.shapes.shapes import Ball, Ellipsoid, Torus
 from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
@@ -96,7 +95,7 @@ def test_divergences_are_the_same(name, contact):
         base = dict(zip((*Vector("gamma"), *Vector("zeta")), (*gamma, *zeta), strict=True))
         base |= dict(zip(Vector("omega"), turning, strict=True))
         motions = {
-            s: x for fluid in fluids_of(body) for s, x in zip(fluid.start, vector(), strict=True)
+            s: x for fluid in body.fluids for s, x in zip(fluid.start, vector(), strict=True)
         }
         found = []
         for rolling in (wet, wet.equivalent):

@@ -20,15 +20,14 @@ from chaplygin.core.laws import (
     Symmetry,
 )
 from chaplygin.core.system import Parameter, System
+from chaplygin.core.vector_operators import hat, unit_vector
 from chaplygin.core.vectors import (
     Diagonal,
     cross,
     dot,
-    hat,
     norm_squared,
     real_symbol,
     to_components,
-    unit_vector,
     vectors,
 )
 from chaplygin.printing.formula import text

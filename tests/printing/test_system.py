@@ -13,6 +13,7 @@ from catalogue import built
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.laws import Integral, Rate
 from chaplygin.core.system import Parameter, Reconstruction, System
+from chaplygin.core.vector_operators import gradient, outer, unit_vector
 from chaplygin.core.vectors import (
     Diagonal,
     Symmetric,
@@ -20,12 +21,9 @@ from chaplygin.core.vectors import (
     constant,
     cross,
     dot,
-    gradient,
     identity,
     norm_squared,
-    outer,
     real_symbol,
-    unit_vector,
     vectors,
     zero,
 )

@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import hat
+from chaplygin.core.vector_operators import hat
 
 I = sp.symbols("I1:4")
 B = sp.symbols("B1:4")

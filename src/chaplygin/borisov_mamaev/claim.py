@@ -55,6 +55,14 @@ class Claim:
 class Remark:
     """A statement of the paper that was not computed: literature, history or judgement.
 
+    Parameters
+    ----------
+    source : str
+        The section or formula.
+    statement : str
+    reason : str
+        Why it was not computed.
+
     Examples
     --------
     >>> import chaplygin as ch

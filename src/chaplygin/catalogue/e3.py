@@ -14,17 +14,8 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ..core.laws import ConformallyHamiltonian, Integral, Law, PoissonStructure
 from ..core.system import Parameter, System
-from ..core.vectors import (
-    Components,
-    Diagonal,
-    cross,
-    dot,
-    gradient,
-    hat,
-    norm_squared,
-    real_symbol,
-    vectors,
-)
+from ..core.vector_operators import gradient, hat
+from ..core.vectors import Components, Diagonal, cross, dot, norm_squared, real_symbol, vectors
 from ..mechanics.rolling.body import triangle_inequalities
 
 M, Gamma = vectors("M Gamma")

@@ -21,7 +21,7 @@ from ..core.vectors import (
     zero,
 )
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.rolling.fluid import Fluid, fluids_of
+from ..mechanics.rolling.fluid import Fluid
 from ..mechanics.shapes.shapes import Ball
 from ..mechanics.shapes.surfaces import Plane
 
@@ -45,7 +45,7 @@ def laws_with_fluid(rolling: Rolling) -> tuple[Law, ...]:
         of_contact = _marble_ball if rolling.contact == "marble" else _rubber_ball
         known += of_contact(total, plane, free)
         known += _measure(rolling, Diagonal if body.principal else Symmetric, plane)
-    for fluid in fluids_of(rolling.body):
+    for fluid in rolling.body.fluids:
         if len(set(fluid.cavity.axes)) == 1:
             known += laws_of_sphere(fluid, plane, balanced and free and rolling.contact == "marble")
     return tuple(known)

@@ -12,7 +12,6 @@ from ..core.laws import Law
 from ..core.overview import Overview, WithOverview
 from ..core.system import System
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.rolling.fluid import fluids_of
 from .catalogue_entry import Entry
 from .fluid_laws import laws_with_fluid
 from .names import lookup
@@ -136,7 +135,7 @@ def known_laws_of(rolling: Rolling, system: System) -> tuple[Law, ...]:
     >>> [law.name for law in ch.catalogue.known_laws_of(rolling, rolling.system())][:3]
     ['area', 'momentum', 'measure']
     """
-    if fluids_of(rolling.body):
+    if rolling.body.fluids:
         return laws_with_fluid(rolling)
     # of those with one name the first
     laws: dict[str, Law] = {}

@@ -26,6 +26,11 @@ FORMAT = "chaplygin certificate 2"
 def check(certificate: object) -> None:
     """Check a certificate.
 
+    Parameters
+    ----------
+    certificate : mapping
+        As :func:`json.load` reads it.
+
     Raises
     ------
     BadInputError

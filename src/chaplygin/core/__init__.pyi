@@ -17,6 +17,7 @@ from .system import (
     Parameter as Parameter,
     System as System,
 )
+from .vector_operators import unit_vector as unit_vector
 from .vectors import (
     Diagonal as Diagonal,
     Vector as Vector,
@@ -26,5 +27,4 @@ from .vectors import (
     norm_squared as norm_squared,
     real_symbol as real_symbol,
     to_components as to_components,
-    unit_vector as unit_vector,
 )

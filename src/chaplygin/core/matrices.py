@@ -13,10 +13,16 @@ from typing import Self, TypeAlias
 import sympy as sp
 from sympy.core.symbol import Str
 from sympy.matrices.expressions import MatrixExpr
-from sympy.printing.latex import LatexPrinter
 
-from .display import formula_latex
-from .vectors import Components, Scalar, ScalarOfTensors, Vector, real_symbol, to_components
+from .vectors import (
+    Components,
+    Scalar,
+    ScalarOfTensors,
+    Unevaluated,
+    Vector,
+    real_symbol,
+    to_components,
+)
 
 IndexPair: TypeAlias = tuple[int, int]
 
@@ -37,17 +43,13 @@ class Column(Vector):
         return tuple(real_symbol(f"{self.name}_{i}") for i in range(1, int(self.shape[0]) + 1))
 
 
-class NamedMatrix(sp.MatrixSymbol):
+class NamedMatrix(Unevaluated, sp.MatrixSymbol):
     """A named n × n matrix with some independent entries."""
 
     def __new__(cls, name: str | Str, size: int, *_: object) -> Self:
         """Make the symbol; SymPy rebuilds expressions through here."""
         matrix: Self = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.Integer(size))
         return matrix
-
-    def doit(self, **_: object) -> Self:
-        """A name is evaluated already."""
-        return self
 
     @property
     def places(self) -> tuple[IndexPair, ...]:
@@ -71,9 +73,6 @@ class NamedMatrix(sp.MatrixSymbol):
     def as_explicit(self) -> Components:
         """The n × n matrix of scalars."""
         return self.entries
-
-    def _latex(self, printer: LatexPrinter) -> str:
-        return formula_latex(self)
 
 
 class Skew(NamedMatrix):
@@ -123,7 +122,7 @@ class SquareMatrix(NamedMatrix):
         return Components(*self.shape, self.symbols)
 
 
-class Image(MatrixExpr):
+class Image(Unevaluated, MatrixExpr):
     """The image of a skew matrix under a named operator, shown as ``I(ω)``.
 
     Parameters
@@ -145,19 +144,12 @@ class Image(MatrixExpr):
         """Rows and columns."""
         return tuple(self.args[1].shape)
 
-    def doit(self, **_: object) -> Image:
-        """Stay as written."""
-        return self
-
     def as_explicit(self) -> Components:
         """The n × n matrix of scalars."""
         return Components(self.args[2])
 
-    def _latex(self, printer: LatexPrinter) -> str:
-        return formula_latex(self)
 
-
-class Blocks(MatrixExpr):
+class Blocks(Unevaluated, MatrixExpr):
     """A matrix shown by its blocks, such as ``[0, w; −wᵀ, 0]``.
 
     Parameters
@@ -182,10 +174,6 @@ class Blocks(MatrixExpr):
         explicit = self.as_explicit()
         return sp.Integer(explicit.rows), sp.Integer(explicit.cols)
 
-    def doit(self, **_: object) -> Blocks:
-        """Stay as written."""
-        return self
-
     def as_explicit(self) -> Components:
         """The matrix of scalars."""
         rows = (
@@ -194,17 +182,9 @@ class Blocks(MatrixExpr):
         )
         return Components(sp.Matrix.vstack(*rows))
 
-    def _latex(self, printer: LatexPrinter) -> str:
-        return formula_latex(self)
-
 
 class MatrixProduct(ScalarOfTensors):
     """The scalar product (A, B) = ½ tr AᵀB of n × n matrices: Σ A_ij B_ij, i < j, of skew ones."""
-
-    def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> MatrixProduct:
-        """Make the node as it stands, without evaluation."""
-        node: MatrixProduct = sp.Basic.__new__(cls, left, right)
-        return node
 
     def explicit(self) -> Scalar:
         """The sum in components."""
@@ -217,11 +197,6 @@ class MatrixProduct(ScalarOfTensors):
 
 class Pfaffian(ScalarOfTensors):
     """The Pfaffian of a skew matrix of even size, shown as ``Pf k``: its square is det k."""
-
-    def __new__(cls, matrix: MatrixExpr) -> Pfaffian:
-        """Make the node as it stands, without evaluation."""
-        node: Pfaffian = sp.Basic.__new__(cls, matrix)
-        return node
 
     def explicit(self) -> Scalar:
         """The sum over pairings, in components."""

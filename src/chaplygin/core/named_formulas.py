@@ -18,6 +18,17 @@ def as_pairs(formulas: Mapping[sp.Basic, sp.Basic] | Iterable[tuple[sp.Basic, sp
     return tuple(formulas.items()) if isinstance(formulas, Mapping) else tuple(formulas)
 
 
+def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:
+    """The formula with the known symbols in place of others of the same name.
+
+    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` differ for SymPy, but mean the same
+    in a formula that a user writes.
+    """
+    named = {symbol.name: symbol for symbol in symbols}
+    written = sp.sympify(formula)
+    return written.xreplace({s: named[s.name] for s in written.free_symbols if s.name in named})
+
+
 def with_formulas(value: object) -> object:
     """A value with pairs for mappings, tuples for lists, SymPy numbers.
 

@@ -3,36 +3,17 @@
 A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
 :func:`dot`, :func:`cross` and :func:`outer` keep their vector form, so that they print as
 ``M×ω + m ṙ×(ω×r)``; :func:`to_components` turns the same formula into three scalars.
-
-Examples
---------
->>> M, omega = Vector("M"), Vector("omega")
->>> cross(M, omega), cross(M, 2 * M), norm_squared(M)
-(Cross(M, omega), 0, Dot(M, M))
->>> to_components(dot(M, Diagonal("I") * omega))
-I_1*M_1*omega_1 + I_2*M_2*omega_2 + I_3*M_3*omega_3
->>> to_components(dot(constant([1, 2, real_symbol("k")]), M) - dot(unit_vector(3), M))
-M_1 + 2*M_2 + M_3*k - M_3
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import lru_cache
-from typing import Self, TypeAlias
+from typing import ClassVar, Self, TypeAlias
 
 import sympy as sp
 from sympy.core.symbol import Str
-from sympy.matrices.expressions import (
-    Identity,
-    Inverse,
-    MatAdd,
-    MatMul,
-    MatPow,
-    MatrixExpr,
-    Transpose,
-    ZeroMatrix,
-)
+from sympy.matrices.expressions import MatAdd, MatMul, MatrixExpr, ZeroMatrix
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.precedence import PRECEDENCE
 
@@ -45,27 +26,46 @@ Components: TypeAlias = sp.ImmutableDenseMatrix
 _LABELS = {2: ("x", "y"), 3: ("1", "2", "3"), 4: ("w", "x", "y", "z")}
 
 zero: MatrixExpr = ZeroMatrix(3, 1)
-identity: MatrixExpr = Identity(3)
-
-
-def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:
-    """The formula with the known symbols in place of others of the same name.
-
-    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` differ for SymPy, but mean the same
-    in a formula that a user writes.
-    """
-    named = {symbol.name: symbol for symbol in symbols}
-    written = sp.sympify(formula)
-    return written.xreplace({s: named[s.name] for s in written.free_symbols if s.name in named})
+identity: MatrixExpr = sp.Identity(3)
 
 
 @arguments_checked
 def real_symbol(name: str) -> sp.Symbol:
-    """A real scalar symbol, the only kind used in this package."""
+    """A real scalar symbol, the only kind used in this package.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    sympy.Symbol
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> real_symbol("k").is_real
+    True
+    """
     return sp.Symbol(name, real=True)
 
 
-class Vector(sp.MatrixSymbol):
+class Unevaluated:
+    """A node that stays as written until :func:`to_components` takes its components."""
+
+    def doit(self, **_: object) -> Self:
+        """Itself."""
+        return self
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return formula_latex(self)
+
+
+class Vector(Unevaluated, sp.MatrixSymbol):
     """A named vector with the components ``name_1``, ``name_2``, ``name_3``.
 
     Parameters
@@ -75,6 +75,16 @@ class Vector(sp.MatrixSymbol):
         typeset (``gamma``, ``rdot``).
     size : int
         3; 2 for points of a plane, 4 for quaternions (components w, x, y, z).
+
+    Raises
+    ------
+    InputError
+        If the size is not a positive whole number.
+
+    Examples
+    --------
+    >>> Vector("gamma").symbols, Vector("q", 4).symbols
+    ((gamma_1, gamma_2, gamma_3), (q_w, q_x, q_y, q_z))
     """
 
     def __new__(cls, name: str | Str, size: int = 3, *_: object) -> Vector:
@@ -84,10 +94,6 @@ class Vector(sp.MatrixSymbol):
         vector: Vector = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.S.One)
         return vector
 
-    def doit(self, **_: object) -> Vector:
-        """A name is evaluated already."""
-        return self
-
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The component symbols, in order."""
@@ -96,80 +102,60 @@ class Vector(sp.MatrixSymbol):
     def __iter__(self) -> Iterator[sp.Symbol]:
         return iter(self.symbols)
 
-    def _latex(self, printer: LatexPrinter) -> str:
-        return formula_latex(self)
 
+class _Tensor(Unevaluated, sp.MatrixSymbol):
+    _labels: ClassVar[tuple[str, ...]]
+    _pairs: ClassVar[tuple[tuple[int, int], ...]]
 
-class _Tensor(sp.MatrixSymbol):
     def __new__(cls, name: str | Str, *_: object) -> Self:
         tensor: Self = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(3), sp.Integer(3))
         return tensor
 
-    def doit(self, **_: object) -> Self:
-        """A name is evaluated already."""
-        return self
-
-    def _latex(self, printer: LatexPrinter) -> str:
-        return formula_latex(self)
-
-
-class Diagonal(_Tensor):
-    """A named diagonal tensor diag(name_1, name_2, name_3)."""
-
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
-        """The diagonal, in order."""
-        return tuple(real_symbol(f"{self.name}_{i}") for i in (1, 2, 3))
-
-    @property
-    def entries(self) -> Components:
-        """The 3×3 matrix of scalars."""
-        return Components(sp.diag(*self.symbols))
-
-    @staticmethod
-    def independent(matrix: sp.MatrixBase) -> tuple[Scalar, ...]:
-        """The entries of `matrix` that belong to `symbols`."""
-        return tuple(matrix[i, i] for i in range(3))
-
-
-class Symmetric(_Tensor):
-    """A named symmetric tensor with entries name_11, name_12, …, name_33."""
-
-    _pairs = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
-
-    @property
-    def symbols(self) -> tuple[sp.Symbol, ...]:
-        """The upper triangle, row by row."""
-        return tuple(real_symbol(f"{self.name}_{i + 1}{j + 1}") for i, j in self._pairs)
+        """The independent entries, row by row."""
+        return tuple(real_symbol(f"{self.name}_{label}") for label in self._labels)
 
     @property
     def entries(self) -> Components:
         """The 3×3 matrix of scalars."""
         table = dict(zip(self._pairs, self.symbols, strict=True))
-        return Components(3, 3, lambda i, j: table[min(i, j), max(i, j)])
+        return Components(3, 3, lambda i, j: table.get((min(i, j), max(i, j)), 0))
 
-    @staticmethod
-    def independent(matrix: sp.MatrixBase) -> tuple[Scalar, ...]:
+    @classmethod
+    def independent(cls, matrix: sp.MatrixBase) -> tuple[Scalar, ...]:
         """The entries of `matrix` that belong to `symbols`."""
-        return tuple(matrix[i, j] for i, j in Symmetric._pairs)
+        return tuple(matrix[i, j] for i, j in cls._pairs)
 
 
-class Cross(MatrixExpr):
+class Diagonal(_Tensor):
+    """A named diagonal tensor diag(name_1, name_2, name_3).
+
+    Parameters
+    ----------
+    name : str
+
+    Examples
+    --------
+    >>> to_components(Diagonal("I") * Vector("omega")).T
+    Matrix([[I_1*omega_1, I_2*omega_2, I_3*omega_3]])
+    """
+
+    _labels = ("1", "2", "3")
+    _pairs = ((0, 0), (1, 1), (2, 2))
+
+
+class Symmetric(_Tensor):
+    """A named symmetric tensor with entries name_11, name_12, …, name_33."""
+
+    _labels = ("11", "12", "13", "22", "23", "33")
+    _pairs = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+
+
+class Cross(Unevaluated, MatrixExpr):
     """The vector product; build it with :func:`cross`."""
 
     shape = (sp.Integer(3), sp.S.One)
-
-    def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Cross:
-        """Make the node as it stands, without evaluation."""
-        node: Cross = sp.Basic.__new__(cls, left, right)
-        return node
-
-    def doit(self, **_: object) -> Cross:
-        """Stay as written: components are taken by :func:`to_components`."""
-        return self
-
-    def _latex(self, printer: LatexPrinter) -> str:
-        return formula_latex(self)
 
 
 class ScalarOfTensors(sp.Expr):
@@ -190,36 +176,10 @@ class ScalarOfTensors(sp.Expr):
 class Dot(ScalarOfTensors):
     """The scalar product (u, v); build it with :func:`dot`."""
 
-    def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Dot:
-        """Make the node as it stands, without evaluation."""
-        node: Dot = sp.Basic.__new__(cls, left, right)
-        return node
-
     def explicit(self) -> Scalar:
         """The sum of the products of components."""
         left, right = (to_components(arg) for arg in self.args)
         return sp.Add(*(a * b for a, b in zip(left, right, strict=True)))
-
-
-class Gradient(MatrixExpr):
-    """∂U/∂u for a scalar `U` written in the components of the vector `u`.
-
-    The name under which U is printed is the third argument.
-    """
-
-    shape = (sp.Integer(3), sp.S.One)
-
-    def __new__(cls, value: Scalar, variable: Vector, name: sp.Symbol) -> Gradient:
-        """Make the node as it stands, without evaluation."""
-        node: Gradient = sp.Basic.__new__(cls, value, variable, name)
-        return node
-
-    def doit(self, **_: object) -> Gradient:
-        """Stay as written: components are taken by :func:`to_components`."""
-        return self
-
-    def _latex(self, printer: LatexPrinter) -> str:
-        return formula_latex(self)
 
 
 def vectors(names: str) -> tuple[Vector, ...]:
@@ -228,21 +188,27 @@ def vectors(names: str) -> tuple[Vector, ...]:
 
 
 @arguments_checked
-def unit_vector(axis: int) -> MatrixExpr:
-    """The unit vector along body axis 1, 2 or 3; InputError for another one."""
-    if axis not in (1, 2, 3):
-        raise InputError(f"unit_vector: axis must be 1, 2 or 3, not {axis}")
-    return constant([int(axis == i) for i in (1, 2, 3)])
-
-
-@arguments_checked
 def constant(values: Formulas) -> MatrixExpr:
-    """A vector or matrix given by its entries (numbers or scalars).
+    """A vector or matrix given by its entries.
+
+    Parameters
+    ----------
+    values : sequence of n scalars, or of n rows
+        Numbers or formulas; all components in the same frame.
+
+    Returns
+    -------
+    MatrixExpr (n, 1) or (n, m)
 
     Raises
     ------
     InputError
         If it is a single number or formula.
+
+    Examples
+    --------
+    >>> to_components(dot(constant([1, 2, real_symbol("k")]), Vector("M")))
+    M_1 + 2*M_2 + M_3*k
     """
     if not hasattr(values, "__len__"):
         raise InputError(f"constant: the entries of a vector or matrix are needed, not {values}")
@@ -265,29 +231,67 @@ def _parts(vector: MatrixExpr) -> list[tuple[Scalar, MatrixExpr]]:
     return [(sp.S.One, vector)]
 
 
-def _ordered_product(atom: MatrixExpr) -> tuple[int, MatrixExpr]:
-    """A vector product with its factors in a fixed order, and its sign."""
-    if isinstance(atom, Cross):
-        left, right = atom.args
-        if sp.default_sort_key(left) > sp.default_sort_key(right):
-            return -1, Cross(right, left)
-    return 1, atom
+def _ordered_product(atom: MatrixExpr) -> MatrixExpr:
+    """A vector product with its factors in a fixed order, whatever its sign."""
+    return Cross(*sorted(atom.args, key=sp.default_sort_key)) if isinstance(atom, Cross) else atom
 
 
 @arguments_checked
 def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
-    """Vector product, bilinear; products of parallel vectors vanish at once."""
+    """The vector product u × v, with sums and scalar factors taken out.
+
+    Parameters
+    ----------
+    left, right : MatrixExpr (3, 1)
+        u and v, with components in the same right-handed frame.
+
+    Returns
+    -------
+    MatrixExpr (3, 1)
+        The product of parallel vectors is zero at once.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> M, omega = Vector("M"), Vector("omega")
+    >>> cross(M, omega), cross(M, 2 * M)
+    (Cross(M, omega), 0)
+    """
     total: MatrixExpr = zero
     for a, u in _parts(left):
         for b, v in _parts(right):
-            if _ordered_product(u)[1] != _ordered_product(v)[1]:
+            if _ordered_product(u) != _ordered_product(v):
                 total = total + (a * b) * Cross(u, v)
     return total
 
 
 @arguments_checked
 def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
-    """Scalar product; scalar factors are taken out."""
+    """The scalar product (u, v), with scalar factors taken out.
+
+    Parameters
+    ----------
+    left, right : MatrixExpr (n, 1)
+        u and v, with components in the same frame.
+
+    Returns
+    -------
+    sympy.Expr
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> dot(2 * Vector("M"), Vector("omega"))
+    2*Dot(M, omega)
+    """
     if isinstance(left, ZeroMatrix) or isinstance(right, ZeroMatrix):
         return sp.S.Zero
     factor = sp.S.One
@@ -302,30 +306,31 @@ def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
 
 @arguments_checked
 def norm_squared(vector: MatrixExpr) -> Scalar:
-    """The square (u, u)."""
+    """The square (u, u).
+
+    Parameters
+    ----------
+    vector : MatrixExpr (n, 1)
+
+    Returns
+    -------
+    sympy.Expr
+
+    Raises
+    ------
+    InputError
+        If an argument is of another type.
+
+    Examples
+    --------
+    >>> to_components(norm_squared(Vector("gamma")))
+    gamma_1**2 + gamma_2**2 + gamma_3**2
+    """
     return dot(vector, vector)
 
 
-def outer(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
-    """The dyad u ⊗ v, as the matrix u vᵀ."""
-    return left * Transpose(right)
-
-
-def hat(vector: MatrixExpr) -> Components:
-    """The skew matrix with hat(u) v = u × v."""
-    x, y, z = to_components(vector)
-    return Components([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-
-
-def gradient(value: Scalar, variable: Vector, name: str = "U") -> MatrixExpr:
-    """∂value/∂variable, shown as ∂U/∂γ; zero when `value` does not depend on it."""
-    if not to_components(value).has(*variable.symbols):
-        return zero
-    return Gradient(value, variable, real_symbol(name))
-
-
 def to_components(expression: sp.Basic) -> sp.Basic:
-    """Turn a formula into components.
+    """A formula in components.
 
     Parameters
     ----------
@@ -336,11 +341,23 @@ def to_components(expression: sp.Basic) -> sp.Basic:
     -------
     sympy.Expr or ImmutableDenseMatrix
         The same without any vector left in it; nothing is expanded.
+
+    Raises
+    ------
+    InputError
+        If it is not a formula.
+
+    Examples
+    --------
+    >>> to_components(dot(Vector("M"), Diagonal("I") * Vector("omega")))
+    I_1*M_1*omega_1 + I_2*M_2*omega_2 + I_3*M_3*omega_3
     """
     if isinstance(expression, sp.MatrixBase):
         return Components(expression.applyfunc(to_components))
-    if not isinstance(expression, sp.Basic):
-        expression = _as_formula(expression)
+    try:
+        expression = sp.sympify(expression, strict=True)
+    except sp.SympifyError:
+        raise InputError(f"{expression!r} is no formula: a SymPy expression is needed") from None
     return _components_of(expression)
 
 
@@ -353,20 +370,6 @@ def _components_of(expression: sp.Basic) -> sp.Basic:
     return _explicit_matrix(expression)
 
 
-def _as_formula(value: object) -> sp.Basic:
-    """A number as an expression.
-
-    Raises
-    ------
-    InputError
-        If it is no number.
-    """
-    try:
-        return sp.sympify(value, strict=True)
-    except sp.SympifyError:
-        raise InputError(f"{value!r} is no formula: a SymPy expression is needed") from None
-
-
 def _explicit_matrix(expression: MatrixExpr) -> Components:
     match expression:
         case Vector():
@@ -376,9 +379,6 @@ def _explicit_matrix(expression: MatrixExpr) -> Components:
         case Cross():
             (a, b, c), (x, y, z) = (to_components(arg) for arg in expression.args)
             return Components([b * z - c * y, c * x - a * z, a * y - b * x])
-        case Gradient():
-            value, variable, _ = expression.args
-            return Components([sp.diff(to_components(value), s) for s in variable.symbols])
         case MatAdd():
             terms = [to_components(arg) for arg in expression.args]
             return Components(sum(terms[1:], terms[0]))
@@ -388,9 +388,9 @@ def _explicit_matrix(expression: MatrixExpr) -> Components:
             for arg in reversed(expression.args):
                 product = to_components(arg) * product
             return product
-        case Transpose():
+        case sp.Transpose():
             return to_components(expression.arg).T
-        case Inverse() | MatPow():
+        case sp.Inverse() | sp.MatPow():
             matrix = to_components(expression.args[0])
             if expression.args[1] != -1:
                 return Components(matrix ** expression.args[1])

@@ -63,6 +63,14 @@ def unknown_variable(system: System, name: object, records: Iterable[str]) -> Un
 class Event:
     """A guard that was passed: what happened, and when.
 
+    Parameters
+    ----------
+    time : float
+        In s.
+    guard : Guard
+    is_terminal : bool
+        Whether the run ends there.
+
     Examples
     --------
     >>> import chaplygin as ch

@@ -197,6 +197,15 @@ def values(
     ------
     InputError
         If a formula or a parameter cannot be used.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> ch.formulas.values(pendulum, ["v**2/2", x * v], [[1.0, 2.0], [3.0, 4.0]])
+    array([[ 2.,  2.],
+           [ 8., 12.]])
     """
     points = as_float_array("states", states)
     size = len(system.symbols)

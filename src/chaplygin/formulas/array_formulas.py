@@ -34,6 +34,14 @@ class Formulas:
     ------
     InputError
         When a formula is first evaluated that has a name of neither kind, or an unknown function.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> ch.formulas.Formulas(pendulum, [v**2 / 2, x * v])([1.0, 2.0])
+    array([2., 2.])
     """
 
     system: System

@@ -27,6 +27,21 @@ def ball(value: Any) -> Any:
     Parameters
     ----------
     value : float, int, Fraction, str, sympy number, mpmath number or flint.arb
+
+    Returns
+    -------
+    flint.arb, or flint.acb for one
+
+    Raises
+    ------
+    InputError
+        If it is not a real number.
+
+    Examples
+    --------
+    >>> from chaplygin.formulas import ball
+    >>> ball(0.5)
+    0.500000000000000
     """
     if isinstance(value, arb | acb):
         return value
@@ -84,6 +99,19 @@ def ball_values(formulas: Iterable[sp.Expr], values: Values) -> tuple[Any, ...]:
     -------
     tuple of arb or acb
         Not finite where a formula has no value.
+
+    Raises
+    ------
+    InputError
+        If a symbol has no value.
+
+    Examples
+    --------
+    >>> from flint import arb
+    >>> from chaplygin.formulas import ball_values
+    >>> x = sp.Symbol("x")
+    >>> ball_values([x**2], {x: arb(3)})
+    (9.00000000000000,)
     """
     scalars = tuple(sp.sympify(formula) for formula in formulas)
     symbols = set[sp.Symbol]().union(*(formula.free_symbols for formula in scalars))
@@ -106,6 +134,19 @@ def ball_function(
     formulas : tuple of sympy.Expr
     steps : tuple of (Symbol, sympy.Expr), optional
         Intermediate quantities that the formulas use, in order.
+
+    Returns
+    -------
+    callable
+        Of as many balls as there are names; it gives a tuple of balls.
+
+    Examples
+    --------
+    >>> from flint import arb
+    >>> from chaplygin.formulas import ball_function
+    >>> x = sp.Symbol("x")
+    >>> ball_function((x,), (x**2, x + 1))(arb(3))
+    (9.00000000000000, 4.00000000000000)
     """
     return _ball_function(
         tuple(names), tuple(map(sp.sympify, formulas)), tuple(dict(steps).items())

@@ -24,6 +24,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ..core.laws import Identity, Law, Measure, Rate
 from ..core.named_formulas import Pairs
 from ..core.system import Parameter, System
+from ..core.vector_operators import unit_vector
 from ..core.vectors import (
     Diagonal,
     Symmetric,
@@ -33,7 +34,6 @@ from ..core.vectors import (
     identity,
     norm_squared,
     real_symbol,
-    unit_vector,
     zero,
 )
 from ..mechanics.rolling.equations import Rolling

@@ -12,7 +12,6 @@ from dataclasses import replace
 
 from ..core.laws import Measure
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.rolling.fluid import fluids_of
 from ..mechanics.shapes.implicit import Implicit
 from ..mechanics.shapes.shapes import Disk, Torus
 from ..proof.prover import POINTS_ALONE, prove
@@ -40,7 +39,7 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
     effort : int
         Term operations after which a proof is given up.
     """
-    if fluids_of(rolling.body):
+    if rolling.body.fluids:
         return _with_fluid(rolling, name, effort)
     form = one_form(rolling)
     theorem = criterion(rolling)

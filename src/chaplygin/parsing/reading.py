@@ -46,6 +46,12 @@ def parse(
         When the text is no formula of this language, contains an unknown name, has no real value
         (``1/0``, ``sqrt(-1)``) or is absurdly large. The message is one sentence, followed by
         the formula and a caret under the offending character.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.parsing.parse("x**2/2 + 0.1", {"x": ch.core.real_symbol("x")})
+    x**2/2 + 1/10
     """
     words = _in_order(names, RESERVED_WORDS)
     source = Source(code_spelling(text), where, words, further=further)
@@ -84,6 +90,13 @@ def parse_formula(
     ------
     InputError
         As for `parse`, and where numbers and vectors are mixed up.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> M, omega = ch.core.Vector("M"), ch.core.Vector("omega")
+    >>> ch.parsing.parse_formula("dot(M, omega)/2", {"M": M, "omega": omega})
+    Dot(M, omega)/2
     """
     scalars = {str(s): s for name in names.values() for s in _components(name)}
     words = _in_order([*names, *scalars], RESERVED_WORDS | PRODUCTS)

@@ -28,7 +28,8 @@ from sympy.matrices.expressions import (
 
 from ..core.laws import Rate
 from ..core.matrices import Blocks, Image, Jacobian, MatrixProduct, Pfaffian
-from ..core.vectors import Cross, Dot, Gradient
+from ..core.vector_operators import Gradient
+from ..core.vectors import Cross, Dot
 from .notation import LATEX, UNICODE, Fragment, Notation, Precedence
 from .ordering import (
     Factors,

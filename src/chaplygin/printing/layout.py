@@ -9,7 +9,8 @@ import sympy as sp
 
 from ..core.named_formulas import Pairs
 from ..core.system import System, flat
-from ..core.vectors import Diagonal, Gradient, Symmetric, Vector, to_components
+from ..core.vector_operators import Gradient
+from ..core.vectors import Diagonal, Symmetric, Vector, to_components
 from .laws import formulas
 
 

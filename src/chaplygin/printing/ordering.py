@@ -9,7 +9,8 @@ from functools import cached_property, total_ordering
 import sympy as sp
 from sympy.matrices.expressions import Identity, MatAdd, MatMul, MatrixExpr
 
-from ..core.vectors import Diagonal, Dot, Gradient, Symmetric, Vector
+from ..core.vector_operators import Gradient
+from ..core.vectors import Diagonal, Dot, Symmetric, Vector
 from .symbol_names import GREEK, letter_of
 
 #: Mass and gravity stand first in a product: m g R.

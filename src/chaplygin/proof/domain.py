@@ -21,7 +21,6 @@ from .fields.quotient_ring import Element
 from .fields.unreduced_fields import UnreducedField
 from .level.level_set import LevelSet
 from .level.named_formulas import quantities_in_order
-from .level.time_derivatives import without_second_rates
 from .residuals import target_state
 
 #: Formula, where it stands ("own" or "target"), its value, and whether it must be positive.
@@ -71,7 +70,7 @@ def _value(level: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: E
 
     def value(formula: Formula) -> tuple[str, Element]:
         made_of = sympy_formula(formula, table)
-        return str(made_of), evaluate.value(without_second_rates(made_of, level, quantities))
+        return str(made_of), evaluate.value(level.without_second_rates(made_of, quantities))
 
     return value
 

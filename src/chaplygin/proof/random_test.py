@@ -18,7 +18,7 @@ from .level.level_set import Draw, LevelSet
 from .level.positivity_conditions import unmet_conditions
 from .level.sample_points import moderate_number, number_near_default, number_of_any_magnitude
 from .rank import rank_defect
-from .residuals import Residuals, condition_rates, residuals
+from .residuals import Residuals, condition_rates, in_words, residuals
 
 ATTEMPTS = 400
 """Points looked at, for one inside the domain at which the law is defined."""
@@ -126,9 +126,9 @@ def _trial_at(
     if unmet_conditions(law, level, field):
         # the law makes no sense here
         raise ZeroDivisionError
-    for what, residual in all_residuals(law, level, field):
+    for name, residual in all_residuals(law, level, field):
         if not field.vanishes(residual):
-            return Trial(field, values, (what, residual))
+            return Trial(field, values, (in_words(name), residual))
     try:
         return Trial(field, values, lack=rank_defect(law, level, field))
     except OutOfReachError as reason:

@@ -32,7 +32,6 @@ from .level.closedness import rows_of_equations_and_identities, up_to_time
 from .level.level_set import LevelSet
 from .level.named_formulas import components
 from .level.separability import of_separation
-from .level.time_derivatives import without_rates
 from .residuals import Row, target_state
 
 DIMENSION = "the dimension of the level"
@@ -83,7 +82,7 @@ def _entries(law: PoissonStructure, level: LevelSet, field: Field) -> list[list[
     plain = level.evaluator(field)
     size = len(level.system.symbols)
     return [
-        [plain.value(without_rates(law.matrix[i, j], level)) for j in range(size)]
+        [plain.value(level.without_rates(law.matrix[i, j])) for j in range(size)]
         for i in range(size)
     ]
 

@@ -10,7 +10,6 @@ from .fields.field import Field
 from .level.closedness import up_to_time
 from .level.level_set import LevelSet
 from .level.named_formulas import components
-from .level.time_derivatives import without_rates
 from .rank import rank
 
 
@@ -32,7 +31,7 @@ def _(law: Integral, level: LevelSet, field: Field) -> str:
     """Whether the function is constant, so that it distinguishes no motions."""
     partial = level.partial(field)
     size = len(level.system.symbols)
-    formulas = [*level.moving, without_rates(to_components(law.value), level)]
+    formulas = [*level.moving, level.without_rates(to_components(law.value))]
     slopes = [partial(formula).slopes for formula in formulas]
     rows = [[s.get(i, field.zero) for i in range(size)] for s in slopes]
     same = rank(field, rows) == rank(field, rows[:-1])

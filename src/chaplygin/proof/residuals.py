@@ -1,6 +1,6 @@
 """Residuals of laws, which vanish where these hold, in any field.
 
-Every function yields pairs (what, value): the law holds where all values are zero.
+Every function yields pairs (name, value): the law holds where all values are zero.
 """
 
 from __future__ import annotations
@@ -33,10 +33,16 @@ from .fields.field import Field, FieldElement
 from .level.level_set import LevelSet
 from .level.named_formulas import components, quantities_in_order, scalars
 from .level.separability import separation_residuals
-from .level.time_derivatives import without_rates, without_second_rates
 
 Row: TypeAlias = Sequence[FieldElement]
-Residuals: TypeAlias = Iterator[tuple[str, FieldElement]]
+#: Words, or the condition whose rate the residual is.
+Name: TypeAlias = str | sp.Expr
+Residuals: TypeAlias = Iterator[tuple[Name, FieldElement]]
+
+
+def in_words(name: Name) -> str:
+    """The name of a residual for a reader."""
+    return name if isinstance(name, str) else f"invariance of {text(name)} = 0"
 
 
 @singledispatch
@@ -49,7 +55,7 @@ def condition_rates(level: LevelSet, field: Field) -> Residuals:
     """Rates of the conditions: they vanish when the phase space and the level are invariant."""
     along = level.along(field)
     for condition in level.moving:
-        yield f"invariance of {text(condition)} = 0", along.slope(condition)
+        yield condition, along.slope(condition)
 
 
 # --- integrals, identities, reductions -----------------------------------------------------
@@ -57,13 +63,13 @@ def condition_rates(level: LevelSet, field: Field) -> Residuals:
 
 @residuals.register
 def _(law: Integral, level: LevelSet, field: Field) -> Residuals:
-    yield "v(F)", level.along(field).slope(without_rates(to_components(law.value), level))
+    yield "v(F)", level.along(field).slope(level.without_rates(to_components(law.value)))
 
 
 @residuals.register
 def _(law: Identity, level: LevelSet, field: Field) -> Residuals:
     quantities = quantities_in_order(law, level)
-    formulas = [without_second_rates(f, level, quantities) for f in scalars(law.value)]
+    formulas = [level.without_second_rates(f, quantities) for f in scalars(law.value)]
     if not formulas:
         raise InputError(f"the law {law.name!r} states nothing: it has no formula")
     rated = any(f.has(Rate) for f in formulas)
@@ -77,7 +83,7 @@ def _(law: Reduction, level: LevelSet, field: Field) -> Residuals:
     quantities = quantities_in_order(law, level)
     evaluate = level.along(field).with_steps(quantities)
     for i, equation in enumerate(law.equations, 1):
-        formula = without_second_rates(to_components(equation), level, quantities)
+        formula = level.without_second_rates(to_components(equation), quantities)
         yield f"equation {i}", evaluate.value(formula)
 
 
@@ -101,7 +107,7 @@ def _(law: Measure, level: LevelSet, field: Field) -> Residuals:
         total = total + _slope(field, rate, i)
     for base, exponent in law.density:
         inner, power = (
-            partial(without_rates(to_components(base), level)),
+            partial(level.without_rates(to_components(base))),
             partial(sp.sympify(exponent)),
         )
         if power.slopes:
@@ -217,7 +223,7 @@ def _(law: PoissonStructure, level: LevelSet, field: Field) -> Residuals:
             f"but the state has {size} variables"
         )
     entries = [
-        [partial(without_rates(law.matrix[i, j], level)) for j in range(size)] for i in range(size)
+        [partial(level.without_rates(law.matrix[i, j])) for j in range(size)] for i in range(size)
     ]
     values = [[entry.value for entry in row] for row in entries]
     for i in range(size):
@@ -235,7 +241,7 @@ def _(law: PoissonStructure, level: LevelSet, field: Field) -> Residuals:
         yield from _casimir(
             field,
             f"{{·, {casimir}}}",
-            partial(without_rates(to_components(casimir), level)),
+            partial(level.without_rates(to_components(casimir))),
             values,
         )
     if law.rank is not None:
@@ -269,7 +275,7 @@ def _(law: ConformallyHamiltonian, level: LevelSet, field: Field) -> Residuals:
     yield from residuals(law.structure, level, field)
     partial = level.partial(field)
     size = len(level.system.symbols)
-    gradient = partial(without_rates(to_components(law.hamiltonian), level)).slopes
+    gradient = partial(level.without_rates(to_components(law.hamiltonian))).slopes
     multiplier = partial.value(to_components(law.multiplier))
     for i, rate in enumerate(level.system.rates):
         total = field.zero

@@ -26,6 +26,7 @@ from .fields.quotient_ring import Element
 from .level.level_set import LevelSet
 from .random_test import all_residuals
 from .rank import rank_defect
+from .residuals import in_words
 
 MOST_RUNS = 48
 """Choices of signs that are followed."""
@@ -156,10 +157,10 @@ def _run(
 
 def _zero_residuals(law: Law, level: LevelSet, field: FunctionField) -> tuple[int, str]:
     count = 0
-    for what, residual in all_residuals(law, level, field):
+    for name, residual in all_residuals(law, level, field):
         if not field.vanishes(cast(Element, residual)):
             return count, (
-                f"{what} vanishes at the points tried, but does not reduce to zero: a "
+                f"{in_words(name)} vanishes at the points tried, but does not reduce to zero: a "
                 f"polynomial of {len(cast(Element, residual).poly):,} terms remains"
             )
         count += 1

@@ -66,6 +66,21 @@ def write_study(
         If the folder cannot be written, or holds another study.
     InterruptionError
         If the integration is interrupted.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import chaplygin as ch
+    >>> class Silent:
+    ...     def __call__(self, share): ...
+    ...     def say(self, what): ...
+    >>> study = ch.prepare(ch.loads('system = {name = "veselova"}', overrides=["run.until=1"]))
+    >>> no_proofs = ch.analysis.classification.ProofBudget(1, 0)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     home = Path(folder, "veselova")
+    ...     motion, failure = ch.report.write_study(study, home, False, no_proofs, Silent())
+    ...     sorted(path.name for path in home.iterdir())
+    ['experiment.toml', 'figures', 'report.html', 'trajectory.nc']
     """
     failure: RunError | None = None
     begin(folder, study.complete_toml(), force)

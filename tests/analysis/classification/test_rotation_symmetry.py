@@ -12,13 +12,13 @@ from chaplygin.analysis.classification.rotation_symmetry import proven_rotation_
 from chaplygin.catalogue import entry
 from chaplygin.core.laws import Symmetry
 from chaplygin.core.system import System
+from chaplygin.core.vector_operators import outer
 from chaplygin.core.vectors import (
     Diagonal,
     Symmetric,
     cross,
     dot,
     norm_squared,
-    outer,
     real_symbol,
     to_components,
     vectors,

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from chaplygin.core.isomorphism import Isomorphism
-from chaplygin.core.vectors import Vector, gradient
+from chaplygin.core.vector_operators import gradient
+from chaplygin.core.vectors import Vector
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from chaplygin.mechanics.ball.initial_state import ball_state

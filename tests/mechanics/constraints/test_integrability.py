@@ -24,12 +24,12 @@ from chaplygin import (
     prove,
 )
 from chaplygin.core.system import Parameter
+from chaplygin.core.vector_operators import gradient
 from chaplygin.core.vectors import (
     Vector,
     constant,
     cross,
     dot,
-    gradient,
     norm_squared,
     real_symbol,
     to_components,

@@ -15,7 +15,6 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Rate, Reduction
 from ...core.vectors import to_components
-from ...proof.level.time_derivatives import without_rates
 from .facts import Fact, fact_of
 from .ranks import Covectors, Element, View
 
@@ -142,7 +141,7 @@ def _rows(
 ) -> Covectors:
     def rows(view: View) -> list[list[Element]]:
         names = {
-            s: without_rates(to_components(f), view.level_set, quantities)
+            s: view.level_set.without_rates(to_components(f), quantities)
             for s, f in quantities.items()
         }
         reading = view.evaluate.with_steps(names)

@@ -21,7 +21,6 @@ from ...formulas.number_fields import Balls, Rationals, ball_precision
 from ...parsing.exact_decimals import exact_number
 from ...proof.level.level_set import LevelSet
 from ...proof.level.named_formulas import components
-from ...proof.level.time_derivatives import without_rates
 from ...proof.rank import rank
 
 T = TypeVar("T")
@@ -74,7 +73,7 @@ class View:
 
     def jet(self, formula: sp.Expr) -> Jet:
         """A formula of the system with its derivatives."""
-        return self.evaluate(without_rates(to_components(sp.sympify(formula)), self.level_set))
+        return self.evaluate(self.level_set.without_rates(to_components(sp.sympify(formula))))
 
     def differential(self, formula: sp.Expr) -> list[Element]:
         """The partial derivatives of a function by the state variables."""

@@ -73,6 +73,8 @@ class ReturnMap:
         With numbers for parameters, not arrays.
     angles : mapping of str to float
         Periods of state variables that are angles.
+    trivial : tuple of str
+        Directions in which the multiplier is 1 whatever the orbit: the flow, and what is named.
 
     Examples
     --------

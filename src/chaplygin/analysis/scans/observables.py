@@ -80,7 +80,7 @@ class TimeAverage:
 
     Attributes
     ----------
-    system, until, tolerance
+    system, until, tolerance, device
         See `SurvivalTime`.
     formula : sympy.Expr
         In state, definitions and parameters.
@@ -124,7 +124,7 @@ class Maximum:
 
     Attributes
     ----------
-    system, until, tolerance
+    system, until, tolerance, device
         See `SurvivalTime`.
     formula : sympy.Expr
         In state, definitions and parameters.
@@ -166,6 +166,11 @@ class Maximum:
 class Minimum(Maximum):
     """The least value of a formula among samples of a motion; see `Maximum`.
 
+    Parameters
+    ----------
+    system, until, formula, samples, tolerance, device
+        See `Maximum`.
+
     Examples
     --------
     >>> import chaplygin as ch
@@ -198,7 +203,7 @@ class Frequency:
 
     Attributes
     ----------
-    system, until, tolerance
+    system, until, tolerance, device
         See `SurvivalTime`.
     formula : sympy.Expr
         An angle, in radians, up to whole turns.

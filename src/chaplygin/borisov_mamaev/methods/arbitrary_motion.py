@@ -11,13 +11,13 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...catalogue.vector_rates import rate
 from ...core.system import Parameter, System
+from ...core.vector_operators import gradient
 from ...core.vectors import (
     Diagonal,
     Symmetric,
     constant,
     cross,
     dot,
-    gradient,
     norm_squared,
     real_symbol,
     vectors,

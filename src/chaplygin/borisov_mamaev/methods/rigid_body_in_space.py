@@ -11,7 +11,8 @@ from dataclasses import replace
 import sympy as sp
 
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, constant, cross, gradient, real_symbol, to_components, vectors
+from ...core.vector_operators import gradient
+from ...core.vectors import Diagonal, constant, cross, real_symbol, to_components, vectors
 from ...mechanics.lagrangian.structure_functions import VectorField, commutator
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from . import unspecified_systems

@@ -9,7 +9,8 @@ import sympy as sp
 from ...catalogue.angles import NORMAL, in_angles, phi, phidot, theta, thetadot
 from ...catalogue.fixed_point import veselova as catalogue
 from ...core.system import System
-from ...core.vectors import Diagonal, Vector, constant, dot, gradient, real_symbol, to_components
+from ...core.vector_operators import gradient
+from ...core.vectors import Diagonal, Vector, constant, dot, real_symbol, to_components
 
 I = Diagonal("I")
 gamma = Vector("gamma")

@@ -15,16 +15,8 @@ import sympy as sp
 from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System
-from ...core.vectors import (
-    Symmetric,
-    constant,
-    cross,
-    dot,
-    gradient,
-    real_symbol,
-    to_components,
-    vectors,
-)
+from ...core.vector_operators import gradient
+from ...core.vectors import Symmetric, constant, cross, dot, real_symbol, to_components, vectors
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified_systems
 

@@ -12,17 +12,8 @@ from ...catalogue.bodies.rubber_body import any_rubber_body
 from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import System
-from ...core.vectors import (
-    Diagonal,
-    constant,
-    cross,
-    dot,
-    gradient,
-    norm_squared,
-    to_components,
-    unit_vector,
-    vectors,
-)
+from ...core.vector_operators import gradient, unit_vector
+from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, to_components, vectors
 from ...mechanics.lagrangian.structure_functions import VectorField, lie_derivative
 from ...mechanics.rolling.attitude import rotation
 from ...mechanics.rolling.body import Body

@@ -12,6 +12,7 @@ from ...catalogue.bodies.rubber_body import any_rubber_body
 from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System
+from ...core.vector_operators import gradient
 from ...core.vectors import (
     Diagonal,
     Symmetric,
@@ -19,7 +20,6 @@ from ...core.vectors import (
     constant,
     cross,
     dot,
-    gradient,
     norm_squared,
     real_symbol,
     to_components,

@@ -12,15 +12,14 @@ from ...catalogue.fixed_point.veselova_spinning import spinning_general
 from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System
+from ...core.vector_operators import gradient, outer
 from ...core.vectors import (
     Diagonal,
     constant,
     cross,
     dot,
-    gradient,
     identity,
     norm_squared,
-    outer,
     real_symbol,
     vectors,
 )

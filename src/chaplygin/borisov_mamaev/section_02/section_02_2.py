@@ -12,7 +12,8 @@ from ...catalogue.chaplygin_ball import marble_ball
 from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
-from ...core.vectors import cross, dot, norm_squared, real_symbol, unit_vector, vectors, zero
+from ...core.vector_operators import unit_vector
+from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors, zero
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named, printed_form
 

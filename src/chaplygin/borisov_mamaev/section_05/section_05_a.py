@@ -27,17 +27,8 @@ from ...catalogue.bodies.rubber_profile import (
 from ...catalogue.fixed_point.veselova_spinning import spinning_general
 from ...core.laws import Identity, Integral, Rate, Reduction, Symmetry
 from ...core.system import Parameter, System
-from ...core.vectors import (
-    Diagonal,
-    constant,
-    cross,
-    dot,
-    norm_squared,
-    real_symbol,
-    unit_vector,
-    vectors,
-    zero,
-)
+from ...core.vector_operators import unit_vector
+from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, vectors, zero
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim

@@ -11,7 +11,8 @@ from ...catalogue.fixed_point import veselova as catalogue, veselova_spinning
 from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, Measure, Rate
 from ...core.system import System
-from ...core.vectors import Diagonal, cross, dot, gradient, norm_squared, real_symbol, vectors
+from ...core.vector_operators import gradient
+from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors
 from ..claim import Case, Claim, Remark
 from ..methods.independence import independent, rational_point
 from ..methods.veselova_in_angles import (

@@ -12,17 +12,8 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, D
 from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, Measure
 from ...core.system import System
-from ...core.vectors import (
-    Diagonal,
-    cross,
-    dot,
-    gradient,
-    identity,
-    norm_squared,
-    outer,
-    to_components,
-    vectors,
-)
+from ...core.vector_operators import gradient, outer
+from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, to_components, vectors
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.shapes.shapes import Ball

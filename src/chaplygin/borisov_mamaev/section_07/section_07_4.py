@@ -33,7 +33,8 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import (
 from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, Measure
 from ...core.system import System
-from ...core.vectors import constant, cross, dot, gradient, to_components, vectors
+from ...core.vector_operators import gradient
+from ...core.vectors import constant, cross, dot, to_components, vectors
 from ..claim import Case, Claim
 from ..methods.catalogue_laws import law_named, printed_form
 from .section_07_3a import CYCLIC_REST, GYROSCOPIC, KINETIC, SPIN, SPREAD, VELOCITIES, routh_slope

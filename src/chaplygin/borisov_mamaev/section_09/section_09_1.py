@@ -9,12 +9,12 @@ from ...catalogue.fixed_point import veselova
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
+from ...core.vector_operators import gradient
 from ...core.vectors import (
     Diagonal,
     constant,
     cross,
     dot,
-    gradient,
     identity,
     norm_squared,
     real_symbol,

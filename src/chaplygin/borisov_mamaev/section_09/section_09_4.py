@@ -29,7 +29,8 @@ from ...catalogue.ball_on_sphere.rubber_ball_sphero_conical import cubic
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
-from ...core.vectors import constant, cross, dot, gradient, norm_squared, real_symbol, vectors, zero
+from ...core.vector_operators import gradient
+from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, vectors, zero
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.derived_verdicts import contrary

@@ -15,17 +15,8 @@ import sympy as sp
 
 from ...core.laws import ConformallyHamiltonian, Integral, Law, PoissonStructure
 from ...core.system import Parameter, System
-from ...core.vectors import (
-    Components,
-    Diagonal,
-    cross,
-    dot,
-    gradient,
-    hat,
-    norm_squared,
-    real_symbol,
-    vectors,
-)
+from ...core.vector_operators import gradient, hat
+from ...core.vectors import Components, Diagonal, cross, dot, norm_squared, real_symbol, vectors
 from ...errors import InputError
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start

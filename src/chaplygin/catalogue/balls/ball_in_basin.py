@@ -10,7 +10,8 @@ from dataclasses import replace
 
 from ...core.laws import Integral, Law
 from ...core.system import Parameter
-from ...core.vectors import cross, dot, real_symbol, unit_vector, vectors
+from ...core.vector_operators import unit_vector
+from ...core.vectors import cross, dot, real_symbol, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.surface import ImplicitSurface
 from ..catalogue_entry import Numbers

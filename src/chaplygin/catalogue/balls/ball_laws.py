@@ -11,7 +11,8 @@ from __future__ import annotations
 import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Rate, Reduction
-from ...core.vectors import constant, cross, dot, real_symbol, to_components, unit_vector, vectors
+from ...core.vector_operators import unit_vector
+from ...core.vectors import constant, cross, dot, real_symbol, to_components, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.surface import (
     CircularCylinder,

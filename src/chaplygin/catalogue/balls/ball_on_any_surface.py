@@ -18,11 +18,11 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law, Measure, Rate
 from ...core.system import Parameter, System
+from ...core.vector_operators import gradient
 from ...core.vectors import (
     constant,
     cross,
     dot,
-    gradient,
     norm_squared,
     real_symbol,
     to_components,

@@ -13,7 +13,8 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import System
-from ...core.vectors import dot, gradient, norm_squared, to_components, vectors
+from ...core.vector_operators import gradient
+from ...core.vectors import dot, norm_squared, to_components, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import Cone

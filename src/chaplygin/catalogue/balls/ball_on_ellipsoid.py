@@ -12,15 +12,8 @@ from dataclasses import replace
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law
 from ...core.system import Parameter, System
-from ...core.vectors import (
-    Diagonal,
-    dot,
-    gradient,
-    norm_squared,
-    real_symbol,
-    to_components,
-    vectors,
-)
+from ...core.vector_operators import gradient
+from ...core.vectors import Diagonal, dot, norm_squared, real_symbol, to_components, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import EllipsoidSurface

@@ -11,7 +11,8 @@ from dataclasses import replace
 import sympy as sp
 
 from ...core.system import Parameter, System
-from ...core.vectors import real_symbol, unit_vector, vectors
+from ...core.vector_operators import unit_vector
+from ...core.vectors import real_symbol, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import Ring

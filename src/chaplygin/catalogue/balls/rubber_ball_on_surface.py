@@ -20,7 +20,8 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law
 from ...core.system import Parameter, System
-from ...core.vectors import constant, cross, dot, real_symbol, unit_vector, vectors
+from ...core.vector_operators import unit_vector
+from ...core.vectors import constant, cross, dot, real_symbol, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import Paraboloid

@@ -11,13 +11,13 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.laws import Identity, Integral
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
+from ...core.vector_operators import gradient
 from ...core.vectors import (
     Diagonal,
     Symmetric,
     constant,
     cross,
     dot,
-    gradient,
     identity,
     norm_squared,
     real_symbol,

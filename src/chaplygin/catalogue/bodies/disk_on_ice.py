@@ -17,6 +17,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Integral, Law, Measure, Rate, Reduction, Symmetry
 from ...core.system import Guard, Observable, Parameter, Reconstruction, System
+from ...core.vector_operators import unit_vector
 from ...core.vectors import (
     Vector,
     constant,
@@ -25,7 +26,6 @@ from ...core.vectors import (
     norm_squared,
     real_symbol,
     to_components,
-    unit_vector,
     vectors,
 )
 from ...mechanics.rolling.attitude import (

@@ -15,16 +15,8 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import (
-    Diagonal,
-    constant,
-    cross,
-    dot,
-    norm_squared,
-    real_symbol,
-    unit_vector,
-    vectors,
-)
+from ...core.vector_operators import unit_vector
+from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, vectors
 
 omega, gamma, r, rdot, M, X, n, w, e = vectors("omega gamma r rdot M X n w e")
 I = Diagonal("I")

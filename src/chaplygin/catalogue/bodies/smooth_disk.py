@@ -31,12 +31,12 @@ from ...core.laws import (
     Symmetry,
 )
 from ...core.system import Observable, Parameter, Reconstruction, System
+from ...core.vector_operators import gradient
 from ...core.vectors import (
     Diagonal,
     constant,
     cross,
     dot,
-    gradient,
     norm_squared,
     real_symbol,
     to_components,

@@ -25,6 +25,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law, Measure
 from ...core.system import Observable, Parameter, System, Theorem
+from ...core.vector_operators import outer
 from ...core.vectors import (
     Diagonal,
     Symmetric,
@@ -32,7 +33,6 @@ from ...core.vectors import (
     dot,
     identity,
     norm_squared,
-    outer,
     real_symbol,
     to_components,
     vectors,

@@ -17,11 +17,11 @@ import sympy as sp
 
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
 from ...core.system import Parameter, System
+from ...core.vector_operators import gradient
 from ...core.vectors import (
     Diagonal,
     cross,
     dot,
-    gradient,
     identity,
     norm_squared,
     real_symbol,

@@ -6,7 +6,8 @@ import sympy as sp
 
 from ...core.laws import Integral, Measure
 from ...core.system import System
-from ...core.vectors import cross, dot, gradient, norm_squared, vectors, zero
+from ...core.vector_operators import gradient
+from ...core.vectors import cross, dot, norm_squared, vectors, zero
 from ..catalogue_entry import Entry, Numbers, Start
 from .chaplygin_bracket import DET_IQ, PARAMETERS, TENSORS, A, D, with_numbers
 

@@ -18,17 +18,8 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import ConformallyHamiltonian, Integral, PoissonStructure
 from ...core.system import Parameter, System
-from ...core.vectors import (
-    Diagonal,
-    cross,
-    dot,
-    gradient,
-    identity,
-    norm_squared,
-    real_symbol,
-    vectors,
-    zero,
-)
+from ...core.vector_operators import gradient
+from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, real_symbol, vectors, zero
 from ...mechanics.rolling.body import check_mass
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start

@@ -12,16 +12,8 @@ import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Measure, Rate
 from ...core.system import Observable, Parameter, Reconstruction, System
-from ...core.vectors import (
-    Diagonal,
-    constant,
-    cross,
-    dot,
-    gradient,
-    norm_squared,
-    real_symbol,
-    vectors,
-)
+from ...core.vector_operators import gradient
+from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,

@@ -13,7 +13,8 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law
 from ...core.system import Observable, Parameter, System
-from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, unit_vector, vectors
+from ...core.vector_operators import unit_vector
+from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import check_mass
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start

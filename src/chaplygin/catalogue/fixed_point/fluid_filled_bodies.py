@@ -21,22 +21,22 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
+from ...core.vector_operators import hat, unit_vector
 from ...core.vectors import (
     Components,
     Diagonal,
     Symmetric,
     cross,
     dot,
-    hat,
     norm_squared,
     real_symbol,
     to_components,
-    unit_vector,
     vectors,
+    zero,
 )
 from ...errors import InputError
 from ...mechanics.rolling.cavity import Cavity
-from ...mechanics.rolling.fluid import Fluid, fluids_of_cavities, total
+from ...mechanics.rolling.fluid import Fluid, fluids_of_cavities
 from ...parsing.exact_decimals import exact_number
 from .. import e3
 from ..fluid_laws import SOURCE, SPIN, SQUARE, laws_of_sphere
@@ -83,7 +83,7 @@ def with_fluid(system: System, cavities: Sequence[Cavity]) -> System:
     tensor = _inertia(system, [fluid.cavity for fluid in fluids])
     I = Diagonal("I") if tensor.is_diagonal() else Symmetric("I")
     A = type(I)("A")
-    momentum = total([fluid.momentum for fluid in fluids])
+    momentum = sum((fluid.momentum for fluid in fluids), zero)
     energy = sum(fluid.energy for fluid in fluids)
     normal = NORMALS[system.name]
     motion = [pair for fluid in fluids for pair in fluid.motion]
@@ -94,11 +94,11 @@ def with_fluid(system: System, cavities: Sequence[Cavity]) -> System:
         definitions = ((A, I**-1), (omega, A * (M - momentum)), *motion)
         field = {M: cross(M, omega)}
         whole = HALF * dot(M - momentum, omega) + energy
-        start = [(M, I * omega + total([f.C * f.initial for f in fluids]))]
+        start = [(M, I * omega + sum((f.C * f.initial for f in fluids), zero))]
         laws = [_energy(whole), *circulations, *_of_free_body(fluids, whole)]
     else:
         torque = cross(I * omega, omega) + cross(momentum, omega)
-        torque -= total([fluid.C * fluid.rate for fluid in fluids])
+        torque -= sum((fluid.C * fluid.rate for fluid in fluids), zero)
         definitions = (
             *motion,
             (A, I**-1),

@@ -21,7 +21,8 @@ from ...core.laws import (
     Symmetry,
 )
 from ...core.system import Parameter, System
-from ...core.vectors import constant, cross, dot, real_symbol, to_components, unit_vector
+from ...core.vector_operators import unit_vector
+from ...core.vectors import constant, cross, dot, real_symbol, to_components
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import Gamma, M, e3_system

@@ -13,16 +13,8 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law, Measure
 from ...core.system import Observable, Parameter, Reconstruction, System
-from ...core.vectors import (
-    constant,
-    cross,
-    dot,
-    gradient,
-    norm_squared,
-    real_symbol,
-    unit_vector,
-    vectors,
-)
+from ...core.vector_operators import gradient, unit_vector
+from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
 from ...errors import InputError
 from ...mechanics.rolling.attitude import (
     attitude,

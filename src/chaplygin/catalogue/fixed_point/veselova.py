@@ -16,14 +16,13 @@ from ...core.laws import (
     Separation,
 )
 from ...core.system import Observable, Parameter, Reconstruction, System
+from ...core.vector_operators import gradient, hat
 from ...core.vectors import (
     Components,
     Diagonal,
     constant,
     cross,
     dot,
-    gradient,
-    hat,
     norm_squared,
     real_symbol,
     to_components,

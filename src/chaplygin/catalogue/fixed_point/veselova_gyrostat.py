@@ -13,16 +13,8 @@ import sympy as sp
 
 from ...core.laws import ConformallyHamiltonian, Integral, Law, PoissonStructure
 from ...core.system import Parameter, System
-from ...core.vectors import (
-    Components,
-    Diagonal,
-    cross,
-    dot,
-    hat,
-    norm_squared,
-    to_components,
-    vectors,
-)
+from ...core.vector_operators import hat
+from ...core.vectors import Components, Diagonal, cross, dot, norm_squared, to_components, vectors
 from .. import e3
 from ..catalogue_entry import Entry, Numbers, Start
 from ..parameter_conditions import holding

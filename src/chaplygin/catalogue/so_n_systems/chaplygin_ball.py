@@ -24,7 +24,8 @@ from ...core.laws import Integral, Law, Measure
 from ...core.matrices import Column, Jacobian, MatrixProduct, Skew, SymmetricMatrix, wedge
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
-from ...core.vectors import outer, real_symbol, to_components
+from ...core.vector_operators import outer
+from ...core.vectors import real_symbol, to_components
 from ..catalogue_entry import Values
 from ..so_n.elimination import solution
 from ..so_n.entry_of_dimension import MOMENTUM, SOURCE, D, Family, R, cycle, direction

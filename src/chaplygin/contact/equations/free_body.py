@@ -8,18 +8,16 @@ from functools import lru_cache
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.named_formulas import Pairs, by_dependence
+from ...core.named_formulas import Pairs, by_dependence, by_name
 from ...core.system import Parameter
+from ...core.vector_operators import gradient, hat
 from ...core.vectors import (
     Diagonal,
     Symmetric,
     Vector,
-    by_name,
     constant,
     cross,
     dot,
-    gradient,
-    hat,
     norm_squared,
     real_symbol,
     to_components,

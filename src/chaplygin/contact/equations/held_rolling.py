@@ -12,17 +12,8 @@ from dataclasses import replace
 import sympy as sp
 
 from ...core.named_formulas import Pairs
-from ...core.vectors import (
-    Symmetric,
-    Vector,
-    constant,
-    cross,
-    dot,
-    hat,
-    real_symbol,
-    to_components,
-    unit_vector,
-)
+from ...core.vector_operators import hat, unit_vector
+from ...core.vectors import Symmetric, Vector, constant, cross, dot, real_symbol, to_components
 from ..friction.symbols import (
     contour_hold,
     couple,

@@ -59,7 +59,7 @@ class FrictionalContact:
     def __post_init__(self) -> None:
         object.__setattr__(self, "laws", tuple(self.laws))
         require_compatible(self.laws)
-        if self.body.has_fluid:
+        if self.body.fluids:
             raise InputError(
                 "cavity: a body with fluid inside rolls by a marble or rubber contact alone; with "
                 "friction there may be none"

@@ -14,15 +14,8 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Identity, Integral, Law, Rate
 from ...core.system import Guard, Observable, Parameter, System
-from ...core.vectors import (
-    constant,
-    cross,
-    dot,
-    norm_squared,
-    real_symbol,
-    unit_vector,
-    vectors,
-)
+from ...core.vector_operators import unit_vector
+from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
 
 v, omega, gamma, r, slip, p = vectors("v omega gamma r slip p")
 m, R, c, g, I_1, I_3, nu, N, slip_speed = (

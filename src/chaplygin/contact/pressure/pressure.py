@@ -41,6 +41,12 @@ class CoupledFriction(ABC):
     """Force and couple of friction that depend on k = |u|/(a|Ω|), the sliding beside the spinning.
 
     The force is −μ N F(k) u/|u|, the couple about the normal −μ N a M(k) sgn Ω.
+
+    Examples
+    --------
+    >>> from chaplygin.contact.pressure import Hertz
+    >>> Hertz().force([0.0, float("inf")]).tolist()
+    [0.0, 1.0]
     """
 
     @abstractmethod

@@ -70,7 +70,18 @@ class ApproximateFriction(CoupledFriction):
 
 
 def zhuravlev_first_order() -> ApproximateFriction:
-    """Padé forms of first order: F(0), F′(0), F(∞), M(0) and lim kM are Hertz's."""
+    """Padé forms of first order: F(0), F′(0), F(∞), M(0) and lim kM are Hertz's.
+
+    Returns
+    -------
+    ApproximateFriction
+
+    Examples
+    --------
+    >>> import chaplygin.contact.pressure as pressure
+    >>> pressure.zhuravlev_first_order().force([0.0, float("inf")]).tolist()
+    [0.0, 1.0]
+    """
     return ApproximateFriction(
         "first order", k / (k + 1 / SLOPE), COUPLE / (1 + COUPLE / COUPLE_FAR * k)
     )
@@ -94,10 +105,20 @@ def zhuravlev_second_order(
     force_constant, couple_constant : float or sympy.Expr
         β > 0 and b > 0.
 
+    Returns
+    -------
+    ApproximateFriction
+
     Raises
     ------
     InputError
         If a constant is not positive.
+
+    Examples
+    --------
+    >>> import chaplygin.contact.pressure as pressure
+    >>> pressure.zhuravlev_second_order().force([0.0, float("inf")]).tolist()
+    [0.0, 1.0]
     """
     beta, b = sp.sympify(force_constant), sp.sympify(couple_constant)
     for name, value in (("force", beta), ("couple", b)):
@@ -116,6 +137,16 @@ def ellipsoid_law() -> ApproximateFriction:
     """The pair (F, M/M(0)) on a circle: F = k/√(k² + M(0)²) and M = M(0)²/√(k² + M(0)²).
 
     Force and couple then come from one ellipsoid, the ball of set-valued force laws.
+
+    Returns
+    -------
+    ApproximateFriction
+
+    Examples
+    --------
+    >>> import chaplygin.contact.pressure as pressure
+    >>> pressure.ellipsoid_law().force([0.0, float("inf")]).tolist()
+    [0.0, 1.0]
     """
     root = sp.sqrt(k**2 + COUPLE**2)
     return ApproximateFriction("ellipsoid", k / root, COUPLE**2 / root)
@@ -124,6 +155,19 @@ def ellipsoid_law() -> ApproximateFriction:
 @arguments_checked
 def greatest_errors(approximation: CoupledFriction) -> tuple[float, float]:
     """Greatest error of F, and of M in units of M(0), against Hertz's over all k ≥ 0.
+
+    Parameters
+    ----------
+    approximation : CoupledFriction
+
+    Returns
+    -------
+    (float, float)
+
+    Raises
+    ------
+    InputError
+        If the argument is of another type.
 
     Examples
     --------
@@ -165,6 +209,10 @@ def _greatest_difference(
 @cache
 def best_constants() -> tuple[float, float]:
     """β and b of `zhuravlev_second_order` with the least greatest errors.
+
+    Returns
+    -------
+    (float, float)
 
     Examples
     --------

@@ -7,7 +7,7 @@ import sympy as sp
 from ...catalogue import known_laws_of
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.fluid import Fluid, fluids_of
+from ...mechanics.rolling.fluid import Fluid
 from ...mechanics.shapes.surfaces import Plane, Sphere, Surface
 from ..file.body_tables import shape_name
 from ..file.tables import PlaneTable
@@ -41,7 +41,7 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
         from_catalogue=False,
         heading=start.heading,
         normal=start.normal,
-        letters=letters_with_fluid(fluids_of(rolling.body)),
+        letters=letters_with_fluid(rolling.body.fluids),
     )
 
 
@@ -107,7 +107,7 @@ def _title(rolling: Rolling) -> str:
     """A name for a body that the catalogue has none for."""
     ground = ground_words(rolling.surface)
     manner = "" if rolling.contact == "marble" else ", rubber contact"
-    filled = " with fluid" if fluids_of(rolling.body) else ""
+    filled = " with fluid" if rolling.body.fluids else ""
     return f"{shape_name(rolling.body.shape)}{filled} on {ground}{manner}"
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.fluid import fluids_of
 from ...mechanics.shapes.surfaces import Plane
 from ...printing.numerals import number
 from ..file.body_tables import shape_name
@@ -30,7 +29,7 @@ def rolling_setting(rolling: Rolling) -> str:
 
 def cavity_words(rolling: Rolling) -> str:
     """The fluids in the cavities of a body, to end the line of its setting; empty without any."""
-    fluids = fluids_of(rolling.body)
+    fluids = rolling.body.fluids
     if not fluids:
         return ""
     described = (

@@ -33,6 +33,7 @@ class NamedConstant:
         As it is written, such as ``"Omega_1"``.
     value : flint.arb
         With its error bound.
+    meaning, unit : str
 
     Examples
     --------

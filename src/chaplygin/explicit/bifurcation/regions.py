@@ -79,6 +79,8 @@ class Equilibrium:
     Attributes
     ----------
     place : two Fractions
+    axis : int
+        1, 2 or 3: the body axis.
     centres : int
         2: a minimum or maximum, stable; 1: a saddle and a centre; 0: a saddle twice.
     """

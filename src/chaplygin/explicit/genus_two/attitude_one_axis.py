@@ -22,7 +22,8 @@ from flint import arb
 
 from ...core.arrays import FloatArray
 from ...core.laws import Identity, Rate
-from ...core.vectors import constant, cross, dot, norm_squared, to_components, unit_vector, vectors
+from ...core.vector_operators import unit_vector
+from ...core.vectors import constant, cross, dot, norm_squared, to_components, vectors
 from .separation import SeparatedSystem, nu, nuprime
 
 omega, kappa, level, a = vectors("omega spin_kappa spin_level spin_a")

@@ -82,6 +82,10 @@ def motion_chart(equation: Equation, x: arb, rate: arb) -> Uniformisation | Equi
         Satisfied by the start.
     x, rate : arb
 
+    Returns
+    -------
+    Uniformisation or Equilibrium
+
     Raises
     ------
     InputError

@@ -42,6 +42,8 @@ class RigorousMotion:
         Constants, curve and torus at the precision that is needed.
     clock : RigorousQuadrature
         ∫ (dt/dτ) dτ.
+    digits : int
+        Decimal places after the point that are wanted.
     reach : float
         The largest |τ|.
     """
@@ -147,10 +149,15 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: NumberOrText) -> 
 
     Parameters
     ----------
+    solution : TorusMotion
     digits : int
         Decimal places after the point that are wanted.
     until : number
         The largest |time| at which they are wanted.
+
+    Returns
+    -------
+    RigorousMotion
 
     Raises
     ------
@@ -186,9 +193,14 @@ def rigorous_state(solution: TorusMotion, time: NumberOrText, digits: int) -> tu
 
     Parameters
     ----------
+    solution : TorusMotion
     time : float, int, str, Fraction or arb
     digits : int
         Decimal places aimed at; the radii of the balls say what was reached.
+
+    Returns
+    -------
+    tuple of arb
 
     Raises
     ------

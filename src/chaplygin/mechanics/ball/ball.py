@@ -11,16 +11,10 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...arguments import arguments_checked
 from ...core.laws import Integral, Law, Measure
+from ...core.named_formulas import by_name
 from ...core.system import Parameter, System
-from ...core.vectors import (
-    by_name,
-    constant,
-    gradient,
-    norm_squared,
-    real_symbol,
-    to_components,
-    vectors,
-)
+from ...core.vector_operators import gradient
+from ...core.vectors import constant, norm_squared, real_symbol, to_components, vectors
 from ...errors import InputError
 from ..rolling.body import check_mass
 from ..rolling.inertia import check_inertia

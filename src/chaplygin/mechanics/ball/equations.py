@@ -26,16 +26,8 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.named_formulas import Pairs
 from ...core.system import Guard, Name, Observable, Parameter, Reconstruction, System
-from ...core.vectors import (
-    Vector,
-    constant,
-    cross,
-    dot,
-    gradient,
-    norm_squared,
-    real_symbol,
-    vectors,
-)
+from ...core.vector_operators import gradient
+from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
 from ..rolling.attitude import attitude, attitude_observable, quaternion_rate, rotation, unit_length
 
 R, x, omega, v, n, ndot, xdot = vectors("R x omega v n ndot xdot")

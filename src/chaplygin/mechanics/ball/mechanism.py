@@ -10,7 +10,8 @@ import sympy as sp
 
 from ...arguments import NamedFormulas
 from ...core.system import Parameter
-from ...core.vectors import cross, dot, gradient, norm_squared, real_symbol, vectors
+from ...core.vector_operators import gradient
+from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from ..lagrangian.mechanism import Frame, Mechanism, rotations
 from .equations import Contact
 

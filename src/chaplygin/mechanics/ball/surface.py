@@ -16,8 +16,9 @@ from typing import Literal, TypeAlias
 import sympy as sp
 
 from ...arguments import arguments_checked
+from ...core.named_formulas import by_name
 from ...core.system import Guard, Parameter
-from ...core.vectors import by_name, real_symbol
+from ...core.vectors import real_symbol
 from ...errors import InputError
 
 Axis = Literal["x", "y", "z"]

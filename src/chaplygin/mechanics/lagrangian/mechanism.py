@@ -26,7 +26,8 @@ from ...arguments import Formula, NamedFormulas, arguments_checked
 from ...core.laws import Law
 from ...core.named_formulas import Pairs, as_pairs, expand
 from ...core.system import Guard, Name, Observable, Parameter, flat, flat_pairs, unknown_names
-from ...core.vectors import Vector, cross, real_symbol, to_components, unit_vector
+from ...core.vector_operators import unit_vector
+from ...core.vectors import Vector, cross, real_symbol, to_components
 from ...errors import InputError
 
 #: c_ij^k by the velocities (w_i, w_j), then by w_k; what is not named is zero or follows by

@@ -20,6 +20,7 @@ from ..shapes.gauss_map import centre_outside
 from ..shapes.shapes import Shape
 from .cavity import Cavity
 from .cavity_fit import check_cavities
+from .fluid import Fluid, fluids_of_cavities
 from .inertia import check_inertia
 
 m, k = real_symbol("m"), Vector("k")
@@ -37,6 +38,11 @@ class WithInertia:
 
     buildable: ClassVar[bool] = True
     """Whether a rigid body can have this inertia, which the triangle inequality decides."""
+
+    @property
+    def fluids(self) -> tuple[Fluid, ...]:
+        """The fluids in its cavities that are not empty, numbered if there are several cavities."""
+        return ()
 
     @property
     def tensor(self) -> np.ndarray:
@@ -129,9 +135,9 @@ class Body(WithInertia):
         return (self.cavity,) if isinstance(self.cavity, Cavity) else tuple(self.cavity)
 
     @property
-    def has_fluid(self) -> bool:
-        """Whether a cavity holds fluid."""
-        return any(cavity.mass for cavity in self.cavities)
+    def fluids(self) -> tuple[Fluid, ...]:
+        """The fluids in its cavities that are not empty, numbered if there are several cavities."""
+        return fluids_of_cavities(self.cavities) if self.cavities else ()
 
 
 @dataclass(frozen=True)
@@ -172,7 +178,7 @@ def equivalent_body(body: AnyBody) -> AnyBody:
 
     Computed in rational numbers and rounded once, so that equal moments stay equal.
     """
-    if isinstance(body, EquivalentBody) or not body.has_fluid:
+    if isinstance(body, EquivalentBody) or not body.fluids:
         return body
     parts = [(exact_number(body.mass), sp.zeros(3, 1))]
     inertia = sp.Matrix(body.tensor.tolist()).applyfunc(exact_number)

@@ -20,7 +20,7 @@ from ...core.vectors import Vector, cross, dot, norm_squared, real_symbol, zero
 from ..shapes.surfaces import Plane, Surface
 from .attitude import motion_in_space
 from .contact import Contact
-from .fluid import Fluid, total
+from .fluid import Fluid
 
 M, omega, gamma, zeta = (Vector(name) for name in ("M", "omega", "gamma", "zeta"))
 X, omegadot, N, f = (Vector(name) for name in ("X", "omegadot", "N", "f"))
@@ -56,12 +56,12 @@ class Balance:
     @property
     def momentum_of_fluids(self) -> MatrixExpr:
         """The contribution of the fluids to M."""
-        return total([fluid.momentum for fluid in self.fluids])
+        return sum((fluid.momentum for fluid in self.fluids), zero)
 
     @property
     def rate_of_fluids(self) -> MatrixExpr:
         """The rate of `momentum_of_fluids` in body axes."""
-        return total([fluid.C * fluid.rate for fluid in self.fluids])
+        return sum((fluid.C * fluid.rate for fluid in self.fluids), zero)
 
 
 def _momentum(balance: Balance) -> MatrixExpr:
@@ -83,7 +83,7 @@ def marble(balance: Balance, surface: Surface, name: str, title: str) -> System:
     )
     # definitions of the position that use ω come after it
     before, after = by_dependence(kinematics.definitions, omega.symbols)
-    at_start = total([fluid.C * fluid.initial for fluid in balance.fluids])
+    at_start = sum((fluid.C * fluid.initial for fluid in balance.fluids), zero)
     tensors = tuple(pair for pair in balance.definitions if pair not in kinematics.definitions)
     body_tensors = tuple(pair for pair in tensors if pair[0] != U)
     definitions = (

@@ -25,26 +25,16 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...arguments import arguments_checked
+from ...core.named_formulas import by_name
 from ...core.system import Parameter, System
-from ...core.vectors import (
-    Diagonal,
-    Symmetric,
-    Vector,
-    by_name,
-    cross,
-    dot,
-    gradient,
-    identity,
-    real_symbol,
-    zero,
-)
+from ...core.vector_operators import gradient
+from ...core.vectors import Diagonal, Symmetric, Vector, cross, dot, identity, real_symbol, zero
 from ...errors import InputError
 from ..shapes.shape_base import check_values, real_values
 from ..shapes.surfaces import Plane, Surface
 from .body import AnyBody, body_parameters, equivalent_body
 from .contact import contact as contact_of
 from .contact_models import Balance, marble, rubber
-from .fluid import fluids_of
 
 ContactModel = Literal["marble", "rubber"]
 
@@ -66,6 +56,11 @@ class Forces:
         ``I_1`` … and ``m``.  It acts as a couple, so that it does not enter the contact force.
     values : mapping of Symbol to float
         Values of further symbols in `potential`.
+
+    Raises
+    ------
+    InputError
+        If gravity is negative, or a symbol of `potential` has no value.
 
     Examples
     --------
@@ -93,6 +88,14 @@ class Forces:
 @dataclass(frozen=True)
 class Rolling:
     """A body, a surface, a contact model and a field, with their numbers.
+
+    Parameters
+    ----------
+    body : Body
+    surface : Plane or Sphere
+    contact : "marble" or "rubber"
+        Rolling with or without spinning about the normal of the contact.
+    field : Forces
 
     Examples
     --------
@@ -185,11 +188,10 @@ def roll(
 
 
 def _balance(whole: AnyBody, surface: Surface, field: Forces) -> Balance:
-    fluids = fluids_of(whole)
     body = equivalent_body(whole)
     kinematics = contact_of(body.shape, surface)
     inertia = Diagonal("I") if body.principal else Symmetric("I")
-    of_fluids = tuple(p for fluid in fluids for p in fluid.parameters)
+    of_fluids = tuple(p for fluid in whole.fluids for p in fluid.parameters)
     parameters = body_parameters(body, inertia) + of_fluids + kinematics.parameters
     r, rotors = kinematics.r, k if any(body.gyrostat) else zero
 
@@ -233,7 +235,7 @@ def _balance(whole: AnyBody, surface: Surface, field: Forces) -> Balance:
         energy=energy,
         parameters=parameters,
         vertical=vertical,
-        fluids=fluids,
+        fluids=whole.fluids,
     )
 
 

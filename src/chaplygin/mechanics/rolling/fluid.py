@@ -21,8 +21,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.laws import Integral
 from ...core.named_formulas import Pairs
 from ...core.system import Observable, Parameter
-from ...core.vectors import Diagonal, Symmetric, Vector, cross, dot, norm_squared, zero
-from .body import AnyBody, EquivalentBody
+from ...core.vectors import Diagonal, Symmetric, Vector, cross, dot, norm_squared
 from .cavity import Cavity
 
 omega = Vector("omega")
@@ -151,11 +150,6 @@ class Fluid:
         return f" in cavity {self.number}" if self.number else ""
 
 
-def fluids_of(body: AnyBody) -> tuple[Fluid, ...]:
-    """The fluids in the cavities of a body that are not empty, numbered if it has several."""
-    return () if isinstance(body, EquivalentBody) else fluids_of_cavities(body.cavities)
-
-
 def fluids_of_cavities(cavities: Sequence[Cavity]) -> tuple[Fluid, ...]:
     """The fluids in the cavities that are not empty, numbered if there are several cavities."""
     several = len(cavities) > 1
@@ -164,8 +158,3 @@ def fluids_of_cavities(cavities: Sequence[Cavity]) -> tuple[Fluid, ...]:
         for i, cavity in enumerate(cavities, 1)
         if cavity.mass
     )
-
-
-def total(vectors: list[MatrixExpr]) -> MatrixExpr:
-    """The sum; zero of no vectors."""
-    return sum(vectors, zero)

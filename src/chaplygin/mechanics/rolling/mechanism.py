@@ -29,7 +29,7 @@ from ..lagrangian.mechanism import Frame, Mechanism, StructureConstants, euclide
 from ..shapes.surfaces import Plane
 from .contact import contact as contact_of
 from .equations import Rolling
-from .fluid import Fluid, fluids_of
+from .fluid import Fluid
 
 omega, v, gamma, zeta, X, k = (Vector(n) for n in ("omega", "v", "gamma", "zeta", "X", "k"))
 m, g, R_3, U = (real_symbol(name) for name in ("m", "g", "R_3", "U"))
@@ -65,7 +65,7 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     (2, 3, 5)
     """
     body, field = rolling.equivalent.body, rolling.field
-    fluids = fluids_of(rolling.body)
+    fluids = rolling.body.fluids
     kinematics = contact_of(body.shape, rolling.surface)
     place, moving = by_dependence(kinematics.definitions, omega.symbols)
     swinging = dict(flat_pairs(moving))
@@ -137,7 +137,7 @@ def _parameters(
             Parameter(s, "gyrostatic momentum, body axes", x, "kg m^2/s")
             for s, x in zip(k.symbols, body.gyrostat, strict=True)
         ]
-    parameters += [p for fluid in fluids_of(rolling.body) for p in fluid.parameters]
+    parameters += [p for fluid in rolling.body.fluids for p in fluid.parameters]
     if field.gravity:
         parameters.append(Parameter(g, "acceleration of gravity", field.gravity, "m/s^2"))
     parameters += [Parameter(s, "parameter of the potential", x, "SI") for s, x in field.values]

@@ -11,13 +11,9 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ...arguments import arguments_checked
+from ...core.named_formulas import by_name
 from ...core.system import Parameter
-from ...core.vectors import (
-    Symmetric,
-    Vector,
-    by_name,
-    real_symbol,
-)
+from ...core.vectors import Symmetric, Vector, real_symbol
 from ...errors import InputError
 from .rays import require_closed
 from .shape_base import (
@@ -45,6 +41,8 @@ class Implicit(CentredShape):
         negative inside.
     values : mapping of Symbol to float
         Values of further symbols in `surface`.
+    centre : 3 floats
+        Geometric centre relative to the centre of mass (m, body axes).
 
     Raises
     ------

@@ -9,14 +9,10 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ...arguments import arguments_checked
+from ...core.named_formulas import by_name
 from ...core.system import Parameter
-from ...core.vectors import (
-    Vector,
-    by_name,
-    dot,
-    real_symbol,
-    unit_vector,
-)
+from ...core.vector_operators import unit_vector
+from ...core.vectors import Vector, dot, real_symbol
 from ...errors import InputError
 from .shape_base import (
     CentredShape,
@@ -42,6 +38,8 @@ class Revolution(CentredShape):
         Height p(γ₃) of the geometric centre above the plane (m), in the symbol ``gamma_3``.
     values : mapping of Symbol to float
         Values of further symbols in `support`.
+    centre : 3 floats
+        Geometric centre relative to the centre of mass (m, body axes).
 
     Raises
     ------

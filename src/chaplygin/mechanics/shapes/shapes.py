@@ -14,6 +14,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ...arguments import arguments_checked
 from ...core.named_formulas import Pairs
 from ...core.system import Guard, Parameter
+from ...core.vector_operators import outer, unit_vector
 from ...core.vectors import (
     Diagonal,
     Symmetric,
@@ -22,10 +23,8 @@ from ...core.vectors import (
     dot,
     identity,
     norm_squared,
-    outer,
     real_symbol,
     to_components,
-    unit_vector,
 )
 from ...errors import InputError
 from .implicit import Implicit
@@ -129,6 +128,8 @@ class Ellipsoid(CentredShape):
     turn : float
         Angle δ between the first semi-axis, (cos δ, sin δ, 0) in body axes, and body axis 1 (rad).
         With δ ≠ 0 and unequal principal moments this is a rattleback.
+    centre : 3 floats
+        Geometric centre relative to the centre of mass (m, body axes).
 
     Raises
     ------
@@ -210,6 +211,8 @@ class Disk(CentredShape):
     ----------
     radius : float
         R > 0, in m.
+    centre : 3 floats
+        Geometric centre relative to the centre of mass (m, body axes).
 
     Raises
     ------
@@ -247,6 +250,8 @@ class Torus(CentredShape):
         Radius R of the circle of the tube's centres (m).
     tube : float
         Radius ρ of the tube (m).
+    centre : 3 floats
+        Geometric centre relative to the centre of mass (m, body axes).
 
     Raises
     ------

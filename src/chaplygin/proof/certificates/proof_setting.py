@@ -19,6 +19,7 @@ from ..fields.unreduced_fields import UnreducedField
 from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
 from ..random_test import all_residuals
+from ..residuals import in_words
 from .sign_reasons import monic
 
 
@@ -70,8 +71,8 @@ class ProofSetting:
         polys = [numerator(field, value) for _, value in self.conditions]
         field.signs = level.signs_with(field, polys)
         self.residuals = [
-            (what, cast(Element, value))
-            for what, value in all_residuals(_formulas(law), level, field)
+            (in_words(name), cast(Element, value))
+            for name, value in all_residuals(_formulas(law), level, field)
         ]
         self.divisors = list(divisors(claim, law, level, field))
 

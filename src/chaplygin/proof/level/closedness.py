@@ -20,7 +20,6 @@ from ...errors import InputError
 from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .named_formulas import quantities_in_order
-from .time_derivatives import without_second_rates
 
 
 @dataclass(frozen=True)
@@ -75,7 +74,7 @@ def rows_of_equations_and_identities(
 
     def value(formula: sp.Expr) -> FieldElement:
         restored = sp.sympify(formula).xreplace(rates.meaning)
-        number: FieldElement = evaluate.value(without_second_rates(restored, level, quantities))
+        number: FieldElement = evaluate.value(level.without_second_rates(restored, quantities))
         return number
 
     stated = [[value(slope) for slope in row] for row in _equation_rows(rates)]

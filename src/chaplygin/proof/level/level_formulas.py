@@ -10,6 +10,7 @@ import sympy as sp
 from flint import arb, fmpq
 from sympy.core.function import AppliedUndef
 
+from ...core.laws import Rate
 from ...core.named_formulas import expand
 from ...core.system import System
 from ...core.vectors import Symmetric, to_components
@@ -171,6 +172,38 @@ class LevelFormulas:
     def expand(self, formula: sp.Expr) -> sp.Expr:
         """A formula in which the definitions are written out."""
         return expand(formula, self.steps)
+
+    def without_rates(
+        self, formula: sp.Expr, quantities: Mapping[sp.Symbol, sp.Expr] | None = None
+    ) -> sp.Expr:
+        """A formula in which every time derivative is written out as a formula in the state.
+
+        Parameters
+        ----------
+        quantities : mapping of Symbol to formula, optional
+            Further names that may stand under a time derivative.
+        """
+        while rates := formula.atoms(Rate):
+            innermost = [rate for rate in rates if not rate.args[0].has(Rate)]
+            formula = formula.xreplace(
+                {rate: self._rate(rate.args[0], quantities or {}) for rate in innermost}
+            )
+        return formula
+
+    def without_second_rates(
+        self, formula: sp.Expr, quantities: Mapping[sp.Symbol, sp.Expr]
+    ) -> sp.Expr:
+        """A formula in which no time derivative stands under another."""
+        deep = {rate for rate in formula.atoms(Rate) if rate.args[0].has(Rate)}
+        outermost = {r for r in deep if not any(r in o.args[0].atoms(Rate) for o in deep - {r})}
+        return formula.xreplace(
+            {r: Rate(self.without_rates(r.args[0], quantities)) for r in outermost}
+        )
+
+    def _rate(self, formula: sp.Expr, quantities: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+        formula = self.expand(expand(formula, quantities))
+        rates = zip(self.system.symbols, self.system.rates, strict=True)
+        return sp.Add(*(sp.diff(formula, s) * rate for s, rate in rates))
 
     def _check_symbols(self, condition: sp.Expr) -> None:
         unknown = condition.free_symbols - set(self.symbols) - set(self._definitions)

@@ -11,7 +11,6 @@ from ...core.system import flat
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from .level_set import LevelSet
-from .time_derivatives import without_rates
 
 
 def scalars(value: object) -> list[sp.Expr]:
@@ -28,7 +27,7 @@ def components(
     """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
     formulas_by_symbol: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in pairs:
-        formulas = (without_rates(scalar, level) for scalar in scalars(formula))
+        formulas = (level.without_rates(scalar) for scalar in scalars(formula))
         formulas_by_symbol.update(zip(flat([name]), formulas, strict=True))
     return formulas_by_symbol
 

@@ -17,7 +17,6 @@ from ...core.vectors import to_components
 from ...printing.formula import text
 from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
-from .time_derivatives import without_rates
 
 NamedFormula = tuple[str, sp.Expr]
 
@@ -98,7 +97,7 @@ def _density_bases(law: Measure, level: LevelSet) -> Iterator[tuple[sp.Expr, sp.
 
 
 def _without_rates(formula: sp.Expr, level: LevelSet) -> sp.Expr:
-    return without_rates(to_components(sp.sympify(formula)), level)
+    return level.without_rates(to_components(sp.sympify(formula)))
 
 
 def _factors_of_open_sign(formula: sp.Expr, level: LevelSet) -> sp.Expr:
