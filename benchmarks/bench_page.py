@@ -25,8 +25,8 @@ from chaplygin.analysis.lyapunov.indicators import Megno
 from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.lab.page_model import live_page_model
-from chaplygin.lab.page_module import page_module
 from chaplygin.lab.page_systems import page_system, reduced_system
+from chaplygin.lab.wasm_module import page_module
 
 SYSTEMS = ("unbalanced-ball", "rubber-body", "marble-ball-on-torus", "clebsch")
 SAMPLES, POINTS, UNTIL, TILE, ROW = 601, 1000, 100.0, 8, 200

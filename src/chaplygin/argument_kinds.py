@@ -243,7 +243,7 @@ def _instance(kind: type) -> Kind:
 
 
 def _protocol(kind: type) -> Kind:
-    """What has the methods of a protocol."""
+    """Any value with the methods of a protocol."""
     if getattr(kind, "_is_runtime_protocol", False):
         return Kind(f"a {kind.__name__}", lambda value: isinstance(value, kind))
     added = ("__init__", "__subclasshook__")  # to every protocol by the module typing

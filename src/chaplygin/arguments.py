@@ -239,7 +239,7 @@ class _UnknownModule:
 
 @cache
 def _imports_for_type_checkers(module: ModuleType) -> dict[str, tuple[str, str]]:
-    """What a module imports under ``if TYPE_CHECKING``: by name its module, and its name there."""
+    """The imports of a module under ``if TYPE_CHECKING``: name ↦ module and name there."""
     origins: dict[str, tuple[str, str]] = {}
     try:
         source = inspect.getsource(module)

@@ -112,7 +112,7 @@ class RunError(RuntimeError):
     time
         The last instant at which the solution was still good.
     partial
-        What had been computed by then, such as a trajectory; nothing is lost.
+        The results computed before, such as a trajectory.
 
     Examples
     --------
@@ -137,7 +137,7 @@ class RunError(RuntimeError):
 
 
 class InterruptionError(RunError):
-    """A computation that the user interrupted; what had been computed by then is `partial`."""
+    """A computation that the user interrupted; the results computed before are in `partial`."""
 
 
 class EarlyEndError(RunError):

@@ -188,7 +188,7 @@ def _conclude() -> None:
 
 
 def _listen(ear: socket.socket, over: threading.Event) -> None:
-    """Wait for Ctrl-C; see that its sentence is said and the program ends."""
+    """Wait for Ctrl-C; then print its sentence and end the program."""
     times = 0
     with ear:
         while heard := ear.recv(1):

@@ -6,7 +6,7 @@ from collections import Counter
 
 import numpy as np
 
-from chaplygin.geometry.surface import Box, SurfaceGround
+from chaplygin.geometry.ball_surface import Box, SurfaceGround
 from chaplygin.lab.surface_mesh import surface_mesh
 
 

@@ -16,7 +16,7 @@ class UnknownSystemError(InputError, KeyError):
 
 
 def lookup(catalogue: Mapping[str, Item], name: object) -> Item:
-    """What has that name, or an InputError that names the nearest one."""
+    """The entry of that name, or an InputError that suggests the nearest one."""
     if not isinstance(name, str):
         raise UnknownSystemError(
             f"a system of the catalogue is asked for by its name in quotes, not by {name!r}"

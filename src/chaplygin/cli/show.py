@@ -182,7 +182,7 @@ def _write_module(study: Study, form: str) -> None:
 
         typer.echo(javascript_module(study).rstrip())
         return
-    from ..lab.page_module import page_module
+    from ..lab.wasm_module import page_module
 
     sys.stdout.buffer.write(page_module(study).code)
     sys.stdout.flush()

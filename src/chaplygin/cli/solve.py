@@ -255,7 +255,7 @@ def _with_error(middle: str, radius: str) -> str:
 def _rigorous_states(
     solution: Solution, moments: Sequence[Fraction], digits: int
 ) -> Iterator[tuple[arb, ...]]:
-    """The states with error bounds, the longest work of this command, while a bar says so."""
+    """The states with error bounds, with a progress bar, as this takes longest."""
     with progress(f"computing bounds to {digits} digits") as report:
         for count, time in enumerate(moments):
             if count:

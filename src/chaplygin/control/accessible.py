@@ -26,7 +26,7 @@ from .robot import SphericalRobot
 
 @dataclass(frozen=True)
 class Accessibility:
-    """What drift and controls of a robot span.
+    """The space that drift and controls of a robot span.
 
     Attributes
     ----------

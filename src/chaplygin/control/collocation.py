@@ -92,7 +92,7 @@ class Transcription:
         return unknowns[:n], unknowns[n:].reshape(-1, self.width)
 
     def residuals(self, unknowns: FloatArray) -> FloatArray:
-        """What vanishes: conditions at the start, defects of the motion, distances to the path."""
+        """Residuals: conditions at the start, defects of the motion, distances to the path."""
         _, a = radau(self.stages)
         n, s, e = self.equations.size, self.stages, self.intervals
         start, points = self.start_and_nodes(unknowns)

@@ -40,7 +40,7 @@ Decision = Literal["controllable", "not controllable", "undecided"]
 
 @dataclass(frozen=True, repr=False)
 class Controllability:
-    """What rotors can do with a ball that starts from rest.
+    """The motions that rotors can give a ball that starts from rest.
 
     Attributes
     ----------

@@ -47,7 +47,7 @@ class ControlFields:
     scale: fmpq_mpoly
 
     def with_next_commutators(self) -> ControlFields:
-        """The same with one more level of commutators."""
+        """The fields with one more level of commutators."""
         first, last = self.levels[0], self.levels[-1]
         words = []
         for i, (name, field) in enumerate(first):

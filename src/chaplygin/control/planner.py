@@ -281,7 +281,7 @@ def _guess_with_rotors(
 
 
 def _with_scale(problem: Transcription, size: float) -> Transcription:
-    """The same with a path reduced towards its start."""
+    """The problem with its path reduced towards its start."""
     path = problem.path
     factor = sp.Float(size)
     first = [sp.Float(x) for x in path.places([0.0])[0]]

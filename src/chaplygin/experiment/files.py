@@ -29,7 +29,7 @@ def check_target(target: Path, force: bool = False) -> None:
 
 
 def status_of_target(target: Path) -> os.stat_result | None:
-    """What is at a place, links followed; None if nothing is.
+    """The status of a path, links followed; None if nothing is there.
 
     Raises
     ------

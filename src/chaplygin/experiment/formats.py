@@ -90,7 +90,7 @@ def csv_text(dataset: xr.Dataset) -> str:
     """A trajectory as a table: one row for each instant, all digits of every number.
 
     The columns are ``time`` and the quantities, vectors by components (``M_1``, ``attitude_w``).
-    Lines that begin with ``#`` tell meaning and unit of each quantity, and how it was computed.
+    Lines that begin with ``#`` give meaning and unit of each quantity, and how it was computed.
     """
     import numpy as np
 

@@ -70,7 +70,7 @@ def in_principal_axes(problem: Problem, rolling: Rolling) -> tuple[Problem, arb_
     Raises
     ------
     InputError
-        If two principal moments of a full tensor are so near that they do not tell the axes.
+        If two principal moments of a full tensor are so near that they do not determine the axes.
     """
     if not isinstance(rolling.body.shape, Ball):
         return None
@@ -116,7 +116,7 @@ def about_fixed_point(problem: Problem) -> tuple[Problem, arb_mat] | None:
     Raises
     ------
     InputError
-        If two principal moments are so near that they do not tell the axes.
+        If two principal moments are so near that they do not determine the axes.
     """
     system, full = problem.system, Symmetric("I")
     numbers = {s: exact(x) for s, x in problem.parameters.items()}
@@ -199,7 +199,7 @@ def principal_axes(rows: Sequence[Sequence[arb]]) -> tuple[list[arb], arb_mat]:
     Raises
     ------
     InputError
-        If two principal moments are so near that they do not tell the axes.
+        If two principal moments are so near that they do not determine the axes.
     """
     if all(rows[i][j] == 0 for i in range(SPACE) for j in range(SPACE) if i != j):
         unit = arb_mat([[int(i == j) for j in range(SPACE)] for i in range(SPACE)])

@@ -1,7 +1,7 @@
 """Many motions of a System at once: machine code with one motion in each vector lane.
 
 The result of a motion depends on its own start and parameters alone, to the bit: not on the
-number of threads, the width of the processor's vectors, or the motions computed beside it.
+number of threads, the width of the processor's vectors, or the motions computed with it.
 """
 
 from __future__ import annotations

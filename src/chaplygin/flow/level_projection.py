@@ -1,6 +1,6 @@
 """Projection of states onto levels of formulas, many at once.
 
-Each state is moved by itself: where it ends does not depend on its neighbours.
+Each state is moved independently: where it ends does not depend on its neighbours.
 """
 
 from __future__ import annotations

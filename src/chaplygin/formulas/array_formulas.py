@@ -23,7 +23,7 @@ from .graph import Graph, Reader, Term
 class Formulas:
     """Scalar formulas in state, definitions and parameters of a System.
 
-    The values at a state do not depend on the states beside it.
+    The values at a state do not depend on the other states.
 
     Parameters
     ----------

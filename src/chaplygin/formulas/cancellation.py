@@ -11,7 +11,7 @@ from sympy.polys.rings import PolyElement, sring
 
 
 def in_lowest_terms(formula: sp.Expr) -> sp.Expr:
-    """What `factor_terms(cancel(formula))` is, in a fraction of the time where that is simple.
+    """The result of `factor_terms(cancel(formula))`, computed faster in simple cases.
 
     Simple are quotients of polynomials with integer coefficients in symbols, their sines and
     their cosines.

@@ -1,9 +1,9 @@
 """Whether a number is zero relative to the size of the terms that it is a sum of.
 
-A number that has a unit is neither small nor large by itself: 10⁻¹³ is a usual moment of inertia
-in kg m² for a ball of a millimetre.  So a sum is zero where it is small beside the terms that were
-summed up, and a start is on a level where what it misses is small beside those terms.  Everything
-here is the same in every system of units.
+A number that has a unit is small or large only relative to another: 10⁻¹³ is a usual moment of
+inertia in kg m² for a ball of a millimetre.  So a sum is zero where it is small beside the terms
+that were summed up, and a start is on a level where what it misses is small beside those terms.
+Everything here is the same in every system of units.
 
 Every formula has a value and a size, the value that it would have if nothing cancelled.  Rational
 operations are exact, on fractions, and a decimal number means exactly the decimal.
@@ -37,7 +37,7 @@ _DIGITS = 60
 
 
 def vanishes(ball: arb, size: arb, part: fmpq = RESOLUTION) -> bool:
-    """Whether a ball cannot be told from zero, `size` being what is not small.
+    """Whether a ball cannot be distinguished from zero, compared with `size`.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What a page records along a motion, and the scalars that it can draw."""
+"""Quantities that a page records along a motion, and the scalars that it can draw."""
 
 from __future__ import annotations
 

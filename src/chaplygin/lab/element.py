@@ -88,7 +88,7 @@ def front_end() -> str:
 
 
 def policy(scripts: Sequence[str], connect: str = "'none'") -> str:
-    """What a page with these scripts may do: run them and WebAssembly, and fetch nothing.
+    """The content security policy of a page: its scripts and WebAssembly run, nothing is fetched.
 
     Parameters
     ----------

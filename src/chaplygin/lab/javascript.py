@@ -27,7 +27,7 @@ def javascript_module(study: Study) -> str:
     Raises
     ------
     InputError
-        If the page cannot compute; see :func:`chaplygin.lab.page_module.page_module`.
+        If the page cannot compute; see :func:`chaplygin.lab.wasm_module.page_module`.
 
     Examples
     --------

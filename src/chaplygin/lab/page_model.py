@@ -21,12 +21,12 @@ from ..printing.system import law_latex
 from ..proof.verdict import Verdict
 from .columns import Column, Scalar, columns_of, scalars_of, symbol_mathml
 from .encoding import deflate, doubles
-from .page_module import page_module
 from .page_start import start_inputs
 from .page_systems import reduced_system
 from .scene_model import Json, scene_model
 from .sections import section_choice, sectionable
 from .slider_range import parameter_range
+from .wasm_module import page_module
 
 #: Of a motion in a page, so that states agree with Taylor series to 1e-12, and of its sections,
 #: as on the command line.
@@ -126,7 +126,7 @@ def live_page_model(
     ------
     InputError
         If the start is not admissible, or the page cannot compute; see
-        :func:`chaplygin.lab.page_module.page_module`.
+        :func:`chaplygin.lab.wasm_module.page_module`.
     """
     module = page_module(study)
     computing: dict[str, Json] = {
@@ -149,7 +149,7 @@ _NO_FORMULAS: dict[str, Json] = {
 
 
 def _formulas(study: Study, reduced: System, verdicts: Mapping[str, Verdict]) -> dict[str, Json]:
-    """What a page shows of the equations and laws."""
+    """The equations and laws of a page, as formulas."""
     scalars = scalars_of(study, reduced)
     whole = study.system.lifted() if study.system.reconstruction else study.system
     return {

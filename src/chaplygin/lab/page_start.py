@@ -35,7 +35,7 @@ SPINS: dict[str, Json] = {
 
 
 def start_tables(study: Study, whole: System) -> dict[str, Json]:
-    """What the engine must know to check a start, and the sentences with which it refuses one."""
+    """Tables by which the engine checks a start, with the sentences that refuse one."""
     by_velocity = study.subject.starts_by_velocity
     places = {str(symbol): i for i, symbol in enumerate(whole.symbols)}
     directions: list[Json] = [

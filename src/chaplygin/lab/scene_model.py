@@ -1,4 +1,4 @@
-"""What a page draws: the body, what carries it, links, vectors."""
+"""The scene of a page: the body, its support, links, vectors."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import xarray as xr
 from ..core.arrays import FloatArray
 from ..experiment.study import Study
 from ..formulas.array_evaluation import values
+from ..geometry.ball_surface import frame_of, ground_of_ball
 from ..geometry.mesh import DirectionGrid, direction_grid
-from ..geometry.surface import frame_of, ground_of_ball
 from ..mechanics.ball.ball import RollingBall
 from ..mechanics.shapes.surfaces import Plane, Surface
 from .columns import Column

@@ -82,7 +82,7 @@ def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Js
 
 
 def _rises(column: FloatArray) -> int:
-    """How often numbers rise through zero."""
+    """The number of times that values rise through zero."""
     return int(np.count_nonzero((column[:-1] < 0.0) & (column[1:] >= 0.0)))
 
 

@@ -14,7 +14,7 @@ _FACTOR = 3.0
 
 
 def parameter_range(parameter: Parameter, system: System) -> tuple[float, float]:
-    """The ends of the slider of a parameter: a round range that it may have by itself.
+    """The ends of the slider of a parameter: a round range of its own.
 
     Conditions that compare several parameters cut it further; the engine checks them.
     """

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import BoolArray, FloatArray, IntArray
-from ..geometry.surface import Box, SurfaceGround
+from ..geometry.ball_surface import Box, SurfaceGround
 from ..geometry.view import unit
 
 #: Cells along the longest side of the box.

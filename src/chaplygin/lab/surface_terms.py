@@ -17,7 +17,7 @@ _GAMMA = Vector("gamma")
 
 
 def surface_terms(study: Study, reduced: System) -> tuple[dict[str, list[Term]], int]:
-    """What gives the points of each surface, for three numbers of a reduced state, and their place.
+    """Terms for the points of each surface from three numbers of a reduced state.
 
     Parameters
     ----------

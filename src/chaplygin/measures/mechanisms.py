@@ -106,7 +106,7 @@ def _everywhere(
 def _levels(
     restriction: Restriction, lifted: LiftedFields, system: System, steps: int, effort: int
 ) -> tuple[list[LevelMeasure], bool]:
-    """Levels in the parameters on which a measure is proven, and whether there are no others."""
+    """Levels in the parameters on which a measure is proven, and whether they are all."""
     proven: list[LevelMeasure] = []
     complete = False
     try:

@@ -18,11 +18,11 @@ from ..core.named_formulas import Pairs
 from .equations import STYLE, equations_html
 from .formula import latex, rate, signed_terms, text, width
 from .laws import caption, equation, equation_sides, heading
-from .layout import Layout, layout, reconstruction_layout
 from .mathml import mathml
 from .notation import LATEX, UNICODE, Notation
 from .numerals import number, unit
 from .poisson_brackets import Side
+from .system_layout import Layout, layout, reconstruction_layout
 
 if TYPE_CHECKING:
     from ..core.laws import Integral, Law

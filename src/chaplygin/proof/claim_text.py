@@ -32,7 +32,7 @@ Terms: TypeAlias = list[list[object]]
 
 
 def claim_text(system: System, law: Law) -> Text:
-    """A law of a system, with everything that it means written out."""
+    """A law of a system as text, with everything that it refers to written out."""
     return {"system": _system(system), "law": {"kind": type(law).__name__, **_law(system, law)}}
 
 

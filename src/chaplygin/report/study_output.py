@@ -29,7 +29,7 @@ SMOOTH = 3000
 
 
 class Report(Protocol):
-    """To be told what is being done, and how much of it is."""
+    """Receives what is being done, and the share that is done."""
 
     def __call__(self, share: float, /) -> None:
         """Say how much is done, from 0 to 1."""
@@ -42,7 +42,7 @@ class Report(Protocol):
 def write_study(
     study: Study, folder: Path, force: bool, budget: ProofBudget, report: Report
 ) -> tuple[Trajectory, RunError | None]:
-    """Integrate and write everything; a failed run is written as far as it went.
+    """Integrate and write everything; of a failed run, the part before the failure.
 
     Parameters
     ----------

@@ -211,7 +211,7 @@ class _Search:
     # --- formulas --------------------------------------------------------------------------
 
     def _covariant(self, shell: _Shell, functions: Integers) -> Iterator[sp.Expr]:
-        """Vector formulas, of increasing degree in the parameters, while something is missing."""
+        """Vector formulas of increasing degree in the parameters, while integrals are missing."""
         plain = replace(shell, divisor=sp.S.One, exponent=0)
         for size in range(self.question.parameter_degree + 1):
             for way in dict.fromkeys((plain, shell)):

@@ -329,7 +329,7 @@ def _solutions(bare: SearchSpace) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
 def _meaning(
     conditions: Sequence[sp.Expr], values: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol
 ) -> str:
-    """What conditions say of a parameter, unless it is what they say in so many words."""
+    """The consequence of conditions for a parameter, unless they state it literally."""
     value = values.get(symbol, symbol)
     if [sp.expand(condition) for condition in conditions] == [sp.expand(symbol - value)]:
         return ""

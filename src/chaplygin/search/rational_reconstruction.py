@@ -162,7 +162,7 @@ def reconstructed_laws(
 
 
 def _kernels(scheme: Plan, sample: Draw) -> Iterator[_Kernel]:
-    """Laws among the sums of products, each block by itself."""
+    """Laws among the sums of products, each block separately."""
     for block in scheme.blocks:
         few = len(block) + _SPARE
         columns, rows = [], []

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from chaplygin.geometry.surface import SurfaceGround, frame_of
+from chaplygin.geometry.ball_surface import SurfaceGround, frame_of
 from chaplygin.geometry.view import View
 from chaplygin.report.scenes.implicit_surface import crossings
 from chaplygin.report.scenes.scene import ball_scene_of

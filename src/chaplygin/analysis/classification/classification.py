@@ -57,7 +57,7 @@ class Classification(WithOverview):
     symmetries : tuple of Fact
         Fields that commute with the motion and are independent of it and of one another.
     reversal : tuple of str
-        Variables whose change of sign makes the motion run backwards in time; looked for where
+        Variables whose change of sign makes the motion run backwards in time; determined where
         no measure excludes attracting sets.
     reductions : tuple of Fact
         Further proven reductions, separations, isomorphisms.

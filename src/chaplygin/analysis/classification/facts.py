@@ -67,7 +67,7 @@ class ProofBudget:
     """The effort that proofs may take, counted alike on every machine.
 
     The cost of a verdict is that of its proof, whether it is new or read from the cache, and a
-    proof that took more than is allowed here does not count: what is said depends neither on the
+    proof that took more than is allowed here does not count: the result depends neither on the
     machine nor on what was proven before.
 
     Parameters
@@ -77,7 +77,7 @@ class ProofBudget:
     altogether : int, optional
         Term operations after which no further law is tried; with 0 none is.
     report : callable
-        Told what is tried next, in words.
+        Called with a description of the next attempt.
 
     Examples
     --------

@@ -99,7 +99,7 @@ class ChaosIndicator(ABC):
 
     @property
     def deviations(self) -> int:
-        """How many deviations are carried."""
+        """The number of deviations carried along a motion."""
         return 1
 
     @abstractmethod

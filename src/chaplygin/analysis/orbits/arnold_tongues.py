@@ -169,7 +169,7 @@ def staircase(
     target : float
         The error to be reached.
     most : int
-        Number of steps at which to give up; the errors tell.
+        Number of steps at which to give up; the errors show it.
 
     Returns
     -------
@@ -344,7 +344,7 @@ def plateaus(
     longest : int
         The greatest denominator.
     turns : iterable of int
-        Numerators to be looked for; all by default.
+        Numerators to search; all by default.
     """
     wanted = set(turns)
     finite = stairs.rotations[np.isfinite(stairs.rotations)]

@@ -272,7 +272,7 @@ def _turn(here: _BranchPoint, there: _BranchPoint) -> float:
 def _passes(
     here: _BranchPoint, there: _BranchPoint, first: _BranchPoint, sizes: FloatArray
 ) -> bool:
-    """Whether a step goes by the orbit with which the branch began, in its direction."""
+    """Whether a step passes the orbit with which the branch began, in its direction."""
     begin, step = here.orbit.points / sizes, (there.orbit.points - here.orbit.points) / sizes
     length = float(np.linalg.norm(step))
     for k in range(len(begin)):

@@ -5,7 +5,7 @@ of the angular velocity, and carries every motion into a motion run backwards: v
 Some need parameters to vanish, such as components of a displacement of the centre of mass: then R,
 with the signs of these parameters changed as well, reverses the whole family.  Candidates are
 found by numbers and proven exactly.  (Exchanges of axes, which need equal parameters, are not
-looked for.)
+searched.)
 """
 
 from __future__ import annotations

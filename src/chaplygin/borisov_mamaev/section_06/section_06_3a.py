@@ -1,7 +1,7 @@
 """§6.3, up to (6.13): the Veselova system on e(3).
 
 A Hamiltonian system on e(3) is read as (6.11) writes it: dM/dτ = M×∂H/∂M + Γ×∂H/∂Γ,
-dΓ/dτ = Γ×∂H/∂M.  The bracket printed beside it has the opposite sign and would reverse the time.
+dΓ/dτ = Γ×∂H/∂M.  The bracket printed with it has the opposite sign and would reverse the time.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ import sympy as sp
 
 from ...core.laws import Integral, Law, Symmetry
 from ...core.system import Observable, Parameter, System
-from ...mechanics.reduction.system import N, theorem_6
+from ...mechanics.reduction.reduced_system import N, theorem_6
 from ..catalogue_entry import Entry, Numbers, Start
 
 q_1, q_2, P_1, P_2, S = sp.symbols("q_1 q_2 P_1 P_2 S", real=True)

@@ -187,7 +187,7 @@ def _measure_of_ball(
 
 
 def _of_the_normal(omega: Skew, gamma: Column, S: sp.Matrix, exponent: sp.Rational) -> sp.Expr:
-    """What ∂ω/∂γ at fixed k and the rate of (det ∂k/∂ω)^exponent add to the residual of a ball."""
+    """The terms that ∂ω/∂γ at fixed k and the rate of (det ∂k/∂ω)^exponent add for a ball."""
     n = int(gamma.shape[0])
     W, y = (sp.Matrix(to_components(name)) for name in (omega, gamma))
     slopes = []

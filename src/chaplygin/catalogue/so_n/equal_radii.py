@@ -62,7 +62,7 @@ def hamiltonian(p: Column, energy: sp.Expr) -> ConformallyHamiltonian:
 
 
 def identities(n: int) -> tuple[System, System]:
-    """What is left to be proven: the equations, and that the bracket is one.
+    """The identities that remain to be proven: the equations, and that of Jacobi.
 
     Parameters
     ----------

@@ -26,12 +26,12 @@ def _accurate(value: arb) -> bool:
 
 
 def agree(first: Sequence[arb], second: Sequence[arb]) -> bool:
-    """Whether numbers are equal, as far as their balls tell.
+    """Whether numbers are equal, as far as their balls show.
 
     Raises
     ------
     InaccurateError
-        If they tell too little.
+        If the balls are too wide to decide it.
     """
     if not all(a.overlaps(b) for a, b in zip(first, second, strict=True)):
         return False

@@ -29,7 +29,7 @@ class Signs:
         self._signs: dict[str, tuple[int, bool]] = {}
 
     def copy(self) -> Signs:
-        """A copy, to be enlarged by itself."""
+        """A copy, to be extended independently."""
         signs = Signs()
         signs._signs = dict(self._signs)
         return signs

@@ -69,7 +69,7 @@ def common_ratio(first: Sequence[arb], second: Sequence[arb]) -> arb | None:
 def check_radicand_positive(
     item: Mapping[str, object], generators: Generators, signs: Signs, what: str
 ) -> None:
-    """Check a quantity that is said to be positive as a radicand."""
+    """Check a quantity claimed to be positive as a radicand."""
     source = text(item["from"], what)
     if not source.startswith("radicand "):
         return

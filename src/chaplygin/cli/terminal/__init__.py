@@ -1,1 +1,1 @@
-"""What commands share: options, output and where it goes, progress, stores."""
+"""Parts shared by all commands: options, output, progress, stores."""

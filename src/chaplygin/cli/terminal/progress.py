@@ -64,7 +64,7 @@ class _Silence:
 
 
 class _Bar:
-    """A bar that shows itself in time, whether or not it is told anything until then."""
+    """A bar that appears after a delay, even if nothing is reported before."""
 
     def __init__(self, task: str) -> None:
         self._task = task

@@ -102,7 +102,7 @@ def check_store(output: Path) -> None:
 
 
 def vacate(output: Path, force: bool) -> None:
-    """Make room for a store where that is wished.
+    """Remove an existing store if that is allowed.
 
     Raises
     ------
@@ -205,7 +205,7 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
     ----------
     store : Path
     report : callable
-        To be told how much is done.
+        Called with the share that is done.
     force : bool
         Whether the command was to replace a store, which the next one is not to do.
     """

@@ -79,7 +79,7 @@ _COUPLE = 3 * len(_VECTORS) + len(_SCALARS) + 2
 
 @dataclass(frozen=True, eq=False)
 class ContactNumbers:
-    """What is known of a contact at a state, without normal force and dry friction; body axes.
+    """Kinematics and dynamics of a contact without normal force and dry friction; body axes.
 
     Attributes
     ----------
@@ -221,14 +221,14 @@ class CompiledContact:
             return "" if finite(numbers) else extremes_in_words(names, numbers, finite) or NO_RATES
 
     def numbers(self, state: FloatArray) -> ContactNumbers:
-        """What is known of the contact at a state; the same is often asked for again."""
+        """The numbers of the contact at a state; recent ones are cached."""
         key = state[:WORK].tobytes()
         if self._last is None or self._last[0] != key:
             self._last = (key, self._computed_numbers(state))
         return self._last[1]
 
     def without_rolling(self, numbers: ContactNumbers) -> ContactNumbers:
-        """What is known while the rolling is held, as `equations.held_rolling` has it.
+        """Kinematics and dynamics without rolling; see `equations.held_rolling`.
 
         Parameters
         ----------

@@ -93,7 +93,7 @@ class Piece:
 
 
 class CourseState:
-    """What is known of a motion while it is computed, and what every transition needs.
+    """The state of a computation of a motion, with all that a transition needs.
 
     Parameters
     ----------
@@ -228,7 +228,7 @@ class CourseState:
 
     @property
     def _run_values(self) -> dict[str, float]:
-        """What the course of a motion sets, by the names of parameters."""
+        """The parameters that are set while a motion is computed, by name."""
         floor = SLIP_FLOOR * self._speed * self._floor_factor
         return {
             "spin_sign": self._spin_sign,
@@ -279,7 +279,7 @@ class CourseState:
     def _amend(self, time: float) -> None:
         """Let an event at a time lead to the present mode and state, if these were decided later.
 
-        The state after it stays where the motion has gone on since.
+        The state after it stays where the motion has continued since.
         """
         if not self.events or self.events[-1].time != time:
             return

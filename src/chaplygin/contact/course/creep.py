@@ -52,7 +52,7 @@ _ATTEMPTS = 12
 
 @dataclass(frozen=True)
 class CreepLaw:
-    """How fast a contact creeps under a force, where friction N (μ + ν|u|ᵖ) or μN + c|u| holds it.
+    """The speed at which a contact creeps under friction N (μ + ν|u|ᵖ) or μN + c|u|.
 
     Attributes
     ----------
@@ -298,7 +298,7 @@ class _Trial:
     def _defect(
         self, c: FloatArray, t: FloatArray, slip: FloatArray, N: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """What the slip has beyond that of the law (n, 2), and the slope of that (n, 2, 2)."""
+        """The excess of the slip over that of the law (n, 2), and its derivative (n, 2, 2)."""
         force = self.forces(c, t)
         size = np.linalg.norm(force, axis=1)
         speed, rate = self.law.speed(size, N)
@@ -326,7 +326,7 @@ class _Trial:
         return Creep(piece, x * along[0] + y * aside[0], bool(end < 1))
 
     def _root(self, c: FloatArray, near: float) -> float:
-        """Where the force falls to its limit, near a time."""
+        """The time at which the force falls to its limit, near a given one."""
         from scipy.optimize import brentq
 
         def excess(t: float) -> float:

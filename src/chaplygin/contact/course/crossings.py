@@ -1,4 +1,4 @@
-"""Where a quantity passes zero along the smooth pieces of a motion in contact."""
+"""Zeros of a quantity along the smooth pieces of a motion in contact."""
 
 from __future__ import annotations
 

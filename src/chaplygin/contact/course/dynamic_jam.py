@@ -1,4 +1,4 @@
-"""Dynamic jam: the normal force grows beyond all bounds in a finite time, as B tends to zero.
+"""Dynamic jam: the normal force grows without bound in a finite time, as B tends to zero.
 
 B is the normal acceleration of the contact for each unit of normal force.  With N ∝ 1/B the square
 of B is linear in time, and the impulse ∫N dt that is left is finite.

@@ -19,7 +19,7 @@ COARSEST_WITH_FRICTION = 1e-10
 @arguments_checked
 @dataclass(frozen=True)
 class EventRules:
-    """What happens where a body leaves its support, lands, or has no motion in contact.
+    """The rules for events: a body leaves its support, lands, or has no motion in contact.
 
     Parameters
     ----------

@@ -111,7 +111,7 @@ class ModeIntegrator:
         return stepper.series[:, 1].copy()
 
     def guard_values(self, state: FloatArray) -> FloatArray:
-        """What the guards watch, at a state (size,), in their order."""
+        """The values of the guards at a state (size,), in their order."""
         values = self._numbers(state)
         return values[len(values) - len(self.system.guards) :]
 

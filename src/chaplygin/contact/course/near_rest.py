@@ -1,4 +1,4 @@
-"""What dry friction does at a contact whose slip is zero, or about to be."""
+"""Dry friction at a contact whose slip is zero, or about to be."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def frozen_slip(numbers: ContactNumbers, dry: DryFriction, spin_sign: float) -> 
 
 @dataclass(frozen=True, eq=False)
 class Departure:
-    """What a contact without slip does next.
+    """The motion that begins at a contact without slip.
 
     Attributes
     ----------
@@ -162,7 +162,7 @@ class Departure:
 
 
 def departure(numbers: ContactNumbers, dry: DryFriction, spin_sign: float) -> Departure | None:
-    """What a contact without slip does; None if it can neither be held nor begin to slide.
+    """The motion of a contact without slip; None if it can neither stick nor begin to slide.
 
     Parameters
     ----------
@@ -189,7 +189,7 @@ def departure(numbers: ContactNumbers, dry: DryFriction, spin_sign: float) -> De
 def _at_point(
     numbers: ContactNumbers, dry: DryFriction, sign: float, changes: bool
 ) -> Iterator[Departure]:
-    """What is possible at a point while the spin has a sign, or is held (sign 0)."""
+    """The motions possible at a point while the spin has a sign, or is zero (sign 0)."""
     slip = frozen_slip(numbers, dry, sign)
     assert isinstance(slip, PointSlip)
     for option in _of_rest(numbers, dry, rest_of_point(slip, dry.static_mu), slip, sign):

@@ -143,7 +143,7 @@ def direction_of_couple(
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    """Where a function changes its sign."""
+    """The point at which a function changes its sign."""
     # imported where rolling ends or begins, since it takes longer than most motions
     from scipy.optimize import brentq
 

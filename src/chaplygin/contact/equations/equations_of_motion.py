@@ -209,7 +209,7 @@ def _at_rest(mode: Mode, free: FreeBody) -> bool:
 
 
 def _relations(situation: FrictionalContact, mode: Mode, free: FreeBody) -> tuple[sp.Expr, ...]:
-    """What vanishes in a mode: unit lengths, the place of the contact, what is held."""
+    """The relations of a mode: unit lengths, the position of the contact, vanishing velocities."""
     on_plane = isinstance(situation.surface, Plane)
     relations = (*free.kinematics.relations, unit_length())
     if on_plane:
@@ -235,7 +235,7 @@ def _relations(situation: FrictionalContact, mode: Mode, free: FreeBody) -> tupl
 def _observables(
     situation: FrictionalContact, energy: sp.Expr, powers: dict[str, sp.Expr]
 ) -> tuple[Observable, ...]:
-    """What is recorded besides the state."""
+    """The quantities recorded besides the state."""
     turn = to_components(rotation())
     contact_place = constant(to_components(position) + turn * to_components(r))
     power = sp.Add(*powers.values())

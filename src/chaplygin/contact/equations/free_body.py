@@ -216,7 +216,7 @@ def _contact_kinematics(situation: FrictionalContact, touching: bool) -> Contact
 
 @dataclass(frozen=True)
 class _Support:
-    """How the support moves: about the vertical with `turn`, where the contact is by `velocity`.
+    """The motion of the support: `turn` about the vertical, `velocity` at the contact.
 
     `acceleration` is the rate of `velocity` along the contact, in body axes;
     `turn_along_normal_rate` that of the part of `turn` along the normal.

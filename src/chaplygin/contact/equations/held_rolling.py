@@ -36,7 +36,7 @@ _across = Symmetric("V")
 
 
 def with_held_rolling(free: FreeBody) -> tuple[Pairs, FreeBody]:
-    """What the motion without rolling is defined by, and the body as its contact then answers.
+    """Definitions of the motion without rolling, and the body with the response of its contact.
 
     Parameters
     ----------

@@ -86,7 +86,7 @@ def held_range_of(couple: float, unit: float) -> Range:
 
 
 def guards(patch: sp.Symbol, mode: Mode, mu: sp.Symbol) -> tuple[Guard, ...]:
-    """What stays positive as long as the mode and its range last."""
+    """Quantities that stay positive as long as the mode and its range last."""
     if mode.sliding:
         return _sliding_guards(patch, mode.range)
     unit, couple = mu * N, holding_couple / patch

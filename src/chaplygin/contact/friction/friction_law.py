@@ -1,4 +1,4 @@
-"""What a law of friction is: force and couple of the support on the body that touches it.
+"""Laws of friction: force and couple of the support on the body that touches it.
 
 Each law is a small value.  Its force and couple are proportional to the normal force N, or do not
 depend on it.  Where a law has a threshold, the contact is held until the threshold is reached; the
@@ -73,7 +73,7 @@ class FrictionLaw(ABC):
 
     Notes
     -----
-    What a law can hold is told by numbers, of which a law without thresholds has none:
+    The thresholds of a law are numbers; a law without thresholds has none:
     `static_mu` and `kinetic_mu` (at rest, and as the slip tends to zero), `spin_arm`,
     `patch_radius` and `holds_rolling`.
 
@@ -129,7 +129,7 @@ class FrictionLaw(ABC):
 
     @property
     def unknown_in_impacts(self) -> str:
-        """What of its formulas has no meaning in an impact, in words; empty if all has."""
+        """The part of its formulas without meaning in an impact, in words; empty if none."""
         return ""
 
     @property
@@ -158,7 +158,7 @@ class FrictionLaw(ABC):
 
     @property
     def rolling_direction(self) -> Vector | None:
-        """What stands for the direction of the rolling where that is prescribed."""
+        """The symbols for the direction of rolling where that is prescribed."""
         return None
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:

@@ -12,7 +12,7 @@ Range = Literal["", "inner", "middle", "outer", "below", "above"]
 
 @dataclass(frozen=True)
 class Mode:
-    """What moves at a contact.
+    """The mode of a contact: which relative velocities differ from zero.
 
     Attributes
     ----------

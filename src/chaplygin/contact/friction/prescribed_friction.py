@@ -259,7 +259,7 @@ class PrescribedDirection(FrictionLaw):
 
 
 def prescribed_direction(law: FrictionLaw, span: Range = "") -> PrescribedDirection:
-    """What stands in the place of a law of dry friction while sliding begins.
+    """A force of prescribed direction, in place of dry friction while sliding begins.
 
     Parameters
     ----------

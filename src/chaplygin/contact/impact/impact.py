@@ -35,7 +35,7 @@ ENERGY_ROUNDING = 1e-13
 
 @dataclass(frozen=True, eq=False)
 class Impact:
-    """What an impact does to a body, in body axes.
+    """The result of an impact of a body, in body axes.
 
     Attributes
     ----------

@@ -36,7 +36,7 @@ STRETCHES = 10_000
 
 @dataclass(frozen=True)
 class ImpactPhase:
-    """What the contact does during a part of an impact.
+    """A phase of an impact, during which the contact keeps its mode.
 
     Attributes
     ----------
@@ -297,7 +297,7 @@ class ImpactCourse:
         return result
 
     def _missing(self) -> float:
-        """What work, impulse or normal velocity still have to grow by for restitution to end."""
+        """The growth of work, impulse or normal velocity that remains until restitution ends."""
         e = self.restitution
         if self.law == "stronge":
             return -e * e * self._work[0] - self._work[1]

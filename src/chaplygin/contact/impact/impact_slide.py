@@ -114,7 +114,7 @@ class Linear:
 
 @dataclass(frozen=True, eq=False)
 class Slide:
-    """What a slide comes to.
+    """The outcome of a phase of sliding.
 
     Attributes
     ----------
@@ -140,7 +140,7 @@ class Slide:
 
 @dataclass(frozen=True, eq=False)
 class Ends:
-    """What ends a slide besides its own end.
+    """Conditions that end a phase of sliding before the slip vanishes.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What the motion of a contact answers to impulses at the contact."""
+"""The response of a contact's velocity to impulses at the contact."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ UNIT = 1e-10
 
 @dataclass(frozen=True, eq=False)
 class Mobility:
-    """What a body's motion at its contact answers to impulses, all in body axes.
+    """The change of a body's velocity at its contact per impulse there, all in body axes.
 
     An impulse J at the contact and an impulsive couple K about the normal change the velocity of
     the touching particle by A J + K c and the spin by (c, J) + σ K.
@@ -73,7 +73,7 @@ def mobility(
     r: npt.ArrayLike,
     gamma: npt.ArrayLike,
 ) -> Mobility:
-    """What a body's motion at its contact answers to impulses.
+    """The change of a body's velocity at its contact per impulse there.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Where sliding friction presses the contact together: Painlevé's paradox."""
+"""Painlevé's paradox: sliding friction that presses the contact together."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a polynomial first becomes positive."""
+"""The first point at which a polynomial becomes positive."""
 
 from __future__ import annotations
 

@@ -167,7 +167,7 @@ def jellett_value(body: Body) -> sp.Expr:
 
 
 def symmetry_conditions(body: Body) -> tuple[sp.Expr, ...]:
-    """What vanishes for a body of revolution about its third axis, with its rotors.
+    """The conditions for a body of revolution about its third axis, with its rotors.
 
     Raises
     ------

@@ -37,7 +37,7 @@ Claim = tuple[System, Law]
 
 
 def provable_laws(contact: FrictionalContact) -> tuple[Claim, ...]:
-    """What friction keeps and takes of a body on a support, each law with the system it is of.
+    """Conserved and dissipated quantities of a body with friction, each with its system.
 
     Parameters
     ----------

@@ -169,7 +169,7 @@ def slip_direction() -> tuple[Integral, ...]:
 
 
 def dry_laws() -> tuple[Law, ...]:
-    """What dry friction does: a parabola, a slip that falls evenly, and energy that is lost."""
+    """The laws of dry friction: a parabola, a slip that decreases linearly, energy that is lost."""
     slowing = mu * g * (1 + m * R**2 / inertia)
     jerks = tuple(Rate(Rate(Rate(s))) for s in place.symbols[:2])
     return (

@@ -1,4 +1,4 @@
-r"""What friction can hold at a round patch: the limit set of its force and couple.
+r"""The limit set of force and couple that friction can exert at a round patch.
 
 A patch at rest holds a force f along the contact and a couple τ about the normal as long as
 

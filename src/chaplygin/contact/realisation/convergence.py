@@ -1,4 +1,4 @@
-"""How fast a family of motions converges to a limit as its coefficient grows."""
+"""The rate at which a family of motions converges to a limit as its coefficient grows."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ class Family(Protocol):
         """The coefficients, increasing."""
 
     def motion(self, coefficient: float, times: FloatArray) -> FloatArray:
-        """What is compared of the motion of a coefficient, (n, m) at n times."""
+        """The quantities compared, of the motion for one coefficient: (n, m) at n times."""
 
     def limit(self, times: FloatArray) -> FloatArray:
-        """The same of the limit."""
+        """These quantities of the limit."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +89,7 @@ class Convergence:
 
 @arguments_checked
 def convergence(family: Family, times: Sequence[float]) -> Convergence:
-    """How a family of motions with friction or added inertia converges to its limit.
+    """The convergence of a family of motions with friction or added inertia to its limit.
 
     Parameters
     ----------

@@ -103,5 +103,5 @@ class DryContact:
 
     @arguments_checked
     def limit(self, times: FloatArray) -> FloatArray:
-        """The same of the body that rolls (n, 16)."""
+        """The states of the body that rolls (n, 16)."""
         return rolling_states(self.body, self.field, np.array(self.state), times, spinning=True)

@@ -172,7 +172,7 @@ class ViscousContact:
 
     @arguments_checked
     def limit(self, times: FloatArray) -> FloatArray:
-        """The same of the body that rolls (n, 16)."""
+        """The states of the body that rolls (n, 16)."""
         return rolling_states(
             self.body, self.field, np.array(self.state), times, spinning=not self.spin_share
         )

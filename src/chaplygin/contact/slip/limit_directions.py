@@ -207,7 +207,7 @@ def _newton_on_sphere(slip: FrozenSlip, n: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """What a contact without slip can do.
+    """The motions that a contact without slip can have.
 
     Attributes
     ----------
@@ -247,7 +247,7 @@ def _exits(directions: Sequence[LimitDirection]) -> tuple[LimitDirection, ...]:
 
 
 def rest_of_point(slip: PointSlip, static_mu: float | None = None) -> Rest:
-    """What a contact without slip does under Coulomb friction: |f| ≤ μN holds it.
+    """The motions of a contact without slip under Coulomb friction: |f| ≤ μN lets it stick.
 
     Where the normal force does not depend on friction, a contact that is held has no exit, since
     the rate of the slip is then a monotone function of it; elsewhere both may be possible.
@@ -273,7 +273,7 @@ def rest_of_point(slip: PointSlip, static_mu: float | None = None) -> Rest:
 
 
 def rest_of_patch(slip: CoupledSlip, inside: Callable[[float, float], bool]) -> Rest:
-    """What a contact without slip or spin does under a coupled law; as for a point.
+    """The motions of a contact without slip or spin under a coupled law; as for a point.
 
     Parameters
     ----------

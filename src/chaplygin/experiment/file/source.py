@@ -150,7 +150,7 @@ class Source:
 
 
 def _hint(line: str, column: int) -> str:
-    """What may be meant by a line that is not TOML at some column, as the end of a sentence."""
+    """A guess at the meaning of a line that is not TOML, as the end of a sentence."""
     if comma := _DECIMAL_COMMA.search(line):
         return f"; a decimal number has a point: {comma[1]}.{comma[2]}"
     if line.lstrip().startswith(("%", "//", ";", "--", "/*")):

@@ -135,7 +135,7 @@ def _is_table(annotation: object) -> TypeGuard[type[BaseModel]]:
 
 
 def _is_choice(annotation: object) -> bool:
-    """Whether these are several tables, told apart by their ``kind``."""
+    """Whether these are several tables, distinguished by their ``kind``."""
     choices = get_args(annotation)
     return bool(choices) and all(map(_is_table, choices))
 

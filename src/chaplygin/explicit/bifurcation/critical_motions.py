@@ -79,7 +79,7 @@ T = TypeVar("T")
 
 
 def with_enough_digits(question: Callable[[], T]) -> T:
-    """The answer to a question about balls, asked again with more digits until it has one."""
+    """The answer to a question about balls, asked with more and more digits until it has one."""
     precision = FIRST_PRECISION
     while True:
         with ctx.workprec(precision):

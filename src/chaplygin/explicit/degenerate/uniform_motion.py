@@ -53,7 +53,7 @@ def uniform_solution(
     start : sequence of arb
         The lifted state, on the phase space.
     moments : three arb
-        The principal moments, which tell the symmetry.
+        The principal moments, which determine the symmetry.
     """
     size = len(system.symbols)
     known = with_definitions(system, values, start)

@@ -226,7 +226,7 @@ class RestSolution(Solution):
 
     @arguments_checked
     def states(self, times: npt.ArrayLike) -> FloatArray:
-        """The same state at all `times` (N,)."""
+        """The constant state, at all `times` (N,)."""
         state = np.array([number(x) for x in self.state])
         return np.tile(state, (len(finite_times(times)), 1))
 

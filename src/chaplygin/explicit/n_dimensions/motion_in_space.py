@@ -60,7 +60,7 @@ class MotionInSpace(DerivedSolution):
 
     @property
     def left_open(self) -> str:
-        """What the closed form does not hold."""
+        """Quantities that the closed form does not give."""
         inner = self.inner.left_open
         here = (
             "attitude and path have no error bounds: they are integrated along the closed form, "

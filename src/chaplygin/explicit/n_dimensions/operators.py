@@ -28,7 +28,7 @@ from ..base.problem import Problem
 
 
 class Kind(Enum):
-    """How the momentum of a motion follows from its turning."""
+    """The dependence of the momentum of a motion on its angular velocity."""
 
     VESELOVA = "Veselova system or rubber ball"
     BALL = "marble ball on the level k = p∧γ"

@@ -216,7 +216,7 @@ def real_roots(poly: arb_poly) -> list[arb]:
     Raises
     ------
     DegenerateError
-        If they cannot be told apart.
+        If they cannot be separated.
     """
     if poly.degree() == 0:
         return []

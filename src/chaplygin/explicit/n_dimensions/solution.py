@@ -32,7 +32,7 @@ class WaveSolution(Solution):
 
     @property
     def left_open(self) -> str:
-        """What the closed form does not hold."""
+        """Quantities that the closed form does not give."""
         return "error bounds: the waves of this motion are summed up in double precision"
 
     @arguments_checked

@@ -164,7 +164,7 @@ class PlanarTurning(Solution):
 
     @property
     def left_open(self) -> str:
-        """What the closed form does not hold."""
+        """Quantities that the closed form does not give."""
         return "γ and the attitude in formulas: they are integrated along the closed form of ω"
 
     def _velocity(self, times: FloatArray) -> FloatArray:

@@ -41,7 +41,7 @@ _SHIFT = 1e-9
 
 @dataclass(frozen=True)
 class Places:
-    """Where a motion is at some times.
+    """Points of a motion on a torus at some times.
 
     Attributes
     ----------
@@ -182,7 +182,7 @@ class TorusMotion:
         return tuple(pair(x) for x in self.frequencies)
 
     def at(self, times: FloatArray) -> Places:
-        """Where it is at the times (N,)."""
+        """Its points at the times (N,)."""
         ideal, delta = self._delays(times)
         return self._places(ideal + delta[:, None] * self._velocity)
 
@@ -192,7 +192,7 @@ class TorusMotion:
         return tau
 
     def along(self, tau: FloatArray) -> Places:
-        """Where it is at τ (N,)."""
+        """Its points at τ (N,)."""
         return self._places(self._phases([pair(x) for x in self.turns], tau))
 
     @property

@@ -89,7 +89,7 @@ def motion_chart(equation: Equation, x: arb, rate: arb) -> Uniformisation | Equi
     Raises
     ------
     InputError
-        If the motion leaves the domain, or roots are too close together to be told apart.
+        If the motion leaves the domain, or roots are too close together to be separated.
     """
     inner = equation.inner or equation.numerator
     edges = (equation.low, equation.high)

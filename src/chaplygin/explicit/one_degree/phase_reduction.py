@@ -1,7 +1,7 @@
 """Large phases brought into one period without losing digits.
 
-A period known to forty digits is kept as the sum of two doubles, and its multiples are taken off in
-exact products, so that what is left of a time t is as good as t itself: the error of a reduced
+A period known to forty digits is kept as the sum of two doubles, and its multiples are subtracted
+in exact products, so that what is left of a time t is as good as t itself: the error of a reduced
 phase does not grow with the number of periods, until that number times 2⁻¹⁰⁶ is noticeable.
 """
 

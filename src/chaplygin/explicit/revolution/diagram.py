@@ -178,7 +178,7 @@ def columns_at(body: AxisymmetricBody, K: float) -> Column:
     Raises
     ------
     InputError
-        If K is not positive, or two permanent rotations are too close together to be told apart.
+        If K is not positive, or two permanent rotations are too close together to be separated.
     """
     if not 0 < K < np.inf:
         raise InputError(

@@ -163,7 +163,7 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: NumberOrText) -> 
     ------
     InputError
         If the motion is so close to a separatrix that the bounds would take too long, or the time
-        is beyond all measure.
+        is too large.
     """
     own = solution.separated_motion
     turns = 10 + 1.1 * _turns(solution, until)

@@ -87,7 +87,7 @@ class BatchOutput:
 
 
 def empty_output(task: BatchInput) -> BatchOutput:
-    """Room for the results of a call, with any content."""
+    """Uninitialised memory for the results of a call."""
     motions, _, words = task.starts.shape
     counts, outcome, steps = (np.empty(motions, dtype=np.int64) for _ in range(3))
     return BatchOutput(

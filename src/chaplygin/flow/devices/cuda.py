@@ -141,7 +141,7 @@ class CudaProcessor:
 
 
 def _places(arrays: Sequence[Array]) -> list[int]:
-    """Where each array begins in a buffer for them all, and the bytes of that buffer."""
+    """The offset of each array in a common buffer, and the size of that buffer in bytes."""
     sizes = [max(1, -(-array.nbytes // ALIGNMENT)) * ALIGNMENT for array in arrays]
     return [0, *itertools.accumulate(sizes)]
 

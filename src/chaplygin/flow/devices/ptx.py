@@ -1,7 +1,7 @@
 """From LLVM's language to PTX, the assembly language of NVIDIA's graphics processors.
 
 The driver of a device translates PTX for its processor.  All operations are rounded as on other
-processors (IEEE 754), and products are fused into sums where the text says so alone: instructions
+processors (IEEE 754), and products are fused into sums only where the text says so: instructions
 carry ``.rn``, which forbids anything else.
 """
 

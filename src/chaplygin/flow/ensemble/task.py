@@ -111,7 +111,7 @@ class Task(WithShortRepr):
         Known beforehand.
     attributes : mapping
         Of the whole result: system, parameters, seed, tolerance, versions.  Together with `work`
-        they tell one experiment from another, so they must be the same when it is resumed: numbers,
+        they identify the experiment, so they must be the same when it is resumed: numbers,
         texts, and lists of them.
 
     Raises

@@ -82,7 +82,7 @@ class _LoopGenerator:
         self._vectors("guards", max(len(equations.guards), 1))
 
     def _vectors(self, name: str, count: int) -> None:
-        """Room for vectors, at an address that is a multiple of their size."""
+        """Memory for vectors, at an address that is a multiple of their size."""
         self.space.size += -self.space.size % 8
         self.space.reserve(name, count * self.stages)
 

@@ -58,7 +58,7 @@ class Workspace:
     places: dict[str, int] = field(default_factory=dict)
 
     def reserve(self, name: str, vectors: int = 1) -> int:
-        """Room for some vectors."""
+        """Memory for some vectors."""
         self.places[name] = self.size
         self.size += vectors
         return self.places[name]
@@ -292,7 +292,7 @@ class RungeKuttaLoop(Generic[V]):
         w.store("double", literal(_EMPTY), self.lane_address("mode", lane))
 
     def _write_state(self, lane: str, index: str, row_number: str) -> None:
-        """What is recorded of a lane; on a section, its state moved onto it along the flow."""
+        """Record a motion; on a section, its state moved onto it along the flow."""
         w, words = self.w, self.n.words
         row = w.emit(f"add i64 {w.emit(f'mul i64 {index}, %wanted')}, {row_number}")
         if self.equations.has_section:

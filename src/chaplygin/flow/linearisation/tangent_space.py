@@ -273,7 +273,7 @@ class Stretch:
     frames : (n, d, size) array
         Deviations, measured, orthonormal again.
     lengths : (n, d) array
-        The logarithms of the lengths that were taken off.
+        The logarithms of the lengths divided out.
     sizes : (n, conditions + mixed) array
         Logarithms of the sizes of what is excluded, at the end; see `TangentSpace.excluded`.
     outcome : (n,) array of int

@@ -163,7 +163,7 @@ def reduce_argument(
 
     n is given as a double, and as an integer in the lowest bits.
 
-    Multiples of short pieces of the constant are taken off one after another, all but the last
+    Multiples of short pieces of the constant are subtracted one after another, all but the last
     two without error (Cody and Waite 1980; with fused products Boldo, Daumas and Li 2009).
     """
     w = k.writer

@@ -107,7 +107,7 @@ def maximise(
     ----------
     fibration : Fibration
     height : callable
-        Throws (many, k) ↦ places (y, n) and values (n,), n whatever comes of them.
+        Throws (many, k) ↦ places (y, n) and values (n,), n arbitrary.
     start : callable
         (places as normal numbers (y, k), normal numbers (many, k)) ↦ proposals near these points.
     many : int

@@ -53,7 +53,7 @@ class StateSeries(Protocol):
         ...
 
     def reset(self) -> None:
-        """Forget the events that have just happened, and what rounding has taken."""
+        """Reset the events of the last step and the rounding errors carried along."""
         ...
 
     def copy(self) -> StateSeries:
@@ -154,7 +154,7 @@ class _Plan:
 
     @cached_property
     def _output_formulas(self) -> list[sp.Expr]:
-        """What is recorded of a motion, and the guards."""
+        """The recorded quantities of a motion, and the guards."""
         system = self.system_in_space
         groups = system.observables, system.integrals, system.guards
         return [item.value for group in groups for item in group]

@@ -111,7 +111,7 @@ class HeyokaSeries:
 
 @dataclass(frozen=True)
 class HeyokaCode:
-    """What heyoka compiles of a system; it can be kept on disk.
+    """The code that heyoka compiles for a system; it can be stored on disk.
 
     Attributes
     ----------

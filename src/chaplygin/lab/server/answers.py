@@ -1,4 +1,4 @@
-"""What a worker computes for a page, part by part; a mistake of the user is one sentence."""
+"""Answers of a worker to a page, part by part; a mistake of the user gives one sentence."""
 
 from __future__ import annotations
 

@@ -134,7 +134,7 @@ class Laboratory:
                 yield part
 
     def _assignment(self, request: Computation) -> Assignment:
-        """What a worker is to do; an experiment is checked there too, as that can take long.
+        """The task of a worker; experiments are checked there too, as that can take long.
 
         Raises
         ------

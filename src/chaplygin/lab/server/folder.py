@@ -26,7 +26,7 @@ STORES = "charts"
 
 @dataclass(frozen=True)
 class Folder:
-    """What a laboratory was started for.
+    """The folder and the experiment with which a laboratory was started.
 
     Attributes
     ----------

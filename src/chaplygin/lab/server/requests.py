@@ -67,7 +67,7 @@ class Subject(_Request):
 
     @property
     def options(self) -> list[str]:
-        """The same as options ``KEY=VALUE``."""
+        """The changes as options ``KEY=VALUE``."""
         return [f"{key}={_toml(value, key)}" for key, value in self.set.items()]
 
 

@@ -93,7 +93,7 @@ def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None])
     port : int
         0 for any that is free.
     announce : callable
-        Told the address of the page as soon as it can be opened.
+        Called with the address of the page as soon as it can be opened.
 
     Raises
     ------

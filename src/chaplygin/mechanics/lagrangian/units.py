@@ -41,7 +41,7 @@ _FACTOR = re.compile(r"(\w+?)(?:\^(-?\d+))?")
 
 
 def momentum_units(mechanism: Mechanism) -> dict[sp.Symbol, str]:
-    """The unit of ∂L/∂s for every velocity s; empty text where the parameters do not tell it."""
+    """The unit of ∂L/∂s for every velocity s; empty if parameters leave it open."""
     known = _dimensions(mechanism)
     return {
         s: _text(_times(_ENERGY, known[s], -1)) if s in known else "" for s in mechanism.frame.w
@@ -53,7 +53,7 @@ def multiplier_units(mechanism: Mechanism) -> tuple[str, ...]:
 
     The reaction along the velocity s is λ ∂f/∂s, so that λ s ∂f/∂s is a power; for a constraint
     F(q) = 0, which is kept by Ḟ = 0, the product λ q ∂F/∂q is an energy.  Empty text where the
-    parameters do not tell the unit, or terms of the constraint contradict each other.
+    parameters do not determine the unit, or terms of the constraint contradict each other.
     """
     known = _dimensions(mechanism)
     frame = mechanism.frame

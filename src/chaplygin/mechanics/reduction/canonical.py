@@ -11,7 +11,7 @@ from ...core.vectors import real_symbol
 from .base_coordinates import Base
 from .closed_form import ClosedFormParts
 from .multiplier import Multiplier
-from .system import N, h_11, h_12, h_22, in_base_coordinates, momenta
+from .reduced_system import N, h_11, h_12, h_22, in_base_coordinates, momenta
 
 HALF = sp.Rational(1, 2)
 V = real_symbol("V")

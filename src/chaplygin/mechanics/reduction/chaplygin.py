@@ -34,7 +34,7 @@ from .momenta import ReducedMomenta, motion
 from .multiplier import Multiplier, is_closed, multiplier, obstruction_point, over_rational, poles
 from .quadratic_integral import energy_like_integral
 from .reduced_form import ChaplyginForm
-from .system import chaplygin_system, motion_law, with_base, with_carried_coordinates
+from .reduced_system import chaplygin_system, motion_law, with_base, with_carried_coordinates
 
 
 @arguments_checked

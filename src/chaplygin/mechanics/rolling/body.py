@@ -101,7 +101,8 @@ class Body(WithInertia):
 
     Notes
     -----
-    What is allowed but unusual, such as a centre of mass outside the shape, is said in `remarks`.
+    Unusual values that are allowed, such as a centre of mass outside the shape, are listed in
+    `remarks`.
 
     Examples
     --------

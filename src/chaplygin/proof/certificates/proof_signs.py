@@ -100,7 +100,7 @@ def _find_nonzero(reasons: Reasons, entries: Sequence[FactoredDivisor]) -> None:
 
 
 def _force(reasons: Reasons, entries: Sequence[FactoredDivisor]) -> None:
-    """The sign of the only factor of something positive whose sign is unknown."""
+    """The sign of a factor that follows from the signs of all others and of the product."""
     changed = True
     while changed:
         changed = False

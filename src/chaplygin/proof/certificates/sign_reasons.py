@@ -49,7 +49,7 @@ class Reasons:
     Parameters
     ----------
     facts : list of (polynomial, str, bool)
-        Positive (strictly or not), and what says so.
+        Positive (strictly or not), and the reason.
     equations : sequence of polynomials
         Vanish.
     nonzero : set of str

@@ -52,7 +52,7 @@ class FunctionField(QuotientRing):
     names : sequence of str
         Generators, highest first; a relation's main variable must be its highest.
     spare : int
-        Room for auxiliary symbols, which come before all others.
+        Number of places for auxiliary symbols, which come before all others.
     sample : mapping of str to float
         A point of the phase space, where signs under roots are taken that nothing else tells.
     choices : mapping of str to int

@@ -8,7 +8,7 @@ and where an initial is zero the component is the closure of the points where no
 
 The steps are exact.  A condition that factors stands for one component a factor; a factor that
 cannot vanish on the domain is dropped; a sum of terms of one sign vanishes only with all of them.
-Where an initial could vanish on a component of its own, which the dimensions tell, its zeros are
+Where an initial could vanish on a component of its own, as the dimensions show, its zeros are
 decomposed as well.
 """
 

@@ -1,4 +1,4 @@
-"""Where the axes of a figure stand, found without drawing the figure."""
+"""The positions of the axes of a figure, computed without drawing it."""
 
 from __future__ import annotations
 

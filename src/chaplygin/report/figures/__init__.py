@@ -14,8 +14,8 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from ...arguments import arguments_checked
+from ...geometry.ball_surface import SurfaceGround
 from ...geometry.mesh import BodyMesh
-from ...geometry.surface import SurfaceGround
 from ..drawing.dataset_access import VARIABLES, title_of
 from ..drawing.files import FORMATS, page_svg, page_svgs, save, svg_file, svg_text
 from ..drawing.shading import Ground

@@ -113,7 +113,7 @@ def _draw_numbers(
 
 
 def _mark(bar: Colorbar, value: float, meaning: str) -> None:
-    """A line across the bar at a value, and what it means beside it."""
+    """A line across the bar at a value, labelled with its meaning."""
     bar.ax.axhline(value, color="white", linewidth=2.4)
     bar.ax.axhline(value, color=INK, linewidth=1.2)
     low, high = bar.ax.get_ylim()

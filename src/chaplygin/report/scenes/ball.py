@@ -11,8 +11,8 @@ from scipy.ndimage import gaussian_filter
 
 from ...arguments import arguments_checked
 from ...core.arrays import BoolArray, FloatArray
+from ...geometry.ball_surface import SurfaceGround, frame_of
 from ...geometry.mesh import BodyMesh
-from ...geometry.surface import SurfaceGround, frame_of
 from ...geometry.view import View
 from ..drawing.canvas import Canvas, blank_axes, fit_height, time_bar
 from ..drawing.curves import runs, smooth_curve

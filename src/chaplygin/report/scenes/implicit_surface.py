@@ -12,7 +12,7 @@ import numpy as np
 from scipy.ndimage import map_coordinates
 
 from ...core.arrays import BoolArray, FloatArray
-from ...geometry.surface import Box, SurfaceGround, heights_on_grid
+from ...geometry.ball_surface import Box, SurfaceGround, heights_on_grid
 from ...geometry.view import View
 
 _ALONG = 110

@@ -204,7 +204,7 @@ def _draw_enlarged(
     pose: Pose,
     wide: float,
 ) -> None:
-    """The mechanism at the end by itself, on the right of the map."""
+    """The mechanism alone, at the end, on the right of the map."""
     height = figure.get_figheight()
     left = (_LEFT + wide + 0.25) / WIDTH
     axes = figure.add_axes((left, 1.0 - (_TOP + 1.65) / height, 1.65 / WIDTH, 1.65 / height))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ...experiment.subjects.subject import Subject
+from ...geometry.ball_surface import SurfaceGround, ground_of_ball
 from ...geometry.mesh import BodyMesh, outline_from_contact
-from ...geometry.surface import SurfaceGround, ground_of_ball
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.shapes.surfaces import Plane
 from ..drawing.shading import Ground, PlaneGround, SphereGround
