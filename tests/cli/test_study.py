@@ -78,7 +78,7 @@ def test_what_is_tried_is_said_by_name(ask: Ask, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(command, "progress", Heard)
     code, _, err = ask(*SHORT)
     assert code == 0, err
-    assert said[:3] == ["integrating: Veselova system", "looking for a closed form", "drawing"]
+    assert said[:2] == ["integrating: Veselova system", "looking for a closed form and drawing"]
     assert "proving: energy of Veselova system" in said
 
 

@@ -27,7 +27,7 @@ from chaplygin.errors import InputError
 from chaplygin.explicit.genus_two.separation import SeparatedSystem
 from chaplygin.explicit.genus_two_solution import GenusTwo, solve_on_torus
 from chaplygin.explicit.rigorous import rigorous_motion
-from chaplygin.explicit.solvable_cases import SEPARABLE
+from chaplygin.explicit.separable import SEPARABLE
 from chaplygin.flow.integrator import integrate
 
 #: Digits after the point asked of the error bounds, and what 34-digit integration may be off by.

@@ -13,7 +13,6 @@ from functools import lru_cache
 
 import mpmath
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from ..arguments import Finite, arguments_checked
 from ..core.arrays import FloatArray
@@ -302,6 +301,8 @@ def _state(
 
 def _rotation(attitude: Sequence[float] | FloatArray) -> FloatArray:
     """The matrix from body to space components."""
+    from scipy.spatial.transform import Rotation
+
     w, x, y, z = attitude
     matrix: FloatArray = Rotation.from_quat([x, y, z, w]).as_matrix()
     return matrix

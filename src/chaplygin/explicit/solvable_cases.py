@@ -8,11 +8,9 @@ and a ball on a sphere is solved for those ratios of the radii for which a separ
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import lru_cache
-from importlib import import_module
 from itertools import permutations
 from typing import TypeAlias
 
@@ -24,6 +22,7 @@ from ..catalogue import entry
 from ..catalogue.catalogue_entry import bruns_factor
 from ..core.isomorphism import Isomorphism
 from ..core.matrices import Column, NamedMatrix
+from ..core.memory import memory
 from ..core.system import System, flat_pairs
 from ..core.vectors import Diagonal, Symmetric, Vector, real_symbol, to_components
 from ..formulas.balls import ball, ball_values, exact
@@ -36,11 +35,14 @@ from .change_of_symbols import in_symbols_of, translation
 from .genus_two.separation import SeparatedSystem
 from .principal_axes import about_fixed_point, in_principal_axes, to_original_axes
 from .recover_body import rolling_of
+from .separable import SEPARABLE, catalogue_system, separated_system
 
 #: A motion in closed form, or None where it is not of this kind.
 Recogniser: TypeAlias = Callable[[Problem], Solution | None]
 #: Parameters of one system as formulas in those of another.
 Formulas: TypeAlias = Mapping[sp.Symbol, sp.Expr]
+#: A parameter and its value.
+Value: TypeAlias = tuple[sp.Symbol, Fraction]
 
 #: Systems by the name of their separation whose bodies may have two equal moments.
 VESELOVA_LIKE = ("veselova", "rubber-chaplygin-ball")
@@ -88,69 +90,6 @@ def _solve_with_fluid(problem: Problem, fluids: tuple[Vector, ...]) -> Solution:
 
 
 @dataclass(frozen=True)
-class SeparationEntry:
-    """A separable system of genus two: where its code is, and the names of its state.
-
-    Attributes
-    ----------
-    state : str
-        The vectors of its state.
-    letters : str
-        Its parameters but for the inertia, where it is a rolling body.
-    """
-
-    module: str
-    function: str
-    state: str
-    letters: str | None = None
-
-    def fits(self, problem: Problem) -> bool:
-        """Whether its state is named as that of the problem."""
-        return self.state == " ".join(map(str, problem.system.state))
-
-    def may_be(self, problem: Problem) -> bool:
-        """Whether it is worth a comparison; rolling bodies always have the same letters."""
-        if problem.rolling is None:
-            # three moments and the letters are read in as many parameters, or in those of a map
-            few = self.letters is not None and 3 + len(self.letters) > len(problem.parameters)
-            return not few or any(
-                isinstance(law, Isomorphism) and law.time == 1 for law in problem.system.laws
-            )
-        field = {"K"} if problem.rolling.field.potential != 0 else set()
-        known = {str(symbol) for symbol in problem.parameters} | field
-        return self.fits(problem) and self.letters is not None and set(self.letters) <= known
-
-
-#: In the order in which they are tried, but for those with the letters of a problem.
-SEPARABLE = (
-    SeparationEntry("rubber_ball_plane", "rubber_ball_plane", "omega gamma", "mR"),
-    SeparationEntry("rubber_sphere", "on_plane", "omega n"),
-    SeparationEntry("veselova", "veselova", "omega gamma"),
-    SeparationEntry("chaplygin_ball", "chaplygin_ball", "M gamma", "mR"),
-    SeparationEntry("chaplygin_ball_area_constant", "chaplygin_area", "M gamma", "mR"),
-    SeparationEntry("rubber_sphere", "hollow_ball", "omega gamma", "mRa"),
-    SeparationEntry("rubber_sphere", "of_ratio", "omega n"),
-    SeparationEntry("rubber_sphere", "on_e3", "M gamma"),
-    SeparationEntry("ball_sphere", "hollow_ball", "M gamma", "mRa"),
-    SeparationEntry("ball_sphere", "of_tensor", "M n"),
-    SeparationEntry("neumann", "neumann_system", "M Gamma"),
-    SeparationEntry("clebsch", "clebsch_case", "M Gamma"),
-    SeparationEntry("fedorov", "fedorov", "K gamma"),
-    SeparationEntry("bruns", "veselova_in_bruns_field", "omega gamma"),
-    SeparationEntry("bruns", "rubber_ball_in_bruns_field", "omega gamma", "mRK"),
-    SeparationEntry("bruns_ball", "chaplygin_ball_in_bruns_field", "M gamma", "mRK"),
-    SeparationEntry("bruns_sphere", "hollow_ball_in_bruns_field", "M gamma", "mRaK"),
-)
-
-
-@lru_cache(maxsize=len(SEPARABLE))
-def _separated_system(place: SeparationEntry) -> SeparatedSystem:
-    module = import_module(f".separations.{place.module}", __package__)
-    separable: SeparatedSystem = getattr(module, place.function)()
-    return separable
-
-
-@dataclass(frozen=True)
 class Match:
     """A system that separates and has the field of a problem.
 
@@ -184,11 +123,12 @@ def find_match(problem: Problem) -> Match | None:
     missed: Match | None = None
     places = [place for place in SEPARABLE if place.may_be(problem)]
     for place in sorted(places, key=lambda place: not place.fits(problem)):
-        known = _separated_system(place)
-        if len(known.system.symbols) != len(problem.system.symbols):
+        target = catalogue_system(place)
+        if len(target.symbols) != len(problem.system.symbols):
             continue
-        for formulas in _parameter_identifications(problem, known.system):
-            if _same_vector_field(problem.system, numbers, known.system, formulas):
+        for formulas in _parameter_identifications(problem, target):
+            if _same_vector_field(problem.system, numbers, target, formulas):
+                known = separated_system(place)
                 match = _match_with_defects(problem, known, formulas, RESOLUTION)
                 if not match.level:
                     return match
@@ -266,7 +206,15 @@ def _same_vector_field(
         if not value.is_Rational:
             return False
         there[symbol] = exact(value)
-    return same_field(system, values, target, there)
+    return _same_field(system, tuple(values.items()), target, tuple(there.items()))
+
+
+@memory(512)
+def _same_field(
+    system: System, values: Sequence[Value], target: System, there: Sequence[Value]
+) -> bool:
+    """:func:`.base.problem.same_field`, which a solution and a diagram both ask for."""
+    return same_field(system, dict(values), target, dict(there))
 
 
 def _solve_separable(problem: Problem) -> Solution | None:

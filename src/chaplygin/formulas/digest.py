@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ..core.formula_text import exact_text
 from ..core.laws import Integral, Law, Measure, Symmetry
 from ..core.system import System
 from ..errors import InputError
@@ -97,7 +98,7 @@ def _content(value: object) -> tuple[str, bytes]:
             shape = f"{value.dtype.str}{value.shape}".encode()
             return "array", shape + np.ascontiguousarray(value).tobytes()
         case sp.Basic() | sp.MatrixBase():
-            return "formula", sp.srepr(value).encode()
+            return "formula", exact_text(value).encode()
         case functools.partial():
             return "partial", _concatenated_digests([_text(field_digests(value))])
         case System():

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 
 import numpy as np
 import xarray as xr
@@ -17,7 +18,10 @@ from .scene_model import Json
 
 
 def study_model(
-    study: Study, dataset: xr.Dataset, verdicts: Mapping[str, Verdict] | None = None
+    study: Study,
+    dataset: xr.Dataset,
+    verdicts: Mapping[str, Verdict] | None = None,
+    diagram: Callable[[], Json] | None = None,
 ) -> dict[str, Json]:
     """The model of a page that shows a motion: by computing it, or else as it is recorded.
 
@@ -29,14 +33,16 @@ def study_model(
         a page is to have, some are left out.
     verdicts : mapping of str to Verdict, optional
         On the laws, by name.
+    diagram : callable, optional
+        Returns the bifurcation diagram, where another has computed it.
     """
     shown = sample_for_page(dataset)
     try:
         model = live_page_model(study, shown, verdicts)
     except InputError:
         return page_model(study, shown, verdicts)
-    diagram = bifurcation_model(study, reduced_system(study))
-    return {**model, "recorded": None, "bifurcation": diagram}
+    computed = diagram or partial(bifurcation_model, study, reduced_system(study))
+    return {**model, "recorded": None, "bifurcation": computed()}
 
 
 def laboratory_model(study: Study, subject: Mapping[str, Json]) -> dict[str, Json]:

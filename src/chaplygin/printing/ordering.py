@@ -9,6 +9,7 @@ from functools import cached_property, total_ordering
 import sympy as sp
 from sympy.matrices.expressions import Identity, MatAdd, MatMul, MatrixExpr
 
+from ..core.formula_text import short_text
 from ..core.vector_operators import Gradient
 from ..core.vectors import Diagonal, Dot, Symmetric, Vector
 from .symbol_names import GREEK, letter_of
@@ -44,7 +45,7 @@ class _Spelling:
 
     @cached_property
     def text(self) -> str:
-        return str(sp.sstr(self.formula))
+        return short_text(self.formula)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, _Spelling) and self.text == other.text

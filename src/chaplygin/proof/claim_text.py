@@ -7,6 +7,7 @@ from typing import TypeAlias
 
 import sympy as sp
 
+from ..core.formula_text import short_text
 from ..core.isomorphism import Isomorphism
 from ..core.laws import (
     ConformallyHamiltonian,
@@ -41,12 +42,12 @@ def _system(system: System) -> Text:
     return {
         "name": system.name,
         "state": [str(s) for s in system.symbols],
-        "rates": [str(rate) for rate in system.rates],
-        "definitions": [[str(s), str(value)] for s, value in system.scalar_definitions],
+        "rates": [short_text(rate) for rate in system.rates],
+        "definitions": [[str(s), short_text(value)] for s, value in system.scalar_definitions],
         "parameters": [str(p.symbol) for p in system.parameters],
         "relations": _formulas(system.relations),
-        "guards": [str(formula) for formula in guards(system)],
-        "admissible": [str(relation) for relation in admissible(system)],
+        "guards": [short_text(formula) for formula in guards(system)],
+        "admissible": [short_text(relation) for relation in admissible(system)],
     }
 
 
@@ -76,10 +77,11 @@ def _law(system: System, law: Law) -> Text:
 
 def _content(system: System, law: Law) -> Text:
     if isinstance(law, Integral):
-        return {"value": str(to_components(law.value))}
+        return {"value": short_text(to_components(law.value))}
     if isinstance(law, Measure):
         density = [
-            [str(to_components(base)), str(sp.sympify(power))] for base, power in law.density
+            [short_text(to_components(base)), short_text(sp.sympify(power))]
+            for base, power in law.density
         ]
         return {"density": density}
     if isinstance(law, Symmetry):
@@ -88,23 +90,26 @@ def _content(system: System, law: Law) -> Text:
         return _bracket(law)
     if isinstance(law, ConformallyHamiltonian):
         return {
-            "multiplier": str(to_components(law.multiplier)),
-            "hamiltonian": str(to_components(law.hamiltonian)),
+            "multiplier": short_text(to_components(law.multiplier)),
+            "hamiltonian": short_text(to_components(law.hamiltonian)),
             "structure": {"name": law.structure.name, **_bracket(law.structure)},
         }
     if isinstance(law, Isomorphism):
         return {
             "target": _system(law.target),
             "map": _pairs(law.map),
-            "time": str(to_components(law.time)),
+            "time": short_text(to_components(law.time)),
             "constants": _pairs(law.constants),
-            "onto": [str(_there(system, law, condition)) for condition in law.onto],
+            "onto": [short_text(_there(system, law, condition)) for condition in law.onto],
         }
     if isinstance(law, Reduction):
         quantities = _pairs(law.quantities)
         return {"quantities": quantities, "equations": _formulas(law.equations)}
     assert isinstance(law, Identity)
-    return {"quantities": _pairs(law.quantities), "value": [str(f) for f in scalars(law.value)]}
+    return {
+        "quantities": _pairs(law.quantities),
+        "value": [short_text(f) for f in scalars(law.value)],
+    }
 
 
 def _there(system: System, law: Isomorphism, condition: sp.Expr) -> sp.Expr:
@@ -118,20 +123,22 @@ def _there(system: System, law: Isomorphism, condition: sp.Expr) -> sp.Expr:
 def _bracket(law: PoissonStructure) -> Text:
     size = law.matrix.shape[0]
     return {
-        "matrix": [[str(law.matrix[i, j]) for j in range(size)] for i in range(size)],
+        "matrix": [[short_text(law.matrix[i, j]) for j in range(size)] for i in range(size)],
         "casimirs": _formulas(law.casimirs),
         "rank": None if law.rank is None else int(law.rank),
     }
 
 
 def _formulas(formulas: Iterable[sp.Expr]) -> list[str]:
-    return [str(to_components(formula)) for formula in formulas]
+    return [short_text(to_components(formula)) for formula in formulas]
 
 
 def _pairs(pairs: Iterable[tuple[sp.Symbol | Vector, sp.Expr]]) -> list[list[str]]:
     texts = []
     for name, formula in pairs:
-        texts += [[str(n), str(f)] for n, f in zip(flat([name]), scalars(formula), strict=True)]
+        texts += [
+            [str(n), short_text(f)] for n, f in zip(flat([name]), scalars(formula), strict=True)
+        ]
     return texts
 
 

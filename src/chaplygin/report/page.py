@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable
 from dataclasses import replace
 
 import jinja2
 import xarray as xr
 from markupsafe import Markup
-from matplotlib.figure import Figure
 
 from .._version import __version__
 from ..analysis.classification.classification import Classification, rows
@@ -18,11 +17,9 @@ from ..analysis.classification.facts import ProofBudget
 from ..core.laws import Law
 from ..core.vectors import Vector, real_symbol
 from ..errors import RunError
-from ..experiment.closed_form import closed_form_section
 from ..experiment.contact.trajectory import ContactTrajectory
 from ..experiment.study import Study
 from ..experiment.subjects.contact_subject import ContactSubject
-from ..explicit.base.solution import Solution
 from ..flow.trajectory import Trajectory
 from ..lab.element import element
 from ..lab.study_page import study_model
@@ -35,9 +32,7 @@ from ..printing.numerals import number, typographic_signs, unit
 from ..printing.system import claims_html, motion_html, system_html
 from ..proof.fields.budget import EFFORT
 from ..proof.verdict import Verdict
-from . import figures
-from .contact_section import contact_plates, contact_section
-from .drawing.modes import changes_mode
+from .illustrations import Illustrations
 from .summary import drift_text
 
 #: Term operations that the proof of one law may take, and those of all together: the first unless
@@ -93,11 +88,9 @@ def render(
     study: Study,
     trajectory: Trajectory,
     dataset: xr.Dataset,
-    pictures: Mapping[str, Figure],
-    svgs: Mapping[str, str],
+    illustrations: Callable[[], Illustrations],
     budget: ProofBudget,
     failure: RunError | None = None,
-    solution: Solution | None = None,
 ) -> str:
     """The page as text.
 
@@ -108,16 +101,12 @@ def render(
         What was computed.
     dataset : xarray.Dataset
         The same, as it is stored.
-    pictures : mapping of str to Figure
-        By name, as :func:`chaplygin.report.figures.all_figures` returns them.
-    svgs : mapping of str to str
-        The same as SVG, by :func:`chaplygin.report.figures.svg_text`.
+    illustrations : callable
+        Returns the figures and the closed form, for which the page waits in the end.
     budget : ProofBudget
         For the proofs of its laws and of its place among all systems.
     failure : RunError, optional
         Why the run ended early, if it failed.
-    solution : Solution, optional
-        The same motion in closed form, where one is known.
 
     Returns
     -------
@@ -138,6 +127,8 @@ def render(
     uncounted: tuple[tuple[str, tuple[str, ...]], ...] = ()
     # laws of one mode of a contact say nothing of a motion through several
     if isinstance(subject, ContactSubject) and isinstance(trajectory, ContactTrajectory):
+        from .contact_section import contact_plates, contact_section
+
         contact = contact_section(subject, trajectory, dataset)
         mine = contact_plates(subject, trajectory, dataset)
         plates = mine | {name: plate for name, plate in PLATES.items() if name not in mine}
@@ -146,19 +137,20 @@ def render(
         stands = classify(study.system, verdicts, budget, subject.model)
         places = [_section(part) for part in (stands, *stands.levels)]
         uncounted = stands.uncounted_by_reason
-    both, letters = figures.page_svgs(pictures, svgs)
+    live = study_model(study, dataset, verdicts, lambda: illustrations().diagram)
+    shown = illustrations()
     drawn = {
         name: _figure_html("picture" if _is_picture(name, study, dataset) else "chart", *svgs)
-        for name, svgs in both.items()
+        for name, svgs in shown.pairs.items()
     }
-    lab = element(study_model(study, dataset, verdicts), drawn.get("scene", ""))
+    lab = element(live, drawn.get("scene", ""))
     return environment.get_template("report.html").render(
         signed=typographic_signs,
         title=study.system.title,
         lead=study.subject.summary or study.subject.setting,
         setting=study.subject.setting if study.subject.summary else "",
         start=_start(study, dataset),
-        letters=Markup(letters),
+        letters=Markup(shown.letters),
         lab=lab.html,
         policy=lab.policy,
         scene=drawn.get("scene"),
@@ -194,7 +186,7 @@ def render(
             }
             for law in (() if contact else system.integrals)
         ],
-        closed=None if solution is None else closed_form_section(solution, trajectory),
+        closed=shown.closed,
         closed_figure=drawn.get("closed_form"),
         diagram=drawn.get("bifurcation"),
         claims=Markup(claims_html(replace(study.system, laws=_unobserved_laws(study)))),
@@ -224,8 +216,12 @@ def _is_picture(name: str, study: Study, dataset: xr.Dataset) -> bool:
     """Whether the colours of a figure stay as they are."""
     subject = study.subject
     flat = isinstance(subject, ContactSubject) and isinstance(subject.surface, Plane)
-    # a path on a plane in the colours of modes has no shades
-    return name in PICTURES and not (name == "contact_path" and flat and changes_mode(dataset))
+    if name == "contact_path" and flat:
+        from .drawing.modes import changes_mode
+
+        # a path on a plane in the colours of modes has no shades
+        return not changes_mode(dataset)
+    return name in PICTURES
 
 
 def _figure_html(kind: str, wide: str, narrow: str) -> Markup:

@@ -6,23 +6,20 @@ from pathlib import Path
 from typing import Protocol
 
 import xarray as xr
-from matplotlib.figure import Figure
 
 from ..analysis.classification.facts import ProofBudget
 from ..arguments import arguments_checked
 from ..errors import InterruptionError, RunError
-from ..experiment.closed_form import diagram_if_known, known_solution
 from ..experiment.dataset import write
 from ..experiment.files import atomic_file
 from ..experiment.study import Study, dataset_of
 from ..experiment.subjects.plan import PlanMotion, plan_motion
-from ..explicit.base.solution import Solution
 from ..flow.trajectory import Trajectory
-from . import figures, page
-from .drawing.layout import layout_done
+from . import page
+from .illustrations import Illustrations
+from .second_process import beside
 from .stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
 from .study_folder import TRAJECTORY, begin, end
-from .subject_figures import subject_figures
 
 #: Points through which curves are drawn, at least.
 SMOOTH = 3000
@@ -100,18 +97,11 @@ def write_study(
     write(dataset, folder / "trajectory.nc", force=True)
     with atomic_file(folder / "experiment.toml") as temporary:
         temporary.write_text(study.complete_toml(), encoding="utf-8")
-    report.say("looking for a closed form")
-    solution = known_solution(study)
-    report.say("drawing")
-    pictures = _figures(study, smooth, plan, solution)
-    svgs = {}
-    for name, figure in pictures.items():
-        with layout_done(figure):
-            svgs[name] = figures.svg_text(figure)
-            figures.save(figure, folder / "figures" / f"{name}.png")
-        with atomic_file(folder / "figures" / f"{name}.svg") as place:
-            place.write_text(figures.svg_file(svgs[name]), encoding="utf-8")
-    text = page.render(study, trajectory, dataset, pictures, svgs, budget, failure, solution)
+    report.say("looking for a closed form and drawing")
+    with beside(
+        lambda: _illustrations(study, smooth, trajectory, plan, folder / "figures")
+    ) as shown:
+        text = page.render(study, trajectory, dataset, shown, budget, failure)
     with atomic_file(folder / "report.html") as temporary:
         temporary.write_text(text, encoding="utf-8")
     end(folder)
@@ -132,14 +122,10 @@ def _trajectory(study: Study, path: Path, pieces: int, report: Report) -> Trajec
     return trajectory
 
 
-def _figures(
-    study: Study, smooth: xr.Dataset, plan: PlanMotion | None, solution: Solution | None
-) -> dict[str, Figure]:
-    """The figures of a study, by name."""
-    pictures = subject_figures(study.subject, smooth, plan)
-    if solution is not None and solution.form.ovals:
-        pictures["closed_form"] = figures.closed_form(study.system.title, solution.form)
-        placed = diagram_if_known(study)
-        if placed is not None:
-            pictures["bifurcation"] = figures.bifurcation_diagram(*placed)
-    return pictures
+def _illustrations(
+    study: Study, smooth: xr.Dataset, trajectory: Trajectory, plan: PlanMotion | None, folder: Path
+) -> Illustrations:
+    # the process that proves needs nothing of matplotlib
+    from .drawings import illustrations
+
+    return illustrations(study, smooth, trajectory, plan, folder)

@@ -14,7 +14,7 @@ from chaplygin.core.system import flat_pairs
 from chaplygin.explicit.degenerate import DegenerateSolution, solve_degenerate
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
 from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
-from chaplygin.explicit.solvable_cases import SEPARABLE
+from chaplygin.explicit.separable import SEPARABLE
 from chaplygin.flow.integrator import integrate
 from chaplygin.formulas.balls import ball_values, exact
 

@@ -8,11 +8,10 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
-import sympy as sp
-from scipy.spatial.transform import Rotation
 
 from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
+from ...core.formula_text import exact_text
 from ...core.system import System, flat
 from ...core.vectors import constant, to_components
 from ...errors import InputError
@@ -273,6 +272,8 @@ class CompiledContact:
         mobility = mobility_at(self._mass, self._inverse_inertia, vectors[r], unit)
         turntable, support_turn_rate = self.situation.surface.turntable, np.zeros(3)
         if turntable:
+            from scipy.spatial.transform import Rotation
+
             vertical = Rotation.from_quat(state[ATTITUDE], scalar_first=True).as_matrix()[2]
             support_turn_rate = turntable * np.cross(vertical, state[OMEGA])
         # a couple that does not depend on the normal force belongs to the free motion
@@ -384,4 +385,4 @@ def _neutral_function(system: System, laws: tuple[FrictionLaw, ...]) -> NativeFo
         *to_components(total.q),
         *to_components(total.couple),
     ]
-    return native_formulas(f"contact {sp.srepr(parts)}", len(system.symbols), compute)
+    return native_formulas(f"contact {exact_text(parts)}", len(system.symbols), compute)

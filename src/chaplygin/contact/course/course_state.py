@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from ...core.arrays import FloatArray
 from ...flow.cost import Pace, TooMuchError
@@ -343,6 +342,8 @@ class CourseState:
         if known.gap > 1e-14 * length:
             self._height = known.gap
             return
+        from scipy.spatial.transform import Rotation
+
         up = Rotation.from_quat(self.state[ATTITUDE], scalar_first=True).apply(known.mobility.gamma)
         self.state = self.state.copy()
         self.state[POSITION] -= known.gap * up

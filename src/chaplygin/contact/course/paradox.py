@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from ...core.arrays import FloatArray
 from .compiled import ATTITUDE, POSITION, ContactNumbers
@@ -33,6 +32,8 @@ def paradox_words(
     is_jam : bool
         Whether B has fallen to zero along the motion, rather than being negative at once.
     """
+    from scipy.spatial.transform import Rotation
+
     turn = Rotation.from_quat(state[ATTITUDE], scalar_first=True)
     place = state[POSITION] + turn.apply(numbers.r)
     place = np.where(np.abs(place) < _ROUNDING * np.linalg.norm(numbers.r), 0.0, place)

@@ -22,7 +22,6 @@ from typing import final
 
 import numpy as np
 import numpy.typing as npt
-from scipy.special import ellipe, elliprd
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
@@ -238,6 +237,8 @@ def _ring_factors(k: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 def _elliptic(k: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Complete elliptic integrals E and D = (K − E)/κ² of modulus κ = min(k, 1/k); D(1) as 0."""
+    from scipy.special import ellipe, elliprd
+
     _, square, complement = _square_and_complement(k)
     # D grows like a logarithm towards κ = 1 and stands beside the factor 1 − κ² everywhere
     D = np.where(complement > 0, elliprd(0, np.where(complement > 0, complement, 1.0), 1) / 3, 0.0)

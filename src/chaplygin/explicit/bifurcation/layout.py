@@ -10,7 +10,6 @@ from typing import TypeAlias
 
 import numpy as np
 from flint import fmpq
-from scipy.ndimage import distance_transform_edt
 
 from ...core.arrays import BoolArray, FloatArray
 from . import Diagram, Region
@@ -161,6 +160,8 @@ class Grid:
 
     def label_scale(self, inside: BoolArray) -> FloatArray:
         """The size of the label that fits at each point; 1 just fits."""
+        from scipy.ndimage import distance_transform_edt
+
         framed = np.pad(inside, 1)
         # in units of half a label
         steps = (1 / (GRID[0] * LABEL[0]), 1 / (GRID[1] * LABEL[1]))

@@ -26,7 +26,6 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 from flint import arb, ctx
-from scipy.integrate import solve_ivp
 
 from ...arguments import NumberOrText, arguments_checked
 from ...catalogue import entry
@@ -203,6 +202,7 @@ class PlanarTurning(Solution):
 
     def _along(self, rows: FloatArray, times: FloatArray, sign: float) -> FloatArray:
         """Vectors fixed in space, at times of one sign."""
+        from scipy.integrate import solve_ivp
 
         def rates(t: float, flat: FloatArray) -> FloatArray:
             w = self._velocity(np.array([t]))[:, 0]

@@ -11,6 +11,7 @@ from typing import Protocol, TypeAlias
 import numpy as np
 import sympy as sp
 
+from ...core.formula_text import exact_text
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
@@ -148,8 +149,8 @@ class _Plan:
             [observable.value for observable in system.observables],
             [guard.value for guard in system.guards],
         ]
-        # srepr keeps every digit of a decimal number, which str does not
-        formulas = (sp.srepr([to_components(item) for item in part]) for part in shape)
+        # the exact text keeps every digit of a decimal number, which str does not
+        formulas = (exact_text([to_components(item) for item in part]) for part in shape)
         return cache.code_name(*formulas, repr(self.tolerance), self.precision, self.direction)
 
     @cached_property

@@ -1,0 +1,83 @@
+"""Work done beside other work, on a second core.
+
+The process is a copy of this one, so that nothing is sent to it, and what it returns does not
+depend on when it is asked for.  Where processes cannot be copied, the work is done when its result
+is asked for.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import cache
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from typing import TypeVar
+
+T = TypeVar("T")
+
+
+@contextmanager
+def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
+    """A function that waits for the result of work, which is done meanwhile.
+
+    Parameters
+    ----------
+    work : callable
+        Without effects but for files; its result, or what it raises, must be such as can be
+        pickled.
+
+    Examples
+    --------
+    >>> with beside(lambda: 6 * 7) as result:
+    ...     result()
+    42
+    """
+    if sys.platform != "linux":
+        yield cache(work)
+        return
+    context = get_context("fork")
+    receiver, sender = context.Pipe(duplex=False)
+    process = context.Process(target=_do, args=(work, sender), daemon=True)
+    with warnings.catch_warnings():
+        # of other threads: those of this program hold no lock that the copy asks for
+        warnings.simplefilter("ignore", DeprecationWarning)
+        process.start()
+    sender.close()
+
+    @cache
+    def result() -> T:
+        try:
+            answer: tuple[T] | Exception = receiver.recv()
+        except EOFError:
+            # it was ended from outside, such as for want of memory
+            return work()
+        if isinstance(answer, Exception):
+            raise answer
+        return answer[0]
+
+    try:
+        yield result
+    finally:
+        receiver.close()
+        process.terminate()
+        process.join()
+
+
+def _do(work: Callable[[], T], sender: Connection) -> None:
+    """Send the result of work, or what it raises; interruptions are for the first process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # an end from outside lets what is being written be removed
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    # the other process may hold the lock of what stands in place of a terminal
+    sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
+    answer: tuple[T] | Exception
+    try:
+        answer = (work(),)
+    except Exception as error:
+        answer = error
+    sender.send(answer)
+    sender.close()
