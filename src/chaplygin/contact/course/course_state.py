@@ -338,8 +338,7 @@ class CourseState:
     def _rise(self) -> None:
         """Let a body begin to fly; its height is zero but for a start above the support."""
         known = self._numbers()
-        length = self._length + float(np.abs(self.state[POSITION]).max())
-        if known.gap > 1e-14 * length:
+        if known.gap > 1e-14 * (self._length + float(np.abs(self.state[POSITION]).max())):
             self._height = known.gap
             return
         from scipy.spatial.transform import Rotation
