@@ -29,8 +29,8 @@ until = 8.0
 test("a changed number is written into its place, and nothing else changes", () => {
   const text = editedExperiment(
     FILE,
-    [{ name: "I_1", value: 2.5 }, { name: "m", value: 3 }, { name: "I_12", value: 1e-5 }, { name: "l", value: 0.9 }],
-    [{ name: "omega_2", value: -0.1 }, { name: "heading", value: 1 }],
+    [{ name: "I_1", value: 2.5, usual: 1 }, { name: "m", value: 3, usual: 1 }, { name: "I_12", value: 1e-5, usual: -2e-5 }, { name: "l", value: 0.9, usual: 0.8 }],
+    [{ name: "omega_1", value: 0, usual: 0 }, { name: "omega_2", value: -0.1, usual: 0 }, { name: "omega_3", value: -5, usual: -5 }, { name: "heading", value: 1, usual: 0 }, { name: "x", value: 0, usual: 0 }],
     20,
   );
   const wanted = FILE.replace("I_1 = 1.0", "I_1 = 2.5")
@@ -45,9 +45,51 @@ test("a changed number is written into its place, and nothing else changes", () 
 });
 
 test("a change without a place is said above the file", () => {
-  const text = editedExperiment(FILE, [{ name: "b_1", value: 0.3 }], [], null);
+  const text = editedExperiment(FILE, [{ name: "b_1", value: 0.3, usual: 0.2 }], [], null);
   assert.ok(text.startsWith("# b_1 = 0.3 was set in the page"));
   assert.ok(text.endsWith(FILE));
+});
+
+test("numbers of a shape, a surface and a formula have their own tables", () => {
+  const file = `[body.shape]
+centre = [0.0, 0.1, 0.0]
+axes = [0.2, 0.03, 0.02]
+
+[surface]
+radius = 0.1
+
+[parameters.P]
+value = [0.0, 0.0, 0.4]
+
+[body.shape.parameters]
+e = 0.18
+`;
+  const usual = { c_2: 0.1, b_3: 0.02, a: -0.1, P_3: 0.4, e: 0.18 };
+  const numbers = Object.entries(usual).map(([name, value]) => ({ name, value: 2 * value, usual: value }));
+  const wanted = file.replace("0.1, 0.0]", "0.2, 0.0]").replace("0.02]", "0.04]").replace("radius = 0.1", "radius = 0.2").replace("0.4]", "0.8]").replace("0.18", "0.36");
+  assert.equal(editedExperiment(file, numbers, [], null), wanted);
+});
+
+test("a number that the file gives otherwise is left alone", () => {
+  // the mass of a ball with a fluid in it is not that of the shell
+  const text = editedExperiment(FILE, [{ name: "m", value: 3, usual: 2.8 }], [], null);
+  assert.ok(text.startsWith("# m = 3 was set in the page") && text.endsWith(FILE));
+});
+
+test("of two equal moments the file has one, and changes both: what the page shows is said", () => {
+  const moments = [{ name: "I_1", value: 2.5, usual: 1 }, { name: "I_2", value: 1, usual: 1 }];
+  const text = editedExperiment("[system.parameters]\nI_1 = 1.0\n", moments, [], null);
+  assert.equal(text, "# I_2 = 1 was set in the page; this file has no such entry\n\n[system.parameters]\nI_1 = 2.5\n");
+});
+
+test("a start may name further variables of a system, and a ball on a surface its centre", () => {
+  const numbers = (names: string[], values: number[]) => names.map((name, k) => ({ name, value: values[k] ?? 0, usual: 0 }));
+  const system = '[system]\nname = "trailers"\n\n[start]\nu = 1.0\n';
+  const text = editedExperiment(system, [], numbers(["x", "q_w", "q_x"], [0.5, 0, 1]), null);
+  assert.equal(text, system.replace("[start]\n", "[start]\nq = [0, 1]\nx = 0.5\n"));
+  const ball = "[body]\nmass = 1.0\n\n[start]\ncontact = [0.054, 0.0, 0.0]\n";
+  const moved = editedExperiment(ball, [], numbers(["R_1", "R_2", "R_3"], [0.03, 0, 0.2]), null);
+  assert.equal(moved, ball.replace("contact = [0.054, 0.0, 0.0]", "centre = [0.03, 0, 0.2]"));
 });
 
 const motion: Motion = {

@@ -9,7 +9,7 @@ import { changingModes } from "../playback/modes";
 import type { PlotsPanel } from "../plots/plots_panel";
 import type { ScenePanel } from "../scene/scene_panel";
 import type { SectionPanel } from "../section/section_panel";
-import { editedExperiment } from "./experiment_file";
+import { editedExperiment, type FileNumber } from "./experiment_file";
 import { film } from "./film";
 import { movingLinkage } from "../scene/linkage";
 import { glb, movingBody, type MovingSolid } from "./gltf";
@@ -133,6 +133,8 @@ function even(side: number): number {
 export function experimentText(lab: Lab): string {
   const { model } = lab;
   const { experiment } = lab.shown.value;
-  const list = (values: Readonly<Record<string, number>>): { name: string; value: number }[] => Object.entries(values).map(([name, value]) => ({ name, value }));
-  return editedExperiment(model.experiment, list(experiment.parameters), list(startInputs(lab)), experiment.until === model.until ? null : experiment.until);
+  const list = (usual: readonly { name: string; value: number }[], values: Readonly<Record<string, number>>): FileNumber[] =>
+    usual.map(({ name, value }) => ({ name, value: values[name] ?? value, usual: value }));
+  const until = experiment.until === model.until ? null : experiment.until;
+  return editedExperiment(model.experiment, list(model.parameters, experiment.parameters), list(model.start_inputs, startInputs(lab)), until);
 }
