@@ -7,6 +7,8 @@ so that the threads of a warp take their steps together.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from ..kernel.equations import Equations
 from ..kernel.runge_kutta import RungeKuttaLoop
 from ..kernel.tableaux import Explicit
@@ -48,6 +50,10 @@ class _ThreadLoop(RungeKuttaLoop[V]):
             with w.branch(w.emit(f"xor i1 {self._in_event()}, true")):
                 self.step()
         return "\n".join((self.pieces, w.text(_HEAD, "#0"), _ATTRIBUTES))
+
+    def variables(self, first: int, last: int) -> Iterator[int]:
+        """The places of some variables, written out: registers of a thread have no index."""
+        yield from range(first, last)
 
     def _in_event(self) -> str:
         return self.w.any(self.w.compare("ogt", self.get("event"), self.w.constant(0.0)))

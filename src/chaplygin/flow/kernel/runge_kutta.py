@@ -11,10 +11,10 @@ ends vanishes, then by Newton's method in time, until what is left is below roun
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Generic
+from typing import Generic, TypeAlias
 
 from ...formulas.graph import Term
 from ..machine_code.arithmetic import Arithmetic, V
@@ -36,6 +36,9 @@ ERROR_MARGIN = 4.0
 
 #: The error allowed to deviations, relative to that of the motion.
 LOOSER = 100.0
+
+#: The places of variables that are added, and their change divided by the length of the step.
+Component: TypeAlias = tuple[Sequence[int | str], V | None]
 
 #: Vectors that the lanes keep between steps.
 _LANE_VECTORS = (
@@ -85,8 +88,6 @@ class RungeKuttaLoop(Generic[V]):
         self.dimension = len(equations.rates)
         self.pieces, constants = functions(arithmetic, equations.pieces, lanes)
         self.space = Workspace()
-        #: The change of each variable, divided by the length of the step.
-        self.results: dict[int, V] = {}
         words = self.n.words
         for name, count in (
             ("y", self.dimension),
@@ -399,7 +400,7 @@ class RungeKuttaLoop(Generic[V]):
         halfway: list[str] = []
         step = n.leading(step_number)
         for stage in range(1, len(self.method.b)):
-            for i in range(self.dimension):
+            for i in self.variables(0, self.dimension):
                 value = n.multiply_add(step_number, self._sum(self.method.a[stage], i), self._y(i))
                 n.store(value, self.place("stage"), i)
             if stage == HALFWAY and self.equations.has_section:
@@ -408,9 +409,7 @@ class RungeKuttaLoop(Generic[V]):
                 self.evaluate("guards", "stage")
                 halfway = self._guard_masks()
             self.rates(stage, "stage")
-        for i in range(self.dimension):
-            self._advance(step_number, i)
-        error = self._error(step)
+        error = self._advance_all(step_number)
         last_stage = len(self.method.b)
         self.rates(last_stage, "new")
         allowed = w.conjunction(live, w.compare("ole", error, w.constant(1.0)))
@@ -471,7 +470,7 @@ class RungeKuttaLoop(Generic[V]):
         self.put("step", w.choose(live, following, zero))
         self.put("event", event)
         self.put("time", w.choose(moved, w.choose(last, target, arrived), time))
-        for i in range(self.dimension):
+        for i in self.variables(0, self.dimension):
             for name, source in (("y", "new"), ("rest", "stage")):
                 value = n.choose(moved, n.load(self.place(source), i), n.load(self.place(name), i))
                 n.store(value, self.place(name), i)
@@ -496,10 +495,15 @@ class RungeKuttaLoop(Generic[V]):
             n.store(n.choose(at_sample, n.number(Fraction(0)), rest), self.place("rest"), i)
         self.rates(0, "y")
 
-    def _y(self, i: int) -> V:
+    def variables(self, first: int, last: int) -> Iterator[int | str]:
+        """The places of some variables, in a loop of the code."""
+        with self.w.count(last, first) as i:
+            yield i
+
+    def _y(self, i: int | str) -> V:
         return self.n.load(self.place("y"), i)
 
-    def _sum(self, weights: Sequence[Fraction], *members: int) -> V:
+    def _sum(self, weights: Sequence[Fraction], *members: int | str) -> V:
         """A sum over the stages, with weights, of the rates of a variable or of several."""
         n = self.n
         total = None
@@ -515,27 +519,46 @@ class RungeKuttaLoop(Generic[V]):
         assert total is not None
         return total
 
-    def _apart(self, weights: Sequence[Fraction], *members: int) -> V:
+    def _apart(self, weights: Sequence[Fraction], result: V | None, *members: int | str) -> V:
         """A linear combination, from the sum of the result if few weights differ."""
         others = [weight - b for weight, b in zip(weights, self.method.b, strict=True)]
         nothing = Fraction(0)
-        if len(members) > 1 or others.count(nothing) <= list(weights).count(nothing):
+        if result is None or others.count(nothing) <= list(weights).count(nothing):
             return self._sum(weights, *members)
-        return self.n.add(self.results[members[0]], self._sum(others, *members))
+        return self.n.add(result, self._sum(others, *members))
 
-    def _advance(self, step: V, i: int) -> None:
-        """The new value of a variable, and what rounding has taken from it."""
+    def _advance(self, step: V, i: int | str) -> V:
+        """The new value of a variable, and what rounding has taken from it.
+
+        Gives its change, divided by the length of the step.
+        """
         n = self.n
         y = self._y(i)
-        self.results[i] = self._sum(self.method.b, i)
-        change = n.multiply_add(step, self.results[i], n.load(self.place("rest"), i))
+        result = self._sum(self.method.b, i)
+        change = n.multiply_add(step, result, n.load(self.place("rest"), i))
         new = n.add(y, change)
         n.store(new, self.place("new"), i)
         n.store(n.sub(change, n.sub(new, y)), self.place("stage"), i)
+        return result
 
-    def _error(self, step: str) -> str:
-        """The square of the estimated error, where the tolerance is 1."""
+    def _group(self, step: V, group: Sequence[int]) -> Iterator[Component[V]]:
+        """The components of a vector, with their new values."""
+        for i in self.variables(group[0], group[-1] + 1):
+            yield (i,), self._advance(step, i)
+
+    def _deviations(self) -> Iterator[Component[V]]:
+        """The components of the sum of all deviations."""
+        for i in self.variables(0, len(self.equations.deviations)):
+            first = self.equations.deviations[0]
+            yield [self.w.emit(f"add i64 {i}, {place}") for place in first], None
+
+    def _advance_all(self, step_number: V) -> str:
+        """New values; the square of the estimated error, where the tolerance is 1."""
         w, n = self.w, self.n
+        step = n.leading(step_number)
+        # deviations follow the components of vectors
+        for i in self.variables(self.equations.groups[-1][-1] + 1, self.dimension):
+            self._advance(step_number, i)
         fifth, third = w.constant(0.0), w.constant(0.0)
         square = w.op("fmul", step, step)
         # a variable that happens to be zero is measured by a millionth of what acts
@@ -545,11 +568,11 @@ class RungeKuttaLoop(Generic[V]):
             whole = w.call("fma", y, y, whole)
         whole = w.op("fmul", whole, w.constant(1e-12))
         for group in self.equations.groups:
-            e5, e3 = self._share([(i,) for i in group], square, whole)
+            e5, e3 = self._share(self._group(step_number, group), square, whole)
             fifth, third = w.op("fadd", fifth, e5), w.op("fadd", third, e3)
         if self.equations.deviations:
             # the equations are linear in them, so that the error of their sum tells of all
-            e5, e3 = self._share(self.equations.deviations, square, w.constant(1e-200))
+            e5, e3 = self._share(self._deviations(), square, w.constant(1e-200))
             looser = w.constant(LOOSER**-2)
             fifth, third = w.call("fma", looser, e5, fifth), w.call("fma", looser, e3, third)
         # err² = h² e5⁴ / (e5² + e3²/100), relative to the tolerance, a mean over the groups
@@ -561,23 +584,26 @@ class RungeKuttaLoop(Generic[V]):
         return w.op("fdiv", error, w.splat(share))
 
     def _share(
-        self, components: Sequence[Sequence[int]], square: str, floor: str
+        self, components: Iterator[Component[V]], square: str, floor: str
     ) -> tuple[str, str]:
         """The squares of both estimates for a vector, relative to its size.
 
         Each component is the sum of some variables.
         """
         w, n = self.w, self.n
-        size, speed = floor, w.constant(0.0)
-        e5, e3 = w.constant(0.0), w.constant(0.0)
-        for members in components:
+        sums = [w.variable(w.type, x) for x in (floor, *3 * [w.constant(0.0)])]
+        for members, result in components:
+            size, speed, e5, e3 = (w.load(w.type, x) for x in sums)
             y = self._register_sum([n.leading(self._y(i)) for i in members])
             k = self._register_sum([n.leading(n.load(self.place("rates"), i)) for i in members])
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
             # the sums cancel to the size of the tolerance: pairs need all their digits here
             a = n.leading(self._sum(self.method.e5, *members))
-            b = n.leading(self._apart(self.method.e3, *members))
+            b = n.leading(self._apart(self.method.e3, result, *members))
             e5, e3 = w.call("fma", a, a, e5), w.call("fma", b, b, e3)
+            for x, value in zip(sums, (size, speed, e5, e3), strict=True):
+                w.store(w.type, value, x)
+        size, speed, e5, e3 = (w.load(w.type, x) for x in sums)
         share = w.op("fdiv", w.constant(1.0), w.call("fma", square, speed, size))
         return w.op("fmul", e5, share), w.op("fmul", e3, share)
 
