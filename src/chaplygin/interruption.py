@@ -80,9 +80,9 @@ def message_on_interrupt(words: str | Callable[[], str], saving: str = "") -> It
     Parameters
     ----------
     words : str or callable
-        What was kept and how to go on, without a full stop.
+        A clause on the results stored and how to resume, without a full stop.
     saving : str, optional
-        What is under way where the block, interrupted, saves what it has; that is waited for.
+        A clause on the saving that an interrupted block still does before it ends.
     """
     text = words if callable(words) else (lambda: words)
     with _during(_Ending(text, saving)):
@@ -100,7 +100,8 @@ def results_on_interrupt(saving: str) -> Iterator[None]:
     Parameters
     ----------
     saving : str
-        What is waited for, without a full stop; said where it takes longer than a moment.
+        A clause on the work still awaited, without a full stop; printed if it takes longer than a
+        moment.
     """
     with _during(_Ending(lambda: "the results were not printed", saving, patient=True)):
         yield

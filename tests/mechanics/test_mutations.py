@@ -28,7 +28,9 @@ import chaplygin.core.arrays
 import chaplygin.core.laws
 import chaplygin.core.named_formulas
 import chaplygin.core.parameters
+import chaplygin.core.rotations
 import chaplygin.core.system
+import chaplygin.core.vector_operators
 import chaplygin.core.vectors
 import chaplygin.errors
 import chaplygin.formulas.multiprecision
@@ -67,8 +69,8 @@ LOADED = (
     "cavity",
     "cavity_fit",
     "inertia",
-    "body",
     "fluid",
+    "body",
     "contact",
     "attitude",
     "contact_models",
@@ -82,7 +84,9 @@ SHARED = (
     "core.arrays",
     "core.laws",
     "core.named_formulas",
+    "core.rotations",
     "core.system",
+    "core.vector_operators",
     "core.vectors",
     "formulas.multiprecision",
     "parsing.exact_decimals",

@@ -157,7 +157,7 @@ def audit(
     judgements : tuple of Judgement
         In reading order; those that were done, when it was interrupted.
     left : int
-        How many claims were left unjudged by an interruption.
+        Number of claims left unjudged by an interruption.
 
     Raises
     ------

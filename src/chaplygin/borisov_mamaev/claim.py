@@ -29,7 +29,7 @@ class Claim:
     printed : callable
         Makes the printed claim as a `Case`, or decides it.
     corrected : callable, optional
-        The same for the right statement, where the printed one fails.
+        The system and law of the right statement, where the printed one fails.
     correction : str
         The right statement, written as `statement` is.
     note : str

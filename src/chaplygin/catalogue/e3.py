@@ -84,7 +84,7 @@ def e3_system(
     level : tuple of sympy.Expr
         Further relations, such as (M, Γ) = 0.
     laws : tuple of Law
-        What holds besides the Hamiltonian form, its energy and the area integral.
+        Laws besides the Hamiltonian form, its energy and the area integral.
     unit : str
         SI unit of H.
     """

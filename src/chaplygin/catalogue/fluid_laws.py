@@ -1,6 +1,6 @@
 """Laws of rolling bodies with fluid in cavities (docs/fluid.md).
 
-What is known of a rigid body does not hold with fluid as it stands; these laws do.
+The laws of a rigid body do not hold with fluid unchanged; these do.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ On the command line::
 
     python -m chaplygin.check FILE…
 
-What polynomials have to do with formulas is tested at random points (see
+The relation of polynomials to formulas is tested at random points (see
 :mod:`chaplygin.check.identities.proof`); everything else is computed exactly.
 """
 

@@ -71,9 +71,9 @@ for name, module in {
 def _options(
     context: typer.Context,
     version: bool = typer.Option(False, "--version", help="Print the version and exit."),
-    quiet: bool = typer.Option(False, "--quiet", help="Print results and errors alone."),
+    quiet: bool = typer.Option(False, "--quiet", help="Print only results and errors."),
     verbose: bool = typer.Option(
-        False, "--verbose", help="Say besides what is compiled and what is read from the cache."
+        False, "--verbose", help="Also print what is compiled and what is read from the cache."
     ),
 ) -> None:
     if quiet and verbose:

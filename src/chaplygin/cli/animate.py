@@ -36,10 +36,8 @@ def command(
             "-o", "--output", metavar="FILE", help="Film to write: .mp4, .webm, .gif, or .glb."
         ),
     ],
-    rate: Annotated[int, typer.Option(help="Frames in a second.")] = 25,
-    speed: Annotated[
-        float, typer.Option(help="Seconds of the motion in a second of the film.")
-    ] = 1.0,
+    rate: Annotated[int, typer.Option(help="Frames per second.")] = 25,
+    speed: Annotated[float, typer.Option(help="Seconds of motion per second of film.")] = 1.0,
     width: Annotated[int, typer.Option(help="Width in pixels.")] = 1280,
     height: Annotated[int, typer.Option(help="Height in pixels.")] = 720,
     overrides: Override = None,

@@ -36,7 +36,7 @@ def command(
     The page plays and computes by itself; the server adds what needs Python:
     proofs, the search for laws, closed forms, periodic orbits, long charts, files.
     It reads and writes experiment files in the folder of FILE, or else in the
-    present one, and nothing elsewhere. Needs the extra: pip install
+    current one, and nothing elsewhere. Needs the extra: pip install
     'chaplygin\[lab]'.
     """
     from ..errors import InputError

@@ -179,7 +179,7 @@ def start_in_space(
 ) -> FloatArray:
     """The state of a body in contact with its support or above it.
 
-    What is nearer to the support than 1e-9 of its size is put on it.
+    A body nearer to the support than 1e-9 of its size is put on it.
 
     Parameters
     ----------

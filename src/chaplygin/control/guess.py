@@ -7,6 +7,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from ..core.arrays import FloatArray
+from ..core.rotations import rotation_rows
 from ..errors import InputError
 from .collocation import Transcription
 from .robot import MovingMass, SphericalRobot
@@ -183,14 +184,7 @@ def _momenta(
 
 def rotation(quaternion: FloatArray) -> FloatArray:
     """The matrix from body to space components."""
-    w, x, y, z = quaternion / np.linalg.norm(quaternion)
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
+    return np.array(rotation_rows(quaternion / np.linalg.norm(quaternion)))
 
 
 def _product(p: FloatArray, q: FloatArray) -> FloatArray:

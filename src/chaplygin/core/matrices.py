@@ -16,9 +16,9 @@ from sympy.matrices.expressions import MatrixExpr
 
 from .vectors import (
     Components,
+    Node,
     Scalar,
     ScalarOfTensors,
-    Unevaluated,
     Vector,
     real_symbol,
     to_components,
@@ -43,7 +43,7 @@ class Column(Vector):
         return tuple(real_symbol(f"{self.name}_{i}") for i in range(1, int(self.shape[0]) + 1))
 
 
-class NamedMatrix(Unevaluated, sp.MatrixSymbol):
+class NamedMatrix(Node, sp.MatrixSymbol):
     """A named n × n matrix with some independent entries."""
 
     def __new__(cls, name: str | Str, size: int, *_: object) -> Self:
@@ -122,7 +122,7 @@ class SquareMatrix(NamedMatrix):
         return Components(*self.shape, self.symbols)
 
 
-class Image(Unevaluated, MatrixExpr):
+class Image(Node, MatrixExpr):
     """The image of a skew matrix under a named operator, shown as ``I(ω)``.
 
     Parameters
@@ -149,7 +149,7 @@ class Image(Unevaluated, MatrixExpr):
         return Components(self.args[2])
 
 
-class Blocks(Unevaluated, MatrixExpr):
+class Blocks(Node, MatrixExpr):
     """A matrix shown by its blocks, such as ``[0, w; −wᵀ, 0]``.
 
     Parameters

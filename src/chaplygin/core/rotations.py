@@ -1,4 +1,4 @@
-"""Rotations of n-dimensional space as matrices of many digits."""
+"""Rotations as matrices: of quaternions, and of n-dimensional space with many digits."""
 
 from __future__ import annotations
 
@@ -13,6 +13,29 @@ Matrix: TypeAlias = list[list[mpmath.mpf]]
 
 #: Digits that are worked with, what a given matrix may miss, and what is left of a half turn.
 _DIGITS, _SLACK, _TURNED = 50, 1e-10, 1e-12
+
+
+def rotation_rows(quaternion: Iterable[Any], double: Any = 2) -> list[list[Any]]:
+    """The matrix from body to space components, row by row, of any kind of numbers.
+
+    Parameters
+    ----------
+    quaternion : four numbers, arrays or formulas
+        w, x, y, z.
+    double : number
+        2 divided by the square of the quaternion's length; 2 of a unit quaternion.
+
+    Examples
+    --------
+    >>> rotation_rows((0, 0, 0, 1))
+    [[-1, 0, 0], [0, -1, 0], [0, 0, 1]]
+    """
+    w, x, y, z = quaternion
+    return [
+        [1 - double * (y * y + z * z), double * (x * y - w * z), double * (x * z + w * y)],
+        [double * (x * y + w * z), 1 - double * (x * x + z * z), double * (y * z - w * x)],
+        [double * (x * z - w * y), double * (y * z + w * x), 1 - double * (x * x + y * y)],
+    ]
 
 
 def finite_numbers(name: str, values: object, count: int, which: str = "") -> list[mpmath.mpf]:

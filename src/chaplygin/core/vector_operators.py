@@ -9,8 +9,8 @@ from ..arguments import arguments_checked
 from ..errors import InputError
 from .vectors import (
     Components,
+    Node,
     Scalar,
-    Unevaluated,
     Vector,
     constant,
     real_symbol,
@@ -59,7 +59,7 @@ def hat(vector: MatrixExpr) -> Components:
     return Components([[0, -z, y], [z, 0, -x], [-y, x, 0]])
 
 
-class Gradient(Unevaluated, MatrixExpr):
+class Gradient(Node, MatrixExpr):
     """∂U/∂u for a scalar `U` written in the components of the vector `u`.
 
     The name under which U is printed is the third argument.

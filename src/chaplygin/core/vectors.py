@@ -54,7 +54,7 @@ def real_symbol(name: str) -> sp.Symbol:
     return sp.Symbol(name, real=True)
 
 
-class Unevaluated:
+class Node:
     """A node that stays as written until :func:`to_components` takes its components."""
 
     def doit(self, **_: object) -> Self:
@@ -65,7 +65,7 @@ class Unevaluated:
         return formula_latex(self)
 
 
-class Vector(Unevaluated, sp.MatrixSymbol):
+class Vector(Node, sp.MatrixSymbol):
     """A named vector with the components ``name_1``, ``name_2``, ``name_3``.
 
     Parameters
@@ -103,7 +103,7 @@ class Vector(Unevaluated, sp.MatrixSymbol):
         return iter(self.symbols)
 
 
-class _Tensor(Unevaluated, sp.MatrixSymbol):
+class _Tensor(Node, sp.MatrixSymbol):
     _labels: ClassVar[tuple[str, ...]]
     _pairs: ClassVar[tuple[tuple[int, int], ...]]
 
@@ -152,7 +152,7 @@ class Symmetric(_Tensor):
     _pairs = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 
 
-class Cross(Unevaluated, MatrixExpr):
+class Cross(Node, MatrixExpr):
     """The vector product; build it with :func:`cross`."""
 
     shape = (sp.Integer(3), sp.S.One)

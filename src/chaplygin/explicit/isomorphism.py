@@ -174,8 +174,8 @@ def pull_back(
     Returns
     -------
     SeparatedSystem
-        Of `system`, on the level of `law`.  What the isomorphism makes of the target's parameters
-        are constants; a name that `system` has already gets a tilde.
+        Of `system`, on the level of `law`.  The images of the target's parameters under the
+        isomorphism are constants; a name that `system` has already gets a tilde.
 
     Raises
     ------

@@ -112,9 +112,9 @@ class Match:
 def find_match(problem: Problem) -> Match | None:
     """The system that separates and has the field of a problem.
 
-    What depends on parameters alone must vanish exactly.  What depends on the start must vanish
-    too, relative to the sizes of its terms: to the fifty digits of a start, or, where no system
-    has the motion so exactly, but for the rounding of doubles.
+    Conditions on parameters alone must vanish exactly.  Conditions on the start must vanish too,
+    relative to the sizes of its terms: to the fifty digits of a start, or, where no system has the
+    motion so exactly, but for the rounding of doubles.
     """
     numbers = {symbol: exact(value) for symbol, value in problem.parameters.items()}
     if not rational(problem.system, numbers):

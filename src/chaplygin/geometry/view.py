@@ -15,6 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from ..core.arrays import BoolArray, FloatArray
+from ..core.rotations import rotation_rows
 
 
 def unit(vectors: FloatArray) -> FloatArray:
@@ -36,12 +37,7 @@ def rotation_matrices(attitude: FloatArray) -> FloatArray:
     (..., 3, 3) array
         R with v_space = R v_body.
     """
-    w, x, y, z = np.moveaxis(unit(attitude), -1, 0)
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
+    rows = rotation_rows(np.moveaxis(unit(attitude), -1, 0))
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 

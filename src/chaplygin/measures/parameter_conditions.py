@@ -1,8 +1,8 @@
 """Conditions on the parameters for an invariant measure, by exact elimination.
 
 At a rational point the lifted fields and their commutators are rows of rational functions of the
-parameters.  What is left of a row when its part along the configuration space has been eliminated
-points along z, and must vanish.
+parameters.  The remainder of a row, after its part along the configuration space has been
+eliminated, points along z and must vanish.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 The level of a law is decomposed into components first.  On each of them the law is tried at
 points: where a residual is not zero, exactly or as a ball that does not contain zero, it is
-refuted.  What survives is computed symbolically; where every residual vanishes modulo the
+refuted.  A law that survives is computed symbolically; where every residual vanishes modulo the
 equations of the component, the law holds on all of it.  A law that holds on every component is
 proven; one that holds on some, and is neither proven nor refuted on others, is proven where these
 are left aside.
@@ -69,9 +69,9 @@ class _Part:
         What must be positive for the law to make sense, where that is not known: in words, and as
         a formula.
     remark : str
-        What is to be said of the law besides.
+        A further remark on the law.
     witness : Witness, optional
-        The same as the check of certificates found it.
+        The point as the check of certificates confirms it.
     """
 
     defining_factors: tuple[sp.Expr, ...]

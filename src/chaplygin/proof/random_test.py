@@ -10,7 +10,7 @@ from functools import partial
 from flint import arb, fmpq
 
 from ..core.isomorphism import Isomorphism
-from ..core.laws import Law
+from ..core.laws import Law, Measure
 from ..formulas.errors import NotExactError, OutOfReachError
 from ..formulas.number_fields import Balls, Rationals
 from .fields.field import Field, FieldElement
@@ -123,7 +123,7 @@ def _first(
 def _trial_at(
     law: Law, level: LevelSet, field: Rationals | Balls, values: Mapping[str, fmpq | arb]
 ) -> Trial:
-    if unmet_conditions(law, level, field):
+    if isinstance(law, Isomorphism | Measure) and unmet_conditions(law, level, field):
         # the law makes no sense here
         raise ZeroDivisionError
     for name, residual in all_residuals(law, level, field):

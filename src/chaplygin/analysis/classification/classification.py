@@ -2,9 +2,9 @@
 
 Proven laws restrict the motions that a system can have.
 
-A place is built on verdicts alone.  What is undecided or refuted does not count, and is named; what
-holds on a level counts on that level; what holds for special parameters counts where the present
-ones satisfy the condition exactly.
+A place is built on verdicts alone.  Laws that are undecided or refuted do not count, and are named;
+laws that hold on a level count on that level; what holds for special parameters counts where the
+present ones satisfy the condition exactly.
 """
 
 from __future__ import annotations

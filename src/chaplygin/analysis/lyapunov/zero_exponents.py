@@ -3,7 +3,7 @@
 Every integral F forces one: the motion keeps dF, so that a deviation across its levels neither
 grows nor shrinks.  So does every field that the motion carries into itself and that stays bounded:
 the flow, a symmetry.  Where relations hold, deviations that break them are no deviations of the
-system at all.  What is left when all of these are removed is the genuine spectrum.
+system at all.  The exponents that remain without these are the genuine spectrum.
 """
 
 from __future__ import annotations

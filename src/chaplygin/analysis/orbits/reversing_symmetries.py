@@ -94,8 +94,8 @@ def reversors(system: System) -> tuple[Reversor, ...]:
     Returns
     -------
     tuple of Reversor
-        Those without conditions first.  What is seen in numbers but not proven, parity by parity
-        along the definitions, is left out.
+        Those without conditions first.  Candidates that numbers suggest but that are not proven,
+        parity by parity along the definitions, are left out.
 
     Raises
     ------

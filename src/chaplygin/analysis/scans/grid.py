@@ -2,8 +2,8 @@
 
 An axis is a parameter, a variable in which the start is given (``gamma_1``), a quantity on whose
 level the start is to lie (``energy``), or a name of its own, of which formulas make the others
-(``gamma_1 = sin(theta)``).  What is so given stands still; the rest of the start is moved the
-shortest way until it is a state of the phase space on the levels asked for.
+(``gamma_1 = sin(theta)``).  Variables given in this way stay fixed; the rest of the start is moved
+the shortest way until it is a state of the phase space on the levels asked for.
 """
 
 from __future__ import annotations

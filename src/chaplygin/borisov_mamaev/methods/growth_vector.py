@@ -30,7 +30,7 @@ def holonomic_count_verdict(claim: int, counts: tuple[int, ...], dimension: int)
     Parameters
     ----------
     claim : int
-        How many independent holonomic constraints there are said to be.
+        Number of independent holonomic constraints that is claimed.
     counts : tuple of int
         As from `growth`.
     dimension : int

@@ -1,7 +1,7 @@
 """Homogeneous balls on surfaces given by an equation: those of a user, in a few examples.
 
 A basin z = h(ρ/s)⁴ carries the ball, so that the state is the contact point x; on a cushion
-x⁴ + y⁴ + z⁴ = s⁴ the centre moves.  What holds on every surface is proven with f unspecified.
+x⁴ + y⁴ + z⁴ = s⁴ the centre moves.  Laws that hold on every surface are proven with f unspecified.
 """
 
 from __future__ import annotations

@@ -111,7 +111,7 @@ def sliding(
         Principal moments about the centre of mass.
     parameters : tuple of Parameter
     laws : tuple of Law
-        What holds besides the Hamiltonian form.
+        Further laws besides the Hamiltonian form.
     **described
         Name, title, summary, guards and motion of the System.
     """

@@ -57,7 +57,7 @@ def form(
     on : tuple of sympy.Expr
         Level on which Theorem 6 holds.
     laws : tuple of Law
-        What holds besides the conservation of energy and, with a multiplier, Theorem 6.
+        Laws besides the conservation of energy and, with a multiplier, Theorem 6.
     unit : str
         SI unit of H.
     """

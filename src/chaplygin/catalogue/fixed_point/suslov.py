@@ -76,7 +76,7 @@ def in_field(
     products : 2 sympy.Expr
         I_13 and I_23; zero for a principal axis.
     laws : tuple of Law
-        What holds besides the conservation of energy and, for a principal axis, of the volume.
+        Laws besides the conservation of energy and, for a principal axis, of the volume.
     """
     first, second = products
     inertia = constant([[I_1, 0, first], [0, I_2, second], [first, second, I_3]])

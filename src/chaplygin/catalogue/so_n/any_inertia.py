@@ -25,7 +25,7 @@ every n:
 * what γγᵀ adds is 2(u, Sγ) + (u, γ) tr S, and ∂/∂p of (u, p)γ is 2(u, γ).  On the phase space
   (u, γ) = 0 and Bγ = γ, so that (u, Sγ) = (u, γ) = 0.
 
-On a sphere γ̇ is multiplied by a ratio ε.  What belongs to k̇ vanishes by itself, so that measure
+On a sphere γ̇ is multiplied by a ratio ε.  The terms with k̇ vanish identically, so that measure
 and energy of the marble ball stay, and the energy of the rubber ball too.  The rubber ball has
 (1 − ε)ku more in ṗ, k = I(u∧γ), whose divergence is (1 − ε) Σ (I(eᵢ∧γ), Seᵢ∧u), the sum above: the
 exponent becomes 1/(2ε) − 1.

@@ -1,9 +1,9 @@
 """Numbers with derivatives, nested as deep as needed: dual numbers over real balls.
 
 A jet has a level, a value and slopes in numbered directions; value and slopes are balls or jets of
-lower levels, so that derivatives of derivatives do not mix.  What certainly holds for a ball holds
-for every real number in it; where a ball does not settle whether an operation is defined, it counts
-as undefined.
+lower levels, so that derivatives of derivatives do not mix.  A statement that is certain for a ball
+holds for every real number in it; where a ball does not settle whether an operation is defined, it
+counts as undefined.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """One proof: that the residuals of a claim vanish wherever certain signs are as assumed.
 
-What the polynomials of a proof have to do with the claim is tested at random points: a formula and
+The relation of the polynomials of a proof to the claim is tested at random points: a formula and
 a polynomial that agree there, to sixty digits and more, are taken to be equal.  This is the test of
 Schwartz and Zippel; it errs with a probability of about degree / 2^22 at every point, and is no
 proof.  Everything that follows from the polynomials is computed exactly.

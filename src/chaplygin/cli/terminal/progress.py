@@ -30,7 +30,7 @@ def progress(task: str) -> Iterator[Report]:
     Parameters
     ----------
     task : str
-        What is done, to begin with.
+        The first step, in words.
     """
     if not LOG.isEnabledFor(logging.INFO):
         yield _Silence()

@@ -44,7 +44,7 @@ def state_after_jam(
 ) -> tuple[FloatArray, float] | None:
     """State and duration of the fall of B to zero; None if B does not fall.
 
-    What a force changes goes on as ∫N dt, that is by twice the rate at first.
+    A quantity changed by a force grows as ∫N dt, that is by twice the rate at first.
 
     Parameters
     ----------

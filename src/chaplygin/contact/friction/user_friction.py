@@ -57,7 +57,8 @@ class UserFriction(FrictionLaw):
         holds the contact, unless it is zero.
     couple : str or sympy.Expr
         Couple against the spin for each unit of normal force (m), in ``slip_speed`` and ``spin``.
-        What it is at zero spin holds the spin, and may not depend on the slip.
+        Its value at zero spin is the greatest couple that prevents spinning, and may not depend on
+        the slip.
     mu_static : float, optional
         Coefficient of static friction, where it exceeds the limit of `force` at zero slip.
     values : mapping of str to float, optional

@@ -1,8 +1,8 @@
 """The motion of a contact per unit of normal impulse, as it answers to the friction force alone.
 
 The spin couple is eliminated: it has its limiting value while the spin has a sign, and the value
-that holds the spin while the spin is zero.  What is left is linear in the tangential friction
-force f, and the same for impulses (an impact) and for forces (a lasting contact).
+that holds the spin while the spin is zero.  The remaining response is linear in the tangential
+friction force f, and the same for impulses (an impact) and for forces (a lasting contact).
 """
 
 from __future__ import annotations

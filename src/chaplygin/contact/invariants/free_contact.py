@@ -5,8 +5,8 @@ With the velocity v of the centre of mass, in body axes,
     m (v̇ + ω×v) = −mgγ + R,      I ω̇ + ω×(Iω + k) = r×R + K,      γ̇ = γ×ω,
 
 where the force R and the couple K are functions of which nothing is assumed: normal force and
-friction of any law, on a plane at rest or in motion, or none in flight.  What is proved of this
-system holds for all of them.  Position, attitude and time are left out, on which R and K may depend
+friction of any law, on a plane at rest or in motion, or none in flight.  Laws proved for this
+system hold for all of them.  Position, attitude and time are left out, on which R and K may depend
 as well: the rate of a function of v, ω and γ contains the values of R and K alone.
 """
 

@@ -1,7 +1,7 @@
 """Rolling as the limit of dry friction that grows beyond measure.
 
 Dry friction is no small disturbance of rolling: as soon as the force that rolling needs is less
-than μN, the body rolls exactly.  What depends on μ is the time until then, of the order 1/μ.
+than μN, the body rolls exactly.  Only the time until then depends on μ; it is of the order 1/μ.
 """
 
 from __future__ import annotations

@@ -52,7 +52,7 @@ def start_of_limit(body: Body, state: Sequence[float] | FloatArray, spinning: bo
     Returns
     -------
     array (16,)
-        The same without slip, and without spin unless it goes on.
+        This state without slip, and without spin unless spinning continues.
     """
     before = np.array(state, dtype=float)[:WORK]
     v, omega, gamma = before[VELOCITY], before[OMEGA], before[NORMAL]

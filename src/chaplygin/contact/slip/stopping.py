@@ -73,7 +73,7 @@ def finish_stop(slip: FrozenSlip, direction: FloatArray, size: float) -> Stop:
     singularity at the end.  The slip is followed until it goes straight or is e⁻⁴⁰; if the
     direction settles slowly, the size is gone before, so that the equations are never stiff.
 
-    Time and impulses are of first order in the `size` ε.  What is neglected is of second order:
+    Time and impulses are of first order in the `size` ε.  The neglected terms are of second order:
     the way of the slip ∫s dt ≈ ε²/2|H|, and the change that the frozen quantities suffer in the
     time ε/|H|, which changes the rates by a part of order ε and the time by one of order ε².  The
     rest of the state moves on by its rate (with the impulses given) times the duration.

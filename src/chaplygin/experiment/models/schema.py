@@ -13,7 +13,7 @@ def experiment_schema() -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of experiment files of every kind.
 
     What depends on several keys at once (whether a start is admissible, whether a formula can be
-    read) is no matter of a schema: `load` checks it.
+    read) cannot be stated in a schema: `load` checks it.
 
     Returns
     -------

@@ -27,7 +27,7 @@ from ...formulas.balls import ball
 from ..base.solution import ClosedForm, Solution
 from ..genus_two.separation import SeparatedSystem
 from .closed_form import form_of
-from .double_root_motion import double_roots, motion_at_double_root
+from .double_root_motion import motion_at_double_root
 from .exact_start import PRECISION, exact_start
 from .motion import DegenerateMotion
 from .rigorous import rigorous_state
@@ -80,7 +80,7 @@ def solve_degenerate(
     system = separable.system
     with ctx.workprec(PRECISION):
         exact = exact_start(separable, values, start)
-        for e, others in double_roots(exact):
+        for e, others in exact.double_roots:
             motion = motion_at_double_root(exact, e, others)
             if motion is not None:
                 lifted = system.reconstruction is not None and len(separable.fixed) == 2

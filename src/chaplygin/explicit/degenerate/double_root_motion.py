@@ -17,20 +17,6 @@ from .theta_motion import Asymptotic, Periodic, direction
 STEP = arb(2) ** (-140)
 
 
-def double_roots(start: ExactStart) -> list[tuple[arb, list[arb]]]:
-    """The double roots of the curve, each with the roots that are left without it.
-
-    Poles come first in the list of roots, so that a collision with a pole is put at the pole.
-    """
-    collisions = []
-    roots = start.roots
-    for i, one in enumerate(roots):
-        for j in range(i + 1, len(roots)):
-            if vanishes((one - roots[j]).mid(), start.size):
-                collisions.append((one, [r for k, r in enumerate(roots) if k not in (i, j)]))
-    return collisions
-
-
 def motion_at_double_root(
     start: ExactStart, e: arb, others: list[arb]
 ) -> Periodic | Asymptotic | None:

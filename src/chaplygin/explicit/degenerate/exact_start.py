@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from typing import TypeAlias
 
 import sympy as sp
@@ -15,6 +16,7 @@ from flint import arb
 
 from ...arguments import NumberOrText
 from ...formulas.balls import ball, ball_values, components
+from ...formulas.relative_zero import vanishes
 from ..base.exact_start import on_phase_space, with_definitions
 from ..genus_two.separation import SeparatedSystem
 
@@ -65,6 +67,18 @@ class ExactStart:
     def size(self) -> arb:
         """The largest modulus of a root: the unit in which roots are compared."""
         return max(abs(root) for root in self.roots)
+
+    @property
+    def double_roots(self) -> list[tuple[arb, list[arb]]]:
+        """The double roots of the curve, each with the roots that are left without it.
+
+        Poles come first in the list of roots, so that a collision with a pole is put at the pole.
+        """
+        return [
+            (one, [*self.roots[:i], *self.roots[i + 1 : j], *self.roots[j + 1 :]])
+            for (i, one), (j, other) in combinations(enumerate(self.roots), 2)
+            if vanishes((one - other).mid(), self.size)
+        ]
 
 
 def exact_start(

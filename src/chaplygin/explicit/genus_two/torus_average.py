@@ -29,9 +29,9 @@ def mean(torus: InvariantTorus, function: Callable[..., arb], rough: Series) -> 
     Returns
     -------
     arb or None
-        None when the grid would be too fine.  What the rule leaves out falls off as the square of
-        what the series in doubles leaves out; 1e-28 of the mean is put into the radius for it, an
-        estimate, not a proven bound.
+        None when the grid would be too fine.  The error of the rule decreases as the square of the
+        truncation error of the series in doubles; 1e-28 of the mean is put into the radius for it,
+        an estimate, not a proven bound.
     """
     periods = [1 if not any(waves % 2) else 2 for waves in (rough.first, rough.second)]
     sizes = [size * period for size, period in zip(rough.grid, periods, strict=True)]

@@ -9,6 +9,7 @@ import sympy as sp
 from flint import arb, arb_mat
 
 from ...core.arrays import FloatArray
+from ...core.rotations import rotation_rows
 from ...core.vectors import real_symbol
 from ...formulas.balls import components
 from ...mechanics.rolling.attitude import attitude, place_rates
@@ -109,14 +110,7 @@ def _triad(first: sp.MatrixExpr, second: sp.MatrixExpr) -> sp.MatrixExpr:
 
 def _matrix(q: Sequence[arb]) -> arb_mat:
     """Body to space, of a unit quaternion."""
-    w, x, y, z = q
-    return arb_mat(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
+    return arb_mat(rotation_rows(q))
 
 
 @dataclass(frozen=True)

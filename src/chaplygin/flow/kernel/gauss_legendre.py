@@ -330,9 +330,10 @@ class _LoopGenerator:
         """Rates of 32 digits at stages that need not be so exact; the address of a bit: converged.
 
         Rates and coefficients of 16 digits have rounded constants, which move the stages to the
-        same side in every step, so that quadratic integrals drift by a rounding each time.  What
-        the stages lack is found from one evaluation with 32 digits, and from differences of rates
-        in doubles over a displacement that is 2²⁰ times as large: none of it is lost to rounding.
+        same side in every step, so that quadratic integrals drift by a rounding each time.  The
+        defect of the stages is computed from one evaluation with 32 digits, and from differences of
+        rates in doubles over a displacement that is 2²⁰ times as large: none of it is lost to
+        rounding.
         """
         w, p, d = self.w, self.p, self.d
         exact = [self._exact_vector([row[j] for row in self.method.a]) for j in range(self.stages)]

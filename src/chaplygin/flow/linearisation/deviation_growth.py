@@ -1,8 +1,8 @@
 """Deviations along many motions, made orthonormal after every interval by the loop itself.
 
-What :mod:`chaplygin.flow.linearisation.tangent_space` does to arrays is written as terms here, so
-that it is part of the machine code: a motion is followed to its end at one go, on any device, and
-only the lengths that deviations lose are handed back.
+The operations that :mod:`chaplygin.flow.linearisation.tangent_space` applies to arrays are terms
+here, part of the machine code: a motion is followed to its end at one go, on any device, and only
+the lengths that deviations lose are handed back.
 """
 
 from __future__ import annotations

@@ -2,9 +2,9 @@
 
 The variational equations of :func:`chaplygin.flow.batch.batch_integrator` carry deviations over a
 short interval; there they are made orthonormal again, and the logarithms of the lengths that are
-lost add up to the Lyapunov exponents (Benettin et al. 1980).  What cannot grow is taken out at the
-end of every interval, so that rounding cannot bring it back: deviations stay tangent to relations
-and integrals, and are counted modulo the flow and the symmetries.
+lost add up to the Lyapunov exponents (Benettin et al. 1980).  Directions that cannot grow are
+projected out at the end of every interval, so that rounding cannot bring it back: deviations stay
+tangent to relations and integrals, and are counted modulo the flow and the symmetries.
 
 Lengths and angles of deviations are measured with each variable divided by a fixed size, so that
 they are the same in all units: what is called orthonormal below is so in these measures, and

@@ -1,8 +1,8 @@
 """From LLVM's object file for WebAssembly to a module that can be instantiated.
 
 An object of one module needs no linker: calls within it carry the numbers of the functions already.
-What it lacks is a list of exports, whose names stand in the symbol table of its section
-``linking``; what it has too much are that section and those of relocations, for linkers alone.
+It lacks a list of exports, whose names stand in the symbol table of its section ``linking``;
+superfluous are that section and those of relocations, for linkers alone.
 https://github.com/WebAssembly/tool-conventions/blob/main/Linking.md
 """
 

@@ -16,6 +16,7 @@ import sympy as sp
 from flint import fmpq, nmod
 
 from ...core.named_formulas import expand
+from ...core.rotations import rotation_rows
 from ...errors import InputError
 from ...formulas.expansion import Angles, TaylorExpansion, angles
 from ...formulas.taylor import IrrationalError, Numbers, Series
@@ -292,14 +293,8 @@ def _rows(
 
 def _rotation(numbers: Numbers, rng: random.Random) -> list[list[FieldElement]]:
     """The matrix of a quaternion drawn at random."""
-    w, x, y, z = (numbers.random_number(rng) for _ in range(4))
-    n = w * w + x * x + y * y + z * z
-    rows = [
-        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
-    ]
-    return [[entry / n for entry in row] for row in rows]
+    quaternion = [numbers.random_number(rng) for _ in range(4)]
+    return rotation_rows(quaternion, 2 / sum((q * q for q in quaternion), numbers.number(0)))
 
 
 class _Trial:

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ...arguments import arguments_checked
+from ...core.rotations import rotation_rows
 from ...errors import InputError
 from ...parsing.exact_decimals import exact_number
 
@@ -87,14 +88,8 @@ class Cavity:
     @property
     def rotation(self) -> sp.ImmutableDenseMatrix:
         """The rational matrix from cavity to body axes, of the normalised quaternion."""
-        w, x, y, z = map(exact_number, self.turn)
-        return sp.ImmutableDenseMatrix(
-            [
-                [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
-                [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
-            ]
-        ) / (w * w + x * x + y * y + z * z)
+        turn = [exact_number(x) for x in self.turn]
+        return sp.ImmutableDenseMatrix(rotation_rows(turn, 2 / sp.Add(*(x * x for x in turn))))
 
     @property
     def solid_inertia(self) -> sp.ImmutableDenseMatrix:

@@ -56,7 +56,7 @@ def initial_state(
         Angle (rad) by which the body is turned about the normal, from the attitude that takes γ to
         `normal` along the shortest way.
     normal : 3 floats
-        The same normal in space axes; (0, 0, 1) on a plane.
+        The normal in space axes; (0, 0, 1) on a plane.
     parameters : mapping of Symbol to number, optional
         Values that replace the system's defaults.
     fluid : 3 floats, or a sequence of these

@@ -1,6 +1,6 @@
 """Reasons for the signs of polynomials, as a certificate states them.
 
-What is known of signs (see :mod:`chaplygin.proof.fields.signs`) is written as sums: a polynomial is
+The known signs (see :mod:`chaplygin.proof.fields.signs`) are written as sums: a polynomial is
 a sum of terms c ∏ part^power · base² with c > 0 and parts that are positive themselves, up to
 multiples of equations.
 """

@@ -27,7 +27,7 @@ def write_film(frames: Iterable[Picture], path: Path, rate: int, size: Size) -> 
     path : Path
         Ending in .mp4, .webm or .gif.
     rate : int
-        Frames in a second.
+        Frames per second.
     size : (int, int)
         Width and height in pixels, even numbers.
     """
