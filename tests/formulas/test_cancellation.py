@@ -24,6 +24,11 @@ FORMULAS = (
     (x / 2 + y) / (x + 2 * y),
     sp.sqrt(x**2 + x * y) * (x**2 - 1) / (x - 1),
     sp.sin(x + y) * (x**2 - 1) / (x + 1),
+    (x * sp.sin(x - y) - y * sp.sin(y - x)) * sp.cos(y - x) / sp.sin(x - y),
+    (z * sp.cos(x - y - z) ** 2 - z) / (2 * sp.cos(x - y - z) + 2 * sp.sin(x) ** 2 * sp.cos(x - y)),
+    (sp.sin(x - y) ** 2 * z - sp.sin(x - y) * x) / (z**2 * sp.sin(x - y) - x * z) / sp.cos(x + y),
+    sp.sin(2 * x + 2 * y) * (x**2 - 1) / (x + 1),
+    sp.sin(x + sp.cos(y)) * (x**2 - 1) / (x + 1),
     1.5 * x / (x**2 + x),
 )
 

@@ -13,8 +13,8 @@ from sympy.polys.rings import PolyElement, sring
 def in_lowest_terms(formula: sp.Expr) -> sp.Expr:
     """The result of `factor_terms(cancel(formula))`, computed faster in simple cases.
 
-    Simple are quotients of polynomials with integer coefficients in symbols, their sines and
-    their cosines.
+    Simple are quotients of polynomials with integer coefficients in symbols, and in sines and
+    cosines of symbols, their sums and differences.
 
     Examples
     --------
@@ -49,7 +49,10 @@ def in_lowest_terms(formula: sp.Expr) -> sp.Expr:
 def _is_plain(generator: sp.Expr) -> bool:
     return bool(
         generator.is_Symbol
-        or (isinstance(generator, sp.sin | sp.cos) and generator.args[0].is_Symbol)
+        or (
+            isinstance(generator, sp.sin | sp.cos)
+            and all(t.is_Symbol or (-t).is_Symbol for t in sp.Add.make_args(generator.args[0]))
+        )
     )
 
 
