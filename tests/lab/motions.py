@@ -10,8 +10,8 @@ import numpy as np
 
 import chaplygin as ch
 from chaplygin.flow.batch import batch_integrator
-from chaplygin.lab.page_model import TOLERANCE
 from chaplygin.lab.page_systems import page_system
+from chaplygin.lab.wasm_module import TOLERANCE
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

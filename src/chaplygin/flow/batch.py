@@ -324,9 +324,9 @@ def batch_integrator(
     equations = equations_of(system, deviations, section, backward)
     loop: BatchLoop
     if device == "gpu":
-        loop = graphics_loop(equations, digits)
+        loop = graphics_loop(equations, digits, tolerance)
     else:
-        loop = processor_loop(equations, digits)
+        loop = processor_loop(equations, digits, tolerance)
     return BatchIntegrator(system, tolerance, deviations, section, backward, digits, loop)
 
 

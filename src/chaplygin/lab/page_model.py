@@ -26,11 +26,7 @@ from .page_systems import reduced_system
 from .scene_model import Json, scene_model
 from .sections import section_choice, sectionable
 from .slider_range import parameter_range
-from .wasm_module import page_module
-
-#: Of a motion in a page, so that states agree with Taylor series to 1e-12, and of its sections,
-#: as on the command line.
-TOLERANCE, SECTION_TOLERANCE = 2e-16, 1e-13
+from .wasm_module import SECTION_TOLERANCE, TOLERANCE, page_module
 
 #: Samples of a motion in a page at most.
 MOST_SAMPLES = 1201

@@ -29,6 +29,10 @@ from .surface_terms import surface_terms
 #: Lanes of the loops: WebAssembly has vectors of two doubles.
 LANES = 2
 
+#: Of a motion in a page, so that states agree with Taylor series to 1e-12, and of its sections,
+#: as on the command line.
+TOLERANCE, SECTION_TOLERANCE = 2e-16, 1e-13
+
 
 @dataclass(frozen=True)
 class PageModule:
@@ -52,9 +56,11 @@ class _Texts:
         self.texts: list[str] = []
         self.exports: list[str] = []
 
-    def march(self, prefix: str, equations: Equations, deviations: int) -> dict[str, Json]:
+    def march(
+        self, prefix: str, equations: Equations, deviations: int, tolerance: float
+    ) -> dict[str, Json]:
         """A loop, and the table of its call."""
-        text, work = march_text(prefix, equations, LANES)
+        text, work = march_text(prefix, equations, LANES, tolerance)
         self.texts.append(text)
         self.exports.append(f"{prefix}_march")
         return {
@@ -107,9 +113,13 @@ def page_module(study: Study) -> PageModule:
     backward = study.experiment.run.direction == "backward"
     texts = _Texts()
     tables: dict[str, Json] = {
-        "motion": texts.march("motion", equations_of(whole, 0, None, backward), 0),
-        "section": texts.march("section", chosen_section(reduced, places, backward), 0),
-        "tangent": texts.march("tangent", equations_of(reduced, 1, None, backward), 1),
+        "motion": texts.march("motion", equations_of(whole, 0, None, backward), 0, TOLERANCE),
+        "section": texts.march(
+            "section", chosen_section(reduced, places, backward), 0, SECTION_TOLERANCE
+        ),
+        "tangent": texts.march(
+            "tangent", equations_of(reduced, 1, None, backward), 1, SECTION_TOLERANCE
+        ),
         "section_quantities": [scalar.name for scalar in places],
         "groups": [list(group) for group in equations_of(reduced, 0, None, False).groups],
         "lanes": LANES,

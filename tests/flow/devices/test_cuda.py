@@ -250,4 +250,4 @@ def test_a_refusal_comes_before_the_code(monkeypatch: pytest.MonkeyPatch) -> Non
 
     monkeypatch.setattr("chaplygin.flow.devices.graphics.cached_ptx", lambda *_: 1 / 0)
     with pytest.raises(InputError, match="none"):
-        graphics_loop(equations_of(OSCILLATOR, 0, None, False), 16, opened)
+        graphics_loop(equations_of(OSCILLATOR, 0, None, False), 16, 1e-13, opened)

@@ -45,7 +45,7 @@ def on_both(
         digits=digits,
     )
     equations = equations_of(system, deviations, section, backward)
-    loop = graphics_loop(equations, digits, lambda: machine or PtxMachine())
+    loop = graphics_loop(equations, digits, 1e-13, lambda: machine or PtxMachine())
     return here, replace(here, loop=loop)
 
 

@@ -56,7 +56,7 @@ def registers(text: str) -> int:
 
 def ptx_of(equations: Equations, digits: int = 16) -> str:
     """The loop over motions for some equations."""
-    return compile_ptx(thread_loop(*arithmetic_and_method(digits), equations))
+    return compile_ptx(thread_loop(*arithmetic_and_method(digits, 1e-13), equations))
 
 
 def require_sound(ptx: str, folder: Path) -> int:
@@ -127,7 +127,7 @@ def test_code_is_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     def text() -> str:
         written.append(1)
         return thread_loop(
-            *arithmetic_and_method(16),
+            *arithmetic_and_method(16, 1e-13),
             equations_of(from_catalogue("chaplygin-sleigh-reduced"), 0, None, False),
         )
 

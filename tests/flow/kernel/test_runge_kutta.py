@@ -7,6 +7,7 @@ from fractions import Fraction
 from inspect import unwrap
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 import sympy as sp
@@ -376,3 +377,37 @@ def test_text_and_room_grow_with_what_lanes_carry() -> None:
     _, pairs = runge_kutta_loop(Pair, explicit(), plain, 4)
     assert wide == 2 * room
     assert room < pairs <= 2 * room
+
+
+# --- the last digits --------------------------------------------------------------------------
+
+
+def test_a_fine_tolerance_reaches_the_last_digits() -> None:
+    """Beside thirty digits, from sixteen starts: Kepler's problem, whose errors grow."""
+    first = np.array([[0.7, 0.1, -0.2, 1 + k / 100] for k in range(16)])
+    right, fine, usual = (
+        batch_integrator(KEPLER, **options).propagate(first, [40.0]).states[:, 0]
+        for options in (
+            {"tolerance": 1e-20, "digits": 30},
+            {"tolerance": 2e-16},
+            {"tolerance": 1e-15},
+        )
+    )
+    error, other = (np.sqrt(np.mean((states - right) ** 2)) for states in (fine, usual))
+    assert error < 0.1 * other
+    assert error < 1e-13
+
+
+t = sp.Symbol("t", real=True)
+SHAKEN = System(name="shaken", title="Shaken", field={x: sp.cos(1000 * t), t: sp.Integer(1)})
+
+
+def test_the_phase_of_a_clock_is_more_than_its_last_digit() -> None:
+    """Its last digit turns the phase at t = 4000 by 4.5e-10."""
+    start = np.array([[0.0, 4000.0]])
+    found = batch_integrator(SHAKEN, tolerance=2e-16).propagate(start, [2.0, 2.5]).states[0]
+    np.testing.assert_array_equal(found[:, 1], [4002.0, 4002.5])
+    with mpmath.workdps(30):
+        phases = [1000 * (4000 + time) for time in (0.0, 2.0, 2.5)]
+        right = [float((mpmath.sin(a) - mpmath.sin(phases[0])) / 1000) for a in phases[1:]]
+    np.testing.assert_allclose(found[:, 0], right, atol=2e-16)

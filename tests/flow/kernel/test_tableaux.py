@@ -5,10 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
+import numpy as np
 import pytest
 from scipy.integrate import DOP853
 
-from chaplygin.flow.kernel.tableaux import Explicit, explicit, explicit_fine, gauss
+from chaplygin.flow.kernel.dop853_coefficients import weights
+from chaplygin.flow.kernel.tableaux import (
+    FINE,
+    Explicit,
+    arithmetic_and_method,
+    explicit,
+    explicit_fine,
+    explicit_steady,
+    gauss,
+)
 
 STAGES = pytest.mark.parametrize("stages", [1, 2, 4, 8, 16])
 
@@ -82,7 +92,7 @@ def test_two_stages_as_printed() -> None:
     assert all(abs(b - Fraction(1, 2)) < SMALL for b in method.b)
 
 
-@pytest.mark.parametrize("table", [explicit, explicit_fine])
+@pytest.mark.parametrize("table", [explicit, explicit_fine, explicit_steady])
 def test_the_explicit_method_is_explicit(table: Callable[[], Explicit]) -> None:
     """Row i has i entries; results and estimates are of the same stages; sums to one and zero."""
     method = table()
@@ -107,6 +117,42 @@ def test_the_short_table_is_that_of_scipy() -> None:
     ]
     for mine, other in ((table.b, DOP853.B), (table.e3, DOP853.E3), (table.e5, DOP853.E5)):
         assert [float(x) for x in mine] == list(other[:stages])
+
+
+def _square(table: Explicit) -> np.ndarray:
+    stages = len(table.b)
+    return np.array([[*map(float, row), *[0.0] * (stages - len(row))] for row in table.a])
+
+
+def test_the_steady_method_meets_the_conditions_of_order_8() -> None:
+    table = explicit_steady()
+    a, b = _square(table), np.array(table.b, float)
+    for order in range(1, 9):
+        np.testing.assert_allclose(weights(a, b, order), 1, atol=1e-14)
+    assert np.abs(weights(a, b, 9) - 1).max() > 1e-3
+    # estimates see errors from the sixth and from the seventh order on
+    for estimate, order in ((table.e3, 5), (table.e5, 6)):
+        e = np.array(estimate, float)
+        assert np.abs(weights(a, e, order)).max() < 1e-13 * np.abs(e).max()
+        assert np.abs(weights(a, e, order + 1)).max() > 1e-3
+
+
+def test_the_steady_method_has_small_positive_weights() -> None:
+    table = explicit_steady()
+    assert min(table.b) == 0
+    assert sum(b * b for b in table.b) < Fraction(16, 100)
+    assert sum(b * b for b in explicit().b) > 57
+    # in doubles, but their sums with powers of the nodes are those of the exact ones
+    nodes = [sum(row) for row in table.a]
+    for power in range(6):
+        total = sum(b * c**power for b, c in zip(table.b, nodes, strict=True))
+        assert abs(total - Fraction(1, power + 1)) < Fraction(1, 2**55)
+
+
+def test_fine_tolerances_take_the_steady_method() -> None:
+    assert arithmetic_and_method(16, FINE)[1] is explicit()
+    assert arithmetic_and_method(16, FINE / 2)[1] is explicit_steady()
+    assert arithmetic_and_method(30, FINE / 2)[1] is explicit_fine()
 
 
 def test_tables_are_made_once() -> None:

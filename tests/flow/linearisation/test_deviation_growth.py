@@ -109,9 +109,7 @@ def test_states_stay_on_the_phase_space() -> None:
 
 
 def test_the_same_bits_on_a_graphics_processor(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(
-        module, "graphics_loop", lambda equations, _: graphics_loop(equations, 16, PtxMachine)
-    )
+    monkeypatch.setattr(module, "graphics_loop", lambda *task: graphics_loop(*task, PtxMachine))
     space = transverse_space(body("chaplygin-ball"))
     states, sizes = starts("chaplygin-ball", 2), np.full((2, 6), 0.5)
     there = growth_of(space, 1, "gpu")

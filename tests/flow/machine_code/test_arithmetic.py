@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import assume, given, settings, strategies as st
 
-from chaplygin.flow.machine_code.arithmetic import Double, Pair
+from chaplygin.flow.machine_code.arithmetic import Double, Pair, PairWithoutFused
 from chaplygin.flow.machine_code.ir_writer import IRWriter
 from flow.machine import run
 
@@ -39,6 +39,17 @@ def test_sums_of_doubles_without_error(a: float, b: float) -> None:
     ordered = sorted((a, b), key=abs, reverse=True)
     fast = run(Pair, 4, lambda k, v: [k.fast_sum(v[0][0], v[1][0])], words(Pair, [ordered]))[0, 0]
     assert fast.tolist() == found.tolist()
+
+
+@settings(max_examples=60)
+@given(a=NUMBERS, b=NUMBERS)
+def test_products_are_exact_without_fused_operations(a: float, b: float) -> None:
+    """Product and rest are the product exactly, where neither is lost at the end of all numbers."""
+    assume(a == 0 or abs(a) > 1e-100)
+    assume(b == 0 or abs(b) > 1e-100)
+    kind = PairWithoutFused
+    found = run(kind, 4, lambda k, v: [k.mul(v[0], v[1])], words(kind, [[a, b]]))[0, 0]
+    assert Fraction(found[0]) + Fraction(found[1]) == Fraction(a) * Fraction(b)
 
 
 @ARITHMETICS

@@ -79,14 +79,16 @@ def refuse_graphics(device: Device) -> None:
 def graphics_loop(
     equations: Equations,
     digits: int,
+    tolerance: float,
     open_device: Callable[[], GraphicsProcessor] = open_processor,
 ) -> GraphicsLoop:
-    """The loop for some equations, with 16 or 30 digits.
+    """The loop for some equations, with 16 or 30 digits and the method for a tolerance.
 
     Parameters
     ----------
     equations : Equations
     digits : 16 or 30
+    tolerance : float
     open_device : callable
         Opens the graphics processor.
 
@@ -96,8 +98,8 @@ def graphics_loop(
         If there is no graphics processor, or its library is missing.
     """
     processor = open_device()
-    arithmetic, method = arithmetic_and_method(digits)
-    key = f"thread {digits} {serial(equations)}"
+    arithmetic, method = arithmetic_and_method(digits, tolerance)
+    key = f"thread {digits} {method.name} {serial(equations)}"
     return GraphicsLoop(
         processor, cached_ptx(key, lambda: thread_loop(arithmetic, method, equations))
     )

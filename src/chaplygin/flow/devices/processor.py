@@ -47,12 +47,13 @@ class ProcessorLoop:
         return result
 
 
-def processor_loop(equations: Equations, digits: int) -> ProcessorLoop:
-    """The loop for some equations, with 16 or 30 digits."""
+def processor_loop(equations: Equations, digits: int, tolerance: float) -> ProcessorLoop:
+    """The loop for some equations, with 16 or 30 digits and the method for a tolerance."""
     width = native.width()
+    arithmetic, method = arithmetic_and_method(digits, tolerance)
 
     def text() -> tuple[str, int]:
-        return runge_kutta_loop(*arithmetic_and_method(digits), equations, width)
+        return runge_kutta_loop(arithmetic, method, equations, width)
 
-    key = f"march {width} {digits} {serial(equations)}"
+    key = f"march {width} {digits} {method.name} {serial(equations)}"
     return ProcessorLoop(native.load_code(key, text, {"march": SIGNATURE}))

@@ -155,6 +155,15 @@ class Equations:
         return self.section is not None or bool(self.choices)
 
     @property
+    def clock(self) -> tuple[int, int] | None:
+        """The place of the state variable that is the time, and whether it runs on (1) or back."""
+        for i in range(sum(map(len, self.groups))):
+            rate = self.rates[i]
+            if rate.kind == "number" and abs(rate.args[0]) == 1:
+                return i, int(rate.args[0])
+        return None
+
+    @property
     def acting(self) -> tuple[int, ...]:
         """State variables on which some rate depends; a place on a plane is none."""
         controlled = {i for group in self.groups for i in group}

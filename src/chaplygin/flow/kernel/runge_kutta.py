@@ -17,8 +17,9 @@ from fractions import Fraction
 from typing import Generic, TypeAlias
 
 from ...formulas.graph import Term
-from ..machine_code.arithmetic import Arithmetic, V
-from ..machine_code.codegen import functions
+from ..machine_code.arithmetic import Arithmetic, V, pair_of
+from ..machine_code.codegen import Clock, functions
+from ..machine_code.compensated import any_sum, fast_sum
 from ..machine_code.ir_writer import IRWriter, literal
 from .equations import Equations
 from .hermite import crossing_step, double_crossing, side_after_crossing
@@ -27,9 +28,6 @@ from .tableaux import Explicit
 
 #: Steps without a crossing after which a motion is given up: one at rest crosses nothing.
 MAX_STEPS_WITHOUT_CROSSING = 1e6
-
-#: The stage at which section and guards are evaluated inside a step, besides its ends.
-HALFWAY = 9
 
 #: The error of the cubic of a step, of the error found halfway.
 ERROR_MARGIN = 4.0
@@ -86,14 +84,22 @@ class RungeKuttaLoop(Generic[V]):
         self.n = arithmetic(self.w)
         self.method, self.equations = method, equations
         self.dimension = len(equations.rates)
-        self.pieces, constants = functions(arithmetic, equations.pieces, lanes)
+        # numbers of 30 digits need no second one
+        self.clock, self.pace = None, 0
+        if equations.clock is not None and self.n.words == 1:
+            place, self.pace = equations.clock
+            self.clock = Clock("rates", place, self.dimension)
+        self.pieces, constants = functions(
+            arithmetic, equations.pieces, lanes, clock=self.clock, steady=method.steady
+        )
         self.space = Workspace()
         words = self.n.words
+        state = self.dimension + (self.clock is not None)
         for name, count in (
-            ("y", self.dimension),
+            ("y", state),
             ("rest", self.dimension),
-            ("new", self.dimension),
-            ("stage", self.dimension),
+            ("new", state),
+            ("stage", state),
             ("rates", (len(method.b) + 1) * self.dimension),
             ("constants", max(constants, 1)),
             ("parameters", max(equations.parameters, 1)),
@@ -228,6 +234,8 @@ class RungeKuttaLoop(Generic[V]):
             value = w.load("double", w.address("double", w.address("double", "%starts", row), i))
             w.store("double", value, self._component("y", i, lane))
             w.store("double", "0.0", self._component("rest", i, lane))
+        if self.clock is not None:
+            w.store("double", "0.0", self._component("y", self.clock.rest, lane))
         row = w.emit(f"mul i64 {index}, %stride")
         for i in range(self.equations.parameters * words):
             value = w.load("double", w.address("double", w.address("double", "%values", row), i))
@@ -401,15 +409,17 @@ class RungeKuttaLoop(Generic[V]):
         step = n.leading(step_number)
         for stage in range(1, len(self.method.b)):
             for i in self.variables(0, self.dimension):
-                value = n.multiply_add(step_number, self._sum(self.method.a[stage], i), self._y(i))
+                value = self._after(step_number, self._sum(self.method.a[stage], i), i)
                 n.store(value, self.place("stage"), i)
-            if stage == HALFWAY and self.equations.has_section:
+            self._set_clock("stage", step, sum(self.method.a[stage], Fraction(0)))
+            if stage == self.method.halfway and self.equations.has_section:
                 self.evaluate_section("halfway", "stage", 0)
-            if stage == HALFWAY and self.equations.guards:
+            if stage == self.method.halfway and self.equations.guards:
                 self.evaluate("guards", "stage")
                 halfway = self._guard_masks()
             self.rates(stage, "stage")
         error = self._advance_all(step_number)
+        self._set_clock("new", step, Fraction(1))
         last_stage = len(self.method.b)
         self.rates(last_stage, "new")
         allowed = w.conjunction(live, w.compare("ole", error, w.constant(1.0)))
@@ -477,6 +487,7 @@ class RungeKuttaLoop(Generic[V]):
             fresh = n.load(self.place("rates", last_stage * self.dimension), i)
             chosen = n.choose(moved, fresh, n.load(self.place("rates"), i))
             n.store(chosen, self.place("rates"), i)
+        self._keep_clock()
         if self.equations.renewal:
             at_sample = w.compare("oeq", event, w.constant(_SAMPLE))
             with w.branch(w.any(at_sample)):
@@ -493,7 +504,27 @@ class RungeKuttaLoop(Generic[V]):
             n.store(new, self.place("y"), i)
             rest = n.load(self.place("rest"), i)
             n.store(n.choose(at_sample, n.number(Fraction(0)), rest), self.place("rest"), i)
+        self._keep_clock()
         self.rates(0, "y")
+
+    def _set_clock(self, of: str, step: str, share: Fraction) -> None:
+        """Put the time after a share of the step into a state, exactly."""
+        if self.clock is None:
+            return
+        n, pair, place = self.n, pair_of(self.n), self.clock.place
+        now = tuple(n.leading(n.load(self.place(name), place)) for name in ("y", "rest"))
+        passed = pair.mul(pair.number(share * self.pace), pair.whole(step))
+        time, rest = pair.add((now[0], now[1]), passed)
+        n.store(n.whole(time), self.place(of), place)
+        n.store(n.whole(rest), self.place(of), self.clock.rest)
+        if of == "new":
+            n.store(n.whole(rest), self.place("stage"), place)
+
+    def _keep_clock(self) -> None:
+        """Put what rounding has taken from the time beside it."""
+        if self.clock is not None:
+            rest = self.n.load(self.place("rest"), self.clock.place)
+            self.n.store(rest, self.place("y"), self.clock.rest)
 
     def variables(self, first: int, last: int) -> Iterator[int | str]:
         """The places of some variables, in a loop of the code."""
@@ -502,6 +533,14 @@ class RungeKuttaLoop(Generic[V]):
 
     def _y(self, i: int | str) -> V:
         return self.n.load(self.place("y"), i)
+
+    def _after(self, step: V, slope: V, i: int | str) -> V:
+        """The value of a variable at a stage, reached with a slope."""
+        n = self.n
+        if not self.method.steady:
+            return n.multiply_add(step, slope, self._y(i))
+        rest = n.load(self.place("rest"), i)
+        return n.add(self._y(i), n.multiply_add(step, slope, rest))
 
     def _sum(self, weights: Sequence[Fraction], *members: int | str) -> V:
         """A sum over the stages, with weights, of the rates of a variable or of several."""
@@ -533,6 +572,8 @@ class RungeKuttaLoop(Generic[V]):
         Gives its change, divided by the length of the step.
         """
         n = self.n
+        if self.method.steady:
+            return self._advance_steadily(step, i)
         y = self._y(i)
         result = self._sum(self.method.b, i)
         change = n.multiply_add(step, result, n.load(self.place("rest"), i))
@@ -540,6 +581,25 @@ class RungeKuttaLoop(Generic[V]):
         n.store(new, self.place("new"), i)
         n.store(n.sub(change, n.sub(new, y)), self.place("stage"), i)
         return result
+
+    def _advance_steadily(self, step: V, i: int | str) -> V:
+        """The same, where only what differs between stages is rounded before it is added."""
+        n, middle = self.n, self.method.middle
+        slope = n.load(self.place("rates", middle * self.dimension), i)
+        rest = n.load(self.place("rest"), i)
+        others = n.number(Fraction(0))
+        for stage, weight in enumerate(self.method.b):
+            if weight != 0 and stage != middle:
+                rate = n.load(self.place("rates", stage * self.dimension), i)
+                others = n.multiply_add(n.number(weight), n.sub(rate, slope), others)
+        most = n.mul(step, slope)
+        lost = n.fma(step, slope, n.neg(most))
+        change = n.multiply_add(step, others, n.add(rest, lost))
+        total = any_sum(n, self._y(i), most)
+        new = fast_sum(n, total.head, n.add(total.tail, change))
+        n.store(new.head, self.place("new"), i)
+        n.store(new.tail, self.place("stage"), i)
+        return n.add(slope, others)
 
     def _group(self, step: V, group: Sequence[int]) -> Iterator[Component[V]]:
         """The components of a vector, with their new values."""
@@ -631,7 +691,7 @@ class RungeKuttaLoop(Generic[V]):
         gdot_new = n.leading(n.load(self.place("section"), 1))
         rises = w.conjunction(w.compare("olt", g, zero), w.compare("oge", g_new, zero))
         falls = w.conjunction(w.compare("ogt", g, zero), w.compare("ole", g_new, zero))
-        x = float(sum(self.method.a[HALFWAY]))
+        x = float(sum(self.method.a[self.method.halfway]))
         slack = w.op("fmul", w.constant(ERROR_MARGIN / (x * (1 - x)) ** 2), w.call("fabs", off))
         dips, turn = double_crossing(w, step, g_here, g_new, gdot, gdot_new, slack)
         dips = w.conjunction(
@@ -704,7 +764,7 @@ class RungeKuttaLoop(Generic[V]):
         in between.
         """
         w, n = self.w, self.n
-        x = float(sum(self.method.a[HALFWAY]))
+        x = float(sum(self.method.a[self.method.halfway]))
         g, rise = self.get("g_here"), w.op("fmul", step, self.get("gdot"))
         g_new = n.leading(n.load(self.place("section"), 0))
         rise_new = w.op("fmul", step, n.leading(n.load(self.place("section"), 1)))

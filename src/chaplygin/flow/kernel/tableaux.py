@@ -11,7 +11,10 @@ from typing import Any
 import mpmath
 
 from ..machine_code.arithmetic import Arithmetic, Double, Pair
-from . import dop853_doubles
+from . import dop853_doubles, verner_doubles
+
+#: Below this tolerance of a step, errors of rounding matter more than those of the method.
+FINE = 1e-15
 
 
 @dataclass(frozen=True)
@@ -24,6 +27,12 @@ class Explicit:
         Row i gives the state of stage i from the rates of the stages before it.
     b, e3, e5 : tuple
         Weights of the result and of the two estimates.
+    name : str
+    halfway : int
+        The stage at which section and guards are evaluated inside a step, besides its ends.
+    steady : bool
+        Whether it is meant for the last digits: then stages, too, know what rounding has taken
+        from the state.
     order : int
     """
 
@@ -31,7 +40,16 @@ class Explicit:
     b: tuple[Fraction, ...]
     e3: tuple[Fraction, ...]
     e5: tuple[Fraction, ...]
+    name: str
+    halfway: int
+    steady: bool = False
     order: int = 8
+
+    @property
+    def middle(self) -> int:
+        """The stage with a weight whose time is nearest to the middle of a step."""
+        weighty = [i for i, weight in enumerate(self.b) if weight != 0]
+        return min(weighty, key=lambda i: abs(sum(self.a[i]) - Fraction(1, 2)))
 
 
 @lru_cache
@@ -45,6 +63,26 @@ def explicit() -> Explicit:
         b=_fractions(dop853_doubles.B),
         e3=_fractions(dop853_doubles.E3),
         e5=_fractions(dop853_doubles.E5),
+        name="Dormand and Prince",
+        halfway=9,
+    )
+
+
+@lru_cache
+def explicit_steady() -> Explicit:
+    """Verner's method of order 8 with 12 stages and positive weights.
+
+    The squares of its weights have the root 0.39, of Dormand and Prince's 7.6: by so much errors of
+    rates count in a step.  For steps of the same error it needs more of them.
+    """
+    return Explicit(
+        a=tuple(map(_fractions, verner_doubles.A)),
+        b=_fractions(verner_doubles.B),
+        e3=_fractions(verner_doubles.E3),
+        e5=_fractions(verner_doubles.E5),
+        name="Verner",
+        halfway=10,
+        steady=True,
     )
 
 
@@ -54,12 +92,14 @@ def explicit_fine() -> Explicit:
     from .dop853_coefficients import explicit_table
 
     table = explicit_table()
-    return Explicit(table.a, table.b, table.e3, table.e5)
+    return Explicit(table.a, table.b, table.e3, table.e5, "Dormand and Prince", 9)
 
 
-def arithmetic_and_method(digits: int) -> tuple[type[Arithmetic[Any]], Explicit]:
-    """The arithmetic with 16 or 30 digits, and the method with coefficients as exact."""
-    return (Double, explicit()) if digits == 16 else (Pair, explicit_fine())
+def arithmetic_and_method(digits: int, tolerance: float) -> tuple[type[Arithmetic[Any]], Explicit]:
+    """The arithmetic with 16 or 30 digits, and the method for a tolerance of its steps."""
+    if digits == 30:
+        return Pair, explicit_fine()
+    return Double, explicit_steady() if tolerance < FINE else explicit()
 
 
 def _fractions(values: Iterable[float]) -> tuple[Fraction, ...]:

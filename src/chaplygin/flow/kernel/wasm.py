@@ -21,7 +21,7 @@ from ..machine_code.jit import ATTRIBUTES, optimised_object
 from ..machine_code.wasm_object import module_of_object
 from .equations import Equations
 from .runge_kutta import runge_kutta_loop
-from .tableaux import explicit
+from .tableaux import arithmetic_and_method
 
 _FEATURES = "+simd128,+bulk-memory,+sign-ext,+nontrapping-fptoint"
 
@@ -63,9 +63,10 @@ def with_prefix(prefix: str, text: str) -> str:
     return re.sub(r"@(?!llvm\.)(\w+)", rf"@{prefix}_\1", text)
 
 
-def march_text(prefix: str, equations: Equations, lanes: int) -> tuple[str, int]:
-    """The loop of the explicit method, ``<prefix>_march``, and the doubles that it needs."""
-    text, work = runge_kutta_loop(WithoutFused, explicit(), equations, lanes)
+def march_text(prefix: str, equations: Equations, lanes: int, tolerance: float) -> tuple[str, int]:
+    """The loop for a tolerance, ``<prefix>_march``, and the doubles that it needs."""
+    _, method = arithmetic_and_method(16, tolerance)
+    text, work = runge_kutta_loop(WithoutFused, method, equations, lanes)
     return with_prefix(prefix, text), work
 
 

@@ -191,7 +191,10 @@ def deviation_growth(
         renewal=(*states, *carried, *lengths, *recorded),
     )
     loop: BatchLoop
-    loop = graphics_loop(equations, 16) if device == "gpu" else processor_loop(equations, 16)
+    if device == "gpu":
+        loop = graphics_loop(equations, 16, tolerance)
+    else:
+        loop = processor_loop(equations, 16, tolerance)
     return DeviationGrowth(space, deviations, tolerance, len(recorded), loop)
 
 

@@ -174,12 +174,7 @@ class WithoutFused(Double):
     def fma(self, a: str, b: str, c: str) -> str:
         """a b + c, in error by little more than half a unit in the last place."""
         w = self.writer
-        product = w.op("fmul", a, b)
-        (high, low), (other_high, other_low) = self._halves(a), self._halves(b)
-        lost = w.op("fsub", w.op("fmul", high, other_high), product)
-        lost = w.op("fadd", lost, w.op("fmul", high, other_low))
-        lost = w.op("fadd", lost, w.op("fmul", low, other_high))
-        lost = w.op("fadd", lost, w.op("fmul", low, other_low))
+        product, lost = split_product(w, a, b)
         total = w.op("fadd", product, c)
         moved = w.op("fsub", total, product)
         rest = w.op("fsub", product, w.op("fsub", total, moved))
@@ -191,12 +186,22 @@ class WithoutFused(Double):
         w = self.writer
         return w.op("fadd", w.op("fmul", a, b), c)
 
-    def _halves(self, a: str) -> tuple[str, str]:
-        """A number as the sum of two of 26 bits (Veltkamp)."""
-        w = self.writer
-        scaled = w.op("fmul", a, w.constant(2.0**27 + 1.0))
-        high = w.op("fsub", scaled, w.op("fsub", scaled, a))
-        return high, w.op("fsub", a, high)
+
+def split_product(w: IRWriter, a: str, b: str) -> Registers:
+    """A product and what rounding has taken from it, without fused operations (Dekker)."""
+    product = w.op("fmul", a, b)
+    (high, low), (other_high, other_low) = _halves(w, a), _halves(w, b)
+    lost = w.op("fsub", w.op("fmul", high, other_high), product)
+    lost = w.op("fadd", lost, w.op("fmul", high, other_low))
+    lost = w.op("fadd", lost, w.op("fmul", low, other_high))
+    return product, w.op("fadd", lost, w.op("fmul", low, other_low))
+
+
+def _halves(w: IRWriter, a: str) -> Registers:
+    """A number as the sum of two of 26 bits (Veltkamp)."""
+    scaled = w.op("fmul", a, w.constant(2.0**27 + 1.0))
+    high = w.op("fsub", scaled, w.op("fsub", scaled, a))
+    return high, w.op("fsub", a, high)
 
 
 class Pair:
@@ -324,3 +329,20 @@ class Pair:
         """`yes` where the mask is set, else `no`."""
         w = self.writer
         return w.choose(mask, yes[0], no[0]), w.choose(mask, yes[1], no[1])
+
+
+class PairWithoutFused(Pair):
+    """Pairs of doubles on a machine without fused products and sums."""
+
+    def mul(self, a: Registers, b: Registers) -> Registers:
+        """a b."""
+        w = self.writer
+        p, error = split_product(w, a[0], b[0])
+        low = w.op("fadd", w.op("fmul", a[0], b[1]), w.op("fmul", a[1], b[0]))
+        return self.fast_sum(p, w.op("fadd", error, low))
+
+
+def pair_of(arithmetic: Arithmetic[V]) -> Pair:
+    """The arithmetic with twice the digits on the same machine."""
+    fused = not isinstance(arithmetic, WithoutFused)
+    return Pair(arithmetic.writer) if fused else PairWithoutFused(arithmetic.writer)

@@ -9,11 +9,35 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 
 from ...formulas.graph import Term, topological_order
 from . import elementary as special
-from .arithmetic import Arithmetic, V
+from .arithmetic import Arithmetic, V, pair_of
 from .ir_writer import IRWriter
+
+#: The derivatives of the circular functions, and their signs.
+_SLOPES = {"sin": ("cos", 1), "cos": ("sin", -1)}
+
+
+@dataclass(frozen=True)
+class Clock:
+    """A state variable that is the time, as the sum of two doubles.
+
+    What depends on it alone is computed with twice the digits: a phase of many turns is more
+    than its last digit.
+
+    Attributes
+    ----------
+    piece : str
+        The function of which this holds.
+    place, rest : int
+        Where the state has both doubles.
+    """
+
+    piece: str
+    place: int
+    rest: int
 
 
 def evaluate(
@@ -101,16 +125,35 @@ def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
     They are computed once for a trajectory; numbers are not among them.
     """
     nodes = topological_order(terms)
-    moving: set[int] = set()
+    moving = _ids_with(nodes, lambda node: node.kind == "state")
+    return [t for t in _used_outside(terms, nodes, moving) if t.kind != "number"]
+
+
+def _clock_terms(terms: Sequence[Term], place: int) -> list[Term]:
+    """Terms in the time and parameters alone that are used by others."""
+    nodes = topological_order(terms)
+    moving = _ids_with(nodes, lambda node: node.kind == "state" and node.args[0] != place)
+    timed = _ids_with(nodes, lambda node: node.kind == "state")
+    return [t for t in _used_outside(terms, nodes, moving) if id(t) in timed]
+
+
+def _ids_with(nodes: Sequence[Term], among: Callable[[Term], bool]) -> set[int]:
+    """The nodes among some, and all that depend on these."""
+    found: set[int] = set()
     for node in nodes:
-        if node.kind == "state" or any(id(a) in moving for a in node.operands):
-            moving.add(id(node))
+        if among(node) or any(id(a) in found for a in node.operands):
+            found.add(id(node))
+    return found
+
+
+def _used_outside(terms: Sequence[Term], nodes: Sequence[Term], inside: set[int]) -> list[Term]:
+    """Nodes outside a set that are results or are used by the set."""
     wanted: dict[int, Term] = {}
     for node in nodes:
-        if id(node) in moving:
-            wanted |= {id(a): a for a in node.operands if id(a) not in moving}
-    wanted |= {id(t): t for t in terms if id(t) not in moving}
-    return [t for t in wanted.values() if t.kind != "number"]
+        if id(node) in inside:
+            wanted |= {id(a): a for a in node.operands if id(a) not in inside}
+    wanted |= {id(t): t for t in terms if id(t) not in inside}
+    return list(wanted.values())
 
 
 def functions(
@@ -118,6 +161,8 @@ def functions(
     pieces: Mapping[str, Sequence[Term]],
     lanes: int,
     prepare: str = "prepare",
+    clock: Clock | None = None,
+    steady: bool = False,
 ) -> tuple[str, int]:
     """The text of functions that compute formulas, and the number of shared constants.
 
@@ -132,16 +177,30 @@ def functions(
     lanes : int
     prepare : str
         The name of the first function.
+    clock : Clock, optional
+    steady : bool
+        Whether what depends on parameters alone is computed with twice the digits and then rounded:
+        an error of it is the same in all steps.
     """
     constants = parameter_only_terms([term for terms in pieces.values() for term in terms])
     slots = {id(term): i for i, term in enumerate(constants)}
-    texts = [_function(arithmetic, lanes, name, terms, slots) for name, terms in pieces.items()]
+    texts = [
+        _function(
+            *(arithmetic, lanes, name, terms, slots),
+            clock if clock is not None and clock.piece == name else None,
+        )
+        for name, terms in pieces.items()
+    ]
     number = arithmetic(IRWriter(lanes))
 
     def leaf(term: Term) -> V | None:
         return number.load("%parameters", term.args[0]) if term.kind == "parameter" else None
 
-    for i, value in enumerate(evaluate(number, constants, leaf)):
+    if steady:
+        values = _values_rounded_once(number, constants, leaf)
+    else:
+        values = evaluate(number, constants, leaf)
+    for i, value in enumerate(values):
         number.store(value, "%constants", i)
     head = f"internal void @{prepare}(ptr noalias %constants, ptr noalias %parameters)"
     texts.append(number.writer.text(head, "#1"))
@@ -154,10 +213,14 @@ def _function(
     name: str,
     terms: Sequence[Term],
     slots: Mapping[int, int],
+    clock: Clock | None,
 ) -> str:
     number = arithmetic(IRWriter(lanes))
+    timed = {} if clock is None else _timed_values(number, terms, slots, clock)
 
     def leaf(term: Term) -> V | None:
+        if id(term) in timed:
+            return timed[id(term)]
         if id(term) in slots:
             return number.load("%constants", slots[id(term)])
         return number.load("%state", term.args[0]) if term.kind == "state" else None
@@ -166,3 +229,49 @@ def _function(
         number.store(value, "%result", i)
     arguments = "ptr noalias %result, ptr noalias %state, ptr noalias %constants"
     return number.writer.text(f"internal void @{name}({arguments})", "#1")
+
+
+def _values_rounded_once(
+    number: Arithmetic[V], terms: Sequence[Term], leaf: Callable[[Term], V | None]
+) -> list[V]:
+    """Values of terms by twice the digits."""
+    pair = pair_of(number)
+
+    def exact(term: Term) -> tuple[str, str] | None:
+        value = leaf(term)
+        return None if value is None else pair.whole(number.leading(value))
+
+    return [number.whole(pair.leading(value)) for value in evaluate(pair, terms, exact)]
+
+
+def _timed_values(
+    number: Arithmetic[V], terms: Sequence[Term], slots: Mapping[int, int], clock: Clock
+) -> dict[int, V]:
+    """Values of what depends on the time alone, rounded once."""
+    pair, wanted = pair_of(number), _clock_terms(terms, clock.place)
+
+    def one(base: str, place: int) -> str:
+        return number.leading(number.load(base, place))
+
+    def leaf(term: Term) -> tuple[str, str] | None:
+        if id(term) in slots:
+            return pair.whole(one("%constants", slots[id(term)]))
+        if term.kind == "state":
+            return one("%state", clock.place), one("%state", clock.rest)
+        if term.kind in _SLOPES:
+            return pair.whole(turned(term.kind, evaluate(pair, term.operands, leaf)[0]))
+        return None
+
+    def turned(name: str, angle: tuple[str, str]) -> str:
+        """A circular function of an angle of twice the digits, by its slope."""
+        (other, sign), (head, rest) = _SLOPES[name], map(number.whole, angle)
+        slope = special.FUNCTIONS[other](number, head)
+        rest = rest if sign > 0 else number.neg(rest)
+        value = number.multiply_add(rest, slope, special.FUNCTIONS[name](number, head))
+        return number.leading(value)
+
+    values = evaluate(pair, wanted, leaf)
+    return {
+        id(term): number.whole(pair.leading(value))
+        for term, value in zip(wanted, values, strict=True)
+    }
