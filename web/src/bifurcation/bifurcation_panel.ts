@@ -77,9 +77,9 @@ class Panel implements BifurcationPanel {
     await this.locate();
     const { experiment } = this.lab.shown.value;
     this.stale = parametersOf(experiment.parameters) !== this.known;
-    this.note.textContent = this.stale
-      ? "These curves belong to the parameters with which the page opened, not to those of the motion in the scene; chaplygin lab draws them anew."
-      : USE;
+    if (!this.stale) this.note.textContent = USE;
+    else if (this.ask !== null) this.note.textContent = "The curves of the parameters of the motion in the scene are being computed …";
+    else this.note.textContent = "These curves belong to the parameters with which the page opened, not to those of the motion in the scene; chaplygin lab draws them anew.";
     this.sheet.repaint();
     const { ask, lab } = this;
     if (ask === null) {

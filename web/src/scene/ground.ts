@@ -6,9 +6,11 @@ import {
   BufferGeometry,
   CircleGeometry,
   Color,
+  CylinderGeometry,
   FrontSide,
   Group,
   Mesh,
+  MeshBasicMaterial,
   MeshLambertMaterial,
   PlaneGeometry,
   ShaderMaterial,
@@ -19,12 +21,15 @@ import {
 } from "three";
 import type { Triangles } from "../engine/surfaces";
 import type { Palette } from "../page/palette";
+import { roundNumber } from "../page/numbers";
 import type { Vector } from "../playback/motion";
+import { box } from "./box";
 
 export interface Ground {
   group: Group;
-  /** Spacing of its grid in metres; 0 without one. */
+  /** Spacing of its grid, or length of its axes, in metres; 0 without either. */
   spacing: number;
+  axes?: true;
   /** Move what follows the reader's target. */
   around(target: Vector, reach: number, body: Vector, shadow: number): void;
 }
@@ -90,6 +95,22 @@ function stretched(attribute: BufferAttribute | undefined, corners: Float32Array
   if (attribute === undefined) return;
   for (let k = 0; k < attribute.count; k++) attribute.setXYZ(k, x + half * (corners[3 * k] ?? 0), y + half * (corners[3 * k + 1] ?? 0), 0);
   attribute.needsUpdate = true;
+}
+
+/** Axes of space at the start of a path (n, 3), where nothing else gives its scale. */
+export function spaceAxes(path: Float64Array, colours: Palette): Ground {
+  const { low, high } = box(path);
+  const length = roundNumber(0.2 * Math.max(...high.map((most, k) => most - (low[k] ?? 0))) || 1);
+  const group = new Group();
+  for (const axis of ["x", "y", "z"] as const) {
+    const rod = new Mesh(new CylinderGeometry(0.015 * length, 0.015 * length, length, 10), new MeshBasicMaterial({ color: colours.quiet }));
+    rod.position.fromArray(path)[axis] += length / 2;
+    // a cylinder stands along y
+    if (axis === "x") rod.rotation.z = Math.PI / 2;
+    if (axis === "z") rod.rotation.x = Math.PI / 2;
+    group.add(rod);
+  }
+  return { group, spacing: length, axes: true, around: () => undefined };
 }
 
 /** A sphere about the origin, or the cap of it with this angle from the pole to the rim. */

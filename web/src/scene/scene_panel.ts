@@ -101,7 +101,8 @@ export function scenePanel(lab: Lab): ScenePanel | null {
     const strip = key === null ? element("i", { style: `background:linear-gradient(90deg,${colours.time.join(",")})` }) : modeBar(modes, 176, 8, colours);
     const span = element("div", {}, element("span", {}, "t = 0"), strip, element("span", {}, `${readable(end)} s`));
     bar.replaceChildren(...(key === null ? [span] : [key.element, span]));
-    note.textContent = stage.spacing > 0 ? `grid ${readable(stage.spacing)} m` : "";
+    const { scale } = stage;
+    note.textContent = scale === null ? "" : `${scale.what} ${readable(scale.length)} m`;
     legend();
   };
   const switches = switchesOf(lab, stage, shown, () => {

@@ -23,7 +23,7 @@ import { Arrow } from "./arrows";
 import { BodyModel, type Surface } from "./body";
 import { box } from "./box";
 import { capOpening } from "./cap";
-import { meshGround, planeGround, sphereGround, type Ground } from "./ground";
+import { meshGround, planeGround, spaceAxes, sphereGround, type Ground } from "./ground";
 import { largestLength, meshSpacing, sameSurface, VECTOR_LENGTH } from "./measures";
 import { Linkage } from "./linkage";
 import { contactCurve, planCurve, traceOnBody } from "./curves";
@@ -113,7 +113,7 @@ export class Stage {
     const contact = contactCurve(this.motion);
     this.reach = reachOf(this.scene.path !== null ? planCurve(this.scene, this.motion).points : contact.points, this.size);
     const { ground } = surfaces;
-    if (this.scene.support?.kind === "sphere" || (ground !== null && !sameSurface(ground, known.ground))) {
+    if (this.scene.support?.kind === "sphere" || this.ground?.axes === true || (ground !== null && !sameSurface(ground, known.ground))) {
       if (this.ground !== null) this.metres.remove(this.ground.group);
       this.buildGround(contact.points);
     }
@@ -134,9 +134,10 @@ export class Stage {
     return this.body !== null && columns["contact"] !== undefined && columns["attitude"] !== undefined;
   }
 
-  /** Spacing of the grid on the ground in metres; 0 without one. */
-  get spacing(): number {
-    return this.ground?.spacing ?? 0;
+  /** The scale of the picture: the spacing of a grid or the length of axes, in metres; null without either. */
+  get scale(): { what: "grid" | "axes"; length: number } | null {
+    const { spacing = 0, axes } = this.ground ?? {};
+    return spacing > 0 ? { what: axes === true ? "axes" : "grid", length: spacing } : null;
   }
 
   /** The length of a wheel of a mechanism, metres. */
@@ -364,8 +365,9 @@ export class Stage {
     // of a path that leads far only a part is seen at once
     const seen = leadsFar(scene, this.motion) ? Math.min(this.reach, SEEN) : this.reach;
     const support = scene.support ?? (scene.path === null ? null : { kind: "plane" as const });
-    if (support === null || support.kind === "point") return;
-    if (support.kind === "plane") this.ground = planeGround(roundNumber(Math.max(0.5, seen / 16) * size), colours);
+    if (support?.kind === "point" || (support === null && (this.body !== null || path.length < 6))) return;
+    if (support === null) this.ground = spaceAxes(path, colours);
+    else if (support.kind === "plane") this.ground = planeGround(roundNumber(Math.max(0.5, seen / 16) * size), colours);
     else if (support.kind === "sphere") {
       // the radius may be one of the parameters: the contact tells it
       const radius = Math.hypot(path[0] ?? NaN, path[1] ?? NaN, path[2] ?? NaN) || Math.abs(support.radius);
