@@ -11,8 +11,10 @@ from __future__ import annotations
 import sys
 import tempfile
 from collections.abc import Callable
+from contextlib import nullcontext
 from pathlib import Path
 from types import FrameType
+from unittest.mock import patch
 
 import chaplygin as ch
 from chaplygin.cli import main
@@ -45,10 +47,11 @@ def files_entered(walk: Callable[[], object]) -> list[str]:
 
 
 def write_report(folder: str) -> None:
-    """The command ``chaplygin study``."""
+    """The command ``chaplygin study``, with the figures drawn in this process, not in a copy."""
     sys.argv = ["chaplygin", "study", str(EXAMPLE), "-o", f"{folder}/report"]
     try:
-        main()
+        with patch("chaplygin.report.study_output.beside", nullcontext):
+            main()
     except SystemExit as end:
         if end.code:
             raise
