@@ -37,6 +37,13 @@ def check(certificate: object) -> None:
         If this is no certificate.
     CheckError
         If it does not check: one sentence says what.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> verdict = ch.proof.prove_with_certificate(veselova, veselova.integrals[0])
+    >>> check(verdict.certificate)
     """
     if not isinstance(certificate, Mapping) or certificate.get("format") != FORMAT:
         raise BadInputError(f"this is no certificate of the format {FORMAT!r}")

@@ -87,6 +87,11 @@ def axis(text: str, where: str = "") -> Axis:
     ------
     InputError
         If it is not written so.
+
+    Examples
+    --------
+    >>> axis("k=-2:2:5").values
+    array([-2., -1.,  0.,  1.,  2.])
     """
     name, *ends, count = axis_parts(text, where)
     first, last = (float(parse(end, {}, where)) for end in ends)

@@ -31,6 +31,12 @@ class Region:
         Of the arrangement.
     sample : two Fractions
         A point of the region.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.bifurcation_diagram("veselova").regions[0].tori
+    2
     """
 
     number: int
@@ -62,6 +68,12 @@ class Boundary:
         Body axis i if ν_i vanishes on them, else 0.
     arcs : tuple of cells
         Of the arrangement: pieces of the curve.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.bifurcation_diagram("veselova").boundaries[0].words
+    'permanent rotation about axis 1'
     """
 
     curve: sp.Expr

@@ -164,6 +164,15 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: NumberOrText) -> 
     InputError
         If the motion is so close to a separatrix that the bounds would take too long, or the time
         is too large.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from chaplygin.explicit.rigorous import rigorous_motion
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> motion = ch.solve(veselova, ch.CATALOGUE["veselova"].start.values)
+    >>> all(ball.rad() < 1e-12 for ball in rigorous_motion(motion, 12, 10.0).state(1.0))
+    True
     """
     own = solution.separated_motion
     turns = 10 + 1.1 * _turns(solution, until)
@@ -206,6 +215,15 @@ def rigorous_state(solution: TorusMotion, time: NumberOrText, digits: int) -> tu
     ------
     InputError
         See :func:`rigorous_motion`.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from chaplygin.explicit.rigorous import rigorous_state
+    >>> veselova = ch.from_catalogue("veselova")
+    >>> motion = ch.solve(veselova, ch.CATALOGUE["veselova"].start.values)
+    >>> all(ball.rad() < 1e-12 for ball in rigorous_state(motion, 1.0, 12))
+    True
     """
     steps = ceil(log10(max(_turns(solution, time), 1.0)) / _DECADES)
     return _prepared_motion(solution, digits, _DECADES * max(1, steps)).state(time)

@@ -167,6 +167,14 @@ def svg_text(figure: Figure) -> str:
     ------
     InputError
         If an argument is of another type.
+
+    Examples
+    --------
+    >>> import matplotlib.pyplot as plt
+    >>> figure = plt.figure(label="an empty figure")
+    >>> svg_text(figure)[:40]
+    '<svg role="img" aria-label="an empty fig'
+    >>> plt.close(figure)
     """
     stream = io.StringIO()
     # curves with thousands of turns would be large files
