@@ -20,10 +20,12 @@ from chaplygin.lab.page_model import live_page_model
 from chaplygin.lab.page_systems import reduced_system
 from chaplygin.mechanics.shapes.gauss_map import contact_points
 from lab.motions import (
+    CLOSE,
     EXAMPLES,
     allowed_difference,
     motion_by_series,
     motion_in_python,
+    replace_relations,
     study_of,
     whole_system,
 )
@@ -89,6 +91,32 @@ def test_motions_of_the_examples_agree(name):
             model_of(name)
     else:
         assert_same_motion(name)
+
+
+#: Motions in which errors of rounding grow most, by what was measured of all.
+DELICATE = [
+    "ball-around-sphere-hamiltonian",
+    "ball_in_a_bowl.toml",
+    "ball_in_a_pipe.toml",
+    "coin.toml",
+    "driven_pendulum.toml",
+    "rattleback",
+    "rattleback.toml",
+    "spherical_pendulum.toml",
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", DELICATE)
+def test_delicate_motions_are_those_of_thirty_digits(name):
+    study, model = study_of(name), model_of(name)
+    times = np.arange(1, 21.0)
+    task = {"parameters": {}, "start": model["start"], "times": times.tolist()}
+    (result,) = run_engine(model, ("motion", [task]))
+    got = rows(result["states"], len(model["start"]))
+    flow = replace_relations(batch_integrator(whole_system(study), tolerance=1e-20, digits=30))
+    right = flow.propagate([model["start"]], times).states[0]
+    assert np.abs(got - right).max() < CLOSE * np.abs(right).max()
 
 
 @pytest.mark.parametrize("name", FEW)
