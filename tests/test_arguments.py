@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 import subprocess
 import sys
+from importlib import import_module
+
+import pytest
+
+from chaplygin.arguments import _imports_for_type_checkers
 
 
 def test_a_library_that_is_not_in_use_is_not_imported() -> None:
@@ -25,3 +32,18 @@ def test_a_library_that_is_not_in_use_is_not_imported() -> None:
     )
     assert result.stderr == ""
     assert result.stdout == "False int\n"
+
+
+@pytest.mark.parametrize("name", ["sympy.core.expr", "chaplygin.flow.sections.poincare_map"])
+def test_imports_for_type_checkers_are_those_of_the_whole_module(name: str) -> None:
+    module = import_module(name)
+    expected = [
+        item.asname or item.name
+        for block in ast.parse(inspect.getsource(module)).body
+        if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
+        for statement in block.body
+        if isinstance(statement, ast.Import | ast.ImportFrom)
+        for item in statement.names
+    ]
+    assert expected
+    assert list(_imports_for_type_checkers(module)) == list(dict.fromkeys(expected))
