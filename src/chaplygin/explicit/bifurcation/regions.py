@@ -35,7 +35,7 @@ class Region:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> ch.bifurcation_diagram("veselova").regions[0].tori
+    >>> ch.explicit.bifurcation_diagram("veselova").regions[0].tori
     2
     """
 
@@ -72,7 +72,7 @@ class Boundary:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> ch.bifurcation_diagram("veselova").boundaries[0].words
+    >>> ch.explicit.bifurcation_diagram("veselova").boundaries[0].words
     'permanent rotation about axis 1'
     """
 

@@ -259,10 +259,10 @@ def _timed_values(
         if term.kind == "state":
             return one("%state", clock.place), one("%state", clock.rest)
         if term.kind in _SLOPES:
-            return pair.whole(turned(term.kind, evaluate(pair, term.operands, leaf)[0]))
+            return pair.whole(circular(term.kind, evaluate(pair, term.operands, leaf)[0]))
         return None
 
-    def turned(name: str, angle: tuple[str, str]) -> str:
+    def circular(name: str, angle: tuple[str, str]) -> str:
         """A circular function of an angle of twice the digits, by its slope."""
         (other, sign), (head, rest) = _SLOPES[name], map(number.whole, angle)
         slope = special.FUNCTIONS[other](number, head)
