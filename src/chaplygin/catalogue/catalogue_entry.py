@@ -195,7 +195,7 @@ class Entry:
     @arguments_checked
     def rolling(self, parameters: Settings | None = None) -> Rolling | None:
         """The rolling body and its surface; None for a body about a fixed point."""
-        if self.family is not None:
+        if self.family is not None or self.ball is not None:
             return None
         model = self.build(self.numbers(parameters))
         return model if isinstance(model, Rolling) else None

@@ -85,14 +85,16 @@ def _first_crossings(
     wide = Box(box.low - room, box.high + room)
     _, heights = heights_on_grid(wide, ground)
     scale = (np.array(heights.shape) - 1) / (wide.high - wide.low)
+    # by components, each of all lines: samples are many, and arrays of three slow
+    starts = np.ascontiguousarray(start.T)
     first = np.full((_LAYERS, len(start), 3), np.nan)
     count = np.zeros(len(start), dtype=int)
     before = np.full(len(start), np.nan)
     for index, along in enumerate(run):
-        points = start + along * view.toward
-        inside = _within(points, wide)
+        points = starts + (along * view.toward)[:, None]
+        inside = np.flatnonzero(_within(points.T, wide))
         now = np.full(len(start), np.nan)
-        places = ((points[inside] - wide.low) * scale).T
+        places = (points[:, inside] - wide.low[:, None]) * scale[:, None]
         now[inside] = map_coordinates(heights, places, order=1, mode="nearest")
         with np.errstate(invalid="ignore"):
             crossed = np.flatnonzero((before * now < 0.0) & (count < _LAYERS))
@@ -110,7 +112,10 @@ def _first_crossings(
 
 def _within(points: FloatArray, box: Box) -> BoolArray:
     """Whether points (n, 3) lie in a box."""
-    return np.asarray(np.all((points >= box.low) & (points <= box.high), axis=1), dtype=np.bool_)
+    within = np.ones(len(points), dtype=np.bool_)
+    for places, low, high in zip(points.T, box.low, box.high, strict=True):
+        within &= (places >= low) & (places <= high)
+    return within
 
 
 def _refined_crossings(
