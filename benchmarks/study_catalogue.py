@@ -1,4 +1,7 @@
-"""``chaplygin study`` of catalogue systems from outside: processor time of whole processes, cold.
+"""``chaplygin study`` of catalogue systems from outside: times of whole processes, cold.
+
+Processor time is that of all processes of a study together; the time that passes is less where a
+second core draws the figures, and more where others use the machine.
 
 Each system is studied in a process of its own with default options and an empty cache, so that
 equations, machine code, proofs, figures and the page are all made anew, and matplotlib's list of
@@ -18,7 +21,9 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 UNSET = ("CHAPLYGIN_CACHE", "MPLCONFIGDIR", "PYTHONDONTWRITEBYTECODE")
 
@@ -47,6 +52,11 @@ def studied(name: str, folder: Path) -> dict[str, float | str]:
         "passed": passed,
         "megabytes": usage.ru_maxrss / 1024,
     }
+
+
+def _times(row: Mapping[str, Any]) -> str:
+    """System, processor time and time passed, in a line."""
+    return f"{row['system']:36} {row['processor']:6.1f} s {row['passed']:6.1f} s passed"
 
 
 def main() -> None:
@@ -82,8 +92,7 @@ def main() -> None:
             medians = {key: statistics.median(f[key] for f in found) for key in keys}
             rows.append({"system": name, **medians})
             if not options.json:
-                processor = medians["processor"]
-                print(f"{name:36} {processor:6.1f} s {medians['megabytes']:5.0f} MB", flush=True)
+                print(f"{_times(rows[-1])} {medians['megabytes']:5.0f} MB", flush=True)
             if options.results:
                 options.results.write_text(json.dumps(rows, indent=2))
     if options.json:
@@ -91,7 +100,7 @@ def main() -> None:
         return
     print("\nlongest:")
     for row in sorted(rows, key=lambda row: -row["processor"])[:12]:
-        print(f"{row['system']:36} {row['processor']:6.1f} s")
+        print(_times(row))
 
 
 if __name__ == "__main__":
