@@ -63,10 +63,10 @@ def run_in_threads(compute: Callable[[int, int], None], count: int, threads: int
     """
     threads = available_threads() if threads is None else threads
     pieces = 1 if threads == 1 else min(4 * threads, count // _PIECE)
-    edges = np.linspace(0, count, max(pieces, 1) + 1).astype(int)
-    if len(edges) == 2:
+    if pieces <= 1:
         compute(0, count)
         return
+    edges = np.linspace(0, count, pieces + 1).astype(int)
     with ThreadPoolExecutor(threads) as pool:
         jobs = [pool.submit(compute, int(a), int(b)) for a, b in itertools.pairwise(edges)]
         for job in jobs:
