@@ -165,14 +165,18 @@ function switchesOf(lab: Lab, stage: Stage, shown: Shown, changed: () => void): 
     bar.append(made);
     return made;
   };
-  const follow = add("follow", "Keep the body in the middle", "f", shown.follow, (on) => (shown.follow = on));
-  bar.addEventListener("unfollow", () => {
-    shown.follow = false;
-    follow.setAttribute("aria-pressed", "false");
-  });
-  add("path", "Path on the ground", "p", shown.trace, (on) => (shown.trace = on));
+  const { columns } = lab.shown.value.motion;
+  // a body about a fixed point goes nowhere
+  if (scene.path !== null || columns["contact"] !== undefined || columns["centre"] !== undefined) {
+    const follow = add("follow", "Keep the body in the middle", "f", shown.follow, (on) => (shown.follow = on));
+    bar.addEventListener("unfollow", () => {
+      shown.follow = false;
+      follow.setAttribute("aria-pressed", "false");
+    });
+    add("path", "Path on the ground", "p", shown.trace, (on) => (shown.trace = on));
+  }
   const hasBody = scene.path === null && (scene.inertia_axes !== null || lab.shown.value.surfaces.body !== null);
-  if (hasBody) {
+  if (hasBody && columns["contact"] !== undefined) {
     add("trace", "Trace of the contact on the body", "t", shown.traceOnBody, (on) => (shown.traceOnBody = on));
   }
   scene.vectors.forEach((vector, index) => {
