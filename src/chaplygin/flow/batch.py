@@ -274,7 +274,8 @@ def batch_integrator(
     system : System
         As it is to be integrated; ``system.lifted()`` carries its motion in space along.
     tolerance : float
-        Error allowed in a step, relative to the size of each vector of the state.
+        Error allowed in a step, relative to the size of each vector of the state.  Below 1e-15 the
+        method is another of the same order, in which rounding counts for less.
     deviations : int
         Tangent vectors to carry by the variational equations.
     section : Section, optional
