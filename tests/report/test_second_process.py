@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import time
+from concurrent.futures import ThreadPoolExecutor
 from multiprocessing import active_children
 from pathlib import Path
 
@@ -20,6 +21,15 @@ def test_a_result_comes_from_another_process_and_only_once() -> None:
         process, value = result()
     assert value == [1.5, "γ"]
     assert process != os.getpid()
+
+
+def test_in_a_thread_of_a_server_the_work_is_done_there() -> None:
+    def work() -> int:
+        with beside(os.getpid) as result:
+            return result()
+
+    with ThreadPoolExecutor(1) as threads:
+        assert threads.submit(work).result() == os.getpid()
 
 
 def test_what_the_work_raises_is_raised_here() -> None:

@@ -1,14 +1,15 @@
 """Work done beside other work, on a second core.
 
 The process is a copy of this one, so that nothing is sent to it, and what it returns does not
-depend on when it is asked for.  Where processes cannot be copied, the work is done when its result
-is asked for.
+depend on when it is asked for.  Where processes cannot be copied, and in a thread of a server, where
+others may hold locks, the work is done when its result is asked for.
 """
 
 from __future__ import annotations
 
 import signal
 import sys
+import threading
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -36,7 +37,7 @@ def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
     ...     result()
     42
     """
-    if sys.platform != "linux":
+    if sys.platform != "linux" or threading.current_thread() is not threading.main_thread():
         yield cache(work)
         return
     context = get_context("fork")
