@@ -1,8 +1,8 @@
 """Work done beside other work, on a second core.
 
 The process is a copy of this one, so that nothing is sent to it, and what it returns does not
-depend on when it is asked for.  Where processes cannot be copied, and in a thread of a server, where
-others may hold locks, the work is done when its result is asked for.
+depend on when it is asked for.  Where processes cannot be copied, and in a thread of a server,
+where others may hold locks, the work is done when its result is asked for.
 """
 
 from __future__ import annotations
