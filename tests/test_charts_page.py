@@ -23,7 +23,7 @@ def test_the_steps_run(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     names: dict[str, Any] = {}
     for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
         exec(compile(step, "charts.md", "exec"), names)
-    megno = names["found"]["megno"]
+    megno = names["dataset"]["megno"]
     assert megno.shape == (6, 9)
     # regular at k = −1, 0 and 1, and not at all of the others
     assert np.nanmax(megno.sel(k=[-1, 0, 1]).values) < 4.0 < np.nanmax(megno.values)
