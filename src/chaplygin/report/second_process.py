@@ -7,6 +7,7 @@ where others may hold locks, the work is done when its result is asked for.
 
 from __future__ import annotations
 
+import platform
 import signal
 import sys
 import threading
@@ -37,7 +38,7 @@ def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
     ...     result()
     42
     """
-    if sys.platform != "linux" or threading.current_thread() is not threading.main_thread():
+    if platform.system() != "Linux" or threading.current_thread() is not threading.main_thread():
         yield cache(work)
         return
     context = get_context("fork")
