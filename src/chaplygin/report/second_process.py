@@ -7,7 +7,6 @@ where others may hold locks, the work is done when its result is asked for.
 
 from __future__ import annotations
 
-import platform
 import signal
 import sys
 import threading
@@ -38,35 +37,35 @@ def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
     ...     result()
     42
     """
-    if platform.system() != "Linux" or threading.current_thread() is not threading.main_thread():
-        yield cache(work)
-        return
-    context = get_context("fork")
-    receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=_do, args=(work, sender), daemon=True)
-    with warnings.catch_warnings():
-        # of other threads: those of this program hold no lock that the copy asks for
-        warnings.simplefilter("ignore", DeprecationWarning)
-        process.start()
-    sender.close()
+    if sys.platform == "linux" and threading.current_thread() is threading.main_thread():
+        context = get_context("fork")
+        receiver, sender = context.Pipe(duplex=False)
+        process = context.Process(target=_do, args=(work, sender), daemon=True)
+        with warnings.catch_warnings():
+            # of other threads: those of this program hold no lock that the copy asks for
+            warnings.simplefilter("ignore", DeprecationWarning)
+            process.start()
+        sender.close()
 
-    @cache
-    def result() -> T:
+        @cache
+        def result() -> T:
+            try:
+                answer: tuple[T] | Exception = receiver.recv()
+            except EOFError:
+                # it was ended from outside, such as for want of memory
+                return work()
+            if isinstance(answer, Exception):
+                raise answer
+            return answer[0]
+
         try:
-            answer: tuple[T] | Exception = receiver.recv()
-        except EOFError:
-            # it was ended from outside, such as for want of memory
-            return work()
-        if isinstance(answer, Exception):
-            raise answer
-        return answer[0]
-
-    try:
-        yield result
-    finally:
-        receiver.close()
-        process.terminate()
-        process.join()
+            yield result
+        finally:
+            receiver.close()
+            process.terminate()
+            process.join()
+    else:
+        yield cache(work)
 
 
 def _do(work: Callable[[], T], sender: Connection) -> None:
