@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from ..core.laws import Law
@@ -34,6 +34,12 @@ class Claim:
         The right statement, written as `statement` is.
     note : str
         What was wrong with the printed form, in one phrase; or how it had to be read.
+    argument : str
+        What carries the computation over to all that the statement speaks of, such as any number
+        of coordinates; empty where the computation covers it.
+    where : tuple of str
+        Conditions under which the form that holds is proven, and which the statement lacks. With
+        any of them the verdict is "proven where" at best.
 
     Examples
     --------
@@ -49,6 +55,34 @@ class Claim:
     corrected: Callable[[], Case] | None = None
     correction: str = ""
     note: str = ""
+    argument: str = ""
+    where: tuple[str, ...] = ()
+
+    def restricted(self, verdict: Verdict) -> Verdict:
+        """A verdict on a form of the claim, under the conditions of the claim.
+
+        Parameters
+        ----------
+        verdict : Verdict
+            On the laws in which the form is cast.
+
+        Returns
+        -------
+        Verdict
+            "proven where" `where` holds, if the laws are proven; refuted and undecided stay.
+
+        Examples
+        --------
+        >>> from chaplygin.borisov_mamaev import Claim
+        >>> from chaplygin.proof.verdict import Verdict
+        >>> proven = Verdict("law", "proven")
+        >>> Claim("(1)", "$x$", lambda: proven, where=("n = 3",)).restricted(proven).statement
+        'proven where n = 3'
+        """
+        if not self.where or verdict.decision not in ("proven", "proven where"):
+            return verdict
+        conditions = (*verdict.conditions, *self.where)
+        return replace(verdict, decision="proven where", conditions=conditions, formulas=())
 
 
 @dataclass(frozen=True)

@@ -137,7 +137,9 @@ def _remarks(judgement: Judgement) -> Iterator[tuple[str, str]]:
         yield "corrected", plain_words(claim.correction)
     if claim.note:
         yield "note", plain_words(claim.note)
+    if claim.argument:
+        yield "argument", plain_words(claim.argument)
     if judgement.conditions:
-        yield "where", ", ".join(judgement.conditions)
+        yield "where", plain_words(", ".join(judgement.conditions))
     if judgement.reason:
         yield "undecided", judgement.reason
