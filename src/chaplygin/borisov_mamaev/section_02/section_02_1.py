@@ -193,6 +193,12 @@ def any_level() -> Case:
     return lifted, Integral("level", height + dot(gamma, r))
 
 
+SPAN = (
+    "a function that is constant along the fields is so along their commutators, and hence along "
+    "all of L; computed is the example"
+)
+FROBENIUS = f"{SPAN}. Conversely, Frobenius' theorem gives dim M − dim L such functions"
+
 CLAIMS = (
     Claim(
         "§2.1, first possibility",
@@ -204,6 +210,7 @@ CLAIMS = (
         "nonholonomic",
         "'nonholonomic' is meant: no function is constant along all admissible paths; refuted by "
         "the constraint ż = xẏ",
+        argument=SPAN,
     ),
     Claim(
         "§2.1, second possibility",
@@ -214,6 +221,8 @@ CLAIMS = (
         r"$F_1(\mathbf q)=0,\dots,F_m(\mathbf q)=0$ with $m=n-k$",
         "k is the dimension of the distribution; there are m = n − k constraints, each equal to "
         "a constant; refuted by ż = yẋ + xẏ, that is, z − xy = const",
+        argument=FROBENIUS,
+        where=("near each point",),
     ),
     Claim(
         "§2.1, third possibility",
@@ -224,6 +233,8 @@ CLAIMS = (
         between,
         r"$\overline{\mathcal M}=\{\mathbf q|F_1(\mathbf q)=0,\dots,F_{\bar k}(\mathbf q)=0\}$",
         "k̄ functions, not k; the rubber ball on a plane has k = 2, dim L = 5, k̄ = 1",
+        argument=FROBENIUS,
+        where=("near a point about which dim L is constant",),
     ),
     Claim(
         "(2.3), first field",
