@@ -218,11 +218,10 @@ CLAIMS = (
         r"$F_1(\mathbf q)=0,\dots,F_k(\mathbf q)=0$",
         least_printed,
         least,
-        r"$F_1(\mathbf q)=0,\dots,F_m(\mathbf q)=0$ with $m=n-k$",
+        r"near every point, $F_1(\mathbf q)=0,\dots,F_m(\mathbf q)=0$ with $m=n-k$",
         "k is the dimension of the distribution; there are m = n − k constraints, each equal to "
         "a constant; refuted by ż = yẋ + xẏ, that is, z − xy = const",
         argument=FROBENIUS,
-        where=("near each point",),
     ),
     Claim(
         "§2.1, third possibility",
@@ -231,10 +230,10 @@ CLAIMS = (
         r"(\mathbf q)=0,\dots,F_k(\mathbf q)=0\}$",
         between_printed,
         between,
-        r"$\overline{\mathcal M}=\{\mathbf q|F_1(\mathbf q)=0,\dots,F_{\bar k}(\mathbf q)=0\}$",
+        r"$\overline{\mathcal M}=\{\mathbf q|F_1(\mathbf q)=0,\dots,F_{\bar k}(\mathbf q)=0\}$, "
+        r"near a point about which $\dim\mathcal L$ is constant",
         "k̄ functions, not k; the rubber ball on a plane has k = 2, dim L = 5, k̄ = 1",
         argument=FROBENIUS,
-        where=("near a point about which dim L is constant",),
     ),
     Claim(
         "(2.3), first field",
