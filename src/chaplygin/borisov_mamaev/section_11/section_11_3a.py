@@ -210,7 +210,8 @@ CLAIMS = (
         "§11.3, before Remark 24, on slow rotation",
         "For pure sliding and small rotational velocity one can use the Coulomb friction.",
         sliding_without_spin,
-        note="read as the limit $v/(\\omega a) \\to \\infty$ with Hertz' pressure",
+        note="read as the limit $v/(\\omega a) \\to \\infty$",
+        where=("the pressure is that of Hertz on a disk of radius $a$",),
     ),
 )
 
