@@ -167,10 +167,10 @@ CLAIMS = (
         "A Euler–Jacobi integrable system cannot generally (without resort to changes of time) be "
         "reduced to the Hamiltonian form",
         never_hamiltonian,
-        note="not all can: with one integral a varying rotation number excludes it. For n ≥ 4 every such "
-        "system has a Hamiltonian form of rank two, v∧∂/∂F₁, near a torus "
-        "where the rotation number has a differential that is not zero, or is constant; what "
-        "different periods exclude is one in which the integrals commute",
+        note="not all can: with one integral a varying rotation number excludes it. For n ≥ 4 "
+        "every such system has a Hamiltonian form of rank two, v∧∂/∂F₁, near a torus where the "
+        "rotation number has a differential that is not zero, or is constant; what different "
+        "periods exclude is one in which the integrals commute",
     ),
     Claim(
         "§4.2, resonant tori",
