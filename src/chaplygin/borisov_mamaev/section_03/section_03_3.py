@@ -282,8 +282,8 @@ CLAIMS = (
     ),
     Claim(
         "(3.7)",
-        r"Upon the change of time $\mathcal{N}(\mathbf{x})\,dt = d\tau$ the system (3.7) is "
-        "reduced to a Hamiltonian form",
+        r"If the sign $\mathcal{N}(\mathbf{x})$ is fixed, then, upon the change of time "
+        r"$\mathcal{N}(\mathbf{x})\,dt = d\tau$, the system (3.7) is reduced to a Hamiltonian form",
         change_of_time,
     ),
 )

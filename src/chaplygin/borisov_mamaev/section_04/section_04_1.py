@@ -242,9 +242,12 @@ CLAIMS = (
     ),
     Claim(
         "Theorem 4",
-        r"If $\dot\theta_1 = \omega_1(\mathbf{F})$, $\dot\theta_i = \zeta_i(\theta_1, \mathbf{F})$ "
-        r"(4.1), then a differentiable change of variables reduces the system to "
-        r"$\dot\theta_i = \omega_i(\mathbf{F})$ (4.2)",
+        "Suppose that in a neighborhood of a torus, the common level surface of the first "
+        "integrals, "
+        "there are angular coordinates such that the vector field takes the form "
+        r"$\dot\theta_1 = \omega_1(\mathbf{F})$, $\dot\theta_i = \zeta_i(\theta_1, \mathbf{F})$ "
+        r"(4.1). Then there exists a differentiable (analytic) change of variables that reduces "
+        r"the system (4.1) to the form $\dot\theta_i = \omega_i(\mathbf{F})$ (4.2)",
         theorem_4_printed,
         theorem_4_corrected,
         r"the same, where $\omega_1(\mathbf{F}) \ne 0$",
@@ -262,7 +265,7 @@ CLAIMS = (
         r"$\omega_i(\mathbf{F}) = \zeta_i(\mathbf{F}) = "
         r"\frac{1}{2\pi}\int_0^{2\pi}\zeta_i(\theta_1, \mathbf{F})\,d\theta_1$",
         frequencies,
-        note=r"ζ_i(F) read as the coefficient ζ_i^(0)(F)",
+        erratum="ζ_i(F): read ζ_i^(0)(F), the coefficient of the series",
     ),
     Claim(
         "Corollary 1",

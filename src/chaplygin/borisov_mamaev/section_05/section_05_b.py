@@ -149,7 +149,8 @@ CLAIMS = (
         nowhere_zero,
         r"In view of the second line of (5.2), $k\dot{\varphi} = k^2/(A\sin^2\theta) > 0$ "
         "everywhere.",
-        "φ̇ has the sign of k, and the equation for φ̇ shows it",
+        "φ̇ has the sign of k, which may be negative",
+        erratum="“first equation” is printed for “second line” of (5.2), which gives φ̇",
     ),
     Claim(
         "§5, disk, profile",

@@ -173,9 +173,10 @@ CLAIMS = (
     ),
     Claim(
         "§10.1, missing invariants",
-        r"In the generic cases the required invariants are missing: the invariant measure.",
+        "Simulations show that in the generic cases the required invariants are missing.",
         no_measure_for_marble,
-        note="shown: no density that is positive and smooth at rest; the additional integral is "
+        note="shown of the measure: no density that is positive and smooth at rest; the additional "
+        "integral is "
         "a matter of numerical evidence",
     ),
     Claim(

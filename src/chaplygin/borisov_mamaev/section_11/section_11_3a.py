@@ -207,8 +207,9 @@ CLAIMS = (
         "s, with $\\gamma_3 = -0.7185$, begins to roll and does not complete the overturn",
     ),
     Claim(
-        "§11.3, before Remark 24, on slow rotation",
-        "For pure sliding and small rotational velocity one can use the Coulomb friction.",
+        "§11.3, end of the paragraph after Remark 24, on slow rotation",
+        "Simulations show that for pure sliding and small rotational velocity one can use the "
+        "Coulomb friction.",
         sliding_without_spin,
         note="read as the limit $v/(\\omega a) \\to \\infty$ with Hertz' pressure",
     ),

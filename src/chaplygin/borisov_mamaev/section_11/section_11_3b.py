@@ -87,8 +87,9 @@ def proportional_when_spinning_fast() -> Verdict:
 
 CLAIMS = (
     Claim(
-        "§11.3, before Remark 24",
-        "In the case of fast rotations the Contensou–Erismann frictional force is proportional to "
+        "§11.3, end of the paragraph after Remark 24",
+        "Simulations show that in the case of fast rotations the Contensou–Erismann frictional "
+        "force is proportional to "
         "the sliding velocity and is therefore practically the same as viscous friction.",
         proportional_when_spinning_fast,
         note="read as the first order in $v/(\\omega a)$ on a disk of radius $a$ with Hertz' "

@@ -39,8 +39,8 @@ CLAIMS = (
     Claim(
         "§11.4",
         "Since nonholonomic models are limiting cases of friction models, analysis of the loss of "
-        "contact phenomenon in the context of nonholonomic mechanics leads to the familiar "
-        "Painlevé paradoxes inherent to systems with friction.",
+        "contact phenomenon in the context of nonholonomic mechanics inescapably leads to the "
+        "familiar Painlevé paradoxes inherent to systems with friction.",
         to_painleve,
         note="read as: where rolling needs $N < 0$ though free motion presses the body into the "
         "plane, $b_n < 0$, the friction that rolling needs gives, for sliding against it, the "

@@ -215,10 +215,13 @@ CLAIMS = (
     ),
     Claim(
         "§12, problem 1, zero area",
-        "In Kozlov's problem the integral of areas is zero and therefore these linear summands "
-        "vanish.",
+        "Kozlov's problem was explicitly solved only in the special case when the integral of "
+        "areas "
+        "is zero and therefore these linear summands vanish.",
         without_area,
-        note="for $U = 0$ or the Bruns field, without a gyrostat",
+        note="decided is that they vanish in this case, in the Bruns field and without it; that "
+        "only this case was solved is a statement about the literature, [106]. Here, too, the "
+        "closed form in the field is for this case alone",
     ),
     Claim(
         "§12, problem 1, around a sphere",
@@ -254,8 +257,8 @@ CLAIMS = (
     ),
     Claim(
         "§12, problem 2, conformally Hamiltonian form",
-        "They are known to be integrable by the Euler–Jacobi theorem and therefore, theoretically, "
-        "can be written in conformally Hamiltonian form.",
+        "They are only known to be integrable by the Euler–Jacobi theorem and therefore, "
+        "theoretically, can be written in conformally Hamiltonian form.",
         therefore_conformally_hamiltonian,
         hamiltonian_near_tori,
         "They are known to be integrable by the Euler–Jacobi theorem and therefore, having more "
