@@ -3,11 +3,11 @@
     python scripts/quotations.py TEXT [--section N] [--show] [--accept]
 
 TEXT is a file with the text of the paper, formulas in LaTeX between dollar signs; the repository
-has none.  A statement shortens what is printed.  Each is laid beside its passage.  Words that one of
-both alone has, and words such as "if" and "only" in the rest of the sentences where the passage
+has none.  A statement shortens what is printed.  Each is laid beside its passage.  Words that one
+of both alone has, and words such as "if" and "only" in the rest of the sentences where the passage
 begins and ends, must be those that ``quotations.txt``, beside this script, allows for it; other
-differences are printed, and the exit status is 1.  ``--show`` prints all differences, allowed or not;
-``--accept`` writes those found to ``quotations.txt``, to be read before they are committed.
+differences are printed, and the exit status is 1.  ``--show`` prints all differences, allowed or
+not; ``--accept`` writes those found to ``quotations.txt``, to be read before they are committed.
 """
 
 from __future__ import annotations

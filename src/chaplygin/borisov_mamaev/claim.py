@@ -6,7 +6,8 @@ How a printed statement is read, of every claim alike:
    what they state is what is decided.
 2. The number of a formula, a theorem or a figure states nothing itself. A wrong one is read as
    the one that the context leaves no doubt of, and is an *erratum*; so is a name or a mark that
-   stands for nothing where it is printed. An erratum is told beside the verdict and refutes nothing.
+   stands for nothing where it is printed. An erratum is told beside the verdict; it refutes
+   nothing.
 3. A constant of which nothing is said but that it is constant, such as "h = const", is any
    number: its sign, its scale and its letter are no part of the statement. A constant whose value
    or range is given is that one, and the statement must hold for all of the range.

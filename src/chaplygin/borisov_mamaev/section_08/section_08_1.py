@@ -106,7 +106,7 @@ def measure() -> Case:
 
 
 def radii(body: sp.Expr) -> Case:
-    """k = a/(a − b) of a ball of radius a inside a hollow body, and that it is −1 for the b given."""
+    """k = a/(a − b) of a ball of radius a inside a hollow body is −1 for the b given."""
     ratio = a / (a - R)
     inside = rolled(Sphere(1.0), hollow=True)
     law = Identity("kinematics", rate(gamma) - ratio * cross(gamma, omega), "motion of the normal")
