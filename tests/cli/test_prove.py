@@ -177,7 +177,7 @@ def test_the_remarks_alone_judge_nothing(ask, monkeypatch):
     assert len(json.loads(out)["remarks"]) == len(remarks(7))
     code, out, err = ask("audit", "--remarks", "-o", "audit.html")
     assert code == 2
-    assert err.strip() == "chaplygin: --remarks judges no claims: leave out --output and --workers"
+    assert err.strip() == "error: --remarks judges no claims: leave out --output and --workers"
 
 
 def test_an_erratum_is_told_beside_the_verdict(ask, monkeypatch):
