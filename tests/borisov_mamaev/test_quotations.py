@@ -50,7 +50,10 @@ def found(script, statement, section=1):
     [
         ("A ball rolls", []),
         # fonts, punctuation, apostrophes and ways to write a fraction are no words
-        (r"its energy $H = \frac12(M, \omega) - U(\gamma)$ is an integral of Eqs. (1.2)", ["around: if"]),
+        (
+            r"its energy $H = \frac12(M, \omega) - U(\gamma)$ is an integral of Eqs. (1.2)",
+            ["around: if"],
+        ),
         ("Smith's problem was solved", ["around: only special when"]),
         ("Smith's problem was solved when the plane is horizontal", ["-only in the special case"]),
         ("the plane is smooth, the ball rolls", ["-rough +smooth", "around: if"]),

@@ -300,4 +300,16 @@ REMARKS = (
         "Most nonholonomic systems can be represented in the conformally Hamiltonian form",
         "judgement; the cases are claims of §§5–10",
     ),
+    Remark(
+        "§3.3, before Remark 8",
+        "Hamiltonian systems are the class of dynamical systems most extensively studied; whether "
+        "equations of nonholonomic mechanics are Hamiltonian is a very important issue",
+        "judgement",
+    ),
+    Remark(
+        "§3.3, before (3.7)",
+        "Conformally Hamiltonian systems are practically indistinguishable from Hamiltonian "
+        "systems",
+        "judgement; that they keep $H$, and when they keep a measure, are claims",
+    ),
 )

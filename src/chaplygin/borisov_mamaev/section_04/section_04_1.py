@@ -326,4 +326,17 @@ REMARKS = (
         "In the whole phase space the reduction may turn out to be impossible [42, 43]",
         "literature",
     ),
+    Remark(
+        "§4.1, before Theorem 4",
+        "A similar result is valid for the averaging procedure in one-frequency systems [12].",
+        "literature, of which no statement is given: averaging is a change of variables close to "
+        "the identity in systems with a small parameter, and removes the angle to a given order of "
+        "it alone, while that of Theorem 4 is exact",
+    ),
+    Remark(
+        "§4.1, Lagrange–Lie integrable systems",
+        "There is a coordinate on the invariant surface by which all others are quadratures; the "
+        "dynamics is practically identical to that of integrable Hamiltonian systems",
+        "the definition of a name, and judgement; the formulas of the Lagrange top are claims",
+    ),
 )

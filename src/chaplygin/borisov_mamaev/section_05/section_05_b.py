@@ -11,7 +11,7 @@ from ...core.laws import Identity, Measure, Rate, Reduction
 from ...core.system import System
 from ...core.vectors import constant, real_symbol, to_components, vectors
 from ...proof.verdict import Verdict
-from ..claim import Case, Claim
+from ..claim import Case, Claim, Remark
 from ..methods.derived_verdicts import computed_verdict
 from ..methods.tori import of_rank_two
 from .section_05_a import body, body_in_angles, constants, quadratures
@@ -138,7 +138,8 @@ CLAIMS = (
         "(without change of time) in the Hamiltonian form.",
         proposition,
         note="near a torus where the rotation number has a differential or is constant: on a "
-        "regular level θ̇² and φ̇ depend on θ alone and φ̇ does not vanish, so that Theorem 4 gives "
+        "regular level θ̇² and φ̇ depend on θ alone and φ̇ does not vanish, so that Theorem 4 "
+        "gives "
         "(4.2), of which a bracket of rank two is shown. Corollary 1 as printed does not suffice",
     ),
     Claim(
@@ -173,5 +174,14 @@ CLAIMS = (
         r"$\frac{1}{2}(I_1 + m(R^2 + a^2) + 2mRa\cos\theta)\dot{\theta}^2 = h - mg(R + "
         r"a\cos\theta) - \frac{1}{2}\frac{k^2}{\sin^2\theta}$",
         ball_quadrature,
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§5, after (5.1)",
+        "The existence of a linear integral is quite expectable [1]; that it is elementary for any "
+        "shape of the body is far from trivial.",
+        "judgement; that it is an integral for any shape is (5.1)",
     ),
 )

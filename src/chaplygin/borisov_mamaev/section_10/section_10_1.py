@@ -16,7 +16,7 @@ from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.derived_verdicts import computed_verdict
+from ..methods.derived_verdicts import computed_verdict, conclusion_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.unbalanced_ball_symbols import (
     M_RATE,
@@ -117,6 +117,15 @@ def no_measure_for_marble() -> Verdict:
     )
 
 
+def surface() -> Verdict:
+    """Three independent functions are constant along a motion in six variables."""
+    return conclusion_verdict(
+        "surface",
+        "the points of one motion on a section lie on a level of H and F₂ in it, a surface",
+        (rank_of_marble(), *invariants(), (marble(), QUADRATIC)),
+    )
+
+
 CLAIMS = (
     Claim(
         "(10.1), M",
@@ -180,6 +189,15 @@ CLAIMS = (
         "a matter of numerical evidence",
     ),
     Claim(
+        "Fig. 8, caption",
+        "One of the trajectories from the problem of motion of an unbalanced ball on a plane. It "
+        "is "
+        "seen that all the points lie on the same surface.",
+        surface,
+        note="with $\\gamma^2 = 1$, $H$ and $F_2$ fixed three dimensions are left, and two on a "
+        "section",
+    ),
+    Claim(
         "§10.1, ball on a sphere",
         r"The integral (10.3) can be generalized to the general case of rolling motion of a ball "
         r"on a sphere.",
@@ -194,5 +212,14 @@ REMARKS = (
         "§10.1, Fig. 8",
         "Simulations show that in the generic cases an additional integral is missing.",
         "numerical evidence, not a statement that algebra decides",
+    ),
+    Remark(
+        "Fig. 8, caption",
+        "Condensation spots indicate the approach to periodic solutions. The trajectory emanates "
+        "from the top and approaches the three points at the bottom.",
+        "numerical evidence. Observed with a body found by search, since the paper gives neither "
+        "body nor level: 63 % of the motions that cross the section come to an attracting cycle of "
+        "three points, whose mirror image under M → −M, t → −t repels, and a motion leads from one "
+        "to the other; not every motion does (`examples/figure_8.py`, docs/sections.md)",
     ),
 )

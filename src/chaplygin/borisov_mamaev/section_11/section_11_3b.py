@@ -9,7 +9,7 @@ from ...core.system import System
 from ...core.vectors import real_symbol
 from ...mechanics.lagrangian.structure_functions import VectorField
 from ...proof.verdict import Verdict
-from ..claim import Case, Claim
+from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named
 from ..methods.growth_vector import growth, holonomic_count_verdict
 
@@ -115,5 +115,14 @@ CLAIMS = (
         integrable_disk,
         note="read as: four integrals, an invariant measure, a symmetry field, and a quadrature "
         "for the nutation with the values of the integrals",
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§11.3, end, [100]",
+        "More complicated integrable problems of a disk on ice were found and investigated in "
+        "[100].",
+        "literature; the problems are not stated. The disk of [99] is decided above",
     ),
 )

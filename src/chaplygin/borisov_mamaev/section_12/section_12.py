@@ -206,8 +206,8 @@ CLAIMS = (
     ),
     Claim(
         "§12, problem 1, linear terms",
-        "Upon a change of time one gets a Hamiltonian system on a sphere, which has a quadratic "
-        "integral that contains terms linear in velocities.",
+        "Upon a change of time, one gets a Hamiltonian system on a sphere which is integrable: the "
+        "system has a quadratic integral which contains terms linear in velocities.",
         linear_terms,
         note="for the gyrostat and for the Bruns field, with any area constant; the energy has no "
         "linear terms, so that they are not taken away by a multiple of it. The Hamiltonian system "
