@@ -31,7 +31,7 @@ from ..proof.fields.budget import EFFORT
 from ..proof.prover import prove
 from ..proof.verdict import Decision, Verdict
 from ..proof.verdict_cache import load_verdict, store_verdict
-from . import Case, Claim, claims, remarks
+from . import Case, Claim, Remark, claims, remarks
 
 THOROUGH = 4 * EFFORT
 """Term operations that the proof of one claim may take."""
@@ -77,6 +77,8 @@ class Judgement:
             table["verdict"] = self.corrected.decision
         if self.claim.note:
             table["note"] = self.claim.note
+        if self.claim.erratum:
+            table["erratum"] = self.claim.erratum
         if self.claim.argument:
             table["argument"] = self.claim.argument
         if self.conditions:
@@ -289,6 +291,12 @@ def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
     return table
 
 
+def remarks_by_section(section: int | None = None) -> dict[int, tuple[Remark, ...]]:
+    """The statements that were not computed, of one section or of each that has any."""
+    numbers = TITLES if section is None else (section,)
+    return {number: found for number in numbers if (found := remarks(number))}
+
+
 # --- the page ------------------------------------------------------------------------------
 
 
@@ -320,14 +328,12 @@ def page(judgements: Sequence[Judgement], section: int | None = None) -> str:
     sections: dict[int, list[Judgement]] = {}
     for judgement in judgements:
         sections.setdefault(judgement.section, []).append(judgement)
-    numbers = sorted(sections) if section is None else [section]
-    notes = {number: remarks(number) for number in numbers}
     return environment.get_template("audit.html").render(
         version=__version__,
         titles=TITLES,
         decisions=DECISIONS,
         sections=sections,
-        notes=notes,
+        notes=remarks_by_section(section),
         counts=counts(judgements),
         counts_by_section={n: counts(judged) for n, judged in sections.items()},
         total=len(judgements),

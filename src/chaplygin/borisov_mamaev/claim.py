@@ -1,4 +1,20 @@
-"""Claims of the paper: the printed and the corrected form, and their decisions."""
+"""Claims of the paper: the printed and the corrected form, and their decisions.
+
+How a printed statement is read, of every claim alike:
+
+1. Words and formulas are judged as they stand. A lost "not", a sign, an index, another letter:
+   what they state is what is decided.
+2. The number of a formula, a theorem or a figure states nothing itself. A wrong one is read as
+   the one that the context leaves no doubt of, and is an *erratum*; so is a name or a mark that
+   stands for nothing where it is printed. An erratum is told beside the verdict; it refutes
+   nothing.
+3. A constant of which nothing is said but that it is constant, such as "h = const", is any
+   number: its sign, its scale and its letter are no part of the statement. A constant whose value
+   or range is given is that one, and the statement must hold for all of the range.
+4. A slip counts where it is printed. What a statement takes from an earlier one is taken as put
+   right there; if the wrong formula is printed again, it is wrong again. Where two statements
+   contradict each other, the reading with the fewest slips is taken.
+"""
 
 from __future__ import annotations
 
@@ -34,6 +50,8 @@ class Claim:
         The right statement, written as `statement` is.
     note : str
         What was wrong with the printed form, in one phrase; or how it had to be read.
+    erratum : str
+        A slip of the print that changes no statement, and how it is read: rules 2 and 3 above.
     argument : str
         What carries the computation over to all that the statement speaks of, such as any number
         of coordinates; empty where the computation covers it.
@@ -55,6 +73,7 @@ class Claim:
     corrected: Callable[[], Case] | None = None
     correction: str = ""
     note: str = ""
+    erratum: str = ""
     argument: str = ""
     where: tuple[str, ...] = ()
 

@@ -293,4 +293,9 @@ REMARKS = (
         "used; Remark 2 on Chaplygin and Voronets",
         "history and judgement",
     ),
+    Remark(
+        "§1.1, after (1.2)",
+        "Exactly these constraints are realized in substantial problems.",
+        "judgement",
+    ),
 )

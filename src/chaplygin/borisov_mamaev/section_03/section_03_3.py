@@ -296,8 +296,8 @@ CLAIMS = (
     ),
     Claim(
         "(3.7)",
-        r"Upon the change of time $\mathcal{N}(\mathbf{x})\,dt = d\tau$ the system (3.7) is "
-        "reduced to a Hamiltonian form",
+        r"If the sign $\mathcal{N}(\mathbf{x})$ is fixed, then, upon the change of time "
+        r"$\mathcal{N}(\mathbf{x})\,dt = d\tau$, the system (3.7) is reduced to a Hamiltonian form",
         change_of_time,
         argument=any_number(2),
     ),
@@ -314,5 +314,17 @@ REMARKS = (
         "§3.3, end",
         "Most nonholonomic systems can be represented in the conformally Hamiltonian form",
         "judgement; the cases are claims of §§5–10",
+    ),
+    Remark(
+        "§3.3, before Remark 8",
+        "Hamiltonian systems are the class of dynamical systems most extensively studied; whether "
+        "equations of nonholonomic mechanics are Hamiltonian is a very important issue",
+        "judgement",
+    ),
+    Remark(
+        "§3.3, before (3.7)",
+        "Conformally Hamiltonian systems are practically indistinguishable from Hamiltonian "
+        "systems",
+        "judgement; that they keep $H$, and when they keep a measure, are claims",
     ),
 )

@@ -204,4 +204,18 @@ REMARKS = (
         "The generalized Darboux theorem",
         "a quoted theorem; its formulas are claims",
     ),
+    Remark(
+        "§3.4, first situation",
+        "The two numbers of Casimir functions are equal in most applications; then a symplectic "
+        "leaf is a manifold given by the Casimir functions, and integrability is proved by the "
+        "Liouville–Arnold theorem",
+        "a definition and quoted theorems; the canonical form and the number of integrals are "
+        "claims",
+    ),
+    Remark(
+        "§3.4, second situation",
+        "This case is not discussed in the literature; the problem will be considered in "
+        "subsequent papers",
+        "literature",
+    ),
 )

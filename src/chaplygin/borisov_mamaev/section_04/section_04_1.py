@@ -279,9 +279,12 @@ CLAIMS = (
     ),
     Claim(
         "Theorem 4",
-        r"If $\dot\theta_1 = \omega_1(\mathbf{F})$, $\dot\theta_i = \zeta_i(\theta_1, \mathbf{F})$ "
-        r"(4.1), then a differentiable change of variables reduces the system to "
-        r"$\dot\theta_i = \omega_i(\mathbf{F})$ (4.2)",
+        "Suppose that in a neighborhood of a torus, the common level surface of the first "
+        "integrals, "
+        "there are angular coordinates such that the vector field takes the form "
+        r"$\dot\theta_1 = \omega_1(\mathbf{F})$, $\dot\theta_i = \zeta_i(\theta_1, \mathbf{F})$ "
+        r"(4.1). Then there exists a differentiable (analytic) change of variables that reduces "
+        r"the system (4.1) to the form $\dot\theta_i = \omega_i(\mathbf{F})$ (4.2)",
         theorem_4_printed,
         theorem_4_corrected,
         r"the same, where $\omega_1(\mathbf{F}) \ne 0$",
@@ -303,7 +306,7 @@ CLAIMS = (
         r"$\omega_i(\mathbf{F}) = \zeta_i(\mathbf{F}) = "
         r"\frac{1}{2\pi}\int_0^{2\pi}\zeta_i(\theta_1, \mathbf{F})\,d\theta_1$",
         frequencies,
-        note=r"ζ_i(F) read as the coefficient ζ_i^(0)(F)",
+        erratum="ζ_i(F): read ζ_i^(0)(F), the coefficient of the series",
         argument="the coefficient with m = 0 is the mean, and the mean of the other terms, of "
         "which five are computed, is zero",
     ),
@@ -367,5 +370,18 @@ REMARKS = (
         "Remark 12",
         "In the whole phase space the reduction may turn out to be impossible [42, 43]",
         "literature",
+    ),
+    Remark(
+        "§4.1, before Theorem 4",
+        "A similar result is valid for the averaging procedure in one-frequency systems [12].",
+        "literature, of which no statement is given: averaging is a change of variables close to "
+        "the identity in systems with a small parameter, and removes the angle to a given order of "
+        "it alone, while that of Theorem 4 is exact",
+    ),
+    Remark(
+        "§4.1, Lagrange–Lie integrable systems",
+        "There is a coordinate on the invariant surface by which all others are quadratures; the "
+        "dynamics is practically identical to that of integrable Hamiltonian systems",
+        "the definition of a name, and judgement; the formulas of the Lagrange top are claims",
     ),
 )

@@ -205,4 +205,15 @@ REMARKS = (
         "from being Hamiltonian [47]",
         "literature; mixing is meant along the torus, each trajectory of which is closed",
     ),
+    Remark(
+        "§4.2, after (4.3)",
+        "The theorem extends the statement from [28]; Kolmogorov's proof can be easily extended to "
+        "a flow on a torus that depends on parameters",
+        "literature; a proof is not given",
+    ),
+    Remark(
+        "§4.2, before Proposition 4",
+        "Lagrange–Liouville integrable systems",
+        "an erratum: read Lagrange–Lie, the name given in §4.1",
+    ),
 )

@@ -219,8 +219,9 @@ def ordinary() -> Case:
 CLAIMS = (
     Claim(
         "§4.3, ordinary Chaplygin systems with a measure",
-        "If there exists an invariant measure whose density is a function of coordinates only, one "
-        r"can choose $\mathcal{N}(\mathbf{q})$ so that $\bar S = 0$",
+        "For an ordinary Chaplygin system it is established that if there exists an invariant "
+        "measure whose density is a function of coordinates only, one can choose "
+        r"$\mathcal{N}(\mathbf{q})$ so that $\bar S = 0$",
         ordinary,
         where=("the kinetic energy is a homogeneous quadratic form",),
     ),

@@ -121,4 +121,11 @@ REMARKS = (
         "read as the canonical form: with the bracket (4.6), which needs Ω alone and no W, the "
         "equations are Hamiltonian globally",
     ),
+    Remark(
+        "§4.3, after Theorem 6",
+        "Systems with the bracket (4.6) frequently occur: charged particles in a magnetic field, "
+        "gyroscopic forces; multidimensional generalizations are in [53], one of the "
+        "Hamilton–Jacobi method in [54]",
+        "literature; the bracket and the Lagrangian with $W$ are claims",
+    ),
 )

@@ -265,6 +265,7 @@ CLAIMS = (
         r"\mathbf{J}\bar{\mathbf{A}}\gamma)(\gamma, \bar{\mathbf{A}}\gamma))$.",
         second,
         note="read with the right δ and A; this is the ball's F₁ = (M, M) divided by det J",
+        erratum="the letter F₂ of (8.3), which is zero here, for F₁",
     ),
     Claim(
         "§8.2, after (8.7)",

@@ -14,6 +14,7 @@ from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.derived_verdicts import conclusion_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.measure_theorems import has_no_measure
 from ..methods.unbalanced_ball_symbols import (
@@ -108,6 +109,15 @@ def no_measure_for_marble() -> Verdict:
     return has_no_measure(Rolling(Body(1.3, (1.0, 1.5, 2.1), ball)), "unbalanced ball")
 
 
+def surface() -> Verdict:
+    """Three independent functions are constant along a motion in six variables."""
+    return conclusion_verdict(
+        "surface",
+        "the points of one motion on a section lie on a level of H and F₂ in it, a surface",
+        (rank_of_marble(), *invariants(), (marble(), QUADRATIC)),
+    )
+
+
 CLAIMS = (
     Claim(
         "(10.1), M",
@@ -164,12 +174,21 @@ CLAIMS = (
     ),
     Claim(
         "§10.1, missing invariants",
-        r"In the generic cases the required invariants are missing: the invariant measure.",
+        "Simulations show that in the generic cases the required invariants are missing.",
         no_measure_for_marble,
         note="meant is a measure with a density that is smooth and positive up to rest; the "
         "additional integral is a matter of numerical evidence",
         argument="docs/measures.md, result 1, for every ball: only balanced ones and those with "
         "their centre on an axis of dynamical symmetry have such a measure",
+    ),
+    Claim(
+        "Fig. 8, caption",
+        "One of the trajectories from the problem of motion of an unbalanced ball on a plane. It "
+        "is "
+        "seen that all the points lie on the same surface.",
+        surface,
+        note="with $\\gamma^2 = 1$, $H$ and $F_2$ fixed three dimensions are left, and two on a "
+        "section",
     ),
     Claim(
         "§10.1, ball on a sphere",
@@ -186,5 +205,14 @@ REMARKS = (
         "§10.1, Fig. 8",
         "Simulations show that in the generic cases an additional integral is missing.",
         "numerical evidence, not a statement that algebra decides",
+    ),
+    Remark(
+        "Fig. 8, caption",
+        "Condensation spots indicate the approach to periodic solutions. The trajectory emanates "
+        "from the top and approaches the three points at the bottom.",
+        "numerical evidence. Observed with a body found by search, since the paper gives neither "
+        "body nor level: 63 % of the motions that cross the section come to an attracting cycle of "
+        "three points, whose mirror image under M → −M, t → −t repels, and a motion leads from one "
+        "to the other; not every motion does (`examples/figure_8.py`, docs/sections.md)",
     ),
 )

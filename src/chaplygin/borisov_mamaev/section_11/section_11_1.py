@@ -70,4 +70,14 @@ REMARKS = (
         "static friction.",
         "a judgement on modelling",
     ),
+    Remark(
+        "§11.1",
+        "A bibliography on mechanical systems with friction is in the book by A. P. Markeev [86].",
+        "an erratum: [86] is the book of Neimark and Fufaev, that of Markeev is [98]",
+    ),
+    Remark(
+        "§11.1",
+        "Contensou studied the motion of a top, Erismann kinematical problems of integrators.",
+        "history",
+    ),
 )

@@ -184,6 +184,24 @@ CLAIMS = (
 
 REMARKS = (
     Remark(
+        "§11.2, first paragraph",
+        "Ways to realize constraints, Carathéodory, Routh and Painlevé; as a rule nonholonomic "
+        "constraints are a realistic representation of the final stage of a motion.",
+        "history and judgement",
+    ),
+    Remark(
+        "§11.2, first paragraph",
+        "Due to the force of friction sliding ceases with the onset of the constraint.",
+        "stated of conditions that are not given; without them it is wrong: for an open set of "
+        "states of a sliding body with Coulomb friction the slip ends and begins again at once, as "
+        "rolling would need more friction than there is (docs/friction.md)",
+    ),
+    Remark(
+        "§11.2, end",
+        "The constraint of a rubber body decomposes into that of no slipping and that of Veselova.",
+        "the definition of the model, (1.14) and (1.15)",
+    ),
+    Remark(
         "§11.2",
         "Zhuravlev and Klimov claim that the equations after the onset are not nonholonomic.",
         "an opinion of others; that the constraints are not integrable is judged in §2",

@@ -207,8 +207,8 @@ CLAIMS = (
     ),
     Claim(
         "§12, problem 1, linear terms",
-        "Upon a change of time one gets a Hamiltonian system on a sphere, which has a quadratic "
-        "integral that contains terms linear in velocities.",
+        "Upon a change of time, one gets a Hamiltonian system on a sphere which is integrable: the "
+        "system has a quadratic integral which contains terms linear in velocities.",
         linear_terms,
         note="for the gyrostat and for the Bruns field, with any area constant; the energy has no "
         "linear terms, so that they are not taken away by a multiple of it. The Hamiltonian system "
@@ -216,10 +216,13 @@ CLAIMS = (
     ),
     Claim(
         "§12, problem 1, zero area",
-        "In Kozlov's problem the integral of areas is zero and therefore these linear summands "
-        "vanish.",
+        "Kozlov's problem was explicitly solved only in the special case when the integral of "
+        "areas "
+        "is zero and therefore these linear summands vanish.",
         without_area,
-        note="for $U = 0$ or the Bruns field, without a gyrostat",
+        note="decided is that they vanish in this case, in the Bruns field and without it; that "
+        "only this case was solved is a statement about the literature, [106]. Here, too, the "
+        "closed form in the field is for this case alone",
     ),
     Claim(
         "§12, problem 1, around a sphere",
@@ -255,8 +258,8 @@ CLAIMS = (
     ),
     Claim(
         "§12, problem 2, conformally Hamiltonian form",
-        "They are known to be integrable by the Euler–Jacobi theorem and therefore, theoretically, "
-        "can be written in conformally Hamiltonian form.",
+        "They are only known to be integrable by the Euler–Jacobi theorem and therefore, "
+        "theoretically, can be written in conformally Hamiltonian form.",
         therefore_conformally_hamiltonian,
         hamiltonian_near_tori,
         "They are known to be integrable by the Euler–Jacobi theorem and therefore, having more "
