@@ -25,7 +25,7 @@ def pages(judgements: Sequence[Judgement]) -> Iterator[tuple[str, str]]:
     )
     environment.filters["typeset"] = typeset
     claims = list(zip(anchors(judgements), judgements, strict=True))
-    wrong = [(anchor, j) for anchor, j in claims if j.corrected is not None or not j.printed]
+    wrong = [(anchor, j) for anchor, j in claims if j.printed.decision == "refuted"]
     shared = {
         "version": __version__,
         "titles": TITLES,

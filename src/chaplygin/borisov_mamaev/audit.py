@@ -79,6 +79,8 @@ class Judgement:
             table["note"] = self.claim.note
         if self.claim.erratum:
             table["erratum"] = self.claim.erratum
+        if self.claim.argument:
+            table["argument"] = self.claim.argument
         if self.conditions:
             table["conditions"] = list(self.conditions)
         if self.reason:
@@ -110,24 +112,30 @@ def _joint_verdict(case: Case) -> Verdict:
     )
 
 
-def _verdict_from_cache(name: str, decide: Callable[[], Case]) -> Verdict:
+def _stored_verdict(claim: Claim, form: str) -> Verdict | None:
+    """The verdict on a form of a claim from an earlier audit, if there is one."""
+    stored = load_verdict(_name(claim, form))
+    return None if stored is None else claim.restricted(stored)
+
+
+def _verdict_on(claim: Claim, form: str, decide: Callable[[], Case]) -> Verdict:
     """A verdict from an earlier audit, or a new one, which is stored."""
-    stored = load_verdict(name)
+    stored = _stored_verdict(claim, form)
     if stored is not None:
         return stored
     started = time.monotonic()
     verdict = replace(_joint_verdict(decide()), seconds=time.monotonic() - started)
-    store_verdict(name, verdict)
-    return verdict
+    store_verdict(_name(claim, form), verdict)
+    return claim.restricted(verdict)
 
 
 def judge(number: int, section: int | None) -> tuple[Verdict, Verdict | None]:
     """Verdicts on the printed and the corrected form of one claim."""
     _, claim = claims(section)[number]
-    names = [_name(claim, form) for form in ("printed", "corrected")]
-    printed = _verdict_from_cache(names[0], claim.printed)
-    corrected = None if claim.corrected is None else _verdict_from_cache(names[1], claim.corrected)
-    return printed, corrected
+    printed = _verdict_on(claim, "printed", claim.printed)
+    if claim.corrected is None:
+        return printed, None
+    return printed, _verdict_on(claim, "corrected", claim.corrected)
 
 
 def _name(claim: Claim, form: str) -> str:
@@ -186,8 +194,8 @@ def audit(
     verdicts: dict[int, tuple[Verdict, Verdict | None]] = {}
     waiting = []
     for number, (_, claim) in enumerate(chosen):
-        printed = load_verdict(_name(claim, "printed"))
-        corrected = load_verdict(_name(claim, "corrected")) if claim.corrected else None
+        printed = _stored_verdict(claim, "printed")
+        corrected = _stored_verdict(claim, "corrected") if claim.corrected else None
         if printed is None or (claim.corrected is not None and corrected is None):
             waiting.append(number)
         else:

@@ -19,7 +19,7 @@ How a printed statement is read, of every claim alike:
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from ..core.laws import Law
@@ -52,6 +52,12 @@ class Claim:
         What was wrong with the printed form, in one phrase; or how it had to be read.
     erratum : str
         A slip of the print that changes no statement, and how it is read: rules 2 and 3 above.
+    argument : str
+        What carries the computation over to all that the statement speaks of, such as any number
+        of coordinates; empty where the computation covers it.
+    where : tuple of str
+        Conditions under which the form that holds is proven, and which the statement lacks. With
+        any of them the verdict is "proven where" at best.
 
     Examples
     --------
@@ -68,6 +74,34 @@ class Claim:
     correction: str = ""
     note: str = ""
     erratum: str = ""
+    argument: str = ""
+    where: tuple[str, ...] = ()
+
+    def restricted(self, verdict: Verdict) -> Verdict:
+        """A verdict on a form of the claim, under the conditions of the claim.
+
+        Parameters
+        ----------
+        verdict : Verdict
+            On the laws in which the form is cast.
+
+        Returns
+        -------
+        Verdict
+            "proven where" `where` holds, if the laws are proven; refuted and undecided stay.
+
+        Examples
+        --------
+        >>> from chaplygin.borisov_mamaev import Claim
+        >>> from chaplygin.proof.verdict import Verdict
+        >>> proven = Verdict("law", "proven")
+        >>> Claim("(1)", "$x$", lambda: proven, where=("n = 3",)).restricted(proven).statement
+        'proven where n = 3'
+        """
+        if not self.where or verdict.decision not in ("proven", "proven where"):
+            return verdict
+        conditions = (*verdict.conditions, *self.where)
+        return replace(verdict, decision="proven where", conditions=conditions, formulas=())
 
 
 @dataclass(frozen=True)

@@ -194,7 +194,9 @@ def _remarks(judgement: Judgement) -> Iterator[tuple[str, str]]:
         yield "note", plain_words(claim.note)
     if claim.erratum:
         yield "erratum", plain_words(claim.erratum)
+    if claim.argument:
+        yield "argument", plain_words(claim.argument)
     if judgement.conditions:
-        yield "where", ", ".join(judgement.conditions)
+        yield "where", plain_words(", ".join(judgement.conditions))
     if judgement.reason:
         yield "undecided", judgement.reason

@@ -277,13 +277,17 @@ CLAIMS = (
         r"\boldsymbol\gamma}$",
         "the couple of U(γ): since γ̇ = (E + W/a)⁻¹γ×ω, the printed one does not do the work of U; "
         "it is right only for U = 0 or a plane",
+        argument="for every body: the couple of U is the one whose power is −(∂U/∂γ, γ̇) for every "
+        "ω, and (E + W/a)⁻¹ is symmetric; computed are the ball and the energy of every shape",
     ),
     Claim(
         "(1.23), second equation",
         r"$\dot{\boldsymbol\gamma}+\boldsymbol\omega\times\boldsymbol\gamma=\frac1a\dot{"
         r"\mathbf r}$",
         kinematics,
-        note="a > 0 outside the sphere; decided for an ellipsoid",
+        note="a > 0 outside the sphere; computed for an ellipsoid",
+        argument="for every body: the contact wanders over the sphere with the velocity "
+        "a(γ̇ + ω×γ), and over the body with ṙ, and without slip both are its velocity in space",
     ),
     Claim(
         "§1.4, after (1.23)",

@@ -223,7 +223,7 @@ CLAIMS = (
         "measure whose density is a function of coordinates only, one can choose "
         r"$\mathcal{N}(\mathbf{q})$ so that $\bar S = 0$",
         ordinary,
-        note="for a homogeneous quadratic kinetic energy",
+        where=("the kinetic energy is a homogeneous quadratic form",),
     ),
     Claim(
         "Theorem 6",
@@ -291,6 +291,7 @@ CLAIMS = (
         r"Hence in the original time $t$ generalized measure-preserving Chaplygin systems are "
         "conformally Hamiltonian",
         in_the_old_time,
-        note="when the density depends on the coordinates alone",
+        note="by Theorem 6",
+        where=("the density of the measure depends on the coordinates alone",),
     ),
 )

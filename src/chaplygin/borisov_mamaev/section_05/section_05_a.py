@@ -329,6 +329,9 @@ CLAIMS = (
         "§5, Lie's theorem, independence",
         r"The integrals $\gamma^2$, $(\omega, \gamma)$, $\mathcal{E}$, $K$ are independent.",
         lie_independent,
+        argument="for every body of revolution: where γ is not along e₃, the last three have the "
+        "derivatives γ, Ĩω and Ae₃ by ω, independent for almost all ω since Ĩ is invertible, and "
+        "γ² does not contain ω; computed is Routh's sphere",
     ),
     Claim(
         "§5, γ in the angles",

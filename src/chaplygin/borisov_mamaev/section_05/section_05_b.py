@@ -137,10 +137,13 @@ CLAIMS = (
         r"If $k \neq 0$, the equations of a heavy rubber body of revolution can be represented "
         "(without change of time) in the Hamiltonian form.",
         proposition,
-        note="near a torus where the rotation number has a differential or is constant: on a "
-        "regular level θ̇² and φ̇ depend on θ alone and φ̇ does not vanish, so that Theorem 4 "
-        "gives "
-        "(4.2), of which a bracket of rank two is shown. Corollary 1 as printed does not suffice",
+        note="on a regular level θ̇² and φ̇ depend on θ alone and φ̇ does not vanish, so that "
+        "Theorem 4 gives (4.2), of which a bracket of rank two is shown. Corollary 1 as printed "
+        "does not suffice",
+        where=(
+            "the motion is near a torus at which the rotation number has a differential that is "
+            "not zero, or is constant",
+        ),
     ),
     Claim(
         "Proposition 5, proof",

@@ -242,10 +242,12 @@ CLAIMS = (
         "The periods of motion for the orbits lying on the two-dimensional invariant resonance "
         "tori are not the same.",
         unequal_periods,
-        note="for one ball and one torus with $(M, \\gamma) = 0$, by rigorous bounds: "
-        "$I = \\mathrm{diag}(0.2, 2, 2.1)$, $D = 5$, where one angle of the torus turns twice "
-        "while the other turns once; two of its closed motions have the periods 21.76 and 21.81 "
-        "for $2H = 1$",
+        note="by rigorous bounds: one angle of the torus turns twice while the other turns once, "
+        "and two of its closed motions have the periods 21.76 and 21.81 for $2H = 1$",
+        where=(
+            "$I = \\mathrm{diag}(0.2, 2, 2.1)$ and $D = 5$",
+            "the torus is that with $(M, \\gamma) = 0$ named in the note",
+        ),
     ),
     Claim(
         "Remark 21, Hamiltonian form",

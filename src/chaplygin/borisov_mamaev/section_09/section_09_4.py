@@ -293,8 +293,9 @@ CLAIMS = (
         "§9.4, other k",
         r"In the other cases an additional integral quadratic in $\mathbf M$ does not exist.",
         no_quadratic_integral,
-        note="shown for every J with three different eigenvalues and every k with k² ≠ 1, for "
-        "integrals on all levels of the energy",
+        note="for every k with k² ≠ 1 and integrals on all levels of the energy; with two equal "
+        "eigenvalues the square of a component of M is one",
+        where=("J has three different eigenvalues",),
     ),
     Claim(
         "§9.4, integrability for other k",

@@ -52,8 +52,9 @@ CLAIMS = (
         "over the contact area, thus yielding a non-zero net frictional force and a non-zero "
         "spinning friction torque.",
         force_and_couple,
-        note="read as: with Hertz' pressure on a disk the force is not zero where the contact "
-        "slides, and the torque is not zero where it spins",
+        note="read as: the force is not zero where the contact slides, and the torque is not zero "
+        "where it spins",
+        where=("the pressure is that of Hertz on a disk",),
     ),
 )
 

@@ -211,7 +211,8 @@ CLAIMS = (
         "Simulations show that for pure sliding and small rotational velocity one can use the "
         "Coulomb friction.",
         sliding_without_spin,
-        note="read as the limit $v/(\\omega a) \\to \\infty$ with Hertz' pressure",
+        note="read as the limit $v/(\\omega a) \\to \\infty$",
+        where=("the pressure is that of Hertz on a disk of radius $a$",),
     ),
 )
 

@@ -92,8 +92,8 @@ CLAIMS = (
         "force is proportional to "
         "the sliding velocity and is therefore practically the same as viscous friction.",
         proportional_when_spinning_fast,
-        note="read as the first order in $v/(\\omega a)$ on a disk of radius $a$ with Hertz' "
-        "pressure; the paper draws it from simulations",
+        note="read as the first order in $v/(\\omega a)$; the paper draws it from simulations",
+        where=("the pressure is that of Hertz on a disk of radius $a$",),
     ),
     Claim(
         "§11.3, end",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...catalogue import from_catalogue
+from ...catalogue import CATALOGUE, from_catalogue
 from ...catalogue.ball_on_sphere import ball_on_sphere_equations as sphere
 from ...catalogue.chaplygin_ball.chaplygin_ball_angles import (
     ACROSS,
@@ -185,9 +185,10 @@ def hamiltonian_near_tori() -> Verdict:
     )
 
 
-def four_dimensions() -> Case:
-    """Measures in four dimensions."""
-    systems = tuple(from_catalogue(name) for name in ("chaplygin-ball-4d", "veselova-4d"))
+def several_dimensions() -> Case:
+    """The measures of both systems, by the theorems of the catalogue for every n."""
+    names = ("chaplygin-ball-nd", "veselova-nd")
+    systems = [CATALOGUE[name].system({"dimension": 4}) for name in names]
     return tuple((system, law_named(system, "measure")) for system in systems)
 
 
@@ -271,8 +272,9 @@ CLAIMS = (
     Claim(
         "§12, problem 3",
         "Invariant measures for the multidimensional Chaplygin and Veselova systems are found.",
-        four_dimensions,
-        note="decided in four dimensions, for arbitrary moments $I_{ij}$; equations derived here",
+        several_dimensions,
+        note="for every operator of inertia; equations derived here",
+        argument="for every n, by docs/n-dimensions.md; computed is n = 4",
     ),
 )
 
