@@ -173,7 +173,7 @@ CLAIMS = (
         note="shown: F₁, H, F₂ are independent; of six variables the theorem asks four integrals",
     ),
     Claim(
-        "§10.1, missing invariants",
+        "§10.1, missing invariants: the measure",
         "Simulations show that in the generic cases the required invariants are missing.",
         no_measure_for_marble,
         note="meant is a measure with a density that is smooth and positive up to rest; the "
@@ -184,8 +184,7 @@ CLAIMS = (
     Claim(
         "Fig. 8, caption",
         "One of the trajectories from the problem of motion of an unbalanced ball on a plane. It "
-        "is "
-        "seen that all the points lie on the same surface.",
+        "is seen that all the points lie on the same surface.",
         surface,
         note="with $\\gamma^2 = 1$, $H$ and $F_2$ fixed three dimensions are left, and two on a "
         "section",
