@@ -143,6 +143,12 @@ def test_counts_are_those_of_the_judgements():
 PAGES = Path(__file__).parents[2] / "docs"
 
 
+def test_the_page_lists_the_conditions():
+    rows = [f"| {c.source} | {'; '.join(c.where)} |" for _, c in CLAIMS if c.where]
+    table = (PAGES / "proofs.md").read_text().split("| claim | where |\n|---|---|\n")[1]
+    assert table.split("\n\n")[0].split("\n") == rows
+
+
 def test_pages_and_results_that_arguments_name_are_there():
     """An argument that is written elsewhere names the page, and the result on it."""
     named = [(c.source, c.argument) for _, c in CLAIMS if "docs/" in c.argument]
