@@ -31,7 +31,7 @@ ATTITUDE = sp.Matrix([[6, 2, -3], [3, -6, 2], [-2, -3, -6]]) / 7
 MOMENTA = ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1), (1, 2, 3))
 MOMENTS = (Fraction(1), Fraction(3, 2), Fraction(21, 10))
 
-WEIGHTS = {
+WEIGHTS: dict[str, tuple[Fraction | int, ...]] = {
     "Chaplygin ball, D = 1": (0, 0, 1),
     "two supporting balls, D = ½, ⅓": (Fraction(1, 2), Fraction(1, 3), 0),
     "two equal supporting balls": (Fraction(1, 2), Fraction(1, 2), 0),
@@ -88,7 +88,7 @@ def lifts(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> boo
     False
     """
     equations = unknowns(moments, weights)
-    return equations.rank() == equations[:, :-1].rank()
+    return bool(equations.rank() == equations[:, :-1].rank())
 
 
 def of_cotangent_type() -> Verdict:

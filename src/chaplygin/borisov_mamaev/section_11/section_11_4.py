@@ -81,7 +81,7 @@ CLAIMS = (
         "which for a homogeneous disk is $4g/(R \\sin\\alpha)$: it grows without bound as the disk "
         "sinks. That friction lets it sink, and come to rest in a finite time, is computed and not "
         "proven (docs/friction.md)",
-        where=("the disk passes through these steady motions as it sinks",),
+        where=("the disk passes through the steady motions of the note as it sinks",),
     ),
     Claim(
         "§11.4, [104, 105]",
