@@ -37,7 +37,7 @@ def command(
     workers: Annotated[
         int | None, typer.Option(help="Number of processes; default: one for each processor.")
     ] = None,
-    listed: Annotated[
+    remarks_alone: Annotated[
         bool,
         typer.Option("--remarks", help="List the statements that are not computed; judge none."),
     ] = False,
@@ -47,7 +47,7 @@ def command(
     """Judge every claim of Borisov and Mamaev (2008); exit 1 if a corrected one is refuted."""
     from ..errors import InputError
 
-    if listed and (output is not None or workers is not None):
+    if remarks_alone and (output is not None or workers is not None):
         raise InputError("--remarks judges no claims: leave out --output and --workers")
     if workers is not None:
         require_processes(workers)
@@ -63,7 +63,7 @@ def command(
         from ..borisov_mamaev.audit import audit, page, remarks_by_section
 
         remarks = remarks_by_section(section)
-    if listed:
+    if remarks_alone:
         if json:
             print_json({"remarks": _remark_records(remarks)})
         else:
