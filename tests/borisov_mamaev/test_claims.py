@@ -95,7 +95,7 @@ def test_a_claim_is_judged_and_put_right(number):
 #: Words by which a note says that a computation covers less than the statement.
 NARROWER = re.compile(
     r"(decided|computed|shown|proved) for (?!every|any)|for one |\bfor a homogeneous|on one torus"
-    r"|[nm] = [2-9]\b|\b(two|three|four) (dimensions|coordinates|degrees|harmonics)|for functions"
+    r"|[nm] = [2-9]\b|\bfor (two|three|four) |for functions"
 )
 
 
@@ -112,12 +112,12 @@ def test_corrected_forms_state_their_hypotheses():
 
 def test_conditions_restrict_what_is_proven_alone():
     claim = Claim("(1)", "$x$", lambda: Verdict("law", "proven"), where=("x > 0",))
-    part = claim.restricted(Verdict("law", "proven where", conditions=("y > 0",)))
+    part = claim.under_conditions(Verdict("law", "proven where", conditions=("y > 0",)))
     assert part.decision == "proven where"
     assert part.conditions == ("y > 0", "x > 0")
     for decision in ("refuted", "undecided"):
         other = Verdict("law", decision)
-        assert claim.restricted(other) is other
+        assert claim.under_conditions(other) is other
 
 
 @pytest.mark.slow
@@ -138,6 +138,26 @@ def test_counts_are_those_of_the_judgements():
         assert record["source"] == judgement.claim.source
         assert record["printed"] == judgement.printed.decision
         assert ("corrected" in record) == ("verdict" in record) == (judgement.corrected is not None)
+
+
+PAGES = Path(__file__).parents[2] / "docs"
+
+
+def test_the_page_lists_the_conditions():
+    rows = [f"| {c.source} | {'; '.join(c.where)} |" for _, c in CLAIMS if c.where]
+    table = (PAGES / "proofs.md").read_text().split("| claim | where |\n|---|---|\n")[1]
+    assert table.split("\n\n")[0].split("\n") == rows
+
+
+def test_pages_and_results_that_arguments_name_are_there():
+    """An argument that is written elsewhere names the page, and the result on it."""
+    named = [(c.source, c.argument) for _, c in CLAIMS if "docs/" in c.argument]
+    assert named
+    for source, argument in named:
+        page = re.search(r"docs/([\w-]+\.md)", argument)
+        assert page and (PAGES / page[1]).is_file(), source
+        for result in re.findall(r"result (\d+)", argument):
+            assert f"**{result}. " in (PAGES / page[1]).read_text(), source
 
 
 @pytest.mark.parametrize("page", ["README.md", "docs/proofs.md", "CHANGELOG.md"])

@@ -31,7 +31,7 @@ from ..proof.fields.budget import EFFORT
 from ..proof.prover import prove
 from ..proof.verdict import Decision, Verdict
 from ..proof.verdict_cache import load_verdict, store_verdict
-from . import Case, Claim, Remark, claims, remarks
+from . import Case, Claim, Finding, Remark, claims, remarks
 
 THOROUGH = 4 * EFFORT
 """Term operations that the proof of one claim may take."""
@@ -115,18 +115,22 @@ def _joint_verdict(case: Case) -> Verdict:
 def _stored_verdict(claim: Claim, form: str) -> Verdict | None:
     """The verdict on a form of a claim from an earlier audit, if there is one."""
     stored = load_verdict(_name(claim, form))
-    return None if stored is None else claim.restricted(stored)
+    return None if stored is None else claim.under_conditions(stored)
 
 
-def _verdict_on(claim: Claim, form: str, decide: Callable[[], Case]) -> Verdict:
+def _verdict_from_cache(name: str, decide: Callable[[], Case]) -> Verdict:
     """A verdict from an earlier audit, or a new one, which is stored."""
-    stored = _stored_verdict(claim, form)
+    stored = load_verdict(name)
     if stored is not None:
         return stored
     started = time.monotonic()
     verdict = replace(_joint_verdict(decide()), seconds=time.monotonic() - started)
-    store_verdict(_name(claim, form), verdict)
-    return claim.restricted(verdict)
+    store_verdict(name, verdict)
+    return verdict
+
+
+def _verdict_on(claim: Claim, form: str, decide: Callable[[], Case]) -> Verdict:
+    return claim.under_conditions(_verdict_from_cache(_name(claim, form), decide))
 
 
 def judge(number: int, section: int | None) -> tuple[Verdict, Verdict | None]:
@@ -291,6 +295,19 @@ def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
     return table
 
 
+def judged_findings(remark: Remark) -> tuple[tuple[Finding, Verdict], ...]:
+    """What is decided here of an open question, with the verdicts, which are stored."""
+    return tuple(
+        (
+            finding,
+            _verdict_from_cache(
+                entry_name(finding.key, finding.statement, package_digest()), finding.decide
+            ),
+        )
+        for finding in remark.findings
+    )
+
+
 def remarks_by_section(section: int | None = None) -> dict[int, tuple[Remark, ...]]:
     """The statements that were not computed, of one section or of each that has any."""
     numbers = TITLES if section is None else (section,)
@@ -324,6 +341,7 @@ def page(judgements: Sequence[Judgement], section: int | None = None) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["findings"] = judged_findings
     environment.filters["typeset"] = lambda text: Markup(typeset(text))
     sections: dict[int, list[Judgement]] = {}
     for judgement in judgements:

@@ -24,7 +24,7 @@ from typing import TypeAlias
 
 from ..core.laws import Law
 from ..core.system import System
-from ..proof.verdict import Verdict
+from ..proof.verdict import Decision, Verdict
 
 #: A system with a law of it, several such pairs that must all hold, or a verdict computed directly.
 Case: TypeAlias = tuple[System, Law] | tuple[tuple[System, Law], ...] | Verdict
@@ -77,7 +77,7 @@ class Claim:
     argument: str = ""
     where: tuple[str, ...] = ()
 
-    def restricted(self, verdict: Verdict) -> Verdict:
+    def under_conditions(self, verdict: Verdict) -> Verdict:
         """A verdict on a form of the claim, under the conditions of the claim.
 
         Parameters
@@ -95,13 +95,35 @@ class Claim:
         >>> from chaplygin.borisov_mamaev import Claim
         >>> from chaplygin.proof.verdict import Verdict
         >>> proven = Verdict("law", "proven")
-        >>> Claim("(1)", "$x$", lambda: proven, where=("n = 3",)).restricted(proven).statement
+        >>> Claim("(1)", "$x$", lambda: proven, where=("n = 3",)).under_conditions(proven).statement
         'proven where n = 3'
         """
         if not self.where or verdict.decision not in ("proven", "proven where"):
             return verdict
         conditions = (*verdict.conditions, *self.where)
         return replace(verdict, decision="proven where", conditions=conditions, formulas=())
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A statement about an open question, with its decision.
+
+    Parameters
+    ----------
+    key : str
+        The row in the table of docs/open-problems.md.
+    statement : str
+        Plain words with formulas in Unicode.
+    decision : str
+        As the page quotes it; the audit computes it anew.
+    decide : callable
+        The laws that decide it, or the verdict.
+    """
+
+    key: str
+    statement: str
+    decision: Decision
+    decide: Callable[[], Case]
 
 
 @dataclass(frozen=True)
@@ -115,6 +137,8 @@ class Remark:
     statement : str
     reason : str
         Why it was not computed.
+    findings : tuple of Finding
+        What is decided here of an open question.
 
     Examples
     --------
@@ -126,3 +150,4 @@ class Remark:
     source: str
     statement: str
     reason: str
+    findings: tuple[Finding, ...] = ()

@@ -39,7 +39,9 @@ def command(
     ] = None,
     remarks_alone: Annotated[
         bool,
-        typer.Option("--remarks", help="List the statements that are not computed; judge none."),
+        typer.Option(
+            "--remarks", help="List the statements that are not computed; judge no claims."
+        ),
     ] = False,
     force: Force = False,
     json: Json = False,
@@ -128,8 +130,9 @@ def _print_remarks(remarks: Mapping[int, Sequence[Remark]]) -> None:
     from rich.markup import escape
     from rich.padding import Padding
 
-    from ..borisov_mamaev.audit import TITLES
+    from ..borisov_mamaev.audit import TITLES, judged_findings
     from ..printing.plain_text import plain_words
+    from .prove import coloured_decision
 
     shown = console()
     for section, found in remarks.items():
@@ -139,12 +142,25 @@ def _print_remarks(remarks: Mapping[int, Sequence[Remark]]) -> None:
             shown.print(f"\n[bold]{escape(plain_words(remark.source))}[/]")
             shown.print(Padding(escape(words[0]), (0, 0, 0, 2), expand=False))
             shown.print(Padding(f"[dim]{escape(words[1])}[/]", (0, 0, 0, 2), expand=False))
+            for finding, verdict in judged_findings(remark):
+                text = f"{coloured_decision(verdict.decision)} here: {escape(finding.statement)}"
+                place = f" (docs/open-problems.md, {finding.key})"
+                shown.print(Padding(text + place, (0, 0, 0, 2), expand=False))
 
 
 def _remark_records(remarks: Mapping[int, Sequence[Remark]]) -> list[dict[str, Any]]:
-    """Remarks for another program."""
+    """Remarks for another program, with what is decided here of open questions."""
+    from ..borisov_mamaev.audit import judged_findings
+
     return [
-        {"section": section, **asdict(remark)}
+        {
+            "section": section,
+            **asdict(remark),
+            "findings": [
+                {"row": finding.key, "statement": finding.statement, "verdict": verdict.statement}
+                for finding, verdict in judged_findings(remark)
+            ],
+        }
         for section, found in remarks.items()
         for remark in found
     ]

@@ -245,8 +245,8 @@ CLAIMS = (
         note="by rigorous bounds: one angle of the torus turns twice while the other turns once, "
         "and two of its closed motions have the periods 21.76 and 21.81 for $2H = 1$",
         where=(
-            "$I = \\mathrm{diag}(0.2, 2, 2.1)$ and $D = 5$",
-            "the torus is that with $(M, \\gamma) = 0$ named in the note",
+            "I = diag(0.2, 2, 2.1) and D = 5",
+            "the torus is that with (M, γ) = 0 that the note names",
         ),
     ),
     Claim(

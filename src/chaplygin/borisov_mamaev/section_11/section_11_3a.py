@@ -212,7 +212,7 @@ CLAIMS = (
         "Coulomb friction.",
         sliding_without_spin,
         note="read as the limit $v/(\\omega a) \\to \\infty$",
-        where=("the pressure is that of Hertz on a disk of radius $a$",),
+        where=("the pressure is that of Hertz on a disk of radius a",),
     ),
 )
 

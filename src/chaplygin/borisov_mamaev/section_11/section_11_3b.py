@@ -93,7 +93,7 @@ CLAIMS = (
         "viscous friction.",
         proportional_when_spinning_fast,
         note="read as the first order in $v/(\\omega a)$; the paper draws it from simulations",
-        where=("the pressure is that of Hertz on a disk of radius $a$",),
+        where=("the pressure is that of Hertz on a disk of radius a",),
     ),
     Claim(
         "§11.3, end",

@@ -77,8 +77,9 @@ CLAIMS = (
         note="read as: at every inclination α the disk has a steady motion with its centre at "
         "rest, in which the point of contact runs round at the rate Ω, $\\Omega^2 = mgR/(I_1 "
         "\\sin\\alpha)$, which is $4g/(R \\sin\\alpha)$ if the mass is spread evenly: it grows "
-        "without bound as the disk sinks. That friction lets it sink, and come to rest in a finite time, "
-        "is computed and not proven (docs/friction.md)",
+        "without bound as the disk sinks. That friction lets it sink, and come to rest in a finite "
+        "time, is computed and not proven (docs/friction.md)",
+        where=("the disk passes through these steady motions as it sinks",),
     ),
     Claim(
         "§11.4, [104, 105]",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...catalogue import CATALOGUE, from_catalogue
+from ...catalogue import from_catalogue
 from ...catalogue.ball_on_sphere import ball_on_sphere_equations as sphere
 from ...catalogue.chaplygin_ball.chaplygin_ball_angles import (
     ACROSS,
@@ -35,9 +35,10 @@ from ...core.vectors import (
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.catalogue_laws import law_named, laws_named
+from ..methods.catalogue_laws import laws_named
 from ..methods.derived_verdicts import conclusion_verdict, contrary
 from ..methods.tori import not_hamiltonian, of_rank_two
+from ..open_problems.findings import findings_of, measures_of_several_dimensions
 from ..section_07.section_07_3a import PRECESSION, SPIN, SPREAD
 
 M, omega = vectors("M omega")
@@ -185,13 +186,6 @@ def hamiltonian_near_tori() -> Verdict:
     )
 
 
-def several_dimensions() -> Case:
-    """The measures of both systems, by the theorems of the catalogue for every n."""
-    names = ("chaplygin-ball-nd", "veselova-nd")
-    systems = [CATALOGUE[name].system({"dimension": 4}) for name in names]
-    return tuple((system, law_named(system, "measure")) for system in systems)
-
-
 CLAIMS = (
     Claim(
         "§12, problem 1",
@@ -271,7 +265,7 @@ CLAIMS = (
     Claim(
         "§12, problem 3",
         "Invariant measures for the multidimensional Chaplygin and Veselova systems are found.",
-        several_dimensions,
+        measures_of_several_dimensions,
         note="for every operator of inertia; equations derived here",
         argument="for every n, by docs/n-dimensions.md; computed is n = 4",
     ),
@@ -293,22 +287,26 @@ REMARKS = (
         "§12, problem 2",
         "No conformally Hamiltonian representation is known of either system.",
         "a statement about what is not known",
+        findings=findings_of("2a", "lift"),
     ),
     Remark("Remark 25", "Explicit integration is a matter of tradition.", "a judgement"),
     Remark(
         "§12, after Remark 25",
         "It is open whether the Poisson structure can be lifted to the unreduced system.",
         "an open question",
+        findings=findings_of("lift"),
     ),
     Remark(
         "§12, problem 3",
         "Existence of a Poisson structure and integrability of the four-dimensional Chaplygin ball "
         "cannot be stated with assurance.",
         "a statement about what is not known",
+        findings=findings_of("3", "3, level"),
     ),
     Remark(
         "§12, problem 4",
         "Nothing is known of tensor invariants of a rolling body with a cavity filled with fluid.",
         "a statement about what is not known",
+        findings=findings_of("4"),
     ),
 )

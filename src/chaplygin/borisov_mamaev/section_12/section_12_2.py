@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..claim import Claim, Remark
+from ..open_problems.findings import findings_of
 
 CLAIMS: tuple[Claim, ...] = ()
 
@@ -36,6 +37,7 @@ REMARKS = (
         "of its tensor is the Chaplygin ball with another D, hence such a system: proven; for "
         "three different ones, and for the ball along a line, no such form is known here "
         "(docs/open-problems.md, 2a, 2b)",
+        findings=findings_of("2a"),
     ),
     Remark(
         "§12, problem 2",
@@ -43,6 +45,7 @@ REMARKS = (
         "successful.",
         "a statement about what is not known. For a ball bearing brackets of cotangent type on the "
         "unreduced system are refuted (docs/open-problems.md)",
+        findings=findings_of("lift"),
     ),
     Remark(
         "Remark 25, end",
@@ -64,6 +67,7 @@ REMARKS = (
         "theorem.",
         "literature and a programme; for rigid bodies of four dimensions no such form exists with "
         "the known integrals near certain levels (docs/open-problems.md, 3)",
+        findings=findings_of("3", "3, level"),
     ),
     Remark(
         "§12, problem 4",
