@@ -273,8 +273,7 @@ CLAIMS = (
     Claim(
         "§1.3, before (1.19)",
         r"the undetermined multiplier $\lambda_0=\lambda_0(\boldsymbol\omega,\boldsymbol\lambda)$ "
-        r"can "
-        "be found from the constraint equation (1.15)",
+        "can be found from the constraint equation (1.15)",
         not_of_reactions,
         spin_torque,
         r"$\lambda_0=\lambda_0(\boldsymbol\omega,\boldsymbol\gamma)$",

@@ -212,9 +212,8 @@ CLAIMS = (
         "system) can be obtained as particular cases of system (1.18)",
         from_unreduced,
         note=r"the ball with $\lambda_0 = 0$ and $\mathbf r = -a\boldsymbol\gamma$, the Veselova "
-        r"system "
-        r"with $\mathbf r = 0$. Of (1.18) with the λ₀ of (1.19), which keeps (ω, γ), the second "
-        "alone is a case, since the ball may spin",
+        r"system with $\mathbf r = 0$. Of (1.18) with the λ₀ of (1.19), which keeps (ω, γ), the "
+        "second alone is a case, since the ball may spin",
         erratum="(1.18) is printed for (1.17), which the next sentences name",
     ),
     Claim(

@@ -280,10 +280,9 @@ CLAIMS = (
     Claim(
         "Theorem 4",
         "Suppose that in a neighborhood of a torus, the common level surface of the first "
-        "integrals, "
-        "there are angular coordinates such that the vector field takes the form "
+        "integrals, there are angular coordinates such that the vector field takes the form "
         r"$\dot\theta_1 = \omega_1(\mathbf{F})$, $\dot\theta_i = \zeta_i(\theta_1, \mathbf{F})$ "
-        r"(4.1). Then there exists a differentiable (analytic) change of variables that reduces "
+        "(4.1). Then there exists a differentiable (analytic) change of variables that reduces "
         r"the system (4.1) to the form $\dot\theta_i = \omega_i(\mathbf{F})$ (4.2)",
         theorem_4_printed,
         theorem_4_corrected,

@@ -271,8 +271,7 @@ CLAIMS = (
     Claim(
         "§6.3, any α, β",
         r"With arbitrary $\alpha$, $\beta$, this Hamiltonian corresponds to the general Clebsch "
-        r"case "
-        "in the Kirchhoff equations.",
+        "case in the Kirchhoff equations.",
         clebsch_case,
         note="with the Hamiltonian put right; decided by Clebsch's condition "
         "Σ (C₂ − C₃)/A₁ = 0 for H = ½(M, AM) + ½(Γ, CΓ)",

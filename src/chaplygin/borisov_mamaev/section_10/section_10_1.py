@@ -58,7 +58,7 @@ def contact_rate(vector: MatrixExpr) -> Case:
     return marble(), Identity("rate", R_RATE - cross(r + vector, omega), "rate of the contact")
 
 
-def invariants() -> Case:
+def invariants() -> tuple[tuple[System, Integral], ...]:
     """(10.2)."""
     system = marble()
     return (
@@ -186,7 +186,7 @@ CLAIMS = (
         "One of the trajectories from the problem of motion of an unbalanced ball on a plane. It "
         "is seen that all the points lie on the same surface.",
         surface,
-        note="with $\\gamma^2 = 1$, $H$ and $F_2$ fixed three dimensions are left, and two on a "
+        note="with $\\gamma^2 = 1$, $H$ and $F_2$ fixed three variables are left, and two on a "
         "section",
     ),
     Claim(

@@ -89,8 +89,8 @@ CLAIMS = (
     Claim(
         "§11.3, end of the paragraph after Remark 24",
         "Simulations show that in the case of fast rotations the Contensou–Erismann frictional "
-        "force is proportional to "
-        "the sliding velocity and is therefore practically the same as viscous friction.",
+        "force is proportional to the sliding velocity and is therefore practically the same as "
+        "viscous friction.",
         proportional_when_spinning_fast,
         note="read as the first order in $v/(\\omega a)$; the paper draws it from simulations",
         where=("the pressure is that of Hertz on a disk of radius a",),

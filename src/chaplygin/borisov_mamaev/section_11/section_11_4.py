@@ -75,12 +75,10 @@ CLAIMS = (
         "characterized by oscillations and a whirring sound of rapidly increasing frequency.",
         whirling,
         note="read as: at every inclination α the disk has a steady motion with its centre at "
-        "rest, "
-        "in which the point of contact runs round at the rate Ω, $\\Omega^2 = mgR/(I_1 "
-        "\\sin\\alpha)$, "
-        "which for a homogeneous disk is $4g/(R \\sin\\alpha)$: it grows without bound as the disk "
-        "sinks. That friction lets it sink, and come to rest in a finite time, is computed and not "
-        "proven (docs/friction.md)",
+        "rest, in which the point of contact runs round at the rate Ω, $\\Omega^2 = mgR/(I_1 "
+        "\\sin\\alpha)$, which is $4g/(R \\sin\\alpha)$ if the mass is spread evenly: it grows "
+        "without bound as the disk sinks. That friction lets it sink, and come to rest in a finite "
+        "time, is computed and not proven (docs/friction.md)",
         where=("the disk passes through the steady motions of the note as it sinks",),
     ),
     Claim(

@@ -211,8 +211,7 @@ CLAIMS = (
     Claim(
         "§12, problem 1, zero area",
         "Kozlov's problem was explicitly solved only in the special case when the integral of "
-        "areas "
-        "is zero and therefore these linear summands vanish.",
+        "areas is zero and therefore these linear summands vanish.",
         without_area,
         note="decided is that they vanish in this case, in the Bruns field and without it; that "
         "only this case was solved is a statement about the literature, [106]. Here, too, the "
