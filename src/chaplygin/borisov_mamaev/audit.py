@@ -185,7 +185,7 @@ def audit(
     >>> import chaplygin as ch
     >>> judgements, left = ch.audit(section=11, workers=1)
     >>> sorted({judgement.printed.decision for judgement in judgements}), left
-    (['proven', 'refuted'], 0)
+    (['proven', 'proven where', 'refuted'], 0)
     """
     if workers is not None and workers < 1:
         raise InputError(f"workers = {workers}: there must be one at least")

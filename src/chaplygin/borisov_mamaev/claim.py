@@ -118,6 +118,12 @@ class Finding:
         As the page quotes it; the audit computes it anew.
     decide : callable
         The laws that decide it, or the verdict.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> {f.key for remark in ch.borisov_mamaev.remarks(12) for f in remark.findings} >= {"lift"}
+    True
     """
 
     key: str
