@@ -38,7 +38,7 @@ from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim, polynomial_problems
 from .level.positivity_conditions import positive_formulas, sign_determining_bases
 from .level.sample_points import moderate_number, number_near_default
-from .random_test import Trial, point_of_reversed_time, trials
+from .random_test import Trial, has_no_volume, point_of_reversed_time, trials
 from .rank import DIMENSION
 from .remarks import remark
 from .symbolic_proof import Proof, proof
@@ -51,6 +51,13 @@ FURTHER = (number_near_default,) * 6 + (moderate_number,) * 40
 
 NOTHING = Proof(0)
 NOWHERE = "no point was found at which the density is real"
+NO_VOLUME = (
+    "the conditions of the level cut out no volume: their gradients depend on each other at every "
+    "point tried"
+)
+
+
+NOT_CONFIRMED = "fails at a point tried, which the check of certificates does not confirm"
 
 
 @dataclass(frozen=True)
@@ -123,9 +130,11 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
         return _refutation(law, failed[0], parts)
     open_parts = [part for part in parts if part.proof.failure]
     proven = [part for part in parts if part.proof.residuals and not part.proof.failure]
-    nowhere = all(part.proof.failure == NOWHERE for part in open_parts)
+    nowhere = all(part.proof.failure in (NOWHERE, NO_VOLUME) for part in open_parts)
     if not nowhere and (not proven or any(not part.defining_factors for part in open_parts)):
         return Verdict(law.name, "undecided", reason=open_parts[0].proof.failure)
+    if not proven and any(part.proof.failure == NO_VOLUME for part in open_parts):
+        raise InputError(f"{system.name}: the law {law.name!r} is no measure: {NO_VOLUME}")
     if not proven:
         raise InputError(
             f"{system.name}: the law {law.name!r} divides by zero, or takes a root of a "
@@ -215,6 +224,7 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
     law = claim.law
     sample: dict[str, float] | None = None
     first: Trial | None = None
+    contested = ""
     # a rank is that at almost all points, not the one where an initial vanishes
     attained = level.parent is not None
     for trial in trials(law, points):
@@ -222,6 +232,7 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
             refuted = checker.refutation(claim, points, trial)
             if refuted is not None:
                 return refuted
+            contested = f"{trial.witness[0]} {NOT_CONFIRMED}"
             continue
         if trial.lack is not None and trial.lack[0] == DIMENSION:
             failed = replace(trial, witness=trial.lack)
@@ -235,6 +246,8 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
             refuted = checker.refutation(claim, points, last)
             if refuted is not None:
                 return refuted
+        if isinstance(law, Measure) and has_no_volume(points):
+            return _Part((), Proof(0, failure=NO_VOLUME))
         if isinstance(law, Measure) and positive_formulas(law, level):
             return _Part((), Proof(0, failure=NOWHERE))
     outcome = proof(law, level, sample, budget, attained)
@@ -246,6 +259,8 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
             refuted = trial.witness and checker.refutation(claim, points, trial)
             if refuted:
                 return refuted
+    if contested and not outcome.failure:
+        outcome = replace(outcome, failure=contested)
     return _Part((), outcome, needs=_needs(law, level), remark=_remark(law, level, first))
 
 

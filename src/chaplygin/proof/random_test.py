@@ -18,7 +18,13 @@ from .level.level_set import Draw, LevelSet
 from .level.positivity_conditions import unmet_conditions
 from .level.sample_points import moderate_number, number_near_default, number_of_any_magnitude
 from .rank import rank_defect
-from .residuals import Residuals, condition_rates, in_words, residuals
+from .residuals import (
+    Residuals,
+    condition_rates,
+    conditions_are_independent,
+    in_words,
+    residuals,
+)
 
 ATTEMPTS = 400
 """Points looked at, for one inside the domain at which the law is defined."""
@@ -97,6 +103,20 @@ def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:
     return _first(trial_at, level, random.Random(SEED), number_near_default)
 
 
+def has_no_volume(level: LevelSet) -> bool:
+    """Whether there are points on a level, and its conditions are dependent at all points tried."""
+    found = []
+
+    def independent_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
+        found.append(values)
+        if not conditions_are_independent(level, field):
+            raise ZeroDivisionError
+        return Trial(field, values)
+
+    first = _first(independent_at, level, random.Random(SEED), number_near_default)
+    return first is None and bool(found)
+
+
 def _first(
     compute: Callable[[Rationals | Balls, Mapping[str, fmpq | arb]], Trial],
     level: LevelSet,
@@ -125,6 +145,8 @@ def _trial_at(
 ) -> Trial:
     if isinstance(law, Isomorphism | Measure) and unmet_conditions(law, level, field):
         # the law makes no sense here
+        raise ZeroDivisionError
+    if isinstance(law, Measure) and not conditions_are_independent(level, field):
         raise ZeroDivisionError
     for name, residual in all_residuals(law, level, field):
         if not field.vanishes(residual):

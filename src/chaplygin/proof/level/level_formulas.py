@@ -165,6 +165,18 @@ class LevelFormulas:
         return tuple(c for c in expanded if c.free_symbols & state)
 
     @cached_property
+    def stated(self) -> tuple[sp.Expr, ...]:
+        """The relations and the level as they are written, where they involve the state.
+
+        The volume that they cut out is that of these formulas, not of the equations of a
+        component: by g F = 0 it is 1/|g| times that by F = 0.
+        """
+        state = set(self.system.symbols)
+        written = (to_components(c) for c in (*self.system.relations, *self.on))
+        expanded = (self.expand(c) for c in written)
+        return tuple(c for c in expanded if c.free_symbols & state)
+
+    @cached_property
     def zeros(self) -> tuple[sp.Expr, ...]:
         """Values of unspecified functions that the conditions say are zero."""
         return tuple(c for c in self.conditions if isinstance(c, AppliedUndef))
