@@ -38,6 +38,7 @@ from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim, polynomial_problems
 from .level.positivity_conditions import positive_formulas, sign_determining_bases
 from .level.sample_points import moderate_number, number_near_default
+from .level.target_conditions import open_conditions
 from .random_test import Trial, has_no_volume, point_of_reversed_time, trials
 from .rank import DIMENSION
 from .remarks import remark
@@ -265,10 +266,16 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
 
 
 def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:
-    """Time must run forward: rates of time not known to be positive, in words and as formulas."""
-    if not isinstance(law, Isomorphism) or level.sign(to_components(law.time)) is Sign.POSITIVE:
+    """What an isomorphism needs and what is not known to hold, in words and as formulas.
+
+    Time must run forward, and the parameters of the target must be admissible.
+    """
+    if not isinstance(law, Isomorphism):
         return ()
-    return tuple(
+    admissible = tuple((text(c), str(c)) for c in open_conditions(law, level))
+    if level.sign(to_components(law.time)) is Sign.POSITIVE:
+        return admissible
+    return admissible + tuple(
         (f"{what} > 0", f"{formula} > 0")
         for what, formula in positive_formulas(law, level)
         if level.sign(formula) is not Sign.POSITIVE

@@ -16,6 +16,7 @@ from ..formulas.number_fields import Balls, Rationals
 from .fields.field import Field, FieldElement
 from .level.level_set import Draw, LevelSet
 from .level.positivity_conditions import unmet_conditions
+from .level.target_conditions import is_admissible_target
 from .level.sample_points import moderate_number, number_near_default, number_of_any_magnitude
 from .rank import rank_defect
 from .residuals import (
@@ -145,6 +146,8 @@ def _trial_at(
 ) -> Trial:
     if isinstance(law, Isomorphism | Measure) and unmet_conditions(law, level, field):
         # the law makes no sense here
+        raise ZeroDivisionError
+    if not is_admissible_target(law, level, field):
         raise ZeroDivisionError
     if isinstance(law, Measure) and not conditions_are_independent(level, field):
         raise ZeroDivisionError

@@ -25,7 +25,7 @@ from ..claim_text import Text, claim_text
 from ..fields.budget import EFFORT, Budget
 from ..fields.quotient_ring import Poly
 from ..fields.unreduced_fields import UnreducedField, UnreducedFormal
-from ..level.alternatives import alternatives
+from ..level.alternatives import alternatives, ranges_of_parameters
 from ..level.level_set import LevelSet
 from ..level.polynomial_problems import polynomial_problems
 from ..prover import prove, theorem_of
@@ -74,6 +74,17 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
     verdict = prove(system, law, effort=effort)
     if verdict.decision == "undecided":
         return verdict
+    ranges = ranges_of_parameters(system)
+    if len(ranges) > 1:
+        parts = [prove_with_certificate(each, law, effort) for each in ranges]
+        if verdict.decision == "refuted":
+            failed = next((p for p in parts if p.decision == "refuted"), verdict)
+            return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
+        return replace(
+            verdict,
+            no_certificate=f"each of the {len(ranges)} ranges of its parameters has its own",
+            identities=tuple(p.certificate for p in parts if p.certificate is not None),
+        )
     theorem = theorem_of(system, law)
     try:
         own = effort if theorem is None else effort // BESIDE_THEOREM

@@ -1,7 +1,9 @@
-"""Conditions with functions that are products: one alternative for each factor.
+"""Alternatives of a law: ranges of its parameters, and factors of conditions with functions.
 
-A condition such as y sin x = 0 or f(x) y = 0 says that one of its factors vanishes.  Conditions
-that are polynomials are decomposed exactly, see :mod:`chaplygin.proof.level.components`.
+What is asked of parameters may leave them several ranges, such as a < −1 or a > 1: a law holds if
+it holds in each.  A condition such as y sin x = 0 or f(x) y = 0 says that one of its factors
+vanishes.  Conditions that are polynomials are decomposed exactly, see
+:mod:`chaplygin.proof.level.components`.
 """
 
 from __future__ import annotations
@@ -38,8 +40,34 @@ class Alternative:
     defining_factors: tuple[sp.Expr, ...] = ()
 
 
+def ranges_of_parameters(system: System) -> tuple[System, ...]:
+    """The system with parameters in each of the ranges that are admissible.
+
+    Together the ranges are all that is admissible; in each, only conjunctions are asked.
+    """
+    asked = [sp.sympify(c) for p in system.parameters for c in p.admissible]
+    if not any(condition.has(sp.Or, sp.Not, sp.Xor) for condition in asked):
+        return (system,)
+    first, *others = system.parameters
+    return tuple(
+        replace(
+            system,
+            parameters=(
+                replace(first, admissible=sp.And.make_args(each)),
+                *(replace(other, admissible=()) for other in others),
+            ),
+        )
+        for each in sp.Or.make_args(sp.to_dnf(sp.And(*asked), simplify=False))
+    )
+
+
 def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
-    """The parts of the level of a law that its conditions with functions distinguish."""
+    """The parts of the domain and of the level of a law that are decided one by one."""
+    parts = [_of_factors(each, law) for each in ranges_of_parameters(system)]
+    return tuple(alternative for part in parts for alternative in part)
+
+
+def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
     conditions = [to_components(c) for c in (*system.relations, *law.on)]
     factors = [_factors(condition) for condition in conditions]
     if all(len(choices) == 1 for choices in factors):
