@@ -5,7 +5,9 @@ from __future__ import annotations
 import contextlib
 import math
 import time
+from collections.abc import Callable
 from dataclasses import fields, replace
+from functools import partial
 from typing import overload
 
 import sympy as sp
@@ -51,7 +53,8 @@ def prove(
     Raises
     ------
     InputError
-        If a law uses an unknown symbol, or its level is empty or annuls a denominator.
+        If the law uses an unknown symbol, its level is empty, or it is defined nowhere on it.  Of
+        all laws of a system, one of that kind is "refused", and the others are judged.
 
     Examples
     --------
@@ -64,7 +67,9 @@ def prove(
     """
     checked_effort(effort)
     if law is None:
-        return tuple(prove(system, each, effort=effort) for each in system.laws)
+        return tuple(
+            judgement_of(each, partial(prove, system, each, effort=effort)) for each in system.laws
+        )
     if isinstance(law, str):
         law = _by_name(system, law)
     _check_defaults(system)
@@ -93,6 +98,21 @@ def prove(
     verdict = replace(verdict, effort=budget.used, seconds=time.monotonic() - started)
     store_verdict(name, verdict, effort)
     return verdict
+
+
+def judgement_of(law: Law, judge: Callable[[], Verdict]) -> Verdict:
+    """The verdict on one law among several: one that states nothing is refused by itself.
+
+    Parameters
+    ----------
+    law : Law
+    judge : callable
+        Proves or refutes it.
+    """
+    try:
+        return judge()
+    except InputError as problem:
+        return Verdict(law.name, "refused", reason=str(problem))
 
 
 def theorem_of(system: System, law: Law) -> Theorem | None:

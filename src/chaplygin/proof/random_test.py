@@ -16,8 +16,8 @@ from ..formulas.number_fields import Balls, Rationals
 from .fields.field import Field, FieldElement
 from .level.level_set import Draw, LevelSet
 from .level.positivity_conditions import unmet_conditions
-from .level.target_conditions import is_admissible_target
 from .level.sample_points import moderate_number, number_near_default, number_of_any_magnitude
+from .level.target_conditions import is_admissible_target
 from .rank import rank_defect
 from .residuals import (
     Residuals,
@@ -104,17 +104,17 @@ def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:
     return _first(trial_at, level, random.Random(SEED), number_near_default)
 
 
-def has_no_volume(level: LevelSet) -> bool:
-    """Whether there are points on a level, and its conditions are dependent at all points tried."""
+def is_nowhere(level: LevelSet, holds: Callable[[LevelSet, Field], bool]) -> bool:
+    """Whether there are points on a level, and something holds at none of those tried."""
     found = []
 
-    def independent_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
+    def trial_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
         found.append(values)
-        if not conditions_are_independent(level, field):
+        if not holds(level, field):
             raise ZeroDivisionError
         return Trial(field, values)
 
-    first = _first(independent_at, level, random.Random(SEED), number_near_default)
+    first = _first(trial_at, level, random.Random(SEED), number_near_default)
     return first is None and bool(found)
 
 

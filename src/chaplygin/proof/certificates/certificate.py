@@ -82,8 +82,9 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
             return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
         return replace(
             verdict,
-            no_certificate=f"each of the {len(ranges)} ranges of its parameters has its own",
+            no_certificate="; ".join(p.no_certificate for p in parts if p.no_certificate),
             identities=tuple(p.certificate for p in parts if p.certificate is not None),
+            in_ranges=True,
         )
     theorem = theorem_of(system, law)
     try:

@@ -10,17 +10,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import product
+from itertools import islice, product
 
 import sympy as sp
 
 from ...core.laws import Law, Measure
-from ...core.system import System
+from ...core.system import Parameter, System
 from ...core.vectors import to_components
 from ...formulas.errors import OutOfReachError
 
 MOST = 32
 """Alternatives that are followed."""
+_SIMPLE = tuple(sp.Rational(s * n, 2) for n in (2, 4, 6, 1, 8, 20, 0, 200) for s in (1, -1))
+"""Numbers that are tried as defaults."""
 
 
 @dataclass(frozen=True)
@@ -48,17 +50,29 @@ def ranges_of_parameters(system: System) -> tuple[System, ...]:
     asked = [sp.sympify(c) for p in system.parameters for c in p.admissible]
     if not any(condition.has(sp.Or, sp.Not, sp.Xor) for condition in asked):
         return (system,)
-    first, *others = system.parameters
-    return tuple(
-        replace(
-            system,
-            parameters=(
-                replace(first, admissible=sp.And.make_args(each)),
-                *(replace(other, admissible=()) for other in others),
-            ),
-        )
-        for each in sp.Or.make_args(sp.to_dnf(sp.And(*asked), simplify=False))
+    ranges = sp.Or.make_args(sp.to_dnf(sp.And(*asked), simplify=False))
+    return tuple(replace(system, parameters=_within(system.parameters, each)) for each in ranges)
+
+
+def _within(parameters: tuple[Parameter, ...], range_: sp.Basic) -> tuple[Parameter, ...]:
+    """The parameters with a conjunction of conditions, and with defaults that meet it.
+
+    A default that does not is replaced by a simple number; where none of a few does it stays.
+    """
+    asked = sp.And.make_args(range_)
+    defaults = {p.symbol: sp.Rational(repr(float(p.default))) for p in parameters}
+    wrong = sorted(
+        {s for c in asked if c.xreplace(defaults) != sp.true for s in c.free_symbols}, key=str
     )
+    for values in islice(product(_SIMPLE, repeat=len(wrong)), len(_SIMPLE) ** 2):
+        tried = {**defaults, **dict(zip(wrong, values, strict=True))}
+        if all(c.xreplace(tried) == sp.true for c in asked):
+            defaults = tried
+            break
+    first, *others = (
+        replace(p, default=float(defaults[p.symbol]), admissible=()) for p in parameters
+    )
+    return (replace(first, admissible=asked), *others)
 
 
 def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
@@ -74,7 +88,7 @@ def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
         return (Alternative(system, law),)
     split = len(system.relations)
     parts = []
-    for choice in _first(product(*factors)):
+    for choice in _few(product(*factors)):
         there = replace(law, on=choice[split:], as_printed=None)
         if isinstance(there, Measure):
             there = _among(there, conditions, choice)
@@ -98,7 +112,7 @@ def _among(law: Measure, conditions: list[sp.Expr], choice: tuple[sp.Expr, ...])
     return replace(law, density=(*law.density, *more))
 
 
-def _first(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ...]]:
+def _few(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ...]]:
     for number, choice in enumerate(choices):
         if number == MOST:
             raise OutOfReachError(f"the level falls into more than {MOST} parts")
