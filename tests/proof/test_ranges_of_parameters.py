@@ -79,9 +79,7 @@ def test_parameters_of_a_target_are_admissible():
 
 
 def test_a_target_that_does_not_exist():
-    with pytest.raises(
-        InputError, match=r"nothing: the parameters that it gives its target"
-    ):
+    with pytest.raises(InputError, match=r"nothing: the parameters that it gives its target"):
         prove(*onto(-1 - b**2))
 
 

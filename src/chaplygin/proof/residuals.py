@@ -144,7 +144,7 @@ def _transverse(
     """
     symbols = level.system.symbols
     normals, drifts = [], []
-    for condition in level.stated:
+    for condition in level.volume_conditions:
         slopes = [partial(sp.diff(condition, s)) for s in symbols]
         drift = Jet(field.zero, {})
         for slope, rate in zip(slopes, rates, strict=True):
@@ -167,7 +167,7 @@ def conditions_are_independent(level: LevelSet, field: Field) -> bool:
     partial = level.partial(field)
     normals = [
         [partial(sp.diff(condition, s)).value for s in level.system.symbols]
-        for condition in level.stated
+        for condition in level.volume_conditions
     ]
     gram = [[_product(field, a, b) for b in normals] for a in normals]
     try:

@@ -165,7 +165,7 @@ class LevelFormulas:
         return tuple(c for c in expanded if c.free_symbols & state)
 
     @cached_property
-    def stated(self) -> tuple[sp.Expr, ...]:
+    def volume_conditions(self) -> tuple[sp.Expr, ...]:
         """The relations and the level as they are written, where they involve the state.
 
         The volume that they cut out is that of these formulas, not of the equations of a
