@@ -97,6 +97,8 @@ def test_every_function_of_one_argument(name: str) -> None:
         ("exp(log(7)*1e60)", "this exponent is too large", 0),
         ("1e5000", "the power of ten of this number is too large", 0),
         ("x + (9**100)**100", "this number is too large", 4),
+        ("1/(sin(1)**2 + cos(1)**2 - 1)", "division by zero", 3),
+        ("x/(sqrt(2)*sqrt(3) - sqrt(6))", "division by zero", 3),
         ("sin(exp(exp(100)))", "this number is larger than 1e+100", 4),
         ("", "the formula is empty", 0),
         (" \n", "the formula is empty", 0),
@@ -122,6 +124,8 @@ def test_points_at_the_mistake(text: str, message: str, caret: int) -> None:
         ("-" * 100 + "x", "nested too deeply"),
         ("x" + "**x" * 3000, "nested too deeply"),
         ("1" * 2000, "more than 300 digits"),
+        ("+".join(["x"] * 5000), "more than 2000 terms and factors in a row"),
+        ("x*(" + "*".join(["x"] * 2500) + ")", "more than 2000 terms and factors in a row"),
     ],
 )
 def test_size_is_bounded(text: str, message: str) -> None:
@@ -232,3 +236,7 @@ def test_letters_as_on_paper(text: str, code: str) -> None:
 def test_an_unknown_letter_is_told_as_it_is_written_in_code() -> None:
     with pytest.raises(InputError, match="unknown name 'gamma_4', did you mean 'gamma_3'"):
         parse("γ₄", {"gamma_3": sympy.Symbol("gamma_3")})
+
+
+def test_a_sum_of_many_terms_is_read() -> None:
+    assert parse("+".join(["x"] * 1900), NAMES) == 1900 * NAMES["x"]

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from ..errors import InputError, nearest
-from .grammar import FUNCTIONS, MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, PRODUCTS
+from .grammar import FUNCTIONS, MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, MAX_TERMS, PRODUCTS
 
 _TOKEN = re.compile(
     r"(?P<space>\s+)"
@@ -96,6 +96,7 @@ def syntax_tree(source: Source) -> ast.expr:
     tokens = _tokens(source)
     _check_words(source, tokens)
     _check_parentheses(source, tokens)
+    _check_terms(source, tokens)
     line = re.sub(r"\s", " ", source.text, flags=re.ASCII).rstrip()
     try:
         return ast.parse(f"({line})", mode="eval").body
@@ -159,12 +160,37 @@ def _check_parentheses(source: Source, tokens: Sequence[_Token]) -> None:
         raise source.error(f"this {_SHAPE[last.word]} is never closed", last.position)
 
 
+def _check_terms(source: Source, tokens: Sequence[_Token]) -> None:
+    """Refuse sums and products longer than Python's own parser can read."""
+    operators = [0]
+    previous = ""
+    for token in tokens:
+        if token.word in _SHAPE:
+            operators.append(0)
+        elif token.word in _CLOSING:
+            operators.pop()
+        elif token.word == ",":
+            operators[-1] = 0
+        elif token.word in "+-*/" and _ends_value(previous):
+            operators[-1] += 1
+            if operators[-1] >= MAX_TERMS:
+                raise source.error(
+                    f"more than {MAX_TERMS} terms and factors in a row; put parts of them in "
+                    "parentheses, or define them by names",
+                    token.position,
+                )
+        previous = token.word
+
+
+def _ends_value(word: str) -> bool:
+    return word != "" and (word[-1].isalnum() or word[-1] in "_).]")
+
+
 def _value_meets_value(source: Source, previous: str, word: str) -> bool:
     """Whether two values follow each other without an operator: ``2x``, ``x (y + 1)``."""
     if word == "(" and (previous in FUNCTIONS or (source.brackets and previous in PRODUCTS)):
         return False
-    ends_value = previous != "" and (previous[-1].isalnum() or previous[-1] in "_).]")
-    return ends_value and (word[0].isalnum() or word[0] in "_(.[")
+    return _ends_value(previous) and (word[0].isalnum() or word[0] in "_(.[")
 
 
 def chain(node: ast.BinOp, operators: tuple[type, ...]) -> list[tuple[ast.operator, ast.expr]]:
