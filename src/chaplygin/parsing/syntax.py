@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from ..errors import InputError, nearest
-from .grammar import FUNCTIONS, MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, MAX_TERMS, PRODUCTS
+from .grammar import FUNCTIONS, MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, PRODUCTS
 
 _TOKEN = re.compile(
     r"(?P<space>\s+)"
@@ -33,6 +33,8 @@ _SHAPE = MappingProxyType({"(": "parenthesis", "[": "bracket"})
 _EXCERPT = 72
 
 TOO_DEEP = "the formula is nested too deeply"
+LONG_SUM = 500
+"""Terms that Python's own parser can read in any place."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +98,6 @@ def syntax_tree(source: Source) -> ast.expr:
     tokens = _tokens(source)
     _check_words(source, tokens)
     _check_parentheses(source, tokens)
-    _check_terms(source, tokens)
     line = re.sub(r"\s", " ", source.text, flags=re.ASCII).rstrip()
     try:
         return ast.parse(f"({line})", mode="eval").body
@@ -105,7 +106,7 @@ def syntax_tree(source: Source) -> ast.expr:
         message = "the formula cannot be read from here on"
         raise source.error(message, min(max(position, 0), len(line))) from None
     except (RecursionError, MemoryError):
-        raise source.error(TOO_DEEP, 0) from None
+        return _long_sum(source, line, tokens)
 
 
 def _tokens(source: Source) -> list[_Token]:
@@ -160,26 +161,43 @@ def _check_parentheses(source: Source, tokens: Sequence[_Token]) -> None:
         raise source.error(f"this {_SHAPE[last.word]} is never closed", last.position)
 
 
-def _check_terms(source: Source, tokens: Sequence[_Token]) -> None:
-    """Refuse sums and products longer than Python's own parser can read."""
-    operators = [0]
-    previous = ""
+def _terms(tokens: Sequence[_Token]) -> list[tuple[str, int, int]]:
+    """The terms of a sum: the operator before each (empty at first), where it begins and ends."""
+    terms: list[tuple[str, int, int]] = []
+    depth, operator, begin, previous = 0, "", 0, ""
     for token in tokens:
-        if token.word in _SHAPE:
-            operators.append(0)
-        elif token.word in _CLOSING:
-            operators.pop()
-        elif token.word == ",":
-            operators[-1] = 0
-        elif token.word in "+-*/" and _ends_value(previous):
-            operators[-1] += 1
-            if operators[-1] >= MAX_TERMS:
-                raise source.error(
-                    f"more than {MAX_TERMS} terms and factors in a row; put parts of them in "
-                    "parentheses, or define them by names",
-                    token.position,
-                )
+        depth += (token.word in _SHAPE) - (token.word in _CLOSING)
+        if depth == 0 and token.word in ("+", "-") and _ends_value(previous):
+            terms.append((operator, begin, token.position))
+            operator, begin = token.word, token.position + 1
         previous = token.word
+    last = tokens[-1]
+    return [*terms, (operator, begin, last.position + len(last.word))]
+
+
+def _long_sum(source: Source, line: str, tokens: Sequence[_Token]) -> ast.expr:
+    """The tree of a sum of so many terms that Python's parser gives up; each is read by itself."""
+    terms = _terms(tokens)
+    if len(terms) < LONG_SUM:
+        raise source.error(TOO_DEEP, 0)
+    whole: ast.expr | None = None
+    for operator, begin, end in terms:
+        try:
+            term = ast.parse(f"({line[begin:end]})", mode="eval").body
+        except (RecursionError, MemoryError):
+            raise source.error(TOO_DEEP, begin) from None
+        for node in ast.walk(term):
+            if isinstance(node, ast.expr):
+                node.col_offset += begin
+                node.end_col_offset = (node.end_col_offset or 0) + begin
+        if whole is None:
+            whole = term
+        else:
+            sign = ast.Add() if operator == "+" else ast.Sub()
+            place = {"lineno": 1, "col_offset": whole.col_offset}
+            whole = ast.BinOp(whole, sign, term, **place, end_col_offset=term.end_col_offset)
+    assert whole is not None
+    return whole
 
 
 def _ends_value(word: str) -> bool:
