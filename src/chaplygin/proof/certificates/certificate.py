@@ -28,9 +28,10 @@ from ..fields.unreduced_fields import UnreducedField, UnreducedFormal
 from ..level.alternatives import alternatives
 from ..level.level_set import LevelSet
 from ..level.polynomial_problems import polynomial_problems
-from ..prover import prove, theorem_of
+from ..prover import prove
 from ..random_test import trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
+from ..theorems import identities_of, theorem_of
 from ..verdict import Verdict
 from ..witness_points import witness_point
 from .identities import ExclusionOf, proof_text
@@ -89,7 +90,7 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         return verdict
     parts = [
         prove_with_certificate(whole, identity, effort).certificate
-        for whole in theorem.identities()
+        for whole in identities_of(theorem, system, law)
         for identity in whole.laws
     ]
     return replace(verdict, identities=tuple(p for p in parts if p is not None))
