@@ -6,14 +6,16 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
+from ..check import CheckError
 from ..check.claim.claim import read_claim
-from ..check.claim.domain import Domain, domain
+from ..check.claim.power import IDENTITIES as IDENTITIES, claims_of_identities
+from ..core.formula_text import short_text
 from ..core.laws import Identity, Integral, Law, Rate
 from ..core.named_formulas import needed_steps
 from ..core.power_theorem import PowerTheorem
 from ..core.system import System, Theorem
 from ..core.vectors import real_symbol, to_components
-from .claim_text import claim_text
+from .claim_text import Text, claim_text
 
 
 def theorem_of(system: System, law: Law) -> Theorem | None:
@@ -37,12 +39,12 @@ def identities_of(theorem: Theorem, system: System, law: Law) -> tuple[System, .
         return theorem.identities()
     if not isinstance(law, Integral) or not _applies(theorem, system, law):
         return ()
-    wholes = (power_identity(theorem, system, law), solution_identity(theorem, system))
-    own = _divisors([domain(read_claim(claim_text(system, law), "the claim"), {})])
-    theirs = (
-        domain(read_claim(claim_text(whole, whole.laws[0]), "an identity"), {}) for whole in wholes
-    )
-    return wholes if _divisors(theirs) <= own else ()
+    stated = claim_text(system, law)
+    try:
+        claims_of_identities(stated, read_claim(stated, "the claim"), rates_text(theorem, system))
+    except CheckError:
+        return ()
+    return power_identity(theorem, system, law), solution_identity(theorem, system)
 
 
 def _applies(theorem: PowerTheorem, system: System, law: Law) -> bool:
@@ -56,14 +58,33 @@ def _applies(theorem: PowerTheorem, system: System, law: Law) -> bool:
     )
 
 
-def _divisors(domains: Iterable[Domain]) -> set[object]:
-    """What must not vanish, and what must be positive, for formulas to have values."""
-    found: set[object] = set()
-    for one in domains:
-        # a product does not vanish where its factors do not, which are listed, too
-        found |= {(side, f) for side, f in one.nonzero if f.kind not in ("product", "power")}
-        found |= {*one.positive, *one.logarithms}
-    return found
+def rates_text(theorem: PowerTheorem, system: System) -> Text:
+    """The linear equations of the rates as the text of a certificate."""
+    relations = [to_components(c) for c in system.relations]
+    known = {*system.symbols, *system.defaults}
+    known |= {s for s, _ in (*system.scalar_definitions, *theorem.definitions)}
+    return {
+        "velocities": [str(s) for s in theorem.velocities],
+        "accelerations": [str(s) for s in accelerations(theorem, known)],
+        "mass": [_texts(row) for row in theorem.mass],
+        "force": _texts(theorem.force),
+        "slopes": [_texts(row) for row in theorem.slopes],
+        "drift": _texts(theorem.drift),
+        "multipliers": _texts(theorem.multipliers),
+        "constraints": [relations.index(f) for f in theorem.constraints],
+        "degrees": [int(degree) for degree in theorem.degrees],
+        "positions": [
+            [relations.index(f), relations.index(rate) if rate else None]
+            for f, rate in theorem.positions
+            if f in relations
+        ],
+        "definitions": [[str(s), short_text(f)] for s, f in theorem.definitions],
+        "held": [str(s) for s in theorem.held],
+    }
+
+
+def _texts(formulas: Iterable[sp.Expr]) -> list[str]:
+    return [short_text(f) for f in formulas]
 
 
 def accelerations(theorem: PowerTheorem, taken: Iterable[sp.Symbol]) -> tuple[sp.Symbol, ...]:
@@ -97,7 +118,8 @@ def power_identity(theorem: PowerTheorem, system: System, law: Integral) -> Syst
         values += [_product(row, u) - degree * f, Rate(f) - _product(row, a) + drift]
     here = {to_components(c) for c in system.relations}
     values += [Rate(relation) - rate for relation, rate in theorem.positions if relation in here]
-    places = _unknown(values, definitions, {*known, *a})
+    data = [*_entries(theorem), *values]
+    places = _unknown(data, definitions, {*known, *a})
     rates = dict(zip(system.symbols, system.rates, strict=True)) | dict(zip(u, a, strict=True))
     return System(
         name=f"{system.name}-power",
@@ -130,10 +152,11 @@ def solution_identity(theorem: PowerTheorem, system: System) -> System:
         _product(row, own) - drift
         for row, drift in zip(theorem.slopes, theorem.drift, strict=True)
     ]
-    needed = needed_steps(definitions, values)
+    data = [*_entries(theorem), *theorem.multipliers, *own]
+    needed = needed_steps(definitions, data)
     parameters = {p.symbol for p in system.parameters}
     known = parameters | {s for s, _ in needed}
-    free = _unknown(values, needed, known)
+    free = _unknown(data, needed, known)
     return System(
         name=f"{system.name}-solution",
         title="The linear equations of the accelerations, solved",
@@ -143,6 +166,12 @@ def solution_identity(theorem: PowerTheorem, system: System) -> System:
         definitions=needed,
         laws=(Identity("solution", tuple(values)),),
     )
+
+
+def _entries(theorem: PowerTheorem) -> list[sp.Expr]:
+    """A, h, C and b; all names in them belong to an identity, even those that cancel."""
+    rows = (*theorem.mass, theorem.force, *theorem.slopes, theorem.drift)
+    return [entry for row in rows for entry in row]
 
 
 def _product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
