@@ -8,14 +8,14 @@ import sympy as sp
 
 from ..check import CheckError
 from ..check.claim.claim import read_claim
-from ..check.claim.power import IDENTITIES as IDENTITIES, claims_of_identities
+from ..check.claim.power import claims_of_identities
 from ..core.formula_text import short_text
 from ..core.laws import Identity, Integral, Law, Rate
 from ..core.named_formulas import needed_steps
-from ..core.power_theorem import PowerTheorem
 from ..core.system import System, Theorem
 from ..core.vectors import real_symbol, to_components
 from .claim_text import Text, claim_text
+from .power_theorem import PowerTheorem
 
 
 def theorem_of(system: System, law: Law) -> Theorem | None:
@@ -79,7 +79,7 @@ def rates_text(theorem: PowerTheorem, system: System) -> Text:
             if f in relations
         ],
         "definitions": [[str(s), short_text(f)] for s, f in theorem.definitions],
-        "held": [str(s) for s in theorem.held],
+        "opaque": [str(s) for s in theorem.opaque],
     }
 
 
@@ -87,17 +87,17 @@ def _texts(formulas: Iterable[sp.Expr]) -> list[str]:
     return [short_text(f) for f in formulas]
 
 
-def accelerations(theorem: PowerTheorem, taken: Iterable[sp.Symbol]) -> tuple[sp.Symbol, ...]:
+def accelerations(theorem: PowerTheorem, names: Iterable[sp.Symbol]) -> tuple[sp.Symbol, ...]:
     """Names for the rates of the velocities, which nothing else bears."""
-    used = set(map(str, taken))
-    names = []
+    used = set(map(str, names))
+    symbols = []
     for velocity in theorem.velocities:
         name = f"{velocity}_rate"
         while name in used:
             name += "_"
         used.add(name)
-        names.append(real_symbol(name))
-    return tuple(names)
+        symbols.append(real_symbol(name))
+    return tuple(symbols)
 
 
 def power_identity(theorem: PowerTheorem, system: System, law: Integral) -> System:
@@ -133,12 +133,10 @@ def power_identity(theorem: PowerTheorem, system: System, law: Integral) -> Syst
 
 
 def solution_identity(theorem: PowerTheorem, system: System) -> System:
-    """That the rates solve A u̇ = h + Cᵀλ and C u̇ = b, whatever the definitions stand for that are held."""
-    held = set(theorem.held)
+    """That the rates solve A u̇ = h + Cᵀλ and C u̇ = b, whatever is held stands for."""
+    opaque = set(theorem.opaque)
     definitions = [
-        (s, f)
-        for s, f in (*system.scalar_definitions, *theorem.definitions)
-        if s not in held
+        (s, f) for s, f in (*system.scalar_definitions, *theorem.definitions) if s not in opaque
     ]
     rates = dict(zip(system.symbols, system.rates, strict=True))
     own = [rates[velocity] for velocity in theorem.velocities]
@@ -149,8 +147,7 @@ def solution_identity(theorem: PowerTheorem, system: System) -> System:
         for i, (row, force) in enumerate(zip(theorem.mass, theorem.force, strict=True))
     ]
     values += [
-        _product(row, own) - drift
-        for row, drift in zip(theorem.slopes, theorem.drift, strict=True)
+        _product(row, own) - drift for row, drift in zip(theorem.slopes, theorem.drift, strict=True)
     ]
     data = [*_entries(theorem), *theorem.multipliers, *own]
     needed = needed_steps(definitions, data)
@@ -181,8 +178,8 @@ def _product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
 def _unknown(
     formulas: Iterable[sp.Expr],
     definitions: Iterable[tuple[sp.Symbol, sp.Expr]],
-    known: set[sp.Symbol],
+    others: set[sp.Symbol],
 ) -> list[sp.Symbol]:
-    """Symbols of formulas and definitions that are not known, in order."""
+    """Symbols of formulas and definitions besides some others, in order."""
     listed = [*formulas, *(f for _, f in definitions)]
-    return sorted({s for f in listed for s in f.free_symbols} - known, key=str)
+    return sorted({s for f in listed for s in f.free_symbols} - others, key=str)

@@ -10,9 +10,9 @@ the rate of any other relation is a constraint or zero;
 *solution*: for the rates of the system, A u̇ − h − Cᵀλ = 0 and C u̇ − b = 0, where names of
 definitions may be held as independent variables.
 
-Together they say that Ḟ = uᵀ(A u̇ − h) = uᵀCᵀλ = Σ κ_μ λ_μ f_μ, which vanishes where the relations do,
-and that motions stay there.  They say so wherever they are defined: neither may divide by, or take
-a root of, what the claim itself does not.
+Together they say that Ḟ = uᵀ(A u̇ − h) = uᵀCᵀλ = Σ κ_μ λ_μ f_μ, which vanishes where the relations
+do, and that motions stay there.  They say so wherever they are defined: neither may divide by, or
+take a root of, what the claim itself does not.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from .json_data import as_list, field, integer, items, mapping, only, text
 
 FIELDS = (
     "velocities", "accelerations", "mass", "force", "slopes", "drift", "multipliers",
-    "constraints", "degrees", "positions", "definitions", "held",
+    "constraints", "degrees", "positions", "definitions", "opaque",
 )  # fmt: skip
 #: The names of the two claims.
 IDENTITIES = ("power", "solution")
@@ -39,13 +39,13 @@ Texts = Sequence[str]
 
 
 def claims_of_identities(
-    stated: Mapping[str, object], claim: Claim, data: object
+    claim_data: Mapping[str, object], claim: Claim, data: object
 ) -> Mapping[str, Mapping[str, object]]:
     """The two claims that together prove an integral, by name; CheckError where they do not.
 
     Parameters
     ----------
-    stated : mapping
+    claim_data : mapping
         The claim as it is written.
     claim : Claim
         The same, read.
@@ -54,7 +54,7 @@ def claims_of_identities(
     """
     if claim.law.kind != "Integral" or claim.law.on:
         raise CheckError("linear equations of the rates prove integrals on the whole phase space")
-    rates = _LinearRates(stated, claim, mapping(data, "the equations of the rates"))
+    rates = _LinearRates(claim_data, claim, mapping(data, "the equations of the rates"))
     claims = dict(zip(IDENTITIES, (rates.power(), rates.solution()), strict=True))
     own = _divisors(domain(claim, {}))
     for word, whole in claims.items():
@@ -77,14 +77,14 @@ class _LinearRates:
     """The linear equations of a certificate, as formulas in words."""
 
     def __init__(
-        self, stated: Mapping[str, object], claim: Claim, data: Mapping[str, object]
+        self, claim_data: Mapping[str, object], claim: Claim, data: Mapping[str, object]
     ) -> None:
         what = "the equations of the rates"
         only(data, what, *FIELDS)
         self.claim = claim
-        system = mapping(stated["system"], what)
+        system = mapping(claim_data["system"], what)
         self.system = system
-        self.value = str(mapping(stated["law"], what)["value"])
+        self.value = str(mapping(claim_data["law"], what)["value"])
         self.relations = [str(f) for f in as_list(system["relations"], what)]
         self.velocities = _words(data, "velocities")
         self.accelerations = _words(data, "accelerations")
@@ -110,10 +110,13 @@ class _LinearRates:
         if {*self.constraints, *self.positions} != {*range(last + 1)}:
             raise CheckError(f"{what} do not say how each relation is kept")
         self.definitions: list[tuple[str, str]] = []
-        for pair in [*as_list(system["definitions"], what), *as_list(data["definitions"], what)]:
+        for pair in [
+            *as_list(system["definitions"], what),
+            *as_list(field(data, "definitions", what), what),
+        ]:
             word, formula = items(pair, 2, f"a definition of {what}")
             self.definitions.append((text(word, what), _formula(formula)))
-        self.held = set(_words(data, "held"))
+        self.opaque = set(_words(data, "opaque"))
 
     def _positions(self, data: object, what: str) -> dict[int, int | None]:
         """Relations, each with the number of the constraint that is its rate, if any."""
@@ -122,9 +125,7 @@ class _LinearRates:
         for pair in as_list(data, what):
             relation, rate = items(pair, 2, what)
             number = integer(relation, f"a relation of {what}", 0, last)
-            found[number] = (
-                None if rate is None else integer(rate, f"a rate of {what}", 0, last)
-            )
+            found[number] = None if rate is None else integer(rate, f"a rate of {what}", 0, last)
         return found
 
     def power(self) -> dict[str, object]:
@@ -145,8 +146,13 @@ class _LinearRates:
             values.append(f"Rate({self.relations[number]}) - ({kept})")
         own = dict(zip(self.claim.system.state, map(str, self._list("rates")), strict=True))
         moving = {**own, **dict(zip(u, a, strict=True))}
-        known = {*moving, *a, *self.claim.system.parameters, *(word for word, _ in self.definitions)}
-        still = [*a, *self._free(values, self.definitions, known)]
+        names = {
+            *moving,
+            *a,
+            *self.claim.system.parameters,
+            *(word for word, _ in self.definitions),
+        }
+        still = [*a, *self._free(values, self.definitions, names)]
         return self._identity(
             "power",
             {**moving, **dict.fromkeys(still, "0")},
@@ -165,31 +171,29 @@ class _LinearRates:
             values.append(f"{_sum_of_products(row, own)} - ({force}) - ({reaction})")
         for row, drift in zip(self.slopes, self.drift, strict=True):
             values.append(f"{_sum_of_products(row, own)} - ({drift})")
-        definitions = self._needed(values)
-        known = {*self.claim.system.parameters, *(word for word, _ in definitions)}
-        free = self._free(values, definitions, known) or list(self.velocities[:1])
+        definitions = self._definitions_below(values)
+        names = {*self.claim.system.parameters, *(word for word, _ in definitions)}
+        free = self._free(values, definitions, names) or list(self.velocities[:1])
         return self._identity("solution", dict.fromkeys(free, "0"), definitions, values, [])
 
     def _list(self, key: str) -> Sequence[object]:
         return as_list(self.system.get(key, []), "the equations of the rates")
 
-    def _needed(self, values: Texts) -> list[tuple[str, str]]:
+    def _definitions_below(self, values: Texts) -> list[tuple[str, str]]:
         """The definitions that are not held and on which formulas depend."""
         wanted = names_in(parse(value, "a formula") for value in values)
         chosen = []
         for word, formula in reversed(self.definitions):
-            if word in wanted and word not in self.held:
+            if word in wanted and word not in self.opaque:
                 chosen.append((word, formula))
                 wanted |= names_in([parse(formula, "a definition")])
         return chosen[::-1]
 
     @staticmethod
-    def _free(
-        values: Texts, definitions: Iterable[tuple[str, str]], known: set[str]
-    ) -> list[str]:
-        """Names that stand for nothing known: the identity holds for any value of them."""
+    def _free(values: Texts, definitions: Iterable[tuple[str, str]], names: set[str]) -> list[str]:
+        """Names that stand for nothing names: the identity holds for any value of them."""
         texts = [*values, *(formula for _, formula in definitions)]
-        return sorted(names_in(parse(t, "a formula") for t in texts) - known - _NUMBERS)
+        return sorted(names_in(parse(t, "a formula") for t in texts) - names - _NUMBERS)
 
     def _identity(
         self,

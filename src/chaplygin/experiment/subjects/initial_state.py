@@ -7,7 +7,7 @@ rounded once.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import TypeAlias
 
 import mpmath
@@ -19,6 +19,7 @@ from ...core.vectors import Vector, norm_squared, to_components
 from ...errors import InputError
 from ...flow.initial_states import upright
 from ...formulas.multiprecision import Multiprecision
+from ...mechanics.lagrangian.mechanism import TIME
 from ...mechanics.rolling.attitude import attitude
 from ...mechanics.rolling.initial_state import DIGITS, SLACK
 from ...parsing import NamedQuantity, nearest
@@ -276,17 +277,30 @@ def _nearest(
     velocities at the given places are admissible.
     """
     relations = [to_components(relation) for relation in lifted.relations]
-    moved = [i for i, s in enumerate(lifted.symbols) if s in velocities]
-    still = [i for i, s in enumerate(lifted.symbols) if s not in velocities]
     of_velocities = [r for r in relations if lifted.expand(r).free_symbols & {*velocities}]
     of_places = [r for r in relations if r not in of_velocities]
-    point: list[mpmath.mpf] | None = list(state)
-    for formulas, indices in ((of_places, still), (of_velocities, moved)):
-        if point is not None and formulas:
-            point = _newton(_numerical_function(lifted, formulas), point, indices)
-    if point is None:
-        point = _newton(_numerical_function(lifted, relations), state, range(len(state)))
-    return point
+    names = lifted.symbols
+    fast = [i for i, s in enumerate(names) if s in velocities]
+    places = [i for i, s in enumerate(names) if s not in velocities and s != TIME]
+    every = range(len(names))
+    point = _first(lifted, of_places, state, (places, every))
+    return point and (
+        _first(lifted, of_velocities, point, (fast,)) or _first(lifted, relations, state, (every,))
+    )
+
+
+def _first(
+    lifted: System,
+    relations: Sequence[sp.Expr],
+    state: Sequence[mpmath.mpf],
+    choices: Iterable[Sequence[int]],
+) -> list[mpmath.mpf] | None:
+    """A state on relations, the variables being moved that are the first to suffice."""
+    if not relations:
+        return list(state)
+    residual = _numerical_function(lifted, relations)
+    tries = (_newton(residual, state, indices) for indices in choices)
+    return next((point for point in tries if point is not None), None)
 
 
 def _newton(

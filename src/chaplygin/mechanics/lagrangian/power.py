@@ -10,10 +10,10 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
-from ...core.power_theorem import PowerTheorem
 from ...core.system import flat_pairs
 from ...core.vectors import real_symbol
 from ...formulas.tape import LARGEST
+from ...proof.power_theorem import PowerTheorem
 from .accelerations import Accelerations
 from .assembly import Balance
 from .definitions import NamedDefinitions
@@ -39,13 +39,16 @@ def power_theorem(
     degrees = _degrees(parts, velocities, solved.slopes, solved.constraints)
     if degrees is None:
         return None
-    data = [e for row in (*solved.mass, *solved.slopes) for e in row] + [*solved.force, *solved.drift]
+    data = [e for row in (*solved.mass, *solved.slopes) for e in row] + [
+        *solved.force,
+        *solved.drift,
+    ]
     table, further = _final_names(parts, names, [*data, *solved.multipliers])
 
     def row(formulas: Iterable[sp.Expr]) -> tuple[sp.Expr, ...]:
         return tuple(f.xreplace(table) for f in formulas)
 
-    held = [table[s] for s, _ in parts.tape.steps(data) if _stays_whole(parts, s)]
+    opaque = [table[s] for s, _ in parts.tape.steps(data) if _stays_whole(parts, s)]
     return PowerTheorem(
         velocities=velocities,
         mass=tuple(map(row, solved.mass)),
@@ -57,7 +60,7 @@ def power_theorem(
         degrees=degrees,
         positions=tuple(zip(relations, _rates_of_relations(parts, names), strict=True)),
         definitions=further,
-        held=tuple(s for s in held if s.is_Symbol),
+        opaque=tuple(s for s in opaque if s.is_Symbol),
     )
 
 

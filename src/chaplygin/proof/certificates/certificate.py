@@ -18,8 +18,8 @@ from ...check import FORMAT, BadInputError, CheckError, check
 from ...check.certificate_points import point_of_level
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
 from ...check.claim.formulas import name, parse_condition
+from ...check.claim.power import IDENTITIES
 from ...core.laws import Law
-from ...core.power_theorem import PowerTheorem
 from ...core.system import System
 from ...formulas.errors import NoRealValueError, OutOfReachError
 from ...formulas.number_fields import ball_precision
@@ -30,10 +30,11 @@ from ..fields.unreduced_fields import UnreducedField, UnreducedFormal
 from ..level.alternatives import alternatives
 from ..level.level_set import LevelSet
 from ..level.polynomial_problems import polynomial_problems
+from ..power_theorem import PowerTheorem
 from ..prover import prove
 from ..random_test import trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
-from ..theorems import IDENTITIES, identities_of, rates_text, theorem_of
+from ..theorems import identities_of, rates_text, theorem_of
 from ..verdict import Verdict
 from ..witness_points import witness_point
 from .identities import ExclusionOf, proof_text
@@ -123,7 +124,7 @@ def _by_power(
     parts = [prove_with_certificate(whole, whole.laws[0], effort) for whole in wholes]
     if not parts or not all(parts):
         return _certificate(system, law, verdict, effort)
-    certificates = [_made(part) for part in parts]
+    certificates = [_certificate_of(part) for part in parts]
     claim = claim_text(system, law)
     with ball_precision():
         sample = _sample(system, law, read_claim(claim, "the claim"))
@@ -140,7 +141,7 @@ def _by_power(
     }
 
 
-def _made(identity: Verdict) -> Mapping[str, Any]:
+def _certificate_of(identity: Verdict) -> Mapping[str, Any]:
     if identity.certificate is None:
         raise OutOfReachError(f"{identity.law}: {identity.no_certificate}")
     return identity.certificate

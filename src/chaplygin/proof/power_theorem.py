@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .system import System, Theorem
+from ..core.system import System, Theorem
 
 Row = tuple[sp.Expr, ...]
 
@@ -45,7 +45,7 @@ class PowerTheorem(Theorem):
         The other relations of the system, and their rates: one of f, or zero.
     definitions : tuple of (Symbol, Expr)
         Of names beside those of the system that A, h, C, b and λ use.
-    held : tuple of Symbol
+    opaque : tuple of Symbol
         Names of definitions that the identities of the rates take as independent variables.
     """
 
@@ -62,4 +62,4 @@ class PowerTheorem(Theorem):
     degrees: tuple[sp.Integer, ...] = ()
     positions: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
     definitions: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
-    held: tuple[sp.Symbol, ...] = ()
+    opaque: tuple[sp.Symbol, ...] = ()
