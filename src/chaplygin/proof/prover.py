@@ -21,6 +21,7 @@ from ..formulas.errors import OutOfReachError, UnknownSymbolError
 from ..formulas.number_fields import ball_precision
 from .decision import verdict_of
 from .fields.budget import EFFORT, Budget, checked_effort
+from .theorems import identities_of, theorem_of
 from .verdict import Verdict
 from .verdict_cache import fingerprint, load_verdict, store_verdict
 
@@ -115,22 +116,16 @@ def judgement_of(law: Law, judge: Callable[[], Verdict]) -> Verdict:
         return Verdict(law.name, "refused", reason=str(problem))
 
 
-def theorem_of(system: System, law: Law) -> Theorem | None:
-    """The theorem of a system from which a law of it follows, if there is one."""
-    if law not in system.laws:
-        return None
-    return next((t for t in system.theorems if law.name in t.laws), None)
-
-
 def _by_theorem(system: System, law: Law, theorem: Theorem, budget: Budget) -> Verdict:
     """The verdict on a law that a theorem has: points are tried, then its identities proven."""
     with contextlib.suppress(OutOfReachError):
         verdict = verdict_of(system, law, Budget(effort=POINTS_ALONE))
         if verdict.decision != "undecided":
             return verdict
-    parts = [v for whole in theorem.identities() for v in prove(whole, effort=budget.effort)]
+    wholes = identities_of(theorem, system, law)
+    parts = [v for whole in wholes for v in prove(whole, effort=budget.effort)]
     budget.charge(sum(v.effort for v in parts))
-    if any(not part for part in parts):
+    if not parts or any(not part for part in parts):
         return verdict_of(system, law, budget)
     count = f"{len(parts)} identities are" if len(parts) > 1 else "1 identity is"
     return Verdict(law.name, "proven", finding=f"{theorem.words}; {count} certified")

@@ -8,13 +8,14 @@ vanishes.  Conditions that are polynomials are decomposed exactly, see
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import islice, product
 
 import sympy as sp
 
 from ...core.laws import Law, Measure
+from ...core.named_formulas import expand
 from ...core.system import Parameter, System
 from ...core.vectors import to_components
 from ...formulas.errors import OutOfReachError
@@ -82,7 +83,8 @@ def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
 
 
 def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
-    conditions = [to_components(c) for c in (*system.relations, *law.on)]
+    steps = dict(system.scalar_definitions)
+    conditions = [_in_sight(to_components(c), steps) for c in (*system.relations, *law.on)]
     factors = [_factors(condition) for condition in conditions]
     if all(len(choices) == 1 for choices in factors):
         return (Alternative(system, law),)
@@ -119,11 +121,21 @@ def _few(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ...]
         yield choice
 
 
+def _in_sight(condition: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """A condition without names that hide functions; a polynomial as it is stated."""
+    written = expand(condition, steps)
+    return written if _holds_functions(written) else condition
+
+
+def _holds_functions(condition: sp.Expr) -> bool:
+    """Whether a condition holds functions or roots."""
+    functions = condition.atoms(sp.Function, sp.Derivative, sp.Subs)
+    return bool(functions) or any(not p.exp.is_Integer for p in condition.atoms(sp.Pow))
+
+
 def _factors(condition: sp.Expr) -> tuple[sp.Expr, ...]:
     """The factors of a condition with functions; a polynomial condition itself."""
-    functions = condition.atoms(sp.Function, sp.Derivative, sp.Subs)
-    roots = any(not power.exp.is_Integer for power in condition.atoms(sp.Pow))
-    if not functions and not roots:
+    if not _holds_functions(condition):
         return (condition,)
     # functions and roots are symbols here: they are factored with, not into
     names = {

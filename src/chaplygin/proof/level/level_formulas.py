@@ -154,7 +154,13 @@ class LevelFormulas:
         """The relations of the system and the level, or the equations of a component."""
         if self.equations is not None:
             return self.equations
-        return tuple(to_components(c) for c in (*self.system.relations, *self.on))
+        return tuple(self._in_sight(to_components(c)) for c in (*self.system.relations, *self.on))
+
+    def _in_sight(self, condition: sp.Expr) -> sp.Expr:
+        """A condition that is a mere name, as the formula that the name stands for."""
+        while condition in self._definitions:
+            condition = self._definitions[condition]
+        return condition
 
     @cached_property
     def moving(self) -> tuple[sp.Expr, ...]:
