@@ -159,7 +159,7 @@ class _StatedPoint:
         only(data, what, "root", "formula")
         if set(data) == {"formula"}:
             formula = parse(data["formula"], what)
-            if not names_in([formula]) <= {*self.balls, *self.system.definitions, "pi", "E"}:
+            if not names_in([formula]) <= {*self.balls, *self.system.definitions, "pi"}:
                 raise CheckError(f"{what} uses what is not known before it")
             self.balls[word] = self._partial_point()(formula)
         elif set(data) == {"root"}:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
+from types import MappingProxyType
 from typing import Any, NoReturn, TypeAlias
 
 import sympy as sp
@@ -57,6 +58,8 @@ class Rationals:
 
     exact = True
     one, zero = fmpq(1), fmpq(0)
+    #: Into how many parts angles are divided; nothing is gained by it at a point.
+    angle_parts: Mapping[sp.Expr, int] = MappingProxyType({})
 
     def __init__(self, values: Mapping[str, Element]) -> None:
         self.values: dict[str, fmpq] = dict(values)
@@ -124,6 +127,7 @@ class Balls:
     """
 
     exact = False
+    angle_parts: Mapping[sp.Expr, int] = MappingProxyType({})
 
     def __init__(self, values: Mapping[str, Element]) -> None:
         self.values = {name: arb(value) for name, value in values.items()}

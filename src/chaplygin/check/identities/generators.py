@@ -227,7 +227,7 @@ class _Solver(Point):
             return self(self._generators.settled_formulas[word])
         if word in self.definitions:
             return self(self.definitions[word])
-        if word in ("pi", "E"):
+        if word == "pi":
             return super()._symbol_value(word)
         raise CheckError(f"the generators do not say what {word} is")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...core.formula_text import short_text
 from ...formulas.errors import OutOfReachError
 from ..claim_text import Text
 from ..fields.function_field import FINENESS
@@ -95,7 +96,7 @@ def meaning_text(setting: ProofSetting, meaning: Meaning) -> Text:
         return {
             "kind": "power",
             "of": setting.terms(meaning.of[0].poly),
-            "exponent": str(meaning.exponent),
+            "exponent": short_text(meaning.exponent),
             "fineness": FINENESS,
         }
     if meaning.kind in ("sin", "cos"):

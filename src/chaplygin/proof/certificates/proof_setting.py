@@ -9,6 +9,7 @@ from flint import fmpq
 
 from ...check.claim.claim import Claim as CheckedClaim
 from ...check.claim.formulas import Formula
+from ...core.formula_text import short_text
 from ...core.laws import Law, Reduction, Separation
 from ...formulas.errors import NeedMoreGeneratorsError
 from ..claim_text import Terms, powers_text, terms_text
@@ -18,6 +19,7 @@ from ..fields.quotient_ring import Element, Poly
 from ..fields.unreduced_fields import UnreducedField
 from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
+from ..level.trigonometric import angle_parts
 from ..random_test import all_residuals
 from ..residuals import in_words
 from .sign_reasons import monic
@@ -51,6 +53,7 @@ class ProofSetting:
         spare = 8
         while True:
             self.field = kind([str(s) for s in level.generators], spare, sample, budget, signs)
+            self.field.angle_parts = angle_parts(level.system, law)
             try:
                 self._fill(claim, law, level)
             except NeedMoreGeneratorsError:
@@ -67,7 +70,7 @@ class ProofSetting:
         for condition in level.conditions:
             value = field.zero if condition in level.zeros else evaluate.value(condition)
             if value.poly:
-                self.conditions.append((str(condition), value))
+                self.conditions.append((short_text(condition), value))
         polys = [numerator(field, value) for _, value in self.conditions]
         field.signs = level.signs_with(field, polys)
         self.residuals = [

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 from flint import fmpq
 
+from ...core.formula_text import short_text
 from ...formulas.errors import NeedMoreGeneratorsError, OutOfReachError
 from ..claim_text import Terms, Text, admissible, guards
 from ..fields.function_field import FunctionField
@@ -54,11 +55,11 @@ def _reasons(setting: ProofSetting, equations: Sequence[Poly]) -> Reasons:
             strict = isinstance(relation, sp.Gt | sp.Lt)
             poly = _polynomial(level, field, relation.gts - relation.lts)
             if poly is not None:
-                facts.append((poly, str(relation), strict))
+                facts.append((poly, short_text(relation), strict))
     for formula in guards(level.system):
         poly = _polynomial(level, field, formula)
         if poly is not None:
-            facts.append((poly, str(formula), True))
+            facts.append((poly, short_text(formula), True))
     reasons = Reasons(field.ring, facts, equations)
     for name, meaning in field.record.items():
         positive = meaning.kind in ("root", "power", "pi") or meaning.name == "exp"

@@ -75,6 +75,8 @@ class FunctionField(QuotientRing):
         self.spare = spare
         self.sample: dict[str, float] | None = None if sample is None else dict(sample)
         self.meanings: dict[str, str] = {}
+        #: Into how many parts angles are divided whose sines and cosines are generators.
+        self.angle_parts: Mapping[sp.Expr, int] = {}
         #: Known signs; set by the level on which the field is used.
         self.signs = Signs(self.ring, {})
         #: Signs of factors under roots that nothing known tells, as they were taken.
