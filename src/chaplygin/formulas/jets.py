@@ -302,7 +302,7 @@ class Evaluator(Evaluation[Jet]):
         values = [jet.value for jet in inner]
         one = field.one
         if isinstance(formula, sp.log):
-            return inner[0].through(field.function_value("log", values), one / values[0])
+            return inner[0].through(field.logarithm(values[0]), one / values[0])
         if isinstance(formula, sp.atan2):
             upper, lower = inner
             square = lower.value * lower.value + upper.value * upper.value

@@ -101,6 +101,10 @@ class Rationals:
         """The exponential."""
         raise NotExactError
 
+    def logarithm(self, element: fmpq) -> NoReturn:
+        """The logarithm."""
+        raise NotExactError
+
     def pi(self) -> NoReturn:
         """The number π."""
         raise NotExactError
@@ -174,6 +178,10 @@ class Balls:
     def exponential(self, element: arb) -> arb:
         """The exponential."""
         return element.exp()
+
+    def logarithm(self, element: arb) -> arb:
+        """The logarithm; ZeroDivisionError where it has none."""
+        return self.function_value("log", [element])
 
     def pi(self) -> arb:
         """The number π."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from ...core.formula_text import short_text
 from ...formulas.errors import OutOfReachError
 from ..claim_text import Text
-from ..fields.function_field import FINENESS
 from ..fields.quotient_ring import Element, Poly
+from ..fields.root_field import FINENESS
 from ..fields.unreduced_fields import Meaning
 from ..level.triangular_set import numerator
 from .chains import Chains

@@ -118,7 +118,7 @@ def _force(reasons: Reasons, entries: Sequence[FactoredDivisor]) -> None:
 
 def _root_signs(setting: ProofSetting, reasons: Reasons) -> None:
     for meaning in setting.field.record.values():
-        if meaning.kind in ("root", "power"):
+        if meaning.kind in ("root", "power") or meaning.name == "log":
             reasons.sign(meaning.of[0].poly)
 
 
