@@ -16,7 +16,7 @@ from ..fields.quotient_ring import Poly
 from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
 from .proof_setting import ProofSetting
-from .sign_reasons import Reasons, Sum, monic
+from .sign_reasons import InOneVariable, Reasons, Sum, monic
 
 
 @dataclass(frozen=True)
@@ -44,6 +44,9 @@ def sign_reasons(
         reasons.learn(poly, sign)
     _force(reasons, entries)
     _root_signs(setting, reasons)
+    for entry in entries:
+        for poly, _ in entry.factors if entry.positive else ():
+            reasons.sign(poly)
     return reasons, entries
 
 
@@ -131,13 +134,20 @@ def positive_texts(setting: ProofSetting, reasons: Reasons, size: int) -> list[T
     return [*facts, *(_sum_text(setting, term, size) for term in reasons.sums)]
 
 
-def _sum_text(setting: ProofSetting, own: Sum, size: int) -> Text:
+def _sum_text(setting: ProofSetting, own: Sum | InOneVariable, size: int) -> Text:
+    if isinstance(own, InOneVariable):
+        return {
+            "poly": setting.terms(own.poly),
+            "strict": True,
+            "from": "one variable",
+            "facts": [setting.terms(fact) for fact in own.facts],
+        }
     quotients: list[Terms] = [[] for _ in range(size)]
     for number, ratio in own.multiples:
         quotients[number] = setting.terms(setting.field.ring.constant(ratio))
     return {
         "poly": setting.terms(own.poly),
-        "strict": True,
+        "strict": own.strict,
         "from": "sum",
         "terms": [
             [setting.powers(term.weights), str(term.constant), [setting.terms(term.base)]]

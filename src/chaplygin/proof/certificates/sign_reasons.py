@@ -12,8 +12,16 @@ from dataclasses import dataclass, field
 
 from flint import fmpq, fmpq_mpoly_ctx
 
+from ..fields.positive_forms import (
+    completed_squares,
+    in_one_variable,
+    less_a_multiple,
+    meets,
+    only_variable,
+    signs_in_one_variable,
+)
 from ..fields.quotient_ring import Poly
-from ..fields.signs import MANY, completed_squares
+from ..fields.signs import MANY
 
 Powers = tuple[tuple[Poly, int], ...]
 
@@ -35,11 +43,23 @@ class Term:
 
 @dataclass(frozen=True)
 class Sum:
-    """A positive polynomial as a sum of terms, plus factors times equations by their number."""
+    """A positive polynomial as a sum of terms, plus factors times equations by their number.
+
+    A sum that is not strict may be zero.
+    """
 
     poly: Poly
     terms: tuple[Term, ...]
     multiples: tuple[tuple[int, fmpq], ...] = ()
+    strict: bool = True
+
+
+@dataclass(frozen=True)
+class InOneVariable:
+    """A polynomial that is positive wherever others in the same variable are, strictly or not."""
+
+    poly: Poly
+    facts: tuple[Poly, ...]
 
 
 @dataclass
@@ -66,7 +86,7 @@ class Reasons:
     #: Strict signs by key, once they are known.
     known_signs: dict[str, int] = field(default_factory=dict)
     #: Sums that show them, in the order in which they were found.
-    sums: list[Sum] = field(default_factory=list)
+    sums: list[Sum | InOneVariable] = field(default_factory=list)
     _open: set[str] = field(default_factory=set)
     _unknown: set[str] = field(default_factory=set)
 
@@ -85,7 +105,13 @@ class Reasons:
         """Whether a polynomial does not vanish where the law is defined."""
         if poly.is_constant():
             return bool(poly)
-        return monic(poly)[0] in self.nonzero or bool(self.sign(poly))
+        key = monic(poly)[0]
+        if key in self.nonzero or self.sign(poly):
+            return True
+        divides = any(strict and not divmod(fact, poly)[1] for fact, _, strict in self.facts)
+        if divides or (only_variable(poly) is not None and self._in_one_variable(poly**2)):
+            self.nonzero.add(key)
+        return key in self.nonzero
 
     def sign(self, poly: Poly) -> int:
         """The strict sign of a polynomial; 0 if it is not known."""
@@ -101,11 +127,12 @@ class Reasons:
             total = self._sum_of(poly)
         finally:
             self._open.discard(key)
-        if total is None:
+        if total is not None:
+            self.sums.append(total)
+            self.known_signs[key] = monic(total.poly)[1]
+        elif not (self._in_one_variable(poly) or self._in_one_variable(-poly)):
             self._unknown.add(key)
             return 0
-        self.sums.append(total)
-        self.known_signs[key] = monic(total.poly)[1]
         return self.known_signs[key] * lead
 
     def _sum_of(self, poly: Poly) -> Sum | None:
@@ -121,8 +148,64 @@ class Reasons:
             return product
         for signed in (poly, -poly):
             whole = self._by_facts(signed) or self._by_equations(signed) or self._by_squares(signed)
+            whole = whole or self._by_multiples(signed)
             if whole is not None:
                 return whole
+        return None
+
+    def _in_one_variable(self, poly: Poly) -> bool:
+        """Whether other polynomials in its only variable make a polynomial positive."""
+        position, key = only_variable(poly), str(poly)
+        if position is None or key in self._unknown:
+            return False
+        parts, one = [], self.ring.constant(1)
+        for fact, _, strict in self.facts:
+            parts += self._part(Term(((fact, 1),), fmpq(1), one), position, strict)
+        for number, equation in enumerate(self.equations):
+            for ratio in (fmpq(1), fmpq(-1)):
+                parts += self._part((number, ratio * equation), position, False)
+        facts = [(in_one_variable(part.poly, position), part.strict) for part in parts]
+        if signs_in_one_variable(in_one_variable(poly, position), facts) != {1}:
+            self._unknown.add(key)
+            return False
+        self.sums += [part for part in parts if part not in self.sums]
+        self.sums.append(InOneVariable(poly, tuple(part.poly for part in parts)))
+        self.learn(poly, 1)
+        return True
+
+    def _part(self, of: Term | tuple[int, Poly], position: int, strict: bool) -> list[Sum]:
+        """The terms of something positive in one variable alone, if all others are not positive."""
+        whole = of.weights[0][0] if isinstance(of, Term) else of[1]
+        own = {
+            exponents: number
+            for exponents, number in whole.to_dict().items()
+            if not any(n for i, n in enumerate(exponents) if i != position)
+        }
+        part = self.ring.from_dict(own)
+        others = self._by_terms(part - whole, strict=False)
+        if others is None or not int(part.degrees()[position]):
+            return []
+        if isinstance(of, Term):
+            return [Sum(part, (of, *others), (), strict)]
+        ratio = whole.leading_coefficient() / self.equations[of[0]].leading_coefficient()
+        return [Sum(part, others, ((of[0], ratio),), False)]
+
+    def _by_multiples(self, poly: Poly) -> Sum | None:
+        """A multiple of a fact or an equation, and squares."""
+        one = self.ring.constant(1)
+        known: list[tuple[Poly, int | None, bool]] = [(f, None, s) for f, _, s in self.facts]
+        known += [(equation, number, False) for number, equation in enumerate(self.equations)]
+        for other, number, strict in known:
+            if not meets(poly, other):
+                continue
+            form = less_a_multiple(poly, other, self.ring, number is not None)
+            if form is None or not (strict or any(base.is_constant() for _, base in form[1])):
+                continue
+            ratio, squares = form
+            terms = tuple(Term((), weight, base) for weight, base in squares)
+            if number is not None:
+                return Sum(poly, terms, ((number, ratio),))
+            return Sum(poly, (Term(((other, 1),), ratio, one), *terms))
         return None
 
     def _by_terms(self, poly: Poly, strict: bool = True) -> tuple[Term, ...] | None:
@@ -140,7 +223,7 @@ class Reasons:
                 if sign:
                     weights.append((generator if sign > 0 else -generator, exponent))
                     number = number if sign > 0 or exponent % 2 == 0 else -number
-                elif exponent % 2 == 0 and self.is_nonzero(generator):
+                elif strict and exponent % 2 == 0 and self.is_nonzero(generator):
                     weights.append((generator, exponent))
                 elif exponent % 2 == 0:
                     base = base * generator ** (exponent // 2)
@@ -202,8 +285,6 @@ class Reasons:
         terms = self._by_terms(poly, strict=False)
         if terms is not None:
             return terms
-        if not poly or poly.total_degree() != 2:
-            return None
         forms = completed_squares(poly, self.ring)
         if forms is None:
             return None

@@ -14,7 +14,7 @@ import sympy as sp
 from flint import fmpq
 
 from .quotient_ring import Element, Poly
-from .root_field import RootField, number_or
+from .root_field import RootField
 
 #: Ratios of arguments that make one exponential a power of another.
 MULTIPLES = tuple(
@@ -86,7 +86,9 @@ class FunctionField(RootField):
         if key not in self._circles:
             self._circles.add(key)
             upper, lower = sorted((sine, cosine), key=lambda p: self.names.index(str(p)))
-            self.impose(str(upper), upper**2 + lower**2 - 1)
+            circle = upper**2 + lower**2 - 1
+            self.impose(str(upper), circle)
+            self.signs = self.signs.with_condition(circle)
         return Element(self, sine, {}), Element(self, cosine, {})
 
     def pi(self) -> Element:
