@@ -193,16 +193,19 @@ class Reasons:
     def _by_multiples(self, poly: Poly) -> Sum | None:
         """A multiple of a fact or an equation, and squares."""
         one = self.ring.constant(1)
+        signed, open_part = self._parted(poly)
         known: list[tuple[Poly, int | None, bool]] = [(f, None, s) for f, _, s in self.facts]
         known += [(equation, number, False) for number, equation in enumerate(self.equations)]
         for other, number, strict in known:
             if not meets(poly, other):
                 continue
-            form = less_a_multiple(poly, other, self.ring, number is not None)
-            if form is None or not (strict or any(base.is_constant() for _, base in form[1])):
+            form = less_a_multiple(open_part, other, self.ring, number is not None)
+            if form is None:
                 continue
             ratio, squares = form
-            terms = tuple(Term((), weight, base) for weight, base in squares)
+            terms = (*signed, *(Term((), weight, base) for weight, base in squares))
+            if not (strict or any(self._is_positive(term) for term in terms)):
+                continue
             if number is not None:
                 return Sum(poly, terms, ((number, ratio),))
             return Sum(poly, (Term(((other, 1),), ratio, one), *terms))
@@ -220,6 +223,8 @@ class Reasons:
                     continue
                 generator = self.ring.gen(i)
                 sign = self.known_signs.get(monic(generator)[0], 0)
+                if not sign and not strict:
+                    sign = self._weak_sign(generator)
                 if sign:
                     weights.append((generator if sign > 0 else -generator, exponent))
                     number = number if sign > 0 or exponent % 2 == 0 else -number
@@ -234,6 +239,11 @@ class Reasons:
             certain = certain or base.is_constant()
             terms.append(Term(tuple(weights), number, base))
         return tuple(terms) if certain else None
+
+    def _weak_sign(self, generator: Poly) -> int:
+        """The sign of a generator that is zero at most besides, by a fact."""
+        key = monic(generator)[0]
+        return next((monic(fact)[1] for fact, _, _ in self.facts if monic(fact)[0] == key), 0)
 
     def _by_factors(self, poly: Poly) -> Sum | None:
         content, parts = poly.factor()
@@ -276,7 +286,7 @@ class Reasons:
 
     def _by_squares(self, poly: Poly) -> Sum | None:
         terms = self.squares(poly)
-        if terms is None or not any(term.base.is_constant() for term in terms):
+        if terms is None or not any(map(self._is_positive, terms)):
             return None
         return Sum(poly, terms)
 
@@ -285,10 +295,27 @@ class Reasons:
         terms = self._by_terms(poly, strict=False)
         if terms is not None:
             return terms
-        forms = completed_squares(poly, self.ring)
-        if forms is None:
+        signed, open_part = self._parted(poly)
+        squares = completed_squares(open_part, self.ring)
+        if squares is None:
             return None
-        return tuple(Term((), weight, base) for weight, base in forms)
+        return (*signed, *(Term((), weight, base) for weight, base in squares))
+
+    def _is_positive(self, term: Term) -> bool:
+        """Whether a term is not only not negative."""
+        return term.base.is_constant() and all(self.is_nonzero(part) for part, _ in term.weights)
+
+    def _parted(self, poly: Poly) -> tuple[list[Term], Poly]:
+        """The terms that are positive by the signs of generators, and the rest."""
+        signed: list[Term] = []
+        left = {}
+        for exponents, number in poly.to_dict().items():
+            own = self.ring.from_dict({exponents: number})
+            terms = self._by_terms(own, strict=False) if any(n % 2 for n in exponents) else None
+            signed += terms or ()
+            if terms is None:
+                left[exponents] = number
+        return signed, self.ring.from_dict(left)
 
 
 def _constant(poly: Poly) -> fmpq:

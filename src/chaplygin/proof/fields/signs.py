@@ -185,11 +185,26 @@ class Signs:
 
     def _by_squares(self, poly: Poly) -> Sign:
         for sign in (Sign.POSITIVE, Sign.NEGATIVE):
-            squares = completed_squares(poly if sign > 0 else -poly, self.ring)
+            strict, left = self._parted(poly, sign)
+            squares = completed_squares(left, self.ring)
             if squares is not None:
-                strict = any(base.is_constant() for _, base in squares)
+                strict = strict or any(base.is_constant() for _, base in squares)
                 return sign if strict else Sign(sign // 2)
         return Sign.UNKNOWN
+
+    def _parted(self, poly: Poly, sign: Sign) -> tuple[bool, Poly]:
+        """± a polynomial less the terms that are positive by signs of generators.
+
+        And whether one of these is strictly positive.
+        """
+        strict, left = False, {}
+        for exponents, number in poly.to_dict().items():
+            known, base = self._term(exponents, number)
+            if known.times(sign) <= 0 or not any(n % 2 for n in exponents):
+                left[exponents] = number if sign > 0 else -number
+            else:
+                strict = strict or base.is_constant()
+        return strict, self.ring.from_dict(left)
 
     def _by_multiples(self, poly: Poly) -> Sign:
         """The sign by a multiple of a fact or a condition, and squares."""
@@ -199,12 +214,16 @@ class Signs:
             if not meets(poly, other):
                 continue
             for own in (Sign.POSITIVE, Sign.NEGATIVE):
+                positive, left = self._parted(poly, own)
                 form = less_a_multiple(
-                    poly if own > 0 else -poly, -other if sign < 0 else other, self.ring, not sign
+                    left,
+                    -other if sign < 0 else other,
+                    self.ring,
+                    either_sign=not sign,
                 )
                 if form is not None:
                     strict = any(base.is_constant() for _, base in form[1])
-                    strict = strict or abs(sign) == Sign.POSITIVE
+                    strict = strict or positive or abs(sign) == Sign.POSITIVE
                     return own if strict else Sign(own // 2)
         return Sign.UNKNOWN
 
