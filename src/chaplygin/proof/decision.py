@@ -192,7 +192,10 @@ def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker)
         yield _Part(alternative.defining_factors, Proof(0, failure=str(reason)))
         return
     for claim in claims:
-        levels = _components(claim.system, claim.law.on)
+        try:
+            levels = _components(claim.system, claim.law.on)
+        except OutOfReachError as reason:
+            raise type(reason)(claim.original_words(str(reason))) from None
         for level in levels:
             part = _on(level, claim, budget, checker)
             own = map(claim.original, level.defining_factors)

@@ -93,7 +93,7 @@ def _original(
         value = _angle(point.pop(sine), point.pop(cosine), s, c)
         if value is None:
             return None
-        point[angle] = {"formula": f"({value})/({unit})"}
+        point[angle] = {"formula": value if unit == 1 else f"({value})/({unit})"}
     for symbol, formula in claim.expressions:
         point[symbol] = {"formula": short_text(formula)}
     # roots of one polynomial may be needed by another: rational numbers first

@@ -119,9 +119,7 @@ class Generators:
             "the proof says"
         )
 
-    def _sample(
-        self, generator: random.Random, attempt: int, positive: Sequence[Poly]
-    ) -> Sample:
+    def _sample(self, generator: random.Random, attempt: int, positive: Sequence[Poly]) -> Sample:
         functions = Functions(f"{attempt}")
         drawn = {word: self._random_value(word, generator, attempt) for word in self.plain}
         solver = _Solver(self, drawn, functions)
@@ -146,7 +144,7 @@ class Generators:
         return Sample(values, point, *self.domain.values(point))
 
     def _random_value(self, word: str, generator: random.Random, attempt: int) -> arb:
-        mode = attempt % 3
+        mode = attempt % 4
         fine = generator.randint(-(2**22), 2**22)
         if mode == 2 and word in self.near:
             middle = self.near[word]

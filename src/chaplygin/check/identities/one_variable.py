@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from flint import arb, ctx, fmpq, fmpq_poly, fmpz_poly
+from flint import acb, arb, ctx, fmpq, fmpq_poly, fmpz_poly
 
 from ..claim.polynomials import Poly
 
@@ -58,12 +58,11 @@ def _at_all_points(
     own: fmpq_poly, others: Sequence[tuple[fmpq_poly, bool]], factors: Sequence[fmpz_poly]
 ) -> bool | None:
     """Whether the first is positive at all points where the others are; None if inaccurate."""
-    roots = [
-        (root.real, fmpq_poly(list(map(int, factor))))
-        for factor in factors
-        for root, _ in factor.complex_roots()
-        if root.imag.contains(0)
-    ]
+    roots: list[tuple[arb, fmpq_poly]] = []
+    for factor in factors:
+        found: list[tuple[acb, int]] = factor.complex_roots()  # type: ignore[assignment]
+        rational = fmpq_poly(list(map(int, factor)))
+        roots += [(root.real, rational) for root, _ in found if root.imag.contains(0)]
     roots.sort(key=lambda pair: float(pair[0].mid()))
     ends = [(_number(ball.mid()), _number(ball.rad())) for ball, _ in roots]
     points, last = [], None

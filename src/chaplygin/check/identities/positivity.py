@@ -148,7 +148,7 @@ class PositiveSum:
             positive = base.is_constant() and not base.is_zero()
             for part, power in weights:
                 known = not part.is_constant() and monic(part)[0] in nonzero
-                certain = certain and (power % 2 == 0 or signs.weak(part) > 0)
+                certain = certain and (power % 2 == 0 or signs.is_not_negative(part))
                 positive = positive and (known or bool(signs.of(part)))
             strict = strict or positive
             fraction = fmpq(number.numerator, number.denominator)
@@ -173,7 +173,7 @@ class PositiveInOneVariable:
 
     def holds(self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly]) -> bool:
         """Whether the others are known to be positive, and make it positive."""
-        if any(signs.weak(fact) <= 0 for fact in self.facts):
+        if not all(map(signs.is_not_negative, self.facts)):
             return False
         return is_positive_where(self.poly, [(fact, signs.of(fact) > 0) for fact in self.facts])
 

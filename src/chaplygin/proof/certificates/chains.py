@@ -10,7 +10,7 @@ from flint import fmpq_mpoly_ctx
 from ...formulas.errors import OutOfReachError
 from ..fields.budget import Budget
 from ..fields.quotient_ring import Poly, initial_of
-from ..fields.root_field import CONJUGATED
+from ..fields.root_field import MOST_TERMS_OF_CONJUGATES
 from .groebner import Multiples
 from .sign_reasons import Reasons, monic
 
@@ -178,7 +178,7 @@ class Chains:
         The conjugate has the other sign of a generator whose square an equation gives.
         """
         rest, gens = division.rest, self.ring.gens()
-        if not rest or len(rest) > CONJUGATED:
+        if not rest or len(rest) > MOST_TERMS_OF_CONJUGATES:
             return division
         for step in chain:
             if step.degree != 2 or rest.degrees()[step.main] != 1:

@@ -11,7 +11,7 @@ from ...check.claim.claim import Claim as CheckedClaim
 from ...check.claim.formulas import Formula
 from ...core.formula_text import short_text
 from ...core.laws import Law, Reduction, Separation
-from ...formulas.errors import NeedMoreGeneratorsError
+from ...formulas.errors import NeedMoreGeneratorsError, NoRealValueError
 from ..claim_text import Terms, powers_text, terms_text
 from ..domain import divisors, sympy_formula
 from ..fields.budget import Budget
@@ -51,6 +51,8 @@ class ProofSetting:
         signs: Mapping[str, int],
     ) -> None:
         spare = 8
+        #: Whether the law is defined nowhere with these signs.
+        self.void = False
         while True:
             self.field = kind([str(s) for s in level.generators], spare, sample, budget, signs)
             self.field.angle_parts = angle_parts(level.system, law)
@@ -59,6 +61,8 @@ class ProofSetting:
             except NeedMoreGeneratorsError:
                 spare *= 2
                 continue
+            except (NoRealValueError, ZeroDivisionError):
+                self.void = True
             break
         self.level, self.sample = level, sample
 

@@ -193,7 +193,7 @@ class Reasons:
     def _by_multiples(self, poly: Poly) -> Sum | None:
         """A multiple of a fact or an equation, and squares."""
         one = self.ring.constant(1)
-        signed, open_part = self._parted(poly)
+        signed, open_part = self._divided(poly)
         known: list[tuple[Poly, int | None, bool]] = [(f, None, s) for f, _, s in self.facts]
         known += [(equation, number, False) for number, equation in enumerate(self.equations)]
         for other, number, strict in known:
@@ -295,7 +295,7 @@ class Reasons:
         terms = self._by_terms(poly, strict=False)
         if terms is not None:
             return terms
-        signed, open_part = self._parted(poly)
+        signed, open_part = self._divided(poly)
         squares = completed_squares(open_part, self.ring)
         if squares is None:
             return None
@@ -305,7 +305,7 @@ class Reasons:
         """Whether a term is not only not negative."""
         return term.base.is_constant() and all(self.is_nonzero(part) for part, _ in term.weights)
 
-    def _parted(self, poly: Poly) -> tuple[list[Term], Poly]:
+    def _divided(self, poly: Poly) -> tuple[list[Term], Poly]:
         """The terms that are positive by the signs of generators, and the rest."""
         signed: list[Term] = []
         left = {}

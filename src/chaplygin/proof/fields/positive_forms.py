@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from flint import arb, ctx, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
+from flint import acb, arb, ctx, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly, fmpz_poly
 
 from .quotient_ring import Poly
 
@@ -45,7 +45,8 @@ def completed_squares(poly: Poly, ring: fmpq_mpoly_ctx) -> Squares | None:
         mixed = {}
         for exponents, number in remainder.to_dict().items():
             rest = tuple(int(n) - h for n, h in zip(exponents, half, strict=True))
-            if rest != half and min(rest) >= 0:
+            square = number > 0 and not any(n % 2 for n in exponents)
+            if min(rest) >= 0 and not square:
                 mixed[rest] = number
         base = ring.from_dict({half: fmpq(1)}) + ring.from_dict(mixed) / (2 * weight)
         squares.append((weight, base))
@@ -133,18 +134,17 @@ class _Root:
     value: fmpq | None
 
 
-def _real_roots(polys: Sequence[fmpq_poly]) -> list[tuple[_Root, fmpq_poly]]:
+def _real_roots(polys: Sequence[fmpq_poly]) -> list[tuple[_Root, fmpz_poly]]:
     """The real roots of polynomials, in order, each once, with the irreducible factor it solves."""
-    factors: dict[str, fmpq_poly] = {}
+    factors: dict[str, fmpz_poly] = {}
     for poly in polys:
         for part, _ in poly.numer().factor()[1]:
             factors[str(part)] = part
     roots = []
     for part in factors.values():
         value = fmpq(-int(part[0]), int(part[1])) if part.degree() == 1 else None
-        for root, _ in part.complex_roots():
-            if root.imag.is_zero():
-                roots.append((_Root(root.real, value), part))
+        found: list[tuple[acb, int]] = part.complex_roots()  # type: ignore[assignment]
+        roots += [(_Root(root.real, value), part) for root, _ in found if root.imag.is_zero()]
     return sorted(roots, key=lambda pair: float(pair[0].ball.mid()))
 
 
@@ -196,17 +196,17 @@ def _signs(polys: Sequence[fmpq_poly], strict: Sequence[bool]) -> frozenset[int]
         if all(sign > 0 for sign in others):
             found.add(own)
     for root, factor in roots:
-        signs = [0 if _divides(factor, poly) else _ball_sign(poly, root.ball) for poly in polys]
-        if None in signs:
+        at_root = [0 if _divides(factor, poly) else _ball_sign(poly, root.ball) for poly in polys]
+        own, *others = (sign for sign in at_root if sign is not None)
+        if None in at_root:
             return None
-        own, *others = signs
         if all(sign > 0 or (sign == 0 and not s) for sign, s in zip(others, strict, strict=True)):
             found.add(own)
     return frozenset(found)
 
 
-def _divides(factor: fmpq_poly, poly: fmpq_poly) -> bool:
-    return not divmod(poly, fmpq_poly(list(factor)))[1]
+def _divides(factor: fmpz_poly, poly: fmpq_poly) -> bool:
+    return not divmod(poly, fmpq_poly(list(map(int, factor))))[1]
 
 
 def _ball_sign(poly: fmpq_poly, at: arb) -> int | None:

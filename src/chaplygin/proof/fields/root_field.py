@@ -22,7 +22,7 @@ from .signs import Sign, Signs
 Key: TypeAlias = tuple[Any, ...]
 
 #: Polynomials of more terms are not multiplied by conjugates.
-CONJUGATED = 12
+MOST_TERMS_OF_CONJUGATES = 12
 
 #: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator.
 FINENESS = 4
@@ -148,7 +148,7 @@ class RootField(QuotientRing):
         if super().vanishes(element):
             return True
         poly = self.reduce(element.poly)
-        return len(poly) <= CONJUGATED and any(
+        return len(poly) <= MOST_TERMS_OF_CONJUGATES and any(
             self.signs.never_zero(conjugate)
             and super(RootField, self).vanishes(Element(self, poly * conjugate, {}))
             for conjugate in self._conjugates(poly)

@@ -96,9 +96,7 @@ class Signs:
         products = [fact for fact, sign in self.facts if abs(sign) == Sign.POSITIVE]
         if any(_ratio(poly, fact) is not None for fact in self.nonzero):
             return True
-        return bool(poly) and any(
-            not divmod(fact, poly)[1] for fact in products
-        )
+        return bool(poly) and any(not divmod(fact, poly)[1] for fact in products)
 
     def _of_power(self, poly: Poly, power: int) -> Sign:
         sign = self._of_one(poly)
@@ -185,14 +183,14 @@ class Signs:
 
     def _by_squares(self, poly: Poly) -> Sign:
         for sign in (Sign.POSITIVE, Sign.NEGATIVE):
-            strict, left = self._parted(poly, sign)
+            strict, left = self._divided(poly, sign)
             squares = completed_squares(left, self.ring)
             if squares is not None:
                 strict = strict or any(base.is_constant() for _, base in squares)
                 return sign if strict else Sign(sign // 2)
         return Sign.UNKNOWN
 
-    def _parted(self, poly: Poly, sign: Sign) -> tuple[bool, Poly]:
+    def _divided(self, poly: Poly, sign: Sign) -> tuple[bool, Poly]:
         """± a polynomial less the terms that are positive by signs of generators.
 
         And whether one of these is strictly positive.
@@ -214,7 +212,7 @@ class Signs:
             if not meets(poly, other):
                 continue
             for own in (Sign.POSITIVE, Sign.NEGATIVE):
-                positive, left = self._parted(poly, own)
+                positive, left = self._divided(poly, own)
                 form = less_a_multiple(
                     left,
                     -other if sign < 0 else other,

@@ -43,7 +43,7 @@ class Claim:
     def original_words(self, words: str) -> str:
         """A text about the claim, with the functions of angles in place of their names."""
         for symbol, function in self._functions.items():
-            words = re.sub(rf"\b{symbol}\b", lambda _, f=function: str(f), words)
+            words = re.sub(rf"\b{symbol}\b", str(function), words)
         return words
 
     @cached_property
