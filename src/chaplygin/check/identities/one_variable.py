@@ -75,8 +75,8 @@ def _at_all_points(
     for at in points:
         if all(fact(at) > 0 for fact, _ in others) and not own(at) > 0:
             return False
-    for ball, factor in roots:
-        signs = [_sign(poly, factor, ball) for poly in (own, *(fact for fact, _ in others))]
+    for ball, solved in roots:
+        signs = [_sign(poly, solved, ball) for poly in (own, *(fact for fact, _ in others))]
         if None in signs:
             return None
         here = all(

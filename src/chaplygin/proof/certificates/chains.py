@@ -175,15 +175,15 @@ class Chains:
     ) -> Division:
         """A division without rest, where the rest times a conjugate that is not zero has none.
 
-        The conjugate has the other sign of a generator whose square an equation gives.
+        The conjugate has the other sign of a generator, whose square the equations may give.
         """
         rest, gens = division.rest, self.ring.gens()
         if not rest or len(rest) > MOST_TERMS_OF_CONJUGATES:
             return division
-        for step in chain:
-            if step.degree != 2 or rest.degrees()[step.main] != 1:
+        for place in variables(rest):
+            if rest.degrees()[place] != 1:
                 continue
-            conjugate = rest.compose(*(-g if i == step.main else g for i, g in enumerate(gens)))
+            conjugate = rest.compose(*(-g if i == place else g for i, g in enumerate(gens)))
             if not self.is_nonzero(conjugate, nonzero):
                 continue
             further = self.division(rest * conjugate, chain)

@@ -7,7 +7,7 @@ multiples of equations.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from flint import fmpq, fmpq_mpoly_ctx
@@ -193,22 +193,23 @@ class Reasons:
     def _by_multiples(self, poly: Poly) -> Sum | None:
         """A multiple of a fact or an equation, and squares."""
         one = self.ring.constant(1)
-        signed, open_part = self._divided(poly)
+        open_parts = list(self._open_parts(poly))
         known: list[tuple[Poly, int | None, bool]] = [(f, None, s) for f, _, s in self.facts]
         known += [(equation, number, False) for number, equation in enumerate(self.equations)]
         for other, number, strict in known:
             if not meets(poly, other):
                 continue
-            form = less_a_multiple(open_part, other, self.ring, number is not None)
-            if form is None:
-                continue
-            ratio, squares = form
-            terms = (*signed, *(Term((), weight, base) for weight, base in squares))
-            if not (strict or any(self._is_positive(term) for term in terms)):
-                continue
-            if number is not None:
-                return Sum(poly, terms, ((number, ratio),))
-            return Sum(poly, (Term(((other, 1),), ratio, one), *terms))
+            for signed, left in open_parts:
+                form = less_a_multiple(left, other, self.ring, number is not None)
+                if form is None:
+                    continue
+                ratio, squares = form
+                terms = (*signed, *(Term((), weight, base) for weight, base in squares))
+                if not (strict or any(self._is_positive(term) for term in terms)):
+                    continue
+                if number is not None:
+                    return Sum(poly, terms, ((number, ratio),))
+                return Sum(poly, (Term(((other, 1),), ratio, one), *terms))
         return None
 
     def _by_terms(self, poly: Poly, strict: bool = True) -> tuple[Term, ...] | None:
@@ -295,18 +296,22 @@ class Reasons:
         terms = self._by_terms(poly, strict=False)
         if terms is not None:
             return terms
-        signed, open_part = self._divided(poly)
-        squares = completed_squares(open_part, self.ring)
-        if squares is None:
-            return None
-        return (*signed, *(Term((), weight, base) for weight, base in squares))
+        for signed, left in self._open_parts(poly):
+            squares = completed_squares(left, self.ring)
+            if squares is not None:
+                return (*signed, *(Term((), weight, base) for weight, base in squares))
+        return None
 
     def _is_positive(self, term: Term) -> bool:
         """Whether a term is not only not negative."""
         return term.base.is_constant() and all(self.is_nonzero(part) for part, _ in term.weights)
 
-    def _divided(self, poly: Poly) -> tuple[list[Term], Poly]:
-        """The terms that are positive by the signs of generators, and the rest."""
+    def _open_parts(self, poly: Poly) -> Iterator[tuple[list[Term], Poly]]:
+        """A polynomial, and it less the terms that are positive by signs of generators.
+
+        Each with the terms that were left out.
+        """
+        yield [], poly
         signed: list[Term] = []
         left = {}
         for exponents, number in poly.to_dict().items():
@@ -315,7 +320,8 @@ class Reasons:
             signed += terms or ()
             if terms is None:
                 left[exponents] = number
-        return signed, self.ring.from_dict(left)
+        if 0 < len(left) < len(poly):
+            yield signed, self.ring.from_dict(left)
 
 
 def _constant(poly: Poly) -> fmpq:

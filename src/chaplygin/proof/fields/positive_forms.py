@@ -156,8 +156,22 @@ def _between(balls: Sequence[arb]) -> list[fmpq]:
     radii = [_exact(ball.rad()) for ball in balls]
     lows = [m - r for m, r in zip(middles, radii, strict=True)]
     highs = [m + r for m, r in zip(middles, radii, strict=True)]
-    inner = [(high + low) / 2 for high, low in zip(highs, lows[1:], strict=False)]
-    return [lows[0] - 1, *inner, highs[-1] + 1]
+    inner = [_simplest(high, low) for high, low in zip(highs, lows[1:], strict=False)]
+    return [fmpq(lows[0].floor()) - 1, *inner, fmpq(highs[-1].ceil()) + 1]
+
+
+def _simplest(low: fmpq, high: fmpq) -> fmpq:
+    """The rational number of the least denominator between two others, by continued fractions."""
+    if low < 0 < high:
+        return fmpq(0)
+    if high <= 0:
+        return -_simplest(-high, -low)
+    whole = fmpq(low.floor())
+    if whole + 1 < high:
+        return whole + 1
+    if low == whole:
+        return whole + 1 / (fmpq((1 / (high - whole)).floor()) + 1)
+    return whole + 1 / _simplest(1 / (high - whole), 1 / (low - whole))
 
 
 def _exact(number: arb) -> fmpq:

@@ -6,7 +6,7 @@ sets, guards, assumptions of symbols), and what follows from them term by term.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import IntEnum
 
@@ -183,18 +183,19 @@ class Signs:
 
     def _by_squares(self, poly: Poly) -> Sign:
         for sign in (Sign.POSITIVE, Sign.NEGATIVE):
-            strict, left = self._divided(poly, sign)
-            squares = completed_squares(left, self.ring)
-            if squares is not None:
-                strict = strict or any(base.is_constant() for _, base in squares)
-                return sign if strict else Sign(sign // 2)
+            for strict, left in self._open_parts(poly, sign):
+                squares = completed_squares(left, self.ring)
+                if squares is not None:
+                    positive = strict or any(base.is_constant() for _, base in squares)
+                    return sign if positive else Sign(sign // 2)
         return Sign.UNKNOWN
 
-    def _divided(self, poly: Poly, sign: Sign) -> tuple[bool, Poly]:
-        """± a polynomial less the terms that are positive by signs of generators.
+    def _open_parts(self, poly: Poly, sign: Sign) -> Iterator[tuple[bool, Poly]]:
+        """± a polynomial, and ± it less the terms that are positive by signs of generators.
 
-        And whether one of these is strictly positive.
+        Each with whether something strictly positive was left out.
         """
+        yield False, poly if sign > 0 else -poly
         strict, left = False, {}
         for exponents, number in poly.to_dict().items():
             known, base = self._term(exponents, number)
@@ -202,7 +203,8 @@ class Signs:
                 left[exponents] = number if sign > 0 else -number
             else:
                 strict = strict or base.is_constant()
-        return strict, self.ring.from_dict(left)
+        if 0 < len(left) < len(poly):
+            yield strict, self.ring.from_dict(left)
 
     def _by_multiples(self, poly: Poly) -> Sign:
         """The sign by a multiple of a fact or a condition, and squares."""
@@ -211,18 +213,14 @@ class Signs:
         for other, sign in known:
             if not meets(poly, other):
                 continue
+            signed = -other if sign < 0 else other
             for own in (Sign.POSITIVE, Sign.NEGATIVE):
-                positive, left = self._divided(poly, own)
-                form = less_a_multiple(
-                    left,
-                    -other if sign < 0 else other,
-                    self.ring,
-                    either_sign=not sign,
-                )
-                if form is not None:
-                    strict = any(base.is_constant() for _, base in form[1])
-                    strict = strict or positive or abs(sign) == Sign.POSITIVE
-                    return own if strict else Sign(own // 2)
+                for positive, left in self._open_parts(poly, own):
+                    form = less_a_multiple(left, signed, self.ring, either_sign=not sign)
+                    if form is not None:
+                        strict = any(base.is_constant() for _, base in form[1])
+                        strict = strict or positive or abs(sign) == Sign.POSITIVE
+                        return own if strict else Sign(own // 2)
         return Sign.UNKNOWN
 
     def _in_one_variable(self, poly: Poly) -> frozenset[int]:
