@@ -181,3 +181,10 @@ def test_no_sign_is_accepted_without_its_reason(name):
         del changed["proofs"][0]["positive"][number]
         with pytest.raises(CheckError):
             check(changed)
+
+
+def test_a_root_is_narrowed_in_finitely_many_steps():
+    # at this point Newton's method in the check once went on for ever
+    base = 2 * x**2 - 2 * x * y + x - 3 * y + 2
+    system = still(guards=(x * y,), relations=(x**2 + 2 * y**2 - 1,))
+    assert prove(system, Identity("law", of_square(base))).decision == "refuted"

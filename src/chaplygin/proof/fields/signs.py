@@ -1,7 +1,8 @@
 """Signs of polynomials on the domain of a system.
 
 Known are the signs of parameters and of other quantities that the system declares (admissible
-sets, guards, assumptions of symbols), and what follows from them term by term.
+sets, guards, assumptions of symbols), and what follows from them term by term or in one of the ways
+of :mod:`.positive_forms`.
 """
 
 from __future__ import annotations
