@@ -15,7 +15,7 @@ from fractions import Fraction
 
 from flint import arb, ctx, fmpq
 
-from .claim.claim import Claim
+from .claim.claim import Claim, ClaimedSystem
 from .claim.domain import domain
 from .claim.errors import CheckError, UndefinedError
 from .claim.evaluate import Point
@@ -24,7 +24,7 @@ from .claim.jets import ball
 from .claim.json_data import as_list, field, integer, mapping, only, rational, text
 from .claim.polynomials import Poly, Ring
 from .claim.quotients import quotient
-from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals
+from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals, target_point
 from .claim.unspecified_functions import Functions
 from .identities.proof import Condition
 
@@ -212,6 +212,17 @@ class _StatedPoint:
             domain(self.claim, settled).values(self.evaluate)
         except UndefinedError:
             raise CheckError("the law is not certainly defined at the point") from None
+        if self.claim.law.target is not None:
+            self._check_target(self.claim.law.target)
+
+    def _check_target(self, target: ClaimedSystem) -> None:
+        """Check that the parameters of the target are admissible at the point."""
+        there = target_point(self.claim, self.evaluate)
+        for formula, sign in target.admissible:
+            value = there(formula)
+            holds = {">": value > 0, ">=": not value < 0, "!=": not value.contains(0)}
+            if not holds.get(sign, value.contains(0)):
+                raise CheckError("the parameters of the target are not admissible at the point")
 
     def _admissible(self, formula: Formula, sign: str) -> bool:
         value = self.evaluate(formula)

@@ -325,6 +325,12 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
+        for what, text in (("name", self.name), ("title", self.title)):
+            if not text.strip() or not text.isprintable():
+                raise InputError(
+                    f"the {what} of a system is {text!r}; it must be a text of printable "
+                    "characters that is not empty"
+                )
         for item in self.parameters:
             if not math.isfinite(item.default):
                 raise InputError(
