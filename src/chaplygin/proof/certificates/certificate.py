@@ -21,7 +21,7 @@ from ...check.claim.formulas import name, parse_condition
 from ...check.claim.power import IDENTITIES
 from ...core.laws import Law
 from ...core.system import System
-from ...formulas.errors import NoRealValueError, OutOfReachError
+from ...formulas.errors import OutOfReachError
 from ...formulas.number_fields import ball_precision
 from ..claim_text import Text, claim_text
 from ..fields.budget import EFFORT, Budget
@@ -224,11 +224,13 @@ def _proofs(
         return ProofSetting(kind, read, law, level, point, budget, signs)
 
     first = setting_for(UnreducedField, {})
+    if first.void:
+        raise OutOfReachError("the law is not defined with the signs of its sample point")
     if not first.field.decisions:
         return [proof_text(first, excluding_condition, with_decisions=False)]
     with contextlib.suppress(OutOfReachError):
         formal = setting_for(UnreducedFormal, {})
-        if not formal.field.decisions:
+        if not formal.void and not formal.field.decisions:
             return [proof_text(formal, excluding_condition, with_decisions=False)]
     return _by_signs(first, setting_for, excluding_condition)
 
@@ -247,12 +249,10 @@ def _by_signs(
         runs += 1
         if runs > MOST_RUNS:
             raise OutOfReachError(f"its roots have signs in more than {MOST_RUNS} ways")
-        try:
-            setting = setting_for(UnreducedField, signs)
-        except (NoRealValueError, ZeroDivisionError):
-            continue
+        setting = setting_for(UnreducedField, signs)
         # where the law needs a sign, the check finds that a condition asks for it
         with contextlib.suppress(OutOfReachError):
-            proofs.append(proof_text(setting, excluding_condition, with_decisions=True))
+            if not setting.void:
+                proofs.append(proof_text(setting, excluding_condition, with_decisions=True))
         waiting += flipped_decisions(setting.field, size)
     return proofs
