@@ -80,16 +80,7 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         return verdict
     ranges = ranges_of_parameters(system)
     if len(ranges) > 1:
-        parts = [prove_with_certificate(each, law, effort) for each in ranges]
-        if verdict.decision == "refuted":
-            failed = next((p for p in parts if p.decision == "refuted"), verdict)
-            return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
-        return replace(
-            verdict,
-            no_certificate="; ".join(p.no_certificate for p in parts if p.no_certificate),
-            identities=tuple(p.certificate for p in parts if p.certificate is not None),
-            in_ranges=True,
-        )
+        return _in_ranges(verdict, [prove_with_certificate(r, law, effort) for r in ranges])
     theorem = theorem_of(system, law)
     try:
         if isinstance(theorem, PowerTheorem):
@@ -112,6 +103,19 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         for identity in whole.laws
     ]
     return replace(verdict, identities=tuple(p for p in parts if p is not None))
+
+
+def _in_ranges(verdict: Verdict, each: list[Verdict]) -> Verdict:
+    """A verdict with the certificates of its law in each range of the parameters."""
+    if verdict.decision == "refuted":
+        failed = next((one for one in each if one.decision == "refuted"), verdict)
+        return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
+    return replace(
+        verdict,
+        no_certificate="; ".join(one.no_certificate for one in each if one.no_certificate),
+        identities=tuple(one.certificate for one in each if one.certificate is not None),
+        in_ranges=True,
+    )
 
 
 def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Text:
