@@ -45,7 +45,7 @@ from .remarks import remark
 from .residuals import conditions_are_independent
 from .symbolic_proof import Proof, proof
 from .verdict import Verdict
-from .witness_points import Witness, witness, witness_point
+from .witness_points import Witness, point_shown, witness, witness_point
 
 FURTHER = (number_near_default,) * 6 + (moderate_number,) * 40
 """Points tried where a remainder is left, before a law is called undecided."""
@@ -178,7 +178,9 @@ class _Checker:
                 return None
         except (CheckError, UndefinedError):
             return None
-        return _Part((), trial=trial, point=level.point_shown(trial.field), witness=confirmed)
+        return _Part(
+            (), trial=trial, point=point_shown(claim, level, trial.field), witness=confirmed
+        )
 
     def _beyond(self, claim: Claim, level: LevelSet, trial: Trial) -> bool:
         """Whether the check has the point, but not the residual, which it does not know.
@@ -203,16 +205,19 @@ def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker)
         yield _Part(alternative.defining_factors, Proof(0, failure=str(reason)))
         return
     for claim in claims:
-        levels = _components(claim.system, claim.law.on)
+        try:
+            levels = _components(claim.system, claim.law.on)
+        except OutOfReachError as reason:
+            raise type(reason)(claim.original_words(str(reason))) from None
         for level in levels:
             part = _on(level, claim, budget, checker)
-            yield replace(
-                part, defining_factors=(*alternative.defining_factors, *level.defining_factors)
-            )
+            own = map(claim.original, level.defining_factors)
+            yield replace(part, defining_factors=(*alternative.defining_factors, *own))
             if part.trial is not None or (part.proof.failure and not level.defining_factors):
                 return
         for excluded in claim.excluded_zeros:
-            yield _Part((*alternative.defining_factors, excluded), Proof(0, failure="not decided"))
+            defining_factors = (*alternative.defining_factors, claim.original(excluded))
+            yield _Part(defining_factors, Proof(0, failure="not decided"))
 
 
 @memory(16)
@@ -240,7 +245,7 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
             continue
         if trial.lack is not None and trial.lack[0] == DIMENSION:
             failed = replace(trial, witness=trial.lack)
-            return _Part((), trial=failed, point=points.point_shown(trial.field))
+            return _Part((), trial=failed, point=point_shown(claim, points, trial.field))
         first = first or trial
         sample = sample or {name: float(value) for name, value in trial.field.values.items()}
         attained = attained or trial.lack is None
@@ -259,7 +264,7 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
     outcome = proof(law, level, sample, budget, attained)
     if outcome.lack is not None and first is not None:
         failed = replace(first, witness=outcome.lack)
-        return _Part((), trial=failed, point=points.point_shown(first.field))
+        return _Part((), trial=failed, point=point_shown(claim, points, first.field))
     if outcome.failure or outcome.conditions:
         for trial in trials(law, points, FURTHER):
             refuted = trial.witness and checker.refutation(claim, points, trial)
@@ -267,7 +272,17 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
                 return refuted
     if contested and not outcome.failure:
         outcome = replace(outcome, failure=contested)
-    return _Part((), outcome, needs=_needs(law, level), remark=_remark(law, level, first))
+    words = claim.original_words
+    return _Part(
+        (),
+        replace(
+            outcome,
+            conditions=tuple(map(words, outcome.conditions)),
+            failure=words(outcome.failure),
+        ),
+        needs=tuple((words(need), words(formula)) for need, formula in _needs(law, level)),
+        remark=words(_remark(law, level, first)),
+    )
 
 
 def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:

@@ -21,7 +21,7 @@ from ...check.claim.formulas import name, parse_condition
 from ...check.claim.power import IDENTITIES
 from ...core.laws import Law
 from ...core.system import System
-from ...formulas.errors import NoRealValueError, OutOfReachError
+from ...formulas.errors import OutOfReachError
 from ...formulas.number_fields import ball_precision
 from ..claim_text import Text, claim_text
 from ..fields.budget import EFFORT, Budget
@@ -80,16 +80,7 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         return verdict
     ranges = ranges_of_parameters(system)
     if len(ranges) > 1:
-        parts = [prove_with_certificate(each, law, effort) for each in ranges]
-        if verdict.decision == "refuted":
-            failed = next((p for p in parts if p.decision == "refuted"), verdict)
-            return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
-        return replace(
-            verdict,
-            no_certificate="; ".join(p.no_certificate for p in parts if p.no_certificate),
-            identities=tuple(p.certificate for p in parts if p.certificate is not None),
-            in_ranges=True,
-        )
+        return _in_ranges(verdict, [prove_with_certificate(r, law, effort) for r in ranges])
     theorem = theorem_of(system, law)
     try:
         if isinstance(theorem, PowerTheorem):
@@ -112,6 +103,19 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         for identity in whole.laws
     ]
     return replace(verdict, identities=tuple(p for p in parts if p is not None))
+
+
+def _in_ranges(verdict: Verdict, each: list[Verdict]) -> Verdict:
+    """A verdict with the certificates of its law in each range of the parameters."""
+    if verdict.decision == "refuted":
+        failed = next((one for one in each if one.decision == "refuted"), verdict)
+        return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
+    return replace(
+        verdict,
+        no_certificate="; ".join(one.no_certificate for one in each if one.no_certificate),
+        identities=tuple(one.certificate for one in each if one.certificate is not None),
+        in_ranges=True,
+    )
 
 
 def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Text:
@@ -224,11 +228,13 @@ def _proofs(
         return ProofSetting(kind, read, law, level, point, budget, signs)
 
     first = setting_for(UnreducedField, {})
+    if first.void:
+        raise OutOfReachError("the law is not defined with the signs of its sample point")
     if not first.field.decisions:
         return [proof_text(first, excluding_condition, with_decisions=False)]
     with contextlib.suppress(OutOfReachError):
         formal = setting_for(UnreducedFormal, {})
-        if not formal.field.decisions:
+        if not formal.void and not formal.field.decisions:
             return [proof_text(formal, excluding_condition, with_decisions=False)]
     return _by_signs(first, setting_for, excluding_condition)
 
@@ -247,12 +253,10 @@ def _by_signs(
         runs += 1
         if runs > MOST_RUNS:
             raise OutOfReachError(f"its roots have signs in more than {MOST_RUNS} ways")
-        try:
-            setting = setting_for(UnreducedField, signs)
-        except (NoRealValueError, ZeroDivisionError):
-            continue
+        setting = setting_for(UnreducedField, signs)
         # where the law needs a sign, the check finds that a condition asks for it
         with contextlib.suppress(OutOfReachError):
-            proofs.append(proof_text(setting, excluding_condition, with_decisions=True))
+            if not setting.void:
+                proofs.append(proof_text(setting, excluding_condition, with_decisions=True))
         waiting += flipped_decisions(setting.field, size)
     return proofs

@@ -14,11 +14,18 @@ from itertools import islice, product
 
 import sympy as sp
 
-from ...core.laws import Law, Measure
+from ...core.laws import Identity, Integral, Law, Measure
 from ...core.named_formulas import expand
 from ...core.system import Parameter, System
 from ...core.vectors import to_components
 from ...formulas.errors import OutOfReachError
+from ..fields.signs import Sign
+from .level_set import LevelSet
+
+#: Laws that say of the points of a level alone what holds there, not of the conditions.
+POINTWISE = (Identity, Integral)
+
+ONE_TO_ONE = (sp.exp, sp.log, sp.sinh, sp.tanh, sp.asin, sp.acos, sp.atan)
 
 MOST = 32
 """Alternatives that are followed."""
@@ -86,8 +93,15 @@ def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
     steps = dict(system.scalar_definitions)
     conditions = [_in_sight(to_components(c), steps) for c in (*system.relations, *law.on)]
     factors = [_factors(condition) for condition in conditions]
-    if all(len(choices) == 1 for choices in factors):
+    changed = False
+    if isinstance(law, POINTWISE):
+        arguments = [tuple(map(_of_equal_arguments, choices)) for choices in factors]
+        changed = arguments != factors
+        factors = arguments
+    if not changed and all(len(choices) == 1 for choices in factors):
         return (Alternative(system, law),)
+    if isinstance(law, POINTWISE):
+        factors = [_that_may_vanish(system, choices) for choices in factors]
     split = len(system.relations)
     parts = []
     for choice in _few(product(*factors)):
@@ -112,6 +126,27 @@ def _among(law: Measure, conditions: list[sp.Expr], choice: tuple[sp.Expr, ...])
     ratios = [sp.cancel(c / factor) for c, factor in zip(conditions, choice, strict=True)]
     more = tuple((g**2, -sp.Rational(1, 2)) for g in ratios if g.free_symbols)
     return replace(law, density=(*law.density, *more))
+
+
+def _of_equal_arguments(condition: sp.Expr) -> sp.Expr:
+    """The condition f(a) = f(b) of a one-to-one function as a = b; any other as it is."""
+    constant, terms = condition.as_coeff_add()
+    if len(terms) == 1 and constant != 0 and isinstance(-terms[0] / constant, sp.exp):
+        return (-terms[0] / constant).args[0]
+    if constant != 0 or len(terms) != 2:
+        return condition
+    (number, first), (other, second) = (term.as_coeff_Mul() for term in terms)
+    if isinstance(first, ONE_TO_ONE) and first.func == second.func and number == -other:
+        return first.args[0] - second.args[0]
+    return condition
+
+
+def _that_may_vanish(system: System, choices: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
+    """The factors whose signs on the domain leave it open; all of them if none is left."""
+    if len(choices) == 1:
+        return choices
+    domain = LevelSet(replace(system, relations=(), laws=()))
+    return tuple(f for f in choices if abs(domain.sign(f)) < Sign.POSITIVE) or choices
 
 
 def _few(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ...]]:
