@@ -35,6 +35,7 @@ from ..claim import Case, Claim
 from ..methods.derived_verdicts import computed_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.marble_bodies_of_revolution import curvatures, height, lens, linear_integral, slope
+from ..methods.tensor_of_a_body import with_tensor_of_a_body
 from ..methods.unspecified_systems import system
 
 M, omega, gamma, r = vectors("M omega gamma r")
@@ -79,7 +80,7 @@ def constants() -> tuple[sp.Expr, sp.Expr]:
 
 def equations() -> Case:
     """(1.18) with I_1 = I_2, in the form in which everything here is proven."""
-    return body(), catalogue.onto_rolled()
+    return with_tensor_of_a_body(body(), (I_1, I_1, I.symbols[2])), catalogue.onto_rolled()
 
 
 def contact_vector() -> Case:
