@@ -1,4 +1,4 @@
-"""Starting a laboratory, on this machine alone, until Ctrl-C."""
+"""Starting a laboratory, on this machine alone, until Ctrl-C or SIGTERM."""
 
 from __future__ import annotations
 
@@ -8,10 +8,8 @@ import errno
 import http.client
 import os
 import secrets
-import signal
 import socket
 from collections.abc import Callable, Iterator
-from types import FrameType
 
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol
@@ -118,13 +116,9 @@ def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None])
         timeout_graceful_shutdown=0,
         h11_max_incomplete_event_size=16 * 1024,
     )
-    before = signal.signal(signal.SIGTERM, _end)
-    try:
-        with listening:
-            announce(f"http://{HOST}:{place}{laboratory.base}")
-            asyncio.run(_serve(_Server(config), listening, [pool, savers]))
-    finally:
-        signal.signal(signal.SIGTERM, before)
+    with listening:
+        announce(f"http://{HOST}:{place}{laboratory.base}")
+        asyncio.run(_serve(_Server(config), listening, [pool, savers]))
 
 
 async def _serve(server: _Server, listening: socket.socket, pools: list[Pool]) -> None:
@@ -134,11 +128,6 @@ async def _serve(server: _Server, listening: socket.socket, pools: list[Pool]) -
         # before the loop waits for threads, which wait for workers
         for pool in pools:
             pool.close()
-
-
-def _end(number: int, frame: FrameType | None) -> None:
-    """End in order where another process asks for it."""
-    raise SystemExit(128 + number)
 
 
 def listen(port: int) -> socket.socket:
