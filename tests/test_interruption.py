@@ -89,6 +89,21 @@ finally:
     assert seconds < 10
 
 
+def test_nothing_half_written_stays_where_machine_code_is_given_up(tmp_path: Path) -> None:
+    script = block(f"""
+from chaplygin.partial_files import locked, partial_file, partial_folder
+from pathlib import Path
+place = Path({str(tmp_path)!r})
+with locked(place / "a.zarr"), partial_folder(place), partial_file(place):
+    print(len(list(place.iterdir())), file=sys.stderr)
+    ready()
+    machine_code({LONG})
+""")
+    code, _, err, _ = interrupted(script)
+    assert (code, err[0]) == (130, "3")
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_what_says_nothing_has_saved_nothing() -> None:
     code, _, err, _ = interrupted(block("ready()\ntime.sleep(60)"))
     assert (code, err) == (

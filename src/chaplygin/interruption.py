@@ -223,6 +223,7 @@ def _listen(ear: socket.socket, over: threading.Event) -> None:
                     continue
                 print_interruption()
             _end_children()
+            _remove_partial_files()
             os._exit(_STATE.exit_code)
 
 
@@ -234,3 +235,11 @@ def _end_children() -> None:
         from .child_processes import end_processes
 
         end_processes(active_children(), GRACE_PERIOD)
+
+
+def _remove_partial_files() -> None:
+    """Remove what is being written, if anything ever was."""
+    if f"{__package__}.partial_files" in sys.modules:
+        from .partial_files import remove_own
+
+        remove_own()

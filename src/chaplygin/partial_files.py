@@ -36,6 +36,33 @@ _OLD = 7 * 86_400.0
 _NAME = re.compile(r"\.(?P<machine>[0-9a-f]{8})-(?P<process>\d+)-\w+\.partial")
 
 
+#: What this process is writing, and its locks.
+_OWN: set[Path] = set()
+
+
+@contextmanager
+def _owned(path: Path) -> Iterator[None]:
+    _OWN.add(path)
+    try:
+        yield
+    finally:
+        _OWN.discard(path)
+
+
+def remove_own() -> None:
+    """Remove what this process is writing, which is about to end in the middle of it."""
+    for path in list(_OWN):
+        with suppress(OSError):
+            _remove(path)
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
+
+
 @cache
 def _machine() -> str:
     """The machine, and the container, within which numbers of processes have a meaning."""
@@ -56,10 +83,11 @@ def partial_file(folder: Path) -> Iterator[Path]:
     handle, name = tempfile.mkstemp(dir=folder, prefix=_beginning(), suffix=".partial")
     os.close(handle)
     temporary = Path(name)
-    try:
-        yield temporary
-    finally:
-        temporary.unlink(missing_ok=True)
+    with _owned(temporary):
+        try:
+            yield temporary
+        finally:
+            temporary.unlink(missing_ok=True)
 
 
 @contextmanager
@@ -67,11 +95,12 @@ def partial_folder(folder: Path) -> Iterator[Path]:
     """A new folder in another, removed at the end of the block unless it was renamed."""
     remove_leftovers(folder)
     temporary = Path(tempfile.mkdtemp(dir=folder, prefix=_beginning(), suffix=".partial"))
-    try:
-        temporary.chmod(0o777 & ~umask())
-        yield temporary
-    finally:
-        shutil.rmtree(temporary, ignore_errors=True)
+    with _owned(temporary):
+        try:
+            temporary.chmod(0o777 & ~umask())
+            yield temporary
+        finally:
+            shutil.rmtree(temporary, ignore_errors=True)
 
 
 def umask() -> int:
@@ -108,7 +137,7 @@ def locked(target: Path, inside: bool = False) -> Iterator[None]:
     # filelock waits where nothing can be written; this says why not
     place.touch()
     try:
-        with filelock.FileLock(place, timeout=_PATIENCE):
+        with filelock.FileLock(place, timeout=_PATIENCE), _owned(place):
             try:
                 yield
             finally:
@@ -127,10 +156,7 @@ def remove_leftovers(folder: Path) -> None:
     with suppress(OSError):
         for entry in os.scandir(folder):
             if entry.name.startswith(".") and _is_left(entry):
-                if entry.is_dir(follow_symlinks=False):
-                    shutil.rmtree(entry.path)
-                else:
-                    Path(entry.path).unlink(missing_ok=True)
+                _remove(Path(entry.path))
                 found.append(entry.name)
     if found:
         _LOG.info("removed from %s what a killed process had left: %s", folder, ", ".join(found))
