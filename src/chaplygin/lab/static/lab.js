@@ -4370,4 +4370,14 @@ three/build/three.module.js:
    * Copyright 2010-2026 Three.js Authors
    * SPDX-License-Identifier: MIT
    *)
+
+uplot/dist/uPlot.esm.js:
+  (*!
+  * Copyright (c) 2025, Leon Sorokin
+  * All rights reserved. (MIT Licensed)
+  *
+  * uPlot.js (μPlot)
+  * A small, fast chart for time series, lines, areas, ohlc & bars
+  * https://github.com/leeoniya/uPlot (v1.6.32)
+  *)
 */
