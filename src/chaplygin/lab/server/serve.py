@@ -32,6 +32,9 @@ SAVING_TIMEOUT = 60.0
 #: Connections at most; more are told to come again.
 CONNECTIONS = 256
 
+#: Connections at most that wait for a request; of more, those that have waited longest are closed.
+IDLE_CONNECTIONS = 64
+
 
 class _Server(uvicorn.Server):
     """A server that leaves signals to the command line."""
@@ -48,6 +51,7 @@ class _Connection(H11Protocol):
     """
 
     _unread: asyncio.TimerHandle | None = None
+    _made = 0.0
 
     def pause_writing(self) -> None:
         """Wait until more has been read, but not for ever."""
@@ -63,7 +67,18 @@ class _Connection(H11Protocol):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Begin to watch it."""
         super().connection_made(transport)
+        self._made = self.loop.time()
         self._watch()
+        idle = [
+            other
+            for other in self.connections
+            if isinstance(other, _Connection)
+            and other._is_idle()
+            and not other.transport.is_closing()
+        ]
+        if len(idle) > IDLE_CONNECTIONS:
+            # first those from which no request has ever come
+            min(idle, key=lambda other: (other.cycle is not None, other._made)).transport.close()
 
     def _watch(self) -> None:
         self.loop.call_later(MESSAGE_TIMEOUT, self._close_if_idle, self._is_idle(), self.cycle)
