@@ -91,10 +91,10 @@ finally:
 
 def test_nothing_half_written_stays_where_machine_code_is_given_up(tmp_path: Path) -> None:
     script = block(f"""
-from chaplygin.partial_files import locked, partial_file, partial_folder
+from chaplygin.partial_files import write_lock, partial_file, partial_folder
 from pathlib import Path
 place = Path({str(tmp_path)!r})
-with locked(place / "a.zarr"), partial_folder(place), partial_file(place):
+with write_lock(place / "a.zarr"), partial_folder(place), partial_file(place):
     print(len(list(place.iterdir())), file=sys.stderr)
     ready()
     machine_code({LONG})

@@ -20,7 +20,7 @@ from chaplygin.core.private_files import write_private
 from chaplygin.errors import InputError
 from chaplygin.experiment.files import atomic_file
 from chaplygin.flow.ensemble.computation import compute
-from chaplygin.partial_files import locked
+from chaplygin.partial_files import write_lock
 from chaplygin.report.study_output import write_study
 from counted import task
 
@@ -28,9 +28,9 @@ WRITER = """
 import sys, time
 from pathlib import Path
 from chaplygin.experiment.files import atomic_file
-from chaplygin.partial_files import locked, partial_folder
+from chaplygin.partial_files import write_lock, partial_folder
 folder = Path(sys.argv[1])
-with locked(folder / "a.zarr"), partial_folder(folder), atomic_file(folder / "motion.nc") as place:
+with write_lock(folder / "a.zarr"), partial_folder(folder), atomic_file(folder / "motion.nc") as place:
     place.write_text("half of it")
     print("ready", flush=True)
     time.sleep(60)
@@ -136,6 +136,6 @@ def test_a_folder_holds_one_study_at_a_time(tmp_path: Path) -> None:
     folder = tmp_path / "v"
     folder.mkdir()
     words = f"^{folder} is being written by another process: wait for it, or choose another name$"
-    with locked(folder, inside=True), pytest.raises(InputError, match=words):
+    with write_lock(folder, inside=True), pytest.raises(InputError, match=words):
         write_study(study, folder, True, ProofBudget(1, 0), _Silent())
     assert names(folder) == []

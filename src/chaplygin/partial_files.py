@@ -41,7 +41,7 @@ _OWN: set[Path] = set()
 
 
 @contextmanager
-def _owned(path: Path) -> Iterator[None]:
+def _own(path: Path) -> Iterator[None]:
     _OWN.add(path)
     try:
         yield
@@ -83,7 +83,7 @@ def partial_file(folder: Path) -> Iterator[Path]:
     handle, name = tempfile.mkstemp(dir=folder, prefix=_beginning(), suffix=".partial")
     os.close(handle)
     temporary = Path(name)
-    with _owned(temporary):
+    with _own(temporary):
         try:
             yield temporary
         finally:
@@ -95,7 +95,7 @@ def partial_folder(folder: Path) -> Iterator[Path]:
     """A new folder in another, removed at the end of the block unless it was renamed."""
     remove_leftovers(folder)
     temporary = Path(tempfile.mkdtemp(dir=folder, prefix=_beginning(), suffix=".partial"))
-    with _owned(temporary):
+    with _own(temporary):
         try:
             temporary.chmod(0o777 & ~umask())
             yield temporary
@@ -111,7 +111,7 @@ def umask() -> int:
 
 
 @contextmanager
-def locked(target: Path, inside: bool = False) -> Iterator[None]:
+def write_lock(target: Path, inside: bool = False) -> Iterator[None]:
     """A block in which no other process writes to a folder; the lock ends with the process.
 
     The lock is a file, which is deleted while it is still locked: who waits for a deleted file
@@ -137,7 +137,7 @@ def locked(target: Path, inside: bool = False) -> Iterator[None]:
     # filelock waits where nothing can be written; this says why not
     place.touch()
     try:
-        with filelock.FileLock(place, timeout=_PATIENCE), _owned(place):
+        with filelock.FileLock(place, timeout=_PATIENCE), _own(place):
             try:
                 yield
             finally:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ..errors import InputError
 from ..experiment.files import atomic_file, check_target
-from ..partial_files import locked
+from ..partial_files import write_lock
 
 FILES = ("report.html", "trajectory.nc", "experiment.toml", "figures")
 
@@ -67,7 +67,7 @@ def being_written(folder: Path) -> Iterator[None]:
     with ExitStack() as stack:
         try:
             folder.mkdir(parents=True, exist_ok=True)
-            stack.enter_context(locked(folder, inside=True))
+            stack.enter_context(write_lock(folder, inside=True))
         except OSError as problem:
             raise InputError(f"{folder} cannot be written: {problem.strerror}") from problem
         yield

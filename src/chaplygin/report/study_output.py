@@ -81,12 +81,12 @@ def write_study(
     """
     with being_written(folder):
         begin(folder, study.complete_toml(), force)
-        outcome = _written(study, folder, budget, report)
+        outcome = _complete(study, folder, budget, report)
         end(folder)
     return outcome
 
 
-def _written(
+def _complete(
     study: Study, folder: Path, budget: ProofBudget, report: Report
 ) -> tuple[Trajectory, RunError | None]:
     failure: RunError | None = None

@@ -30,7 +30,7 @@ from ...core.arrays import BoolArray
 from ...core.source_digest import computation_digest
 from ...errors import InputError
 from ...formulas.digest import digest, field_digests
-from ...partial_files import locked, partial_folder
+from ...partial_files import partial_folder, write_lock
 from .chunks import chunk_path, damaged_blocks, flush, write_chunk_table
 from .task import Arrays, IncompleteError, Task
 
@@ -126,7 +126,7 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
             if _is_empty(folder):
                 _create(task, folder)
             group = _group(folder)
-            stack.enter_context(locked(folder))
+            stack.enter_context(write_lock(folder))
             store = _resumed_store(task, folder, group)
         except OSError as problem:
             raise InputError(f"{folder} cannot be written: {_reason(problem)}") from problem
@@ -141,7 +141,7 @@ def remove_store(folder: Path) -> None:
     InputError
         If it is none of ours, or is being written.
     """
-    with locked(folder):
+    with write_lock(folder):
         read_store(folder).close()
         shutil.rmtree(folder)
 

@@ -51,7 +51,7 @@ class _Connection(H11Protocol):
     """
 
     _unread: asyncio.TimerHandle | None = None
-    _made = 0.0
+    _since = 0.0
 
     def pause_writing(self) -> None:
         """Wait until more has been read, but not for ever."""
@@ -64,10 +64,10 @@ class _Connection(H11Protocol):
         if self._unread is not None:
             self._unread.cancel()
 
-    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+    def connection_since(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Begin to watch it."""
-        super().connection_made(transport)
-        self._made = self.loop.time()
+        super().connection_since(transport)
+        self._since = self.loop.time()
         self._watch()
         idle = [
             other
@@ -78,7 +78,7 @@ class _Connection(H11Protocol):
         ]
         if len(idle) > IDLE_CONNECTIONS:
             # first those from which no request has ever come
-            min(idle, key=lambda other: (other.cycle is not None, other._made)).transport.close()
+            min(idle, key=lambda other: (other.cycle is not None, other._since)).transport.close()
 
     def _watch(self) -> None:
         self.loop.call_later(MESSAGE_TIMEOUT, self._close_if_idle, self._is_idle(), self.cycle)
