@@ -1,8 +1,9 @@
 """Prints where the package installs from ready-built wheels, as the table of docs/dependencies.md.
 
 python platforms.py, where uv is installed: `uv pip compile` is asked for each platform and each
-version of Python, for the oldest versions that will do and newer ones as in pyproject.toml.  Where
-there is no solution, each requirement is asked for alone, to name those without a wheel.
+version of Python, for versions from the oldest that will do in pyproject.toml on.  First each
+requirement is asked for alone, to name those without a wheel; where all have one, for all of them
+together with all that they need.
 """
 
 from __future__ import annotations
@@ -27,47 +28,53 @@ PLATFORMS = {
     "x86_64-unknown-linux-musl": "Linux with musl, x86-64",
     "aarch64-unknown-linux-musl": "Linux with musl, aarch64",
 }
+#: Seconds for one answer.
+PATIENCE = 60.0
 #: Extras for users; the others are for work on the package itself.
 EXTRAS = ("cluster", "export", "film", "gpu", "lab", "taylor")
 
 
-def has_wheels(requirements: tuple[str, ...], platform: str, python: str) -> bool:
+def has_wheels(requirements: tuple[str, ...], platform: str, python: str, *options: str) -> bool:
     """Whether the resolver finds versions that all come as wheels."""
-    asked = subprocess.run(
-        [
-            *("uv", "pip", "compile", "-", "--quiet", "--no-header", "--only-binary", ":all:"),
-            *("--python-platform", platform, "--python-version", python),
-        ],
-        input="\n".join(requirements),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    try:
+        asked = subprocess.run(
+            [
+                *("uv", "pip", "compile", "-", "--quiet", "--no-header", "--only-binary", ":all:"),
+                *("--python-platform", platform, "--python-version", python, *options),
+            ],
+            input="\n".join(requirements),
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=PATIENCE,
+        )
+    except subprocess.TimeoutExpired:
+        # it goes back through older and older versions
+        return False
     if asked.returncode not in (0, 1) or "error sending request" in asked.stderr:
         sys.exit(asked.stderr)
     return asked.returncode == 0
 
 
-def without_wheels(requirements: tuple[str, ...], platform: str, python: str) -> tuple[str, ...]:
-    """Those of the requirements for which there are no wheels; empty if they all install."""
-    if has_wheels(requirements, platform, python):
-        return ()
-    alone = tuple(r for r in requirements if not has_wheels((r,), platform, python))
-    return alone or ("no common solution",)
-
-
 def cell(project: dict, platform: str, python: str) -> str:
-    """A cell of the table: yes, or the requirements without wheels; then extras that lack some."""
-    core = tuple(project["dependencies"])
-    if missing := without_wheels(core, platform, python):
-        return "no: " + ", ".join(_name(r) for r in missing)
-    optional = project["optional-dependencies"]
-    lacking = [
+    """A cell of the table: yes and the extras that lack a wheel, or the requirements that do."""
+    core, optional = tuple(project["dependencies"]), project["optional-dependencies"]
+
+    def lacking(requirements: tuple[str, ...]) -> list[str]:
+        alone = [r for r in requirements if not has_wheels((r,), platform, python, "--no-deps")]
+        return [_name(requirement) for requirement in alone]
+
+    if missing := lacking(core):
+        return "no: " + ", ".join(missing)
+    if not has_wheels(core, platform, python):
+        return "no: something that these need"
+    without = [
         f"`{extra}`"
         for extra in EXTRAS
-        if not has_wheels((*core, *optional[extra]), platform, python)
+        if lacking(tuple(optional[extra]))
+        or not has_wheels((*core, *optional[extra]), platform, python)
     ]
-    return "yes" + (f", without {', '.join(lacking)}" if lacking else "")
+    return "yes" + (f", without {', '.join(without)}" if without else "")
 
 
 def _name(requirement: str) -> str:
@@ -78,8 +85,13 @@ def table() -> list[str]:
     """The lines of the table."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     places = list(product(PLATFORMS, PYTHONS))
+    cells = {}
     with ThreadPoolExecutor(4) as threads:
-        cells = dict(zip(places, threads.map(lambda p: cell(project, *p), places), strict=True))
+        for place, found in zip(
+            places, threads.map(lambda p: cell(project, *p), places), strict=True
+        ):
+            cells[place] = found
+            print(*place, found, file=sys.stderr)
     rows = [
         f"| {own} | " + " | ".join(cells[name, python] for python in PYTHONS) + " |"
         for name, own in PLATFORMS.items()

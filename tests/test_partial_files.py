@@ -30,7 +30,8 @@ from pathlib import Path
 from chaplygin.experiment.files import atomic_file
 from chaplygin.partial_files import write_lock, partial_folder
 folder = Path(sys.argv[1])
-with write_lock(folder / "a.zarr"), partial_folder(folder), atomic_file(folder / "motion.nc") as place:
+file = folder / "motion.nc"
+with write_lock(folder / "a.zarr"), partial_folder(folder), atomic_file(file) as place:
     place.write_text("half of it")
     print("ready", flush=True)
     time.sleep(60)

@@ -336,12 +336,31 @@ class FastLyapunovIndicator(ChaosIndicator):
 
 @arguments_checked
 class Megno(ChaosIndicator):
-    """The mean of MEGNO: 2 on a regular motion, λ/2 times the time on a chaotic one.
+    """The mean of MEGNO: up to about 2 on a regular motion, λ/2 times the time on a chaotic one.
 
-    It is 0 if all neighbours keep their distance (equal frequencies, a stable equilibrium).
+    On a regular motion it tends to 2 as soon as neighbours part in proportion to the time, and it
+    is below 2 before.  It stays 0 if they keep their distance (equal frequencies, a stable
+    equilibrium).
 
     Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
     over the intervals.
+
+    Examples
+    --------
+    A pendulum, whose motions are all regular:
+
+    >>> import numpy as np
+    >>> import sympy as sp
+    >>> import chaplygin as ch
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> start = np.array([[0.5, 0.0]])
+    >>> for until in (500.0, 2000.0, 10000.0):
+    ...     rule = ch.analysis.lyapunov.Megno(pendulum, until)
+    ...     print(f"{rule(start, {})['value'][0]:.2f}")
+    0.56
+    1.87
+    2.11
     """
 
     @arguments_checked
