@@ -22,7 +22,10 @@ from types import FrameType
 EXIT_CODE = 128 + signal.SIGINT
 
 #: Signals that interrupt, with what they do where nobody has asked for anything else.
-_SIGNALS = {signal.SIGINT: signal.default_int_handler, signal.SIGTERM: signal.SIG_DFL}
+_SIGNALS: dict[signal.Signals, Callable[[int, FrameType | None], object] | signal.Handlers] = {
+    signal.SIGINT: signal.default_int_handler,
+    signal.SIGTERM: signal.SIG_DFL,
+}
 
 #: What is said where nothing else is.
 NOTHING_SAVED = "nothing was saved; the same command starts from the beginning"

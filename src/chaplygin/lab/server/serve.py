@@ -64,9 +64,9 @@ class _Connection(H11Protocol):
         if self._unread is not None:
             self._unread.cancel()
 
-    def connection_since(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Begin to watch it."""
-        super().connection_since(transport)
+        super().connection_made(transport)
         self._since = self.loop.time()
         self._watch()
         idle = [
