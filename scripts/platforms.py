@@ -40,6 +40,7 @@ def has_wheels(requirements: tuple[str, ...], platform: str, python: str, *optio
         asked = subprocess.run(
             [
                 *("uv", "pip", "compile", "-", "--quiet", "--no-header", "--only-binary", ":all:"),
+                *("--python", sys.executable),
                 *("--python-platform", platform, "--python-version", python, *options),
             ],
             input="\n".join(requirements),
@@ -49,8 +50,7 @@ def has_wheels(requirements: tuple[str, ...], platform: str, python: str, *optio
             timeout=PATIENCE,
         )
     except subprocess.TimeoutExpired:
-        # it goes back through older and older versions
-        return False
+        sys.exit(f"no answer in {PATIENCE:g} s: {', '.join(requirements)} on {platform} {python}")
     if asked.returncode not in (0, 1) or "error sending request" in asked.stderr:
         sys.exit(asked.stderr)
     return asked.returncode == 0
@@ -67,7 +67,8 @@ def cell(project: dict, platform: str, python: str) -> str:
     if missing := lacking(core):
         return "no: " + ", ".join(missing)
     if not has_wheels(core, platform, python):
-        return "no: something that these need"
+        alone = [_name(r) for r in core if not has_wheels((r,), platform, python)]
+        return f"no: what {', '.join(alone)} needs" if alone else "no: no common versions"
     without = [
         f"`{extra}`"
         for extra in EXTRAS

@@ -6,6 +6,7 @@ import re
 import subprocess
 import tomllib
 from importlib.metadata import PackageNotFoundError, metadata
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import Any
 
@@ -148,3 +149,23 @@ def is_installed(name: str) -> bool:
     except PackageNotFoundError:
         return False
     return True
+
+
+def test_platforms_are_those_that_the_resolver_was_asked_for() -> None:
+    """Classifiers promised systems without wheels."""
+    spec = spec_from_file_location("platforms", ROOT / "scripts" / "platforms.py")
+    assert spec is not None and spec.loader is not None
+    script = module_from_spec(spec)
+    spec.loader.exec_module(script)
+    table = {row[0]: row[1:] for row in rows("docs/dependencies.md") if len(row) == 5}
+    assert set(table) >= set(script.PLATFORMS.values())
+    answers = [table[name] for name in script.PLATFORMS.values()]
+    assert all(re.match("yes|no: ", answer) for row in answers for answer in row)
+    assert {len(row) for row in answers} == {len(script.PYTHONS)}
+    classifiers = PROJECT["project"]["classifiers"]
+    # a classifier is for a system on all of its processors; musl is Linux too, as the page says
+    assert [c for c in classifiers if c.startswith("Operating")] == [
+        "Operating System :: POSIX :: Linux"
+    ]
+    versions = [c.rpartition(" ")[2] for c in classifiers if re.search(r"Python :: 3\.", c)]
+    assert versions == list(script.PYTHONS)
