@@ -344,23 +344,6 @@ class Megno(ChaosIndicator):
 
     Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
     over the intervals.
-
-    Examples
-    --------
-    A pendulum, whose motions are all regular:
-
-    >>> import numpy as np
-    >>> import sympy as sp
-    >>> import chaplygin as ch
-    >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> start = np.array([[0.5, 0.0]])
-    >>> for until in (500.0, 2000.0, 10000.0):
-    ...     rule = ch.analysis.lyapunov.Megno(pendulum, until)
-    ...     print(f"{rule(start, {})['value'][0]:.2f}")
-    0.56
-    1.87
-    2.11
     """
 
     @arguments_checked
