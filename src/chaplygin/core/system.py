@@ -325,6 +325,9 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
+        if not (self.name.strip() and (self.name + self.title).isprintable()):
+            named = f"name {self.name!r}, title {self.title!r}"
+            raise InputError(f"{named}: a system has a name, and both are printable")
         for item in self.parameters:
             if not math.isfinite(item.default):
                 raise InputError(
