@@ -338,9 +338,8 @@ class FastLyapunovIndicator(ChaosIndicator):
 class Megno(ChaosIndicator):
     """The mean of MEGNO: up to about 2 on a regular motion, λ/2 times the time on a chaotic one.
 
-    On a regular motion it tends to 2 as soon as neighbours part in proportion to the time, and it
-    is below 2 before.  It stays 0 if they keep their distance (equal frequencies, a stable
-    equilibrium).
+    It tends to 2, often from below, where neighbours part in proportion to the time, and stays 0
+    if they keep their distance (equal frequencies, a stable equilibrium).
 
     Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
     over the intervals.
