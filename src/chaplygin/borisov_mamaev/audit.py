@@ -9,19 +9,17 @@ from __future__ import annotations
 import html
 import os
 import re
-import signal
-import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from typing import Any
 
 from .._version import __version__
 from ..arguments import arguments_checked
+from ..child_processes import follow_parent, signals_blocked
 from ..core.cache import entry_name
 from ..core.source_digest import package_digest
 from ..errors import InputError
@@ -239,9 +237,10 @@ def _judge_in_processes(
     report: Callable[[float], None],
 ) -> int:
     """Fill `verdicts`; the number left undone by an interruption."""
-    pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
+    context = get_context("spawn")
+    pool = ProcessPoolExecutor(workers, mp_context=context, initializer=follow_parent)
     try:
-        with _interrupts_blocked():
+        with signals_blocked():
             tasks: dict[Future[tuple[Verdict, Verdict | None]], int] = {
                 pool.submit(judge, n, section): n for n in waiting
             }
@@ -261,19 +260,6 @@ def _judge_in_processes(
         ) from None
     pool.shutdown()
     return 0
-
-
-@contextmanager
-def _interrupts_blocked() -> Iterator[None]:
-    """A block in which new processes ignore Ctrl-C; Windows has nothing of the kind."""
-    if sys.platform == "win32":
-        yield
-    else:
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-        try:
-            yield
-        finally:
-            signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _judgement(
