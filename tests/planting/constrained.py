@@ -15,7 +15,7 @@ import chaplygin as ch
 from chaplygin.core.laws import Integral, Law
 from chaplygin.core.system import System
 
-from .case import Case, Family, parameter, real
+from .case import Case, Family, Truth, parameter, real
 from .levels import number
 
 __all__ = ["CONSTRAINED"]
@@ -108,7 +108,8 @@ def energy_with_constraints(rng: random.Random) -> Case:
         return ch.equations(mechanism), Integral("law", told)
 
     holds = not spoilt or _holds_still(make()[0], told)
-    return Case("energy with constraints", make, "true" if holds else "false", why)
+    truth: Truth = "true" if holds else "false"
+    return Case("energy with constraints", make, truth, why, refusable=True)
 
 
 def _holds_still(system: System, told: sp.Expr) -> bool:
