@@ -294,6 +294,8 @@ class Evaluator(Evaluation[Jet]):
             return self(_as_ratio(formula))
         if isinstance(formula, sp.sinh | sp.cosh | sp.tanh):
             return self(formula.rewrite(sp.exp))
+        if isinstance(formula, sp.Max | sp.Min):
+            return self(with_absolute_values(formula))
         if not (formula.args and formula.is_Function):
             raise OutOfReachError(f"{formula}, which is no real number or function of the state")
         inner = [self(part) for part in formula.args]
@@ -307,6 +309,11 @@ class Evaluator(Evaluation[Jet]):
             angle = upper.through(field.function_value("atan2", values), lower.value / square)
             return angle + lower.through(field.zero, field.zero - upper.value / square)
         x = values[0]
+        if isinstance(formula, sp.Abs | sp.sign):
+            # |x| = √(x²) has the derivative x/|x|, which is the sign of x; zeros are left aside
+            size = field.root(x * x, 2)
+            sign = x / size
+            return inner[0].through(size, sign) if isinstance(formula, sp.Abs) else Jet(sign, {})
         if isinstance(formula, sp.atan):
             return inner[0].through(field.function_value("atan", values), one / (one + x * x))
         if isinstance(formula, sp.asin | sp.acos):
@@ -315,8 +322,6 @@ class Evaluator(Evaluation[Jet]):
             return inner[0].through(
                 field.function_value(type(formula).__name__, values), sign / root
             )
-        if isinstance(formula, sp.Abs):
-            raise OutOfReachError("an absolute value; write it with a square root")
         raise OutOfReachError(
             f"the formula {formula} is of a kind ({type(formula).__name__}) unknown here"
         )
@@ -337,6 +342,13 @@ def _few_multiples(angle: sp.Expr) -> bool:
     """Whether sine and cosine of the multiples in an angle are short polynomials."""
     factors = (term.as_coeff_Mul()[0] for term in sp.Add.make_args(sp.expand(angle)))
     return all(abs(factor) <= MOST_MULTIPLES for factor in factors)
+
+
+def with_absolute_values(formula: sp.Max | sp.Min) -> sp.Expr:
+    """A maximum or minimum by absolute values: max(a, b) = (a + b + |a - b|)/2."""
+    sign = 1 if isinstance(formula, sp.Max) else -1
+    arguments = sorted(formula.args, key=sp.default_sort_key)
+    return reduce(lambda a, b: (a + b + sign * sp.Abs(a - b)) / 2, arguments)
 
 
 def _as_ratio(formula: sp.Expr) -> sp.Expr:

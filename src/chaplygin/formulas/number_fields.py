@@ -76,7 +76,7 @@ class Rationals:
 
     def root(self, element: fmpq, degree: int) -> fmpq:
         """The positive root."""
-        if element == 0 and degree > 1:
+        if degree > 1 and element <= 0:
             raise ZeroDivisionError
         return exact_root(element, degree)
 

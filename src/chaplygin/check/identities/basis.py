@@ -14,7 +14,7 @@ from .divisors import Entry, nonzero_factors, read_divisors
 from .equations import read_equations
 from .generators import POINTS, Generators, Sample
 from .positivity import PositiveSum, check_radicand_positive, learn_positive, settle
-from .roots import check_functions, check_radicands, check_roots, has_formal_roots
+from .roots import check_bases, check_functions, check_radicands, check_roots, has_formal_roots
 
 #: Points at which roots are compared of which the sign is not said.
 FORMAL = 10
@@ -60,7 +60,7 @@ def read_basis(
     """
     ring = generators.ring
     samples = generators.samples(FORMAL if has_formal_roots(generators) else POINTS)
-    entries, matched = read_divisors(data, generators, samples, what)
+    entries, matched, bases = read_divisors(data, generators, samples, what)
     nonzero = nonzero_factors(generators, entries)
     certain = Signs()
     for auxiliary in generators.auxiliary:
@@ -85,9 +85,10 @@ def read_basis(
     left = settle(signs, radicands, sums, nonzero, written)
     if left:
         raise CheckError(f"what is positive in {what}: a sum is not")
+    check_roots(generators, signs, nonzero, entries, matched, what)
     if with_residuals:
-        check_roots(generators, signs, nonzero, entries, matched, what)
         check_radicands(generators, signs, entries, matched, what)
+        check_bases(signs, entries, bases, what)
     check_functions(generators, samples, nonzero, signs, what)
     for item in positives:
         check_radicand_positive(mapping(item, what), generators, signs, what)

@@ -9,13 +9,14 @@ shares no code with this; every certificate passes its check before it is handed
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from ...arguments import arguments_checked
 from ...check import FORMAT, BadInputError, CheckError, check
 from ...check.certificate_points import point_of_level
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
+from ...check.claim.errors import UndefinedError
 from ...check.claim.formulas import name, parse_condition
 from ...core.laws import Law
 from ...core.system import System
@@ -104,7 +105,7 @@ def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Tex
         content["conditions"] = list(_condition_texts(verdict))
     read = read_claim(claim, "the claim")
     with ball_precision():
-        sample = _sample(system, law, read)
+        sample = _sample(system, law, read, verdict.formulas)
     content["sample"] = sample
     return content | {"proofs": _proofs(system, law, read, sample, verdict, Budget(effort=effort))}
 
@@ -130,25 +131,26 @@ def _condition_texts(verdict: Verdict) -> tuple[str, ...]:
     return verdict.formulas
 
 
-def _sample(system: System, law: Law, read: CheckedClaim) -> Text:
-    """A point of the level at which the law is defined, as a certificate gives it."""
+def _sample(system: System, law: Law, read: CheckedClaim, conditions: Sequence[str]) -> Text:
+    """A point of the level at which the law is defined and conditions hold, as text."""
     for alternative in alternatives(system, law):
         claim = polynomial_problems(alternative.system, alternative.law)[-1]
         for level in LevelSet(claim.system, claim.law.on).components:
             points = replace(level, inner=True) if level.parent else level
             for trial in trials(claim.law, points):
                 point = None if trial.witness else witness_point(claim, points, trial.values)
-                if point is not None and _is_located(read, point):
+                if point is not None and _is_located(read, point, conditions):
                     return point
     raise OutOfReachError("no point of its level was found with coordinates that can be written")
 
 
-def _is_located(read: CheckedClaim, point: Text) -> bool:
+def _is_located(read: CheckedClaim, point: Text, conditions: Sequence[str]) -> bool:
     try:
-        point_of_level(read, point)
-    except CheckError:
+        numbers = point_of_level(read, point)
+        stated = [parse_condition(words, "a condition")[0] for words in conditions]
+        return all(numbers(f) > 0 if sign == ">" else numbers(f) != 0 for f, sign in stated)
+    except (CheckError, UndefinedError):
         return False
-    return True
 
 
 def _proofs(
@@ -200,6 +202,9 @@ def _by_signs(
         try:
             setting = setting_for(UnreducedField, signs)
         except (NoRealValueError, ZeroDivisionError):
+            continue
+        if setting.field.has_negative_base:
+            # a condition of the verdict excludes it, or the check finds it open
             continue
         # where the law needs a sign, the check finds that a condition asks for it
         with contextlib.suppress(OutOfReachError):

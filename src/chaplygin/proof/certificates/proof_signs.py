@@ -64,6 +64,7 @@ def _reasons(setting: ProofSetting, equations: Sequence[Poly]) -> Reasons:
         positive = meaning.kind in ("root", "power", "pi") or meaning.name == "exp"
         if positive:
             reasons.learn(field.generators[name], 1)
+        if positive or meaning.kind == "formal root":
             reasons.nonzero.add(monic(field.generators[name])[0])
     for inversion in level.exchanged_inverses:
         a, b, c, d, e, f = (field.generators[str(s)] for s in inversion.name)

@@ -181,11 +181,10 @@ class Reasons:
         return None
 
     def _by_equations(self, poly: Poly) -> Sum | None:
-        constant = _constant(poly)
         for number, equation in enumerate(self.equations):
-            own = _constant(equation)
-            if constant != 0 and own != 0:
-                ratio = constant / own
+            terms_of_equation = equation.to_dict().items() if len(equation) <= MANY else ()
+            ratios = [poly[e] / c for e, c in terms_of_equation if e in poly]
+            for ratio in dict.fromkeys(ratios):
                 terms = self._by_terms(poly - ratio * equation)
                 if terms is not None:
                     return Sum(poly, terms, ((number, ratio),))
@@ -208,8 +207,3 @@ class Reasons:
         if forms is None:
             return None
         return tuple(Term((), weight, base) for weight, base in forms)
-
-
-def _constant(poly: Poly) -> fmpq:
-    zero = (0,) * poly.context().nvars()
-    return poly[zero] if zero in poly else fmpq(0)

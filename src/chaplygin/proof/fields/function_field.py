@@ -34,6 +34,10 @@ MULTIPLES = tuple(
 )
 
 
+class _NegativeBaseError(Exception):
+    """A negative base with a symbolic exponent, for the signs that are taken."""
+
+
 def power_of_zero(exponents: Iterable[tuple[sp.Expr, sp.Rational]]) -> Exception:
     """Why a power of zero with fractional or symbolic exponents is not to be had.
 
@@ -79,6 +83,10 @@ class FunctionField(QuotientRing):
         self.signs = Signs(self.ring, {})
         #: Signs of factors under roots that nothing known tells, as they were taken.
         self.decisions: dict[str, tuple[Poly, int]] = {}
+        #: Whether a negative base has been raised to a symbolic exponent.
+        self.has_negative_base = False
+        #: Known signs of factors that were taken out of roots.
+        self.used_signs: dict[str, tuple[Poly, int]] = {}
         self._choices = dict(choices or {})
         self._implied_signs: dict[str, int] = {}
         #: A root raised to its degree: content, factors with powers; and the degree.
@@ -151,40 +159,47 @@ class FunctionField(QuotientRing):
     def _positive_parts(
         self, element: Element, exponents: Sequence[tuple[sp.Expr, sp.Rational]]
     ) -> tuple[fmpq, list[tuple[Poly, int]]]:
-        """Content and factors with powers of what is raised to a power, all of them positive.
+        """Content and factors with powers of the base of a power, all of them positive.
 
-        What is raised is positive itself wherever the power is real and smooth.
+        Where exponents are numbers, the base is positive wherever the power is real and smooth.
+        With a symbolic exponent, which may be a whole number, it may be negative: that it is
+        positive is decided then, like the signs of its factors.
         """
         content, parts = self.factorisation(self.reduce(element.poly))
         total: dict[int, int] = dict(element.powers)
         for number, power in parts:
             total[number] = total.get(number, 0) + power
-        signed = []
-        overall = 1 if content > 0 else -1
-        odd: Poly | None = None
+        is_number = all(theta == 1 for theta, _ in exponents)
+        signed, overall = [], 1 if content > 0 else -1
+        odd: tuple[Poly, int] | None = None
         for number, power in total.items():
             poly = self.factors[number]
             if not power:
                 continue
-            if all(
-                theta == 1 and (sp.Rational(n) * power / 2).is_Integer for theta, n in exponents
-            ):
+            if is_number and all((sp.Rational(n) * power / 2).is_Integer for _, n in exponents):
                 signed.append((poly, power))
                 continue
             sign = self._known_sign(poly)
             if not sign and power % 2 and odd is None:
                 # its sign will follow from those of the others
-                odd = poly
-            sign = sign or (1 if odd is poly else self._decision(poly))
+                odd = poly, power
+                continue
+            if sign and power % 2 == 0:
+                self.used_signs[str(poly)] = poly, sign
+            sign = sign or self._decision(poly, 0 if is_number else 1)
             if power % 2:
                 overall *= sign
             signed.append((poly if sign > 0 else -poly, power))
-        if overall < 0:
-            if odd is None:
-                raise NoRealValueError
-            signed = [(-poly if poly is odd else poly, power) for poly, power in signed]
         if odd is not None:
-            self._implied_signs[str(odd)] = overall
+            poly, power = odd
+            if is_number:
+                sign = self._implied_signs[str(poly)] = overall
+            else:
+                sign = self._decision(poly, overall)
+            overall *= sign
+            signed.append((poly if sign > 0 else -poly, power))
+        if overall < 0:
+            raise NoRealValueError if is_number else _NegativeBaseError
         return abs(content), signed
 
     def _known_sign(self, poly: Poly) -> int:
@@ -197,10 +212,10 @@ class FunctionField(QuotientRing):
         sign = self.signs.of(poly)
         return 0 if sign is Sign.UNKNOWN else (1 if sign > 0 else -1)
 
-    def _decision(self, poly: Poly) -> int:
+    def _decision(self, poly: Poly, preferred: int = 0) -> int:
         """The sign that is taken for a factor, here and wherever it stands under a root."""
         key = str(poly)
-        sign = self._choices.get(key) or (-1 if self.at_sample(poly) < 0 else 1)
+        sign = self._choices.get(key) or preferred or (-1 if self.at_sample(poly) < 0 else 1)
         self.decisions[key] = poly, sign
         return sign
 
@@ -220,7 +235,13 @@ class FunctionField(QuotientRing):
         exponents = tuple(exponents)
         if self.vanishes(element):
             raise power_of_zero(exponents)
-        content, parts = self._positive_parts(element, exponents)
+        try:
+            content, parts = self._positive_parts(element, exponents)
+        except _NegativeBaseError:
+            # roots that follow may show that the law is not defined for these signs
+            self.has_negative_base = True
+            key = ("negative base", len(self._auxiliary))
+            return Element(self, self._new(key, "a power of a negative base", lambda: 0.7), {})
         bases: list[tuple[Poly, int]] = [*parts]
         for prime, power in sp.factorrat(sp.Rational(int(content.p), int(content.q))).items():
             if prime != 1:
