@@ -16,13 +16,22 @@ from ..formulas.number_fields import Balls, Rationals
 from .fields.field import Field, FieldElement
 from .level.level_set import Draw, LevelSet
 from .level.positivity_conditions import unmet_conditions
-from .level.sample_points import moderate_number, number_near_default, number_of_any_magnitude
+from .level.sample_points import (
+    moderate_number,
+    number_near_default,
+    number_of_any_magnitude,
+    small_number,
+)
 from .rank import rank_defect
 from .residuals import Residuals, condition_rates, in_words, residuals
 
 ATTEMPTS = 400
 """Points looked at, for one inside the domain at which the law is defined."""
 SEED = 20080830
+FIRST = (number_near_default,) * 2 + (moderate_number,) * 4
+"""Points at which a law is tried first."""
+FURTHER = (number_near_default,) * 6 + (moderate_number,) * 40 + (small_number,) * 30
+"""Points tried where a remainder is left, before a law is called undecided."""
 
 
 @dataclass(frozen=True)
@@ -56,14 +65,7 @@ def all_residuals(law: Law, level: LevelSet, field: Field) -> Residuals:
 def trials(
     law: Law,
     level: LevelSet,
-    draws: Sequence[Draw] = (
-        number_near_default,
-        number_near_default,
-        moderate_number,
-        moderate_number,
-        moderate_number,
-        moderate_number,
-    ),
+    draws: Sequence[Draw] = FIRST,
 ) -> Iterator[Trial]:
     """A law at random points of the domain; fewer than asked for where there are not enough.
 

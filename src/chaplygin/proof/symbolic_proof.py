@@ -78,7 +78,7 @@ def proof(
     is_attained : bool
         Whether the law is known to have the rank it claims.
     """
-    first = _run(FunctionField, law, level, sample, budget, {})
+    first = _first_run(law, level, sample, budget)
     if first.failure:
         return Proof(first.residuals, failure=first.failure)
     if not (is_attained or first.void):
@@ -113,6 +113,21 @@ def proof(
         return Proof(0)
     conditions = tuple(first.words[key] for key in first.words if key in failed)
     return Proof(proven[0].residuals, conditions)
+
+
+def _first_run(
+    law: Law, level: LevelSet, sample: Mapping[str, float] | None, budget: Budget
+) -> _Run:
+    """A run for the signs at the sample; for others where a base would be negative."""
+    first = _run(FunctionField, law, level, sample, budget, {})
+    waiting = flipped_decisions(first.field, 0) if first.field.has_negative_base else []
+    for signs, size, _ in waiting:
+        run = _run(FunctionField, law, level, sample, budget, signs)
+        if not (run.failure or run.void):
+            return run
+        if len(waiting) < MOST_RUNS:
+            waiting += flipped_decisions(run.field, size)
+    return first
 
 
 def flipped_decisions(field: FunctionField, size: int) -> list[tuple[dict[str, int], int, str]]:

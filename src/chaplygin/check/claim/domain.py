@@ -5,8 +5,8 @@ vanishes, or where something under a root, in a power that is no whole number or
 not positive.
 
 A power whose exponent is no number as it is written, b^a, is meant where b is positive and, for
-whole a, where b is negative.  So nothing may be taken for granted but that b is not zero; what is proved with b > 0
-holds where that is known or is a condition of the verdict.
+whole a, where b is negative.  So nothing may be taken for granted but that b is not zero; what is
+proved with b > 0 holds where that is known or is a condition of the verdict.
 """
 
 from __future__ import annotations

@@ -145,7 +145,7 @@ class Generators:
         return Sample(values, point, *self.domain.values(point))
 
     def _random_value(self, word: str, generator: random.Random, attempt: int) -> arb:
-        mode = attempt % 3
+        mode = attempt % 4
         fine = generator.randint(-(2**22), 2**22)
         if mode == 2 and word in self.near:
             middle = self.near[word]

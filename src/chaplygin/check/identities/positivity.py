@@ -106,7 +106,8 @@ class PositiveSum:
     """A polynomial that is a sum of positive terms, up to multiples of equations.
 
     The terms are constant · ∏ weight^power · base² with a positive constant, and with weights that
-    are positive, or do not vanish where their power is even.
+    are positive, or do not vanish where their power is even.  One term must be positive itself,
+    unless the polynomial is known not to vanish.
     """
 
     def __init__(self, data: Mapping[str, object], generators: Generators, what: str) -> None:
@@ -138,7 +139,8 @@ class PositiveSum:
         total = self.ring.constant(0)
         for quotient, equation in zip(self.quotients, equations, strict=True):
             total = total + quotient * equation
-        certain, strict = True, False
+        certain = True
+        strict = not self.poly.is_constant() and monic(self.poly)[0] in nonzero
         for weights, number, base in self.terms:
             for part, power in weights:
                 known = not part.is_constant() and monic(part)[0] in nonzero

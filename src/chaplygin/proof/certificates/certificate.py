@@ -30,7 +30,7 @@ from ..level.alternatives import alternatives
 from ..level.level_set import LevelSet
 from ..level.polynomial_problems import polynomial_problems
 from ..prover import prove, theorem_of
-from ..random_test import trials
+from ..random_test import FIRST, FURTHER, trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
 from ..verdict import Verdict
 from ..witness_points import witness_point
@@ -137,7 +137,7 @@ def _sample(system: System, law: Law, read: CheckedClaim, conditions: Sequence[s
         claim = polynomial_problems(alternative.system, alternative.law)[-1]
         for level in LevelSet(claim.system, claim.law.on).components:
             points = replace(level, inner=True) if level.parent else level
-            for trial in trials(claim.law, points):
+            for trial in trials(claim.law, points, FURTHER if conditions else FIRST):
                 point = None if trial.witness else witness_point(claim, points, trial.values)
                 if point is not None and _is_located(read, point, conditions):
                     return point
@@ -191,7 +191,9 @@ def _by_signs(
     excluding_condition: ExclusionOf,
 ) -> list[Text]:
     """A proof for every choice of signs for which the law is defined and holds."""
-    proofs = [proof_text(first, excluding_condition, with_decisions=True)]
+    proofs = []
+    if not first.field.has_negative_base:
+        proofs.append(proof_text(first, excluding_condition, with_decisions=True))
     waiting = flipped_decisions(first.field, 0)
     runs = 1
     while waiting:
@@ -203,11 +205,9 @@ def _by_signs(
             setting = setting_for(UnreducedField, signs)
         except (NoRealValueError, ZeroDivisionError):
             continue
-        if setting.field.has_negative_base:
-            # a condition of the verdict excludes it, or the check finds it open
-            continue
         # where the law needs a sign, the check finds that a condition asks for it
         with contextlib.suppress(OutOfReachError):
-            proofs.append(proof_text(setting, excluding_condition, with_decisions=True))
+            if not setting.field.has_negative_base:
+                proofs.append(proof_text(setting, excluding_condition, with_decisions=True))
         waiting += flipped_decisions(setting.field, size)
     return proofs

@@ -133,8 +133,8 @@ def positive_texts(setting: ProofSetting, reasons: Reasons, size: int) -> list[T
 
 def _sum_text(setting: ProofSetting, own: Sum, size: int) -> Text:
     quotients: list[Terms] = [[] for _ in range(size)]
-    for number, ratio in own.multiples:
-        quotients[number] = setting.terms(setting.field.ring.constant(ratio))
+    for number, share in own.multiples:
+        quotients[number] = setting.terms(share)
     return {
         "poly": setting.terms(own.poly),
         "strict": True,

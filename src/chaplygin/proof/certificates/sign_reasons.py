@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from flint import fmpq, fmpq_mpoly_ctx
 
 from ..fields.quotient_ring import Poly
-from ..fields.signs import MANY, completed_squares
+from ..fields.signs import MANY, completed_squares, multiples
 
 Powers = tuple[tuple[Poly, int], ...]
 
@@ -39,7 +39,7 @@ class Sum:
 
     poly: Poly
     terms: tuple[Term, ...]
-    multiples: tuple[tuple[int, fmpq], ...] = ()
+    multiples: tuple[tuple[int, Poly], ...] = ()
 
 
 @dataclass
@@ -123,6 +123,10 @@ class Reasons:
             whole = self._by_facts(signed) or self._by_equations(signed) or self._by_squares(signed)
             if whole is not None:
                 return whole
+        if key in self.nonzero:
+            for signed in (poly, -poly):
+                if (terms := self.squares(signed)) is not None:
+                    return Sum(signed, terms)
         return None
 
     def _by_terms(self, poly: Poly, strict: bool = True) -> tuple[Term, ...] | None:
@@ -181,13 +185,12 @@ class Reasons:
         return None
 
     def _by_equations(self, poly: Poly) -> Sum | None:
+        strict = monic(poly)[0] not in self.nonzero
         for number, equation in enumerate(self.equations):
-            terms_of_equation = equation.to_dict().items() if len(equation) <= MANY else ()
-            ratios = [poly[e] / c for e, c in terms_of_equation if e in poly]
-            for ratio in dict.fromkeys(ratios):
-                terms = self._by_terms(poly - ratio * equation)
+            for share in multiples(poly, equation):
+                terms = self._by_terms(poly - share * equation, strict)
                 if terms is not None:
-                    return Sum(poly, terms, ((number, ratio),))
+                    return Sum(poly, terms, ((number, share),))
         return None
 
     def _by_squares(self, poly: Poly) -> Sum | None:

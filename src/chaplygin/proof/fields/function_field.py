@@ -18,6 +18,7 @@ from flint import fmpq
 from ...formulas.errors import NeedMoreGeneratorsError, NoRealValueError, OutOfReachError
 from .budget import Budget
 from .quotient_ring import Element, Poly, QuotientRing
+from .sign_choices import contradict
 from .signs import Sign, Signs
 
 #: The meaning of an auxiliary generator: a word, and what sets it apart.
@@ -194,6 +195,8 @@ class FunctionField(QuotientRing):
             poly, power = odd
             if is_number:
                 sign = self._implied_signs[str(poly)] = overall
+                if self._is_contradicted(poly, sign):
+                    raise NoRealValueError
             else:
                 sign = self._decision(poly, overall)
             overall *= sign
@@ -216,8 +219,16 @@ class FunctionField(QuotientRing):
         """The sign that is taken for a factor, here and wherever it stands under a root."""
         key = str(poly)
         sign = self._choices.get(key) or preferred or (-1 if self.at_sample(poly) < 0 else 1)
+        if self._is_contradicted(poly, sign):
+            if key in self._choices or self._is_contradicted(poly, -sign):
+                raise NoRealValueError
+            sign = -sign
         self.decisions[key] = poly, sign
         return sign
+
+    def _is_contradicted(self, poly: Poly, sign: int) -> bool:
+        """Whether a factor cannot have a sign by those that were taken before."""
+        return any(contradict(poly * sign, known * own) for known, own in self.decisions.values())
 
     def root(self, element: Element, degree: int) -> Element:
         """The root that is positive at the sample point."""

@@ -45,6 +45,17 @@ def moderate_number(
     return fmpq(value.numerator, value.denominator)
 
 
+def small_number(default: float | None, generator: random.Random, both_signs: bool = False) -> fmpq:
+    """A random half of a small whole number, of the signs of `moderate_number`.
+
+    A parameter in an exponent makes that a whole number often, so that bases may be negative.
+    """
+    sign = -1 if default and default < 0 else 1
+    if not both_signs:
+        sign = generator.choice([-1, 1])
+    return fmpq(sign * generator.randint(1, 6), 2)
+
+
 def number_of_any_magnitude(
     default: float | None, generator: random.Random, both_signs: bool = False
 ) -> fmpq:
