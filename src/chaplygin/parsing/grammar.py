@@ -22,6 +22,8 @@ FUNCTIONS: Mapping[str, Callable[..., sympy.Expr]] = MappingProxyType(
         "tanh": sympy.tanh,
         "exp": sympy.exp,
         "log": sympy.log,
+        "abs": sympy.Abs,
+        "sign": sympy.sign,
     }
 )
 """Functions that a formula may call; each takes one argument, ``atan2`` takes two."""

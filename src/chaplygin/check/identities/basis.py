@@ -52,11 +52,11 @@ def read_basis(
     generators: Generators,
     region: Sequence[Formula],
     what: str,
-    with_residuals: bool = True,
 ) -> Basis:
     """Equations, divisors and signs of a proof, compared with the claim at random points.
 
-    With `with_residuals` all roots of the law must be those of factors with known signs.
+    All roots of the law must be those of factors with known signs: on others a formula may be
+    another polynomial than at the points that happened to be drawn.
     """
     ring = generators.ring
     samples = generators.samples(FORMAL if has_formal_roots(generators) else POINTS)
@@ -86,9 +86,8 @@ def read_basis(
     if left:
         raise CheckError(f"what is positive in {what}: a sum is not")
     check_roots(generators, signs, nonzero, entries, matched, what)
-    if with_residuals:
-        check_radicands(generators, signs, entries, matched, what)
-        check_bases(signs, entries, bases, what)
+    check_radicands(generators, signs, entries, matched, what)
+    check_bases(signs, entries, bases, what)
     check_functions(generators, samples, nonzero, signs, what)
     for item in positives:
         check_radicand_positive(mapping(item, what), generators, signs, what)
