@@ -60,7 +60,7 @@ FALSE = {
 def test_a_base_must_be_positive(name: str) -> None:
     value, above, divisors = FALSE[name]
     check(square_of_a_power(value, above, divisors, **GUARDED))
-    with pytest.raises(CheckError, match="may be negative|leaves open|may vanish"):
+    with pytest.raises(CheckError, match=r"may be negative|leaves open|may vanish"):
         check(square_of_a_power(value, above, divisors))
 
 
@@ -139,7 +139,7 @@ def test_maxima_are_read_as_absolute_values() -> None:
         "system": system({"x": "1"}),
         "law": law("Identity", value=["Max(x, -x, 3) + Min(x, -x, -3)"]),
     }
-    with pytest.raises(CheckError, match="every residual|not certainly different"):
+    with pytest.raises(CheckError, match="not certainly different"):
         check(refuted(claim, point={"x": "1"}, what="", index=0, residual="0"))
     claim["law"]["value"] = ["Max(x, -x, 3) - 4"]
     check(refuted(claim, point={"x": "-5"}, what="", index=0, residual="1"))

@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 from ..core.laws import Rate
 from ..parsing.exact_decimals import exact_number
 from .errors import OutOfReachError, UnknownSymbolError
-from .evaluation import Evaluation
+from .evaluation import Evaluation, with_absolute_values
 from .number_fields import Element
 
 #: Multiples of an angle whose sine is written in the sine and cosine of the angle.
@@ -342,13 +342,6 @@ def _few_multiples(angle: sp.Expr) -> bool:
     """Whether sine and cosine of the multiples in an angle are short polynomials."""
     factors = (term.as_coeff_Mul()[0] for term in sp.Add.make_args(sp.expand(angle)))
     return all(abs(factor) <= MOST_MULTIPLES for factor in factors)
-
-
-def with_absolute_values(formula: sp.Max | sp.Min) -> sp.Expr:
-    """A maximum or minimum by absolute values: max(a, b) = (a + b + |a - b|)/2."""
-    sign = 1 if isinstance(formula, sp.Max) else -1
-    arguments = sorted(formula.args, key=sp.default_sort_key)
-    return reduce(lambda a, b: (a + b + sign * sp.Abs(a - b)) / 2, arguments)
 
 
 def _as_ratio(formula: sp.Expr) -> sp.Expr:
