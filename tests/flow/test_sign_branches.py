@@ -85,7 +85,7 @@ def test_rest_at_a_corner_is_an_error() -> None:
 
 
 def test_collocation_refuses_corners() -> None:
-    with pytest.raises(InputError, match="method 'gauss' takes smooth equations alone"):
+    with pytest.raises(InputError, match="collocation takes smooth equations alone"):
         integrate(
             oscillator(*ENERGY["constant force"]), {"x": 0.5, "v": 0.0}, [0.0, 1.0], method="gauss"
         )

@@ -18,7 +18,6 @@ from ..errors import InputError, RunError
 from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
 from .kernel.outcomes import STATUS_MESSAGES
 from .machine_code.double_double_conversion import from_pairs
-from .sign_branches import sign_branches
 from .taylor.working_numbers import WorkingArray, WorkingNumber
 from .trajectory import Event, Statistics, Trajectory, recorded_values
 
@@ -59,11 +58,6 @@ def collocate(
         If the integration fails; it carries the last good time and the trajectory so far.
     """
     lifted = system.lifted() if system.reconstruction else system
-    if sign_branches(lifted) is not None:
-        raise InputError(
-            f"{system.name}: method 'gauss' takes smooth equations alone, not absolute values or "
-            "signs; use method 'taylor'"
-        )
     moments = np.asarray(times, dtype=float)
     if len(moments) < 2:
         raise InputError(f"{len(moments)} time(s) given: at least a first and a last are needed")

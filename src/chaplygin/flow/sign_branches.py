@@ -14,8 +14,7 @@ from functools import lru_cache
 import numpy as np
 import sympy as sp
 
-from ..core.parameters import Parameter
-from ..core.system import Guard, System
+from ..core.system import Guard, Parameter, System
 from ..core.vectors import real_symbol, to_components
 from ..formulas.evaluation import with_absolute_values
 from .taylor.compiled_system import SignedOutputs

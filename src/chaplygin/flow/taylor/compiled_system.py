@@ -295,9 +295,10 @@ class _Plan:
             double,
             series=HeyokaSeries(code.integrator),
             outputs=wide["outputs"],
+            core=blocks.get("core", ()),
+            lift=blocks.get("lift", ()),
             laws=laws,
             from_cache=from_cache,
-            **blocks,
         )
 
 
