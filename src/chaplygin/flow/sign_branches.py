@@ -118,19 +118,19 @@ class RunningSigns:
         """Turn a sign around."""
         self._signs[number] *= -1
 
-    def wrong(self, state: WorkingArray, turned: int | None) -> str:
+    def wrong(self, state: WorkingArray, changing: int | None) -> str:
         """What is wrong where a sign is not that of its argument, as where that only touched zero.
 
         Parameters
         ----------
-        turned : int, optional
+        changing : int, optional
             The sign that has just been turned around, of which the argument is zero.
         """
         if self._signed is None:
             return ""
         scale = 1 + max(abs(float(x)) for x in state)
         for i, value in enumerate(self._values(state)):
-            if i != turned and float(value) < -ROUNDING * scale:
+            if i != changing and float(value) < -ROUNDING * scale:
                 return f"{self._signed.arguments[i]} is zero, without certainly changing its sign"
         return ""
 

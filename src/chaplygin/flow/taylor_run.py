@@ -255,12 +255,12 @@ class TaylorRun:
             ):
                 self._record(log, moments[index], stepper.state_at(moments[index]))
                 index += 1
-            turned = self._sign_of(step.event)
-            if turned is not None:
-                self.signs.turn(turned)
+            changing = self._sign_of(step.event)
+            if changing is not None:
+                self.signs.turn(changing)
             elif step.event is not None:
                 watched = self._record_event(step.event, now, log, on_liftoff)
-            wrong = self.signs.wrong(stepper.state, turned)
+            wrong = self.signs.wrong(stepper.state, changing)
             if wrong:
                 raise StoppedError(wrong)
             log.corrections += self.project(stepper.state)

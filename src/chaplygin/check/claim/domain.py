@@ -104,8 +104,8 @@ def domain(claim: Claim, parameter_formulas: Mapping[str, Formula]) -> Domain:
         needed = target.reach(base)
         formulas = [*base, *(f for word, f in target.definitions.items() if word in needed)]
         constants = constant_values(claim, {**known, **parameter_formulas})
-        written = {**target.definitions, **constant_values(claim, known)}
-        collector.collect("target", formulas, written, constants)
+        own = {**target.definitions, **constant_values(claim, known)}
+        collector.collect("target", formulas, own, constants)
     gram = law.kind == "Measure" and bool(claim.moving)
     return Domain(
         claim,
@@ -144,15 +144,15 @@ class _Collector:
         self,
         where: str,
         formulas: Iterable[Formula],
-        written: Mapping[str, Formula],
+        own_definitions: Mapping[str, Formula],
         parameter_formulas: Mapping[str, Formula],
     ) -> None:
-        definitions = {**written, **parameter_formulas}
+        definitions = {**own_definitions, **parameter_formulas}
         for node in walk(formulas):
             if node.kind == "power":
                 base, exponent = node.parts
                 value = exact_value(exponent, definitions)
-                if exact_value(exponent, written) is None:
+                if exact_value(exponent, own_definitions) is None:
                     self.nonzero[where, base] = None
                 if value is None:
                     self.bases[where, base] = None

@@ -14,8 +14,8 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from .function_field import FunctionField, power_of_zero
-from .quotient_ring import Element
+from .function_field import FunctionField
+from .quotient_ring import Element, power_of_zero
 
 
 class FormalRoots(FunctionField):

@@ -17,7 +17,7 @@ from flint import fmpq
 
 from ...formulas.errors import NeedMoreGeneratorsError, NoRealValueError, OutOfReachError
 from .budget import Budget
-from .quotient_ring import Element, Poly, QuotientRing
+from .quotient_ring import Element, Poly, QuotientRing, power_of_zero
 from .sign_choices import contradict
 from .signs import Sign, Signs
 
@@ -37,16 +37,6 @@ MULTIPLES = tuple(
 
 class _NegativeBaseError(Exception):
     """A negative base with a symbolic exponent, for the signs that are taken."""
-
-
-def power_of_zero(exponents: Iterable[tuple[sp.Expr, sp.Rational]]) -> Exception:
-    """Why a power of zero with fractional or symbolic exponents is not to be had.
-
-    A root of zero is real, so that the level has such points, but it has no derivative there.
-    """
-    if any(theta == 1 and number < 0 for theta, number in exponents):
-        return ZeroDivisionError()
-    return OutOfReachError("a root is taken of what vanishes here, where it has no derivative")
 
 
 class FunctionField(QuotientRing):
@@ -215,10 +205,10 @@ class FunctionField(QuotientRing):
         sign = self.signs.of(poly)
         return 0 if sign is Sign.UNKNOWN else (1 if sign > 0 else -1)
 
-    def _decision(self, poly: Poly, preferred: int = 0) -> int:
+    def _decision(self, poly: Poly, default: int = 0) -> int:
         """The sign that is taken for a factor, here and wherever it stands under a root."""
         key = str(poly)
-        sign = self._choices.get(key) or preferred or (-1 if self.at_sample(poly) < 0 else 1)
+        sign = self._choices.get(key) or default or (-1 if self.at_sample(poly) < 0 else 1)
         if self._is_contradicted(poly, sign):
             if key in self._choices or self._is_contradicted(poly, -sign):
                 raise NoRealValueError
