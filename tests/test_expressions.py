@@ -9,6 +9,7 @@ from hypothesis import example, given, settings, strategies as st
 
 from chaplygin.errors import InputError, RunError
 from chaplygin.parsing import FUNCTIONS, MAX_LENGTH, nearest, parse
+from chaplygin.parsing.grammar import OF_TWO
 
 NAMES = {name: sympy.Symbol(name, real=True) for name in ("x", "y", "z", "gamma_3", "a")}
 X, Y, Z = NAMES["x"], NAMES["y"], NAMES["z"]
@@ -43,18 +44,23 @@ def test_reads_formulas_exactly(text: str, value: sympy.Expr) -> None:
     assert parse(text, NAMES) == value
 
 
-@pytest.mark.parametrize("name", sorted(set(FUNCTIONS) - {"atan2"}))
+@pytest.mark.parametrize("name", sorted(set(FUNCTIONS) - OF_TWO))
 def test_every_function_of_one_argument(name: str) -> None:
     value = parse(f"{name}(x/3)", NAMES)
     assert value == FUNCTIONS[name](X / 3)
     assert value.free_symbols == {X}
 
 
+@pytest.mark.parametrize("name", sorted(OF_TWO))
+def test_every_function_of_two_arguments(name: str) -> None:
+    assert parse(f"{name}(x/3, y)", NAMES) == FUNCTIONS[name](X / 3, Y)
+
+
 @pytest.mark.parametrize(
     ("text", "message", "caret"),
     [
         ("gama_3**2 + 1", "unknown name 'gama_3', did you mean 'gamma_3'?", 0),
-        ("x + open", "unknown name 'open'; allowed: x, y, z, gamma_3, a, acos", 4),
+        ("x + open", "unknown name 'open'; allowed: x, y, z, gamma_3, a, abs, acos", 4),
         ("__import__(1)", "unknown name '__import__'", 0),
         ("x^2", "a power is written **", 1),
         ("x = 1", "write a formula, not an equation", 2),
@@ -97,6 +103,8 @@ def test_every_function_of_one_argument(name: str) -> None:
         ("exp(log(7)*1e60)", "this exponent is too large", 0),
         ("1e5000", "the power of ten of this number is too large", 0),
         ("x + (9**100)**100", "this number is too large", 4),
+        ("1/(sin(1)**2 + cos(1)**2 - 1)", "division by zero", 3),
+        ("x/(sqrt(2)*sqrt(3) - sqrt(6))", "division by zero", 3),
         ("sin(exp(exp(100)))", "this number is larger than 1e+100", 4),
         ("", "the formula is empty", 0),
         (" \n", "the formula is empty", 0),
@@ -175,7 +183,7 @@ def _formulas() -> st.SearchStrategy[str]:
             st.tuples(inner, st.sampled_from(["+", "-", "*", "/", "**"]), inner).map(
                 lambda parts: "({}{}{})".format(*parts)
             ),
-            st.tuples(st.sampled_from(sorted(set(FUNCTIONS) - {"atan2"})), inner).map(
+            st.tuples(st.sampled_from(sorted(set(FUNCTIONS) - OF_TWO)), inner).map(
                 lambda parts: "{}({})".format(*parts)
             ),
             inner.map(lambda part: f"-{part}"),
@@ -232,3 +240,15 @@ def test_letters_as_on_paper(text: str, code: str) -> None:
 def test_an_unknown_letter_is_told_as_it_is_written_in_code() -> None:
     with pytest.raises(InputError, match="unknown name 'gamma_4', did you mean 'gamma_3'"):
         parse("γ₄", {"gamma_3": sympy.Symbol("gamma_3")})
+
+
+def test_a_sum_of_many_terms_is_read() -> None:
+    assert parse("x" + "-y" * 2400 + "+x" * 2500, NAMES) == 2501 * X - 2400 * Y
+
+
+def test_a_mistake_far_inside_a_long_sum_is_shown_where_it_is() -> None:
+    text = "x" + "+x" * 4000 + "+sqrt(x, y)" + "+x" * 20
+    with pytest.raises(InputError, match="sqrt takes 1 argument") as caught:
+        parse(text, NAMES)
+    _, excerpt, pointer = str(caught.value).split("\n")
+    assert excerpt[pointer.index("^") :].startswith("sqrt(x, y)")

@@ -6,6 +6,7 @@ import json
 import re
 from dataclasses import replace
 from importlib import import_module
+from pathlib import Path
 
 import pytest
 
@@ -16,6 +17,8 @@ from chaplygin.proof.verdict import Verdict
 from cli.test_cli import ask
 
 __all__ = ["ask"]
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.mark.slow
@@ -47,6 +50,21 @@ def test_prove_takes_an_experiment_file(ask, tmp_path):
     code, out, _ = ask("prove", "egg.toml")
     assert code == 0
     assert "(10.3)" in out
+
+
+def test_a_law_that_states_nothing_is_refused_by_itself(ask, tmp_path):
+    text = (EXAMPLES / "sleigh.toml").read_text()
+    measures = "[laws.measures]\n"
+    assert measures in text
+    (tmp_path / "sleigh.toml").write_text(
+        text.replace(measures, f'{measures}imaginary = "sqrt(-1 - u**2)"\n')
+    )
+    code, out, _ = ask("prove", "sleigh.toml", "--json")
+    assert code == 2
+    rows = {row["law"]: row for row in json.loads(out)}
+    assert rows["imaginary"]["verdict"] == "refused"
+    assert "root of a negative quantity" in rows["imaginary"]["reason"]
+    assert rows["straight"]["verdict"] == rows["energy"]["verdict"] == "proven"
 
 
 def test_one_law_by_its_name(ask):

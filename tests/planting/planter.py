@@ -17,12 +17,14 @@ from .kinds import KINDS
 from .levels import LEVELS
 from .malformed import MALFORMED
 from .mechanical import MECHANICAL
+from .powers import POWERS
 from .setting import SettingFamily
 from .unspecified import UNSPECIFIED
+from .volumes import VOLUMES
 
 __all__ = ["FAMILIES", "SETTINGS", "planted", "planted_case"]
 
-SETTINGS: dict[str, SettingFamily] = {**LEVELS, **BRANCHES, **UNSPECIFIED}
+SETTINGS: dict[str, SettingFamily] = {**LEVELS, **BRANCHES, **POWERS, **UNSPECIFIED}
 
 
 def _dressed(name: str, rng: random.Random) -> Case:
@@ -32,6 +34,7 @@ def _dressed(name: str, rng: random.Random) -> Case:
 FAMILIES: dict[str, Family] = {
     **{name: partial(_dressed, name) for name in SETTINGS},
     **KINDS,
+    **VOLUMES,
     **MECHANICAL,
     **MALFORMED,
 }

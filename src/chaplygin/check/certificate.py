@@ -11,6 +11,7 @@ from .claim.claim import Claim, read_claim
 from .claim.errors import BadInputError, CheckError, UndefinedError
 from .claim.formulas import names_in, parse, parse_condition
 from .claim.json_data import as_list, field, integer, mapping, only, text
+from .claim.power import claims_of_identities
 from .claim.separation import check_separation
 from .identities.accuracy import with_precision
 from .identities.basis import Basis, read_basis
@@ -73,11 +74,31 @@ def _check(data: Mapping[str, object]) -> None:
         conditions = [_condition(t, claim) for t in stated]
         if not conditions:
             raise CheckError("the verdict is proven where, but no condition says where")
+    if "rates" in data:
+        only(data, what, "format", "verdict", "claim", "sample", "rates", "identities")
+        check_sample(claim, field(data, "sample", what), conditions)
+        _check_identities(data, claim)
+        return
     only(data, what, *allowed)
     if claim.law.kind == "Separation":
         check_separation(claim)
     check_sample(claim, field(data, "sample", what), conditions)
     _Proofs(data, claim, conditions).check()
+
+
+def _check_identities(data: Mapping[str, object], claim: Claim) -> None:
+    """Check the identities by which the theorem on energy proves an integral."""
+    what = "the identities"
+    stated = mapping(field(data, "claim", "the certificate"), "the claim")
+    claims = claims_of_identities(stated, claim, data["rates"])
+    identities = mapping(field(data, "identities", "the certificate"), what)
+    only(identities, what, *claims)
+    for word, whole in claims.items():
+        identity = mapping(field(identities, word, what), f"the identity {word!r}")
+        only(identity, f"the identity {word!r}", "sample", "proofs")
+        own = read_claim(whole, f"the claim {word!r}")
+        check_sample(own, field(identity, "sample", f"the identity {word!r}"), [])
+        _Proofs({**identity, "claim": whole}, own, []).check()
 
 
 def _condition(data: object, claim: Claim) -> Condition:

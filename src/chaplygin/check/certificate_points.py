@@ -15,7 +15,7 @@ from fractions import Fraction
 
 from flint import arb, ctx, fmpq
 
-from .claim.claim import Claim
+from .claim.claim import Claim, ClaimedSystem
 from .claim.domain import domain
 from .claim.errors import CheckError, UndefinedError
 from .claim.evaluate import Point
@@ -24,7 +24,7 @@ from .claim.jets import ball
 from .claim.json_data import as_list, field, integer, mapping, only, rational, text
 from .claim.polynomials import Poly, Ring
 from .claim.quotients import quotient
-from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals
+from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals, target_point
 from .claim.unspecified_functions import Functions
 from .identities.proof import Condition
 
@@ -32,6 +32,8 @@ PRECISION = 1200
 NARROW = 50
 #: Halvings of an interval until a polynomial is steep in it.
 BISECTIONS = 300
+#: Steps of Newton's method, each of which nearly doubles the number of digits.
+NEWTON_STEPS = 60
 
 _DECIMAL = re.compile(r"-?\d{1,2000}(\.\d{1,2000})?([eE][+-]?\d{1,4})?")
 
@@ -159,7 +161,7 @@ class _StatedPoint:
         only(data, what, "root", "formula")
         if set(data) == {"formula"}:
             formula = parse(data["formula"], what)
-            if not names_in([formula]) <= {*self.balls, *self.system.definitions, "pi", "E"}:
+            if not names_in([formula]) <= {*self.balls, *self.system.definitions, "pi"}:
                 raise CheckError(f"{what} uses what is not known before it")
             self.balls[word] = self._partial_point()(formula)
         elif set(data) == {"root"}:
@@ -210,6 +212,17 @@ class _StatedPoint:
             domain(self.claim, settled).values(self.evaluate)
         except UndefinedError:
             raise CheckError("the law is not certainly defined at the point") from None
+        if self.claim.law.target is not None:
+            self._check_target(self.claim.law.target)
+
+    def _check_target(self, target: ClaimedSystem) -> None:
+        """Check that the parameters of the target are admissible at the point."""
+        there = target_point(self.claim, self.evaluate)
+        for formula, sign in target.admissible:
+            value = there(formula)
+            holds = {">": value > 0, ">=": not value < 0, "!=": not value.contains(0)}
+            if not holds.get(sign, value.contains(0)):
+                raise CheckError("the parameters of the target are not admissible at the point")
 
     def _admissible(self, formula: Formula, sign: str) -> bool:
         value = self.evaluate(formula)
@@ -320,9 +333,11 @@ def _root(
 
 def _newton_narrowed(here: arb, value: Callable[[arb], arb], slope: Callable[[arb], arb]) -> arb:
     """A ball with one root made narrower by Newton's method: the root stays in it."""
-    while True:
+    # the intersection is rounded: what counts is how narrow it is, not what it was made of
+    for _ in range(NEWTON_STEPS):
         middle = here.mid()
-        after = middle - value(middle) / slope(here)
+        after = here.intersection(middle - value(middle) / slope(here))
         if not after.rad() < here.rad() / 2:
-            return here
-        here = here.intersection(after)
+            break
+        here = after
+    return here

@@ -22,8 +22,15 @@ from .level.sample_points import (
     number_of_any_magnitude,
     small_number,
 )
+from .level.target_conditions import is_admissible_target
 from .rank import rank_defect
-from .residuals import Residuals, condition_rates, in_words, residuals
+from .residuals import (
+    Residuals,
+    condition_rates,
+    conditions_are_independent,
+    in_words,
+    residuals,
+)
 
 ATTEMPTS = 400
 """Points looked at, for one inside the domain at which the law is defined."""
@@ -99,6 +106,20 @@ def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:
     return _first(trial_at, level, random.Random(SEED), number_near_default)
 
 
+def is_nowhere(level: LevelSet, holds: Callable[[LevelSet, Field], bool]) -> bool:
+    """Whether there are points on a level, and something holds at none of those tried."""
+    found = []
+
+    def trial_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
+        found.append(values)
+        if not holds(level, field):
+            raise ZeroDivisionError
+        return Trial(field, values)
+
+    first = _first(trial_at, level, random.Random(SEED), number_near_default)
+    return first is None and bool(found)
+
+
 def _first(
     compute: Callable[[Rationals | Balls, Mapping[str, fmpq | arb]], Trial],
     level: LevelSet,
@@ -127,6 +148,10 @@ def _trial_at(
 ) -> Trial:
     if isinstance(law, Isomorphism | Measure) and unmet_conditions(law, level, field):
         # the law makes no sense here
+        raise ZeroDivisionError
+    if not is_admissible_target(law, level, field):
+        raise ZeroDivisionError
+    if isinstance(law, Measure) and not conditions_are_independent(level, field):
         raise ZeroDivisionError
     for name, residual in all_residuals(law, level, field):
         if not field.vanishes(residual):

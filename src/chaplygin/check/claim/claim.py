@@ -165,7 +165,7 @@ def _distinct(words: Iterable[str], what: str) -> None:
 
 
 def _require(formulas: Iterable[Formula], names: set[str], what: str) -> None:
-    strange = sorted(names_in(formulas) - names - {"pi", "E"})
+    strange = sorted(names_in(formulas) - names - {"pi"})
     if strange:
         raise CheckError(f"{what} uses {strange[0]}, which is unknown")
 

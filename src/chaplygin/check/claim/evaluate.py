@@ -162,8 +162,6 @@ class Point:
             return self(self.definitions[word])
         if word == "pi":
             return arb.pi()
-        if word == "E":
-            return arb(1).exp()
         raise CheckError(f"the symbol {word} is unknown")
 
     def exact(self, formula: Formula) -> Fraction | None:

@@ -13,7 +13,14 @@ from .case_tree import Signs
 from .divisors import Entry, nonzero_factors, read_divisors
 from .equations import read_equations
 from .generators import POINTS, Generators, Sample
-from .positivity import PositiveSum, check_radicand_positive, learn_positive, settle
+from .positivity import (
+    check_radicand_positive,
+    factors_of,
+    learn_positive,
+    positive_factors,
+    read_derived,
+    settle,
+)
 from .roots import check_bases, check_functions, check_radicands, check_roots, has_formal_roots
 
 #: Points at which roots are compared of which the sign is not said.
@@ -59,7 +66,8 @@ def read_basis(
     another polynomial than at the points that happened to be drawn.
     """
     ring = generators.ring
-    samples = generators.samples(FORMAL if has_formal_roots(generators) else POINTS)
+    count = FORMAL if has_formal_roots(generators) else POINTS
+    samples = generators.samples(count, positive_factors(data, ring, what))
     entries, matched, bases = read_divisors(data, generators, samples, what)
     nonzero = nonzero_factors(generators, entries)
     certain = Signs()
@@ -75,14 +83,16 @@ def read_basis(
             raise CheckError(f"{what} assumes the sign of something that may vanish")
         signs.learn(poly, sign)
     radicands = tuple(entries[i] for i in matched if i is not None)
-    stated = [item for item in positives if mapping(item, what).get("from") == "sum"]
-    sums = [PositiveSum(mapping(item, what), generators, what) for item in stated]
+    derived = read_derived(positives, generators, what)
     written = [
         ring.read(field(mapping(item, what), "poly", what), what)
         for item in as_list(field(data, "equations", what), what)
     ]
-    settle(certain, radicands, sums, nonzero, written)
-    left = settle(signs, radicands, sums, nonzero, written)
+    polys = [ring.read(field(mapping(item, what), "poly", what), what) for item in positives]
+    nonzero |= factors_of(certain, polys)
+    settle(certain, radicands, derived, nonzero, written)
+    left = settle(signs, radicands, derived, nonzero, written)
+    nonzero |= factors_of(signs, polys)
     if left:
         raise CheckError(f"what is positive in {what}: a sum is not")
     check_roots(generators, signs, nonzero, entries, matched, what)

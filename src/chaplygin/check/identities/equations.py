@@ -6,11 +6,14 @@ from collections.abc import Mapping, Sequence
 
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, parse
-from ..claim.json_data import as_list, field, items, mapping, only, text
+from ..claim.json_data import as_list, field, integer, items, mapping, only, text
 from ..claim.polynomials import Poly, Powers, Ring, monic
 from .accuracy import agree
 from .case_tree import Signs
 from .generators import Auxiliary, Generators, Sample
+
+#: Known functions that take each value once.
+ONE_TO_ONE = ("exp", "log", "asin", "acos", "atan")
 
 
 def read_equations(
@@ -28,7 +31,7 @@ def read_equations(
     for number, data_of_one in enumerate(as_list(field(data, "equations", what), what)):
         label = f"equation {number} of {what}"
         item = mapping(data_of_one, label)
-        only(item, label, "poly", "from", "denominator", "quotients")
+        only(item, label, "poly", "from", "denominator", "quotients", "equation", "quotient")
         poly = ring.read(field(item, "poly", label), label)
         source = text(field(item, "from", label), label)
         words = source.split(" ")
@@ -38,6 +41,8 @@ def read_equations(
             _check_equal_values(
                 poly, words[1:], field(item, "quotients", label), polys, generators, label
             )
+        elif words[0] == "argument" and len(words) in (2, 3):
+            _check_equal_arguments(poly, words[1:], item, polys, generators, label)
         elif words[0] == "circle" and len(words) == 3:
             _check_circle(poly, words[1:], generators, label)
         else:
@@ -120,6 +125,39 @@ def _check_equal_values(
         )
         if left != total:
             raise CheckError(f"{label}: the arguments are not equal on the level")
+
+
+def _check_equal_arguments(
+    poly: Poly,
+    words: Sequence[str],
+    item: Mapping[str, object],
+    equations: Sequence[Poly],
+    generators: Generators,
+    label: str,
+) -> None:
+    """Where q · (f(a) − f(b)) is zero, so is q · (a − b), f being one-to-one; or exp a is 1."""
+    ring = generators.ring
+    known = {a.name: a for a in generators.auxiliary if a.word in ONE_TO_ONE}
+    if not set(words) <= set(known):
+        raise CheckError(f"{label} is not one of a one-to-one function")
+    first = known[words[0]]
+    theirs: tuple[Poly, Powers] = (ring.constant(0), [])
+    other = ring.constant(1)
+    alike = first.word == "exp"
+    if len(words) == 2:
+        second = known[words[1]]
+        theirs, other = second.of[0], ring.generator(second.name)
+        alike = _function(first) == _function(second)
+    last = len(equations) - 1
+    equation = equations[integer(field(item, "equation", label), label, 0, last)]
+    quotient = ring.read(field(item, "quotient", label), label)
+    if not alike or equation != quotient * (ring.generator(first.name) - other):
+        raise CheckError(f"{label} does not say that values are equal")
+    mine = first.of[0]
+    left = mine[0] * ring.expanded_product(theirs[1]) - theirs[0] * ring.expanded_product(mine[1])
+    left = quotient * left
+    if poly.is_zero() or left.is_zero() or monic(poly)[0] != monic(left)[0]:
+        raise CheckError(f"{label} does not say that the arguments are equal")
 
 
 def _function(auxiliary: Auxiliary) -> tuple[object, ...]:

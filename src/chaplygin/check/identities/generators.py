@@ -98,8 +98,8 @@ class Generators:
         gone = {a.name for a in self.auxiliary}
         return tuple(n for n in self.ring.names if n not in gone)
 
-    def samples(self, count: int = POINTS) -> list[Sample]:
-        """Random points at which everything is defined.
+    def samples(self, count: int = POINTS, positive: Sequence[Poly] = ()) -> list[Sample]:
+        """Random points at which everything is defined, and some polynomials are positive.
 
         Raises
         ------
@@ -110,7 +110,7 @@ class Generators:
         generator = random.Random(str(self.ring.names))
         for attempt in range(ATTEMPTS):
             try:
-                samples.append(self._sample(generator, attempt))
+                samples.append(self._sample(generator, attempt, positive))
             except UndefinedError:
                 continue
             if len(samples) == count:
@@ -120,7 +120,7 @@ class Generators:
             "the proof says"
         )
 
-    def _sample(self, generator: random.Random, attempt: int) -> Sample:
+    def _sample(self, generator: random.Random, attempt: int, positive: Sequence[Poly]) -> Sample:
         functions = Functions(f"{attempt}")
         drawn = {word: self._random_value(word, generator, attempt) for word in self.plain}
         solver = _Solver(self, drawn, functions)
@@ -133,7 +133,7 @@ class Generators:
         for auxiliary in self.auxiliary:
             index = self.ring.index[auxiliary.name]
             values[index] = self._auxiliary(auxiliary, values, solver, functions)
-        for poly, sign in self.signs:
+        for poly, sign in (*self.signs, *((poly, 1) for poly in positive)):
             if not self.ring.value(poly, values) * sign > 0:
                 raise UndefinedError("a sign is not as assumed")
         known = {word: solver(name(word)) for word in self.claim.system.symbols}
@@ -228,7 +228,7 @@ class _Solver(Point):
             return self(self._generators.settled_formulas[word])
         if word in self.definitions:
             return self(self.definitions[word])
-        if word in ("pi", "E"):
+        if word == "pi":
             return super()._symbol_value(word)
         raise CheckError(f"the generators do not say what {word} is")
 

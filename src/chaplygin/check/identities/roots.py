@@ -56,6 +56,8 @@ def check_functions(
             for above, below in auxiliary.of
         ]
         if auxiliary.word == "log":
+            if _sign_of_fraction(*auxiliary.of[0], signs) > 0:
+                continue
             known, stated = "logarithms", arguments[0]
         elif auxiliary.word == "atan2":
             known = "nonzero"
@@ -65,6 +67,13 @@ def check_functions(
         lists = zip(*(getattr(s, known) for s in samples), strict=True)
         if not any(agree(stated, values) for values in lists):
             raise CheckError(f"{label} is none of the law")
+
+
+def _sign_of_fraction(above: Poly, below: Powers, signs: Signs) -> int:
+    sign = signs.of(above)
+    for poly, power in below:
+        sign *= signs.of(poly) if power % 2 else abs(signs.of(poly))
+    return sign
 
 
 def _is_radicand(auxiliary: Auxiliary, radicands: Sequence[Entry]) -> bool:

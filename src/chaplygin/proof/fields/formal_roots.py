@@ -15,7 +15,8 @@ import sympy as sp
 from flint import fmpq
 
 from .function_field import FunctionField
-from .quotient_ring import Element, power_of_zero
+from .quotient_ring import Element
+from .root_field import power_of_zero
 
 
 class FormalRoots(FunctionField):
@@ -39,6 +40,12 @@ class FormalRoots(FunctionField):
             return super().power(element, exponents, value)
         exponent = sum((sp.Rational(number) for _, number in exponents), sp.S.Zero)
         return self._formal_root(element, int(exponent.q)) ** int(exponent.p)
+
+    def logarithm(self, element: Element) -> Element:
+        """The logarithm of an element as a whole."""
+        if self.vanishes(element):
+            raise ZeroDivisionError
+        return self.function_value("log", [element])
 
     def _formal_root(self, element: Element, degree: int) -> Element:
         if degree == 1:

@@ -10,13 +10,12 @@ pseudo-division, whose multipliers are known not to vanish at the witness point.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 import sympy as sp
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from ...formulas.errors import OutOfReachError
 from .budget import Budget
 
 Poly: TypeAlias = fmpq_mpoly
@@ -244,13 +243,3 @@ def initial_of(poly: Poly, position: int) -> Poly:
     generator = poly.context().gen(position)
     # every other term is less than the divisor, and falls to the remainder
     return divmod(poly, generator ** int(poly.degrees()[position]))[0]
-
-
-def power_of_zero(exponents: Iterable[tuple[sp.Expr, sp.Rational]]) -> Exception:
-    """Why a power of zero with fractional or symbolic exponents is not to be had.
-
-    A root of zero is real, so that the level has such points, but it has no derivative there.
-    """
-    if any(theta == 1 and number < 0 for theta, number in exponents):
-        return ZeroDivisionError()
-    return OutOfReachError("a root is taken of what vanishes here, where it has no derivative")
