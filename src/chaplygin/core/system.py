@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ..arguments import Formula, NamedFormulas, arguments_checked
-from ..errors import InputError
+from ..errors import InputError, require_label
 from .display import Displayed
 from .laws import Integral, Law
 from .named_formulas import Pairs, as_pairs, expand, needed_steps
@@ -325,15 +325,14 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
-        if not (self.name.strip() and (self.name + self.title).isprintable()):
-            named = f"name {self.name!r}, title {self.title!r}"
-            raise InputError(f"{named}: a system has a name, and both are printable")
-        for item in self.parameters:
-            if not math.isfinite(item.default):
-                value = f"{item.symbol} = {item.default}"
-                raise InputError(f"{self.name}: {value} must be a finite number")
-        names = [p.symbol for p in self.parameters]
-        names += [*self.symbols, *(s for s, _ in self.scalar_definitions)]
+        require_label(self.name, self.title)
+        for p in self.parameters:
+            if not math.isfinite(p.default):
+                raise InputError(f"{self.name}: {p.symbol} = {p.default} must be a finite number")
+        names = [p.symbol for p in self.parameters] + [
+            *self.symbols,
+            *(s for s, _ in self.scalar_definitions),
+        ]
         moved = flat(name for name, _ in self.reconstruction.field) if self.reconstruction else ()
         whole = [n for n, _ in (*self.field, *self.definitions) if not isinstance(n, sp.Symbol)]
         # whatever is proved, recorded or printed later knows them by their names alone
