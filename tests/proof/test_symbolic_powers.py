@@ -40,6 +40,7 @@ ALWAYS = {
     "the square of a square": sp.expand((x - 1) ** 4) ** a - SQUARE ** (2 * a),
     "absolute values": SQUARE**a - sp.Abs(x - 1) ** (2 * a),
     "a root": sp.expand((x - 1) ** 6) ** sp.Rational(1, 4) - sp.sqrt(sp.Abs(x - 1) ** 3),
+    "hundredths of an exponent": SQUARE ** (a / 100) - sp.Abs(x - 1) ** (a / 50),
     "real where the base is positive": SQUARE ** sp.Rational(3, 4) - (x - 1) ** sp.Rational(3, 2),
 }
 
@@ -61,6 +62,12 @@ def test_false_ones_are_refuted(name: str, default: float) -> None:
     verdict = prove_with_certificate(moving(default=default), Identity("law", FALSE[name]))
     assert verdict.decision == "refuted"
     assert verdict.certificate is not None
+
+
+def test_a_base_that_is_negative_everywhere() -> None:
+    """Only whole exponents have points at which the law is defined."""
+    law = Identity("law", sp.expand((x - 2) ** 2) ** a - (x - 2) ** (2 * a))
+    assert prove(moving(1 - x**2 - y**2, default=1.3), law).decision == "refuted"
 
 
 @pytest.mark.parametrize("name", FALSE)

@@ -85,13 +85,14 @@ def trials(
     """
     generator = random.Random(SEED)
     compute = partial(_trial_at, law, level)
+    in_vain: set[Draw] = set()
     for draw in draws:
-        trial = _first(compute, level, generator, draw) or _first(
-            compute, level, generator, number_of_any_magnitude
-        )
-        if trial is None:
-            return
-        yield trial
+        for kind in (draw, number_of_any_magnitude):
+            trial = None if kind in in_vain else _first(compute, level, generator, kind)
+            if trial is not None:
+                yield trial
+                break
+            in_vain.add(kind)
 
 
 def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:

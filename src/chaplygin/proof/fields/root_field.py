@@ -25,7 +25,8 @@ Key: TypeAlias = tuple[Any, ...]
 #: Polynomials of more terms are not multiplied by conjugates.
 MOST_TERMS_OF_CONJUGATES = 12
 
-#: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator.
+#: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator, with θ a
+#: symbol or a part of one.
 FINENESS = 4
 
 #: Stands for the exponent of a power whose derivative by it, at zero, is a logarithm.
@@ -91,6 +92,8 @@ class RootField(QuotientRing):
         self._root_of: dict[int, tuple[fmpq, tuple[tuple[int, int], ...], int]] = {}
         self._roots: dict[str, tuple[Poly, int]] = {}
         self._auxiliary: dict[Key, Poly] = {}
+        #: Into how many parts symbols in exponents are divided.
+        self._exponent_parts: dict[sp.Expr, int] = {}
 
     def _new(
         self, key: Key, meaning: str, value: Callable[[], float], positive: bool = False
@@ -300,10 +303,13 @@ class RootField(QuotientRing):
             result = self.integer_power(Element(self, base, {}), int(whole))
             part = exponent - whole
             return result * self._root(base, int(part.q)) ** int(part.p) if part else result
-        fine = exponent * FINENESS
+        # the first exponent that is no such multiple says into how many parts θ is divided
+        parts = 1 if (exponent * FINENESS).is_Integer else int(exponent.q)
+        parts = self._exponent_parts.setdefault(theta, parts)
+        fine, theta = exponent * parts * FINENESS, theta / parts
         if fine.q != 1:
             raise OutOfReachError(
-                f"the exponent {exponent}·{theta} is not a multiple of 1/{FINENESS}"
+                f"the exponent {exponent * parts}·{theta} is not a multiple of 1/{FINENESS}"
             )
         value = self.at_sample(base)
         symbol = self._new(
