@@ -64,6 +64,23 @@ def test_false_ones_are_refuted(name: str, default: float) -> None:
     assert verdict.certificate is not None
 
 
+def test_a_large_symbol_in_an_exponent() -> None:
+    scaled = a / 10**6
+    true = Identity("law", SQUARE**scaled - sp.Abs(x - 1) ** (2 * scaled))
+    verdict = prove_with_certificate(moving(default=1.3e6), true)
+    assert verdict.decision == "proven"
+    assert verdict.certificate is not None, verdict.no_certificate
+
+
+@pytest.mark.parametrize("power", [5, 6, -5, -6, -11])
+def test_false_ones_are_refuted_in_any_unit(power: int) -> None:
+    scaled = a / sp.Integer(10) ** power
+    law = Identity("law", SQUARE**scaled - (x - 1) ** (2 * scaled))
+    verdict = prove_with_certificate(moving(default=1.3 * 10.0**power), law)
+    assert verdict.decision == "refuted"
+    assert verdict.certificate is not None
+
+
 def test_a_base_that_is_negative_everywhere() -> None:
     """Only whole exponents have points at which the law is defined."""
     law = Identity("law", sp.expand((x - 2) ** 2) ** a - (x - 2) ** (2 * a))

@@ -36,10 +36,6 @@ def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bo
     polys = [poly for poly, _ in sources]
     assumed = list(field.decisions.values()) if with_decisions else []
     reasons, entries = sign_reasons(setting, polys, assumed)
-    # where a known sign is not that, the formulas of the law are other polynomials
-    decided = {str(poly) for poly, _ in assumed}
-    used = [pair for key, pair in field.used_signs.items() if key not in decided]
-    assumed += [(poly, sign) for poly, sign in used if reasons.sign(poly)]
     numerators = [field.reduce(value.poly) for _, value in _whole(setting)]
     for _, value in _whole(setting):
         for number, power in value.powers.items():

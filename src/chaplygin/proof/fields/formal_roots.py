@@ -68,10 +68,9 @@ class FormalRoots(FunctionField):
         for number, power in left:
             inner = inner * self.factors[number] ** power
         # of an even degree what is taken out may be the negative of the root
-        odd = [self.factors[n] for n, p in whole.items() if p % 2 and degree % 2 == 0]
-        even = any(self.signs.of(factor) <= 0 for factor in odd)
-        if not even:
-            self.used_signs |= {str(factor): (factor, 1) for factor in odd}
+        even = degree % 2 == 0 and any(
+            p % 2 and self.signs.of(self.factors[n]) <= 0 for n, p in whole.items()
+        )
         if inner.is_constant() and content > 0 and not even:
             rational = super().power(
                 Element(self, inner, {}), ((sp.S.One, sp.Rational(1, degree)),), None

@@ -26,7 +26,7 @@ Key: TypeAlias = tuple[Any, ...]
 MOST_TERMS_OF_CONJUGATES = 12
 
 #: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator, with θ a
-#: symbol or a part of one.
+#: multiple of a symbol.
 FINENESS = 4
 
 #: Stands for the exponent of a power whose derivative by it, at zero, is a logarithm.
@@ -84,16 +84,14 @@ class RootField(QuotientRing):
         self.decisions: dict[str, tuple[Poly, int]] = {}
         #: Whether a negative base has been raised to a symbolic exponent.
         self.has_negative_base = False
-        #: Known signs of factors that were taken out of roots.
-        self.used_signs: dict[str, tuple[Poly, int]] = {}
         self._choices = dict(choices or {})
         self._implied_signs: dict[str, int] = {}
         #: A root raised to its degree: content, factors with powers; and the degree.
         self._root_of: dict[int, tuple[fmpq, tuple[tuple[int, int], ...], int]] = {}
         self._roots: dict[str, tuple[Poly, int]] = {}
         self._auxiliary: dict[Key, Poly] = {}
-        #: Into how many parts symbols in exponents are divided.
-        self._exponent_parts: dict[sp.Expr, int] = {}
+        #: Multiples of symbols in exponents that take their place.
+        self._exponent_units: dict[sp.Expr, sp.Rational] = {}
 
     def _new(
         self, key: Key, meaning: str, value: Callable[[], float], positive: bool = False
@@ -208,8 +206,6 @@ class RootField(QuotientRing):
                 # its sign will follow from those of the others
                 odd = poly, power
                 continue
-            if sign and power % 2 == 0:
-                self.used_signs[str(poly)] = poly, sign
             sign = sign or self._decision(poly, 0 if is_positive else 1)
             if power % 2:
                 overall *= sign
@@ -303,14 +299,15 @@ class RootField(QuotientRing):
             result = self.integer_power(Element(self, base, {}), int(whole))
             part = exponent - whole
             return result * self._root(base, int(part.q)) ** int(part.p) if part else result
-        # the first exponent that is no such multiple says into how many parts θ is divided
-        parts = 1 if (exponent * FINENESS).is_Integer else int(exponent.q)
-        parts = self._exponent_parts.setdefault(theta, parts)
-        fine, theta = exponent * parts * FINENESS, theta / parts
+        # the first exponent says which part of θ takes its place, as units may ask for
+        is_multiple = (exponent * FINENESS).is_Integer
+        unit = self._exponent_units.setdefault(theta, sp.S.One if is_multiple else abs(exponent))
+        fine = exponent / unit * FINENESS
         if fine.q != 1:
             raise OutOfReachError(
-                f"the exponent {exponent * parts}·{theta} is not a multiple of 1/{FINENESS}"
+                f"the exponent {exponent}·{theta} is not a multiple of {unit / FINENESS}·{theta}"
             )
+        theta = theta * unit
         value = self.at_sample(base)
         symbol = self._new(
             ("power", str(base), theta),
