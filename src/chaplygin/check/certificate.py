@@ -191,7 +191,7 @@ class _Proofs:
         if data.get("signs"):
             raise CheckError("the cover assumes signs")
         generators = read_generators(data, self.claim, "the cover")
-        basis = with_precision(lambda: read_basis(data, generators, (), "the cover", False))
+        basis = with_precision(lambda: read_basis(data, generators, (), "the cover"))
 
         def leaf(node: Node, data: Mapping[str, object], where: str) -> None:
             if data["case"] != "proof":

@@ -21,7 +21,7 @@ from .positivity import (
     read_derived,
     settle,
 )
-from .roots import check_functions, check_radicands, check_roots, has_formal_roots
+from .roots import check_bases, check_functions, check_radicands, check_roots, has_formal_roots
 
 #: Points at which roots are compared of which the sign is not said.
 FORMAL = 10
@@ -59,16 +59,16 @@ def read_basis(
     generators: Generators,
     region: Sequence[Formula],
     what: str,
-    with_residuals: bool = True,
 ) -> Basis:
     """Equations, divisors and signs of a proof, compared with the claim at random points.
 
-    With `with_residuals` all roots of the law must be those of factors with known signs.
+    All roots of the law must be those of factors with known signs: on others a formula may be
+    another polynomial than at the points that happened to be drawn.
     """
     ring = generators.ring
     count = FORMAL if has_formal_roots(generators) else POINTS
     samples = generators.samples(count, positive_factors(data, ring, what))
-    entries, matched = read_divisors(data, generators, samples, what)
+    entries, matched, bases = read_divisors(data, generators, samples, what)
     nonzero = nonzero_factors(generators, entries)
     certain = Signs()
     for auxiliary in generators.auxiliary:
@@ -95,9 +95,9 @@ def read_basis(
     nonzero |= factors_of(signs, polys)
     if left:
         raise CheckError(f"what is positive in {what}: a sum is not")
-    if with_residuals:
-        check_roots(generators, signs, nonzero, entries, matched, what)
-        check_radicands(generators, signs, entries, matched, what)
+    check_roots(generators, signs, nonzero, entries, matched, what)
+    check_radicands(generators, signs, entries, matched, what)
+    check_bases(signs, entries, bases, what)
     check_functions(generators, samples, nonzero, signs, what)
     for item in positives:
         check_radicand_positive(mapping(item, what), generators, signs, what)

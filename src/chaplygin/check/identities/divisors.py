@@ -34,15 +34,19 @@ def _value_at(generators: Generators, sample: Sample, where: str, formula: Formu
 
 def read_divisors(
     data: Mapping[str, object], generators: Generators, samples: list[Sample], what: str
-) -> tuple[list[Entry], list[int | None]]:
-    """Divisors as products, and the number of the entry of each radicand."""
+) -> tuple[list[Entry], list[int | None], list[int | None]]:
+    """Divisors as products, and the numbers of the entries of radicands and of bases.
+
+    Radicands are followed by arguments of logarithms; bases are those of symbolic powers.
+    """
     ring = generators.ring
     size = len(samples)
     known = [[s.nonzero[i] for s in samples] for i in range(len(samples[0].nonzero))]
     roots = [[s.positive[i] for s in samples] for i in range(len(samples[0].positive))]
     logs = [[s.logarithms[i] for s in samples] for i in range(len(samples[0].logarithms))]
+    bases = [[s.bases[i] for s in samples] for i in range(len(samples[0].bases))]
     entries: list[Entry] = []
-    matched: list[int | None] = [None] * (len(roots) + len(logs))
+    matched: list[int | None] = [None] * (len(roots) + len(logs) + len(bases))
     for number, data_of_one in enumerate(as_list(field(data, "divisors", what), what)):
         label = f"divisor {number} of {what}"
         item = mapping(data_of_one, label)
@@ -70,19 +74,23 @@ def read_divisors(
                 raise CheckError(f"{label} is not defined") from None
             if not agree(values, stated):
                 raise CheckError(f"{label}: its factors do not make {shown}")
-        here = [i for i, known_values in enumerate([*roots, *logs]) if agree(values, known_values)]
+        all_known = [*roots, *logs, *bases]
+        here = [i for i, known_values in enumerate(all_known) if agree(values, known_values)]
         if not here and not any(agree(values, known_values) for known_values in known):
             raise CheckError(f"{label} is nothing by which the law divides")
         for i in here:
             matched[i] = len(entries)
         entries.append(Entry(1 if content > 0 else -1, powers))
     assert size
-    return entries, matched
+    sure = len(roots) + len(logs)
+    return entries, matched[:sure], matched[sure:]
 
 
 def nonzero_factors(generators: Generators, entries: Sequence[Entry]) -> frozenset[str]:
     """Keys of factors that do not vanish, where those in denominators are known not to."""
-    keys = {monic(generators.ring.generator(a.name))[0] for a in generators.auxiliary if a.positive}
+    # a formal root is that of a radicand of the law, divided by what does not vanish
+    roots = [a.name for a in generators.auxiliary if a.positive or a.kind == "formal root"]
+    keys = {monic(generators.ring.generator(name))[0] for name in roots}
     for names, _ in generators.inverses:
         # the inverse of a matrix is one that has an inverse
         a, b, c, d, e, f = (generators.ring.generator(word) for word in names)

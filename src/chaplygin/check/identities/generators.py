@@ -74,6 +74,7 @@ class Sample:
     nonzero: list[arb]
     positive: list[arb]
     logarithms: list[arb]
+    bases: list[arb]
 
 
 @dataclass(frozen=True)

@@ -111,8 +111,8 @@ class PositiveSum:
     """A polynomial that is a sum of terms that are not negative, up to multiples of equations.
 
     The terms are constant · ∏ weight^power · base² with a positive constant, and with weights that
-    are not negative where their power is odd.  One of them must be positive if the sum is: its base
-    a number, and its weights not zero.
+    are not negative where their power is odd.  One of them must be positive if the sum is, unless
+    the sum is known not to vanish: its base a number, and its weights not zero.
     """
 
     def __init__(self, data: Mapping[str, object], generators: Generators, what: str) -> None:
@@ -143,7 +143,8 @@ class PositiveSum:
         total = self.ring.constant(0)
         for quotient, equation in zip(self.quotients, equations, strict=True):
             total = total + quotient * equation
-        certain, strict = True, not self.strict
+        certain = True
+        strict = not self.strict or (not self.poly.is_constant() and monic(self.poly)[0] in nonzero)
         for weights, number, base in self.terms:
             positive = base.is_constant() and not base.is_zero()
             for part, power in weights:

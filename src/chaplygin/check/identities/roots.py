@@ -115,12 +115,33 @@ def check_radicands(
     for (_, _, exponent), number in zip(generators.domain.positive, matches, strict=False):
         if number is None:
             raise CheckError(f"{what} does not say of what factors a root of the law is taken")
-        if exponent is not None and any(
+        if any(
             exponent.denominator == a.number and _is_radicand(a, [entries[number]]) for a in formal
         ):
             continue
         for poly, power in entries[number].powers:
-            share = None if exponent is None else exponent * power
-            even = share is not None and share.denominator == 1 and share % 2 == 0
+            share = exponent * power
+            even = share.denominator == 1 and share % 2 == 0
             if not even and not signs.of(poly):
                 raise CheckError(f"{what} leaves open the sign of a factor under a root")
+
+
+def check_bases(
+    signs: Signs, entries: Sequence[Entry], matches: Sequence[int | None], what: str
+) -> None:
+    """Every base with a symbolic exponent is positive, being a product of factors of known signs.
+
+    (f g)^a = f^a g^a asks for f > 0 and g > 0, (f²)^a = f^(2a) for f > 0.
+    """
+    for number in matches:
+        if number is None:
+            raise CheckError(f"{what} does not say of what factors a power of the law is taken")
+        entry = entries[number]
+        sign = entry.content
+        for poly, power in entry.powers:
+            own = signs.of(poly)
+            if not own:
+                raise CheckError(f"{what} leaves open the sign of a factor of a power's base")
+            sign *= own if power % 2 else 1
+        if sign <= 0:
+            raise CheckError(f"{what}: the base of a power with a symbolic exponent is negative")

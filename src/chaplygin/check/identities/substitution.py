@@ -171,7 +171,7 @@ def _check_domain(
 
 
 def _of_domain(own: Domain, point: Point) -> tuple[list[arb], list[arb]]:
-    nonzero, positive, logarithms = own.values(point)
+    nonzero, positive, logarithms, _ = own.values(point)
     return nonzero, [*positive, *logarithms]
 
 
