@@ -105,14 +105,12 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
         with progress("proving") as report:
             for count, (system, law) in enumerate(claims):
                 report.say(f"proving {law.name}, {count + 1} of {len(claims)}")
-                if certificates:
-                    verdict = judgement_of(
-                        law, partial(prove_with_certificate, system, law, effort)
-                    )
-                else:
-                    verdict = judgement_of(law, partial(prove, system, law, effort=effort))
+                judge = prove_with_certificate if certificates else prove
+                verdict = judgement_of(law, partial(judge, system, law, effort=effort))
                 wrong = law.as_printed
-                printed = None if wrong is None else prove(system, wrong, effort=effort)
+                printed = wrong and judgement_of(
+                    wrong, partial(prove, system, wrong, effort=effort)
+                )
                 done.append(_Attempt(system, law, verdict, printed))
     except KeyboardInterrupt:
         pass

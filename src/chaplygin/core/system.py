@@ -7,11 +7,11 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
-from ..arguments import Formula, NamedFormulas, arguments_checked
+from ..arguments import Conditions, Formula, NamedFormulas, arguments_checked
 from ..errors import InputError
 from .display import Displayed
 from .laws import Integral, Law
@@ -38,7 +38,7 @@ class Parameter:
     unit : str
         SI unit of the examples; any consistent units will do.
     admissible : tuple of sympy relations
-        Conditions on this and other parameters.
+        Conditions on this and other parameters; ``(a > 1) | (a < -1)`` leaves two ranges.
 
     Examples
     --------
@@ -54,7 +54,7 @@ class Parameter:
     meaning: str
     default: float
     unit: str = ""
-    admissible: tuple[Any, ...] = ()
+    admissible: Conditions = ()
 
 
 @dataclass(frozen=True)
@@ -325,13 +325,9 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
-        if not self.name.strip():
-            raise InputError("the name of a system is empty; it must be a word such as 'top'")
-        for what, text in (("name", self.name), ("title", self.title)):
-            if not text.isprintable():
-                raise InputError(
-                    f"the {what} of a system, {text!r}, contains a character that is not printable"
-                )
+        if not (self.name.strip() and (self.name + self.title).isprintable()):
+            named = f"name {self.name!r}, title {self.title!r}"
+            raise InputError(f"{named}: a system has a name, and both are printable")
         for item in self.parameters:
             if not math.isfinite(item.default):
                 raise InputError(

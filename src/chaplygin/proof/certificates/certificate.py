@@ -11,6 +11,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from ...arguments import arguments_checked
@@ -31,7 +32,7 @@ from ..level.alternatives import alternatives, ranges_of_parameters
 from ..level.level_set import LevelSet
 from ..level.polynomial_problems import polynomial_problems
 from ..power_theorem import PowerTheorem
-from ..prover import prove
+from ..prover import judgement_of, prove
 from ..random_test import trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
 from ..theorems import identities_of, rates_text, theorem_of
@@ -80,13 +81,17 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         return verdict
     ranges = ranges_of_parameters(system)
     if len(ranges) > 1:
-        parts = [prove_with_certificate(each, law, effort) for each in ranges]
+        parts = [
+            judgement_of(law, partial(prove_with_certificate, each, law, effort)) for each in ranges
+        ]
         if verdict.decision == "refuted":
             failed = next((p for p in parts if p.decision == "refuted"), verdict)
             return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
         return replace(
             verdict,
-            no_certificate="; ".join(p.no_certificate for p in parts if p.no_certificate),
+            no_certificate="; ".join(
+                p.no_certificate or p.reason for p in parts if p.certificate is None
+            ),
             identities=tuple(p.certificate for p in parts if p.certificate is not None),
             in_ranges=True,
         )
@@ -163,8 +168,8 @@ def _witness(verdict: Verdict) -> Text:
     witness = verdict.witness or {}
     if "place" not in witness:
         raise OutOfReachError(
-            "what is refuted is no formula that fails at a point, but a dimension on "
-            "the whole level"
+            "what is refuted is no residual that the check knows, but a dimension on the whole "
+            "level, or the equation of a component"
         )
     return {
         "point": witness["place"],
