@@ -108,9 +108,9 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
                 judge = prove_with_certificate if certificates else prove
                 verdict = judgement_of(law, partial(judge, system, law, effort=effort))
                 wrong = law.as_printed
-                printed = wrong and judgement_of(
-                    wrong, partial(prove, system, wrong, effort=effort)
-                )
+                printed = None
+                if wrong is not None:
+                    printed = judgement_of(wrong, partial(prove, system, wrong, effort=effort))
                 done.append(_Attempt(system, law, verdict, printed))
     except KeyboardInterrupt:
         pass
@@ -151,7 +151,7 @@ def _record(attempt: _Attempt, effort: int) -> dict[str, object]:
     record = {
         "source": law.source,
         "statement": _words(law),
-        "printed": (printed or verdict).decision,
+        "printed": (verdict if printed is None else printed).decision,
         "corrected": law_latex(law, system),
         "verdict": verdict.decision,
         "conditions": list(verdict.conditions),

@@ -88,12 +88,12 @@ def parameter_values(
 
 
 def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, Condition]]:
-    """Parameters with a condition of each, as often as they have some.
+    """Parameters with a relation or an alternative of each, as often as they have some.
 
     Conditions on one parameter alone come first: where one of them fails, that parameter is wrong,
     and not another one that is compared with it.
     """
-    pairs = [(item, sp.sympify(condition)) for item in parameters for condition in item.admissible]
+    pairs = [(item, part) for item in parameters for c in item.admissible for part in joined(c)]
     return sorted(pairs, key=lambda pair: len(pair[1].free_symbols))
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..core.parameters import ROUNDING, condition_words, conditions, joined
+from ..core.parameters import ROUNDING, condition_words, conditions
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
@@ -178,14 +178,13 @@ def _reduced_pieces(reduced: System, scalars: Sequence[Scalar]) -> dict[str, lis
 def _admissible(system: System) -> list[tuple[str, sp.Basic, sp.Expr]]:
     """Conditions on parameters, each with its parameter and what is positive where it holds."""
     return [
-        (str(item.symbol), part, side)
+        (str(item.symbol), condition, side)
         for item, condition in conditions(system.parameters)
-        for part in joined(condition)
-        if (side := _positive_where(part)) is not None
+        if (side := positive_where(condition)) is not None
     ]
 
 
-def _positive_where(condition: sp.Basic) -> sp.Expr | None:
+def positive_where(condition: sp.Basic) -> sp.Expr | None:
     """A formula that is positive where a condition holds; None of an equation or a truth value."""
     match condition:
         case sp.Gt() | sp.Lt():
@@ -196,7 +195,7 @@ def _positive_where(condition: sp.Basic) -> sp.Expr | None:
         case sp.Ne():
             return sp.Abs(condition.lhs - condition.rhs)
         case sp.And() | sp.Or():
-            sides = [_positive_where(part) for part in condition.args]
+            sides = [positive_where(part) for part in condition.args]
             # 2 where a side is positive, and 0 elsewhere
             parts = [sp.sign(side) * (1 + sp.sign(side)) for side in sides if side is not None]
             if isinstance(condition, sp.And):
