@@ -12,6 +12,7 @@ from chaplygin.errors import InputError
 
 from .branches import BRANCHES
 from .case import Case, Family, Truth
+from .constrained import CONSTRAINED
 from .dress import dressed
 from .kinds import KINDS
 from .levels import LEVELS
@@ -36,11 +37,21 @@ FAMILIES: dict[str, Family] = {
     **KINDS,
     **VOLUMES,
     **MECHANICAL,
+    **CONSTRAINED,
     **MALFORMED,
 }
 
 #: How often a family is drawn; 1 for those that are not named.
-_OFTEN = {"product of factors": 4, "conditions with functions": 3, "levels that move": 2}
+_OFTEN = {
+    "product of factors": 4,
+    "conditions with functions": 3,
+    "levels that move": 2,
+    "volume of a relation": 3,
+    "even powers": 2,
+    "absolute values": 3,
+    "absolute values with signs": 3,
+    "energy with constraints": 3,
+}
 _ROUND = tuple(name for name in FAMILIES for _ in range(_OFTEN.get(name, 1)))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
@@ -105,12 +104,12 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
         with progress("proving") as report:
             for count, (system, law) in enumerate(claims):
                 report.say(f"proving {law.name}, {count + 1} of {len(claims)}")
-                judge = prove_with_certificate if certificates else prove
-                verdict = judgement_of(law, partial(judge, system, law, effort=effort))
+                prover = prove_with_certificate if certificates else prove
+                verdict = judgement_of(prover, system, law, effort)
                 wrong = law.as_printed
                 printed = None
                 if wrong is not None:
-                    printed = judgement_of(wrong, partial(prove, system, wrong, effort=effort))
+                    printed = judgement_of(prove, system, wrong, effort)
                 done.append(_Attempt(system, law, verdict, printed))
     except KeyboardInterrupt:
         pass

@@ -12,7 +12,7 @@ from typing import TypeAlias
 import sympy as sp
 
 from ..arguments import Conditions, Formula, NamedFormulas, arguments_checked
-from ..errors import InputError
+from ..errors import InputError, require_label
 from .display import Displayed
 from .laws import Integral, Law
 from .named_formulas import Pairs, as_pairs, expand, needed_steps
@@ -325,14 +325,10 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
-        if not (self.name.strip() and (self.name + self.title).isprintable()):
-            named = f"name {self.name!r}, title {self.title!r}"
-            raise InputError(f"{named}: a system has a name, and both are printable")
-        for item in self.parameters:
-            if not math.isfinite(item.default):
-                raise InputError(
-                    f"{self.name}: {item.symbol} = {item.default} must be a finite number"
-                )
+        require_label(self.name, self.title)
+        for p in self.parameters:
+            if not math.isfinite(p.default):
+                raise InputError(f"{self.name}: {p.symbol} = {p.default} must be a finite number")
         names = [p.symbol for p in self.parameters] + [
             *self.symbols,
             *(s for s, _ in self.scalar_definitions),

@@ -5,10 +5,8 @@ from __future__ import annotations
 import contextlib
 import math
 import time
-from collections.abc import Callable
 from dataclasses import fields, replace
-from functools import partial
-from typing import overload
+from typing import Protocol, overload
 
 import sympy as sp
 
@@ -68,9 +66,7 @@ def prove(
     """
     checked_effort(effort)
     if law is None:
-        return tuple(
-            judgement_of(each, partial(prove, system, each, effort=effort)) for each in system.laws
-        )
+        return tuple(judgement_of(prove, system, each, effort) for each in system.laws)
     if isinstance(law, str):
         law = _by_name(system, law)
     _check_defaults(system)
@@ -101,17 +97,18 @@ def prove(
     return verdict
 
 
-def judgement_of(law: Law, judge: Callable[[], Verdict]) -> Verdict:
-    """The verdict on one law among several: one that states nothing is refused by itself.
+class Prover(Protocol):
+    """What proves or refutes a law: `prove`, or `prove_with_certificate`."""
 
-    Parameters
-    ----------
-    law : Law
-    judge : callable
-        Proves or refutes it.
-    """
+    def __call__(self, system: System, law: Law, *, effort: int) -> Verdict:
+        """The verdict on a law of a system."""
+        ...
+
+
+def judgement_of(prover: Prover, system: System, law: Law, effort: int) -> Verdict:
+    """The verdict on one law among several: one that states nothing is refused by itself."""
     try:
-        return judge()
+        return prover(system, law, effort=effort)
     except InputError as problem:
         return Verdict(law.name, "refused", reason=str(problem))
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import partial
 
 from ...arguments import arguments_checked
 from ...core.laws import Law
@@ -107,7 +106,7 @@ class ProofBudget:
             reason = EFFORT_SPENT if self.altogether else LEFT_OUT
             return Verdict(law.name, "undecided", reason=reason)
         self.report(f"{law.name} of {system.title}")
-        verdict = judgement_of(law, partial(prove, system, law, effort=self.effort))
+        verdict = judgement_of(prove, system, law, self.effort)
         self.effort_used += verdict.effort
         return verdict
 

@@ -90,7 +90,7 @@ class Arithmetic(Protocol[V]):
         ...
 
 
-def _rounded(value: Fraction) -> float:
+def _nearest_double(value: Fraction) -> float:
     """The double nearest to a constant of a formula; InputError beyond all doubles."""
     try:
         return float(value)
@@ -112,7 +112,7 @@ class Double:
 
     def number(self, value: Fraction) -> str:
         """A constant, rounded."""
-        return self.writer.constant(_rounded(value))
+        return self.writer.constant(_nearest_double(value))
 
     def load(self, base: str, index: str | int) -> str:
         """An element of an array of vectors."""
@@ -231,7 +231,7 @@ class Pair:
 
     def number(self, value: Fraction) -> Registers:
         """A constant, rounded."""
-        high = _rounded(value)
+        high = _nearest_double(value)
         return self.writer.constant(high), self.writer.constant(float(value - Fraction(high)))
 
     def load(self, base: str, index: str | int) -> Registers:

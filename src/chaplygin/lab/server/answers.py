@@ -6,7 +6,6 @@ import base64
 import traceback
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -142,7 +141,7 @@ def _prove(task: Assignment) -> Answer:
     for count, law in enumerate(chosen, 1):
         yield {"doing": f"proving {law.name}, {count} of {len(chosen)}"}
         effort = max(1, round(request.effort * EFFORT))
-        verdict = judgement_of(law, partial(prove, system, law, effort=effort))
+        verdict = judgement_of(prove, system, law, effort)
         yield {
             "verdict": {
                 "name": law.name,

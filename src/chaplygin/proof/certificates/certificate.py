@@ -11,7 +11,6 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 from ...arguments import arguments_checked
@@ -81,20 +80,8 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         return verdict
     ranges = ranges_of_parameters(system)
     if len(ranges) > 1:
-        parts = [
-            judgement_of(law, partial(prove_with_certificate, each, law, effort)) for each in ranges
-        ]
-        if verdict.decision == "refuted":
-            failed = next((p for p in parts if p.decision == "refuted"), verdict)
-            return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
-        return replace(
-            verdict,
-            no_certificate="; ".join(
-                p.no_certificate or p.reason for p in parts if p.certificate is None
-            ),
-            identities=tuple(p.certificate for p in parts if p.certificate is not None),
-            in_ranges=True,
-        )
+        each = [judgement_of(prove_with_certificate, part, law, effort) for part in ranges]
+        return _in_ranges(verdict, each)
     theorem = theorem_of(system, law)
     try:
         if isinstance(theorem, PowerTheorem):
@@ -117,6 +104,21 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         for identity in whole.laws
     ]
     return replace(verdict, identities=tuple(p for p in parts if p is not None))
+
+
+def _in_ranges(verdict: Verdict, each: list[Verdict]) -> Verdict:
+    """A verdict with the certificates of its law in each range of the parameters."""
+    if verdict.decision == "refuted":
+        failed = next((one for one in each if one.decision == "refuted"), verdict)
+        return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
+    return replace(
+        verdict,
+        no_certificate="; ".join(
+            one.no_certificate or one.reason for one in each if one.certificate is None
+        ),
+        identities=tuple(one.certificate for one in each if one.certificate is not None),
+        in_ranges=True,
+    )
 
 
 def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Text:
