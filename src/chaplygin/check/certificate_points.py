@@ -204,6 +204,9 @@ class _StatedPoint:
         for formula, sign in self.system.admissible:
             if not self._admissible(formula, sign):
                 raise CheckError("the parameters of the point are not admissible")
+        for options in self.system.either:
+            if not any(all(self._admissible(*part) for part in option) for option in options):
+                raise CheckError("the parameters of the point are not admissible")
         for guard in self.system.guards:
             if not self.evaluate(guard) > 0:
                 raise CheckError("a guard is not positive at the point")
@@ -218,10 +221,14 @@ class _StatedPoint:
     def _check_target(self, target: ClaimedSystem) -> None:
         """Check that the parameters of the target are admissible at the point."""
         there = target_point(self.claim, self.evaluate)
-        for formula, sign in target.admissible:
+
+        def holds(formula: Formula, sign: str) -> bool:
             value = there(formula)
-            holds = {">": value > 0, ">=": not value < 0, "!=": not value.contains(0)}
-            if not holds.get(sign, value.contains(0)):
+            known = {">": value > 0, ">=": not value < 0, "!=": not value.contains(0)}
+            return bool(known.get(sign, value.contains(0)))
+
+        for options in ((target.admissible,), *target.either):
+            if not any(all(holds(*part) for part in option) for option in options):
                 raise CheckError("the parameters of the target are not admissible at the point")
 
     def _admissible(self, formula: Formula, sign: str) -> bool:

@@ -7,11 +7,11 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
-from ..arguments import Formula, NamedFormulas, arguments_checked
+from ..arguments import Conditions, Formula, NamedFormulas, arguments_checked
 from ..errors import InputError, require_label
 from .display import Displayed
 from .laws import Integral, Law
@@ -38,7 +38,7 @@ class Parameter:
     unit : str
         SI unit of the examples; any consistent units will do.
     admissible : tuple of sympy relations
-        Conditions on this and other parameters.
+        Conditions on this and other parameters; ``(a > 1) | (a < -1)`` leaves two ranges.
 
     Examples
     --------
@@ -54,7 +54,7 @@ class Parameter:
     meaning: str
     default: float
     unit: str = ""
-    admissible: tuple[Any, ...] = ()
+    admissible: Conditions = ()
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ DIGITS = 5_000
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>\d+(?:\.\d*)?(?:[eE][+-]?\d{1,4})?|\.\d+(?:[eE][+-]?\d{1,4})?)"
     r"|(?P<name>[^\W\d]\w*)"
-    r"|(?P<sign>\*\*|<=|>=|==|!=|[-+*/(),<>&]))"
+    r"|(?P<sign>\*\*|<=|>=|==|!=|[-+*/(),<>&|]))"
 )
 
 
@@ -139,6 +139,11 @@ def parse_condition(text: object, what: str) -> list[tuple[Formula, str]]:
     return _Reader(text, what).condition()
 
 
+def parse_alternatives(text: object, what: str) -> list[list[tuple[Formula, str]]]:
+    """Read conditions joined by ``|``, of which one holds; each as :func:`parse_condition`."""
+    return _Reader(text, what).alternatives()
+
+
 class _Reader:
     """A recursive descent through the tokens of one text."""
 
@@ -191,6 +196,13 @@ class _Reader:
         relations = self._conjunction()
         self._end()
         return relations
+
+    def alternatives(self) -> list[list[tuple[Formula, str]]]:
+        found = [self._conjunction()]
+        while self._take("|"):
+            found.append(self._conjunction())
+        self._end()
+        return found
 
     def _conjunction(self) -> list[tuple[Formula, str]]:
         relations = self._one()

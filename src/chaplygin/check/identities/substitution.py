@@ -100,7 +100,7 @@ def _what_is_said(
     for guard in new.guards:
         if not any(equal(before, guard) for before in old.guards):
             raise CheckError(f"a guard in the claim of {what} is none of the system")
-    if not set(new.admissible) <= set(old.admissible):
+    if not (set(new.admissible) <= set(old.admissible) and set(new.either) <= set(old.either)):
         raise CheckError(f"what is admissible in the claim of {what} is not so in the system")
     for formula in region:
         if not equal(formula, formula):
