@@ -93,11 +93,11 @@ def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, Conditi
     Conditions on one parameter alone come first: where one of them fails, that parameter is wrong,
     and not another one that is compared with it.
     """
-    pairs = [(item, part) for item in parameters for c in item.admissible for part in joined(c)]
+    pairs = [(item, part) for item in parameters for c in item.admissible for part in conjuncts(c)]
     return sorted(pairs, key=lambda pair: len(pair[1].free_symbols))
 
 
-def joined(condition: Condition) -> tuple[Condition, ...]:
+def conjuncts(condition: Condition) -> tuple[Condition, ...]:
     """The conditions that together are one; each a relation, or an alternative of some.
 
     An alternative is an `Or` of relations and of conjunctions of them.
@@ -105,7 +105,7 @@ def joined(condition: Condition) -> tuple[Condition, ...]:
     Examples
     --------
     >>> a, b = sp.symbols("a b", real=True)
-    >>> joined((b > 0) & ~((a <= 1) & (a >= -1)))
+    >>> conjuncts((b > 0) & ~((a <= 1) & (a >= -1)))
     (b > 0, (a > 1) | (a < -1))
     """
     whole = sp.sympify(condition)

@@ -21,7 +21,7 @@ from ..core.laws import (
 )
 from ..core.memory import memory
 from ..core.named_formulas import expand
-from ..core.parameters import joined
+from ..core.parameters import conjuncts
 from ..core.system import System, flat
 from ..core.vectors import Vector, to_components
 from .fields.quotient_ring import Poly
@@ -65,7 +65,7 @@ def admissible(system: System) -> tuple[sp.Basic, ...]:
     relations: list[sp.Basic] = []
     for parameter in system.parameters:
         for condition in parameter.admissible:
-            relations += joined(condition)
+            relations += conjuncts(condition)
         assumed = [r for r in assumed_relations(parameter.symbol) if r not in (sp.true, sp.false)]
         # the strongest says it all
         relations += assumed[:1]

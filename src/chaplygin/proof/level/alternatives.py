@@ -17,7 +17,7 @@ import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Measure
 from ...core.named_formulas import expand
-from ...core.parameters import joined
+from ...core.parameters import conjuncts
 from ...core.system import Parameter, System
 from ...core.vectors import to_components
 from ...formulas.errors import OutOfReachError
@@ -57,10 +57,12 @@ def ranges_of_parameters(system: System) -> tuple[System, ...]:
 
     Together the ranges are all that is admissible; in each, only conjunctions are asked.
     """
-    asked = [c for p in system.parameters for condition in p.admissible for c in joined(condition)]
-    if not any(isinstance(condition, sp.Or) for condition in asked):
+    conditions = [
+        c for p in system.parameters for condition in p.admissible for c in conjuncts(condition)
+    ]
+    if not any(isinstance(condition, sp.Or) for condition in conditions):
         return (system,)
-    whole = sp.to_dnf(sp.And(*asked), simplify=False)
+    whole = sp.to_dnf(sp.And(*conditions), simplify=False)
     ranges = [
         each.args if isinstance(each, sp.And) else (each,)
         for each in (whole.args if isinstance(whole, sp.Or) else (whole,))
@@ -72,10 +74,10 @@ def ranges_of_parameters(system: System) -> tuple[System, ...]:
     )
 
 
-def _is_empty(asked: Sequence[sp.Basic]) -> bool:
+def _is_empty(conditions: Sequence[sp.Basic]) -> bool:
     """Whether conditions contradict each other in what they ask of one parameter alone."""
     alone: dict[sp.Basic, sp.Set] = {}
-    for condition in asked:
+    for condition in conditions:
         if len(condition.free_symbols) == 1:
             (symbol,) = condition.free_symbols
             with contextlib.suppress(NotImplementedError):
@@ -84,7 +86,7 @@ def _is_empty(asked: Sequence[sp.Basic]) -> bool:
 
 
 def _within(
-    parameters: tuple[Parameter, ...], asked: tuple[sp.Basic, ...]
+    parameters: tuple[Parameter, ...], conditions: tuple[sp.Basic, ...]
 ) -> tuple[Parameter, ...]:
     """The parameters with a conjunction of conditions, and with defaults that meet it.
 
@@ -92,17 +94,17 @@ def _within(
     """
     defaults = {p.symbol: sp.Rational(repr(float(p.default))) for p in parameters}
     wrong = sorted(
-        {s for c in asked if c.xreplace(defaults) != sp.true for s in c.free_symbols}, key=str
+        {s for c in conditions if c.xreplace(defaults) != sp.true for s in c.free_symbols}, key=str
     )
     for values in islice(product(_SIMPLE, repeat=len(wrong)), len(_SIMPLE) ** 2):
         tried = {**defaults, **dict(zip(wrong, values, strict=True))}
-        if all(c.xreplace(tried) == sp.true for c in asked):
+        if all(c.xreplace(tried) == sp.true for c in conditions):
             defaults = tried
             break
     first, *others = (
         replace(p, default=float(defaults[p.symbol]), admissible=()) for p in parameters
     )
-    return (replace(first, admissible=asked), *others)
+    return (replace(first, admissible=conditions), *others)
 
 
 def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
