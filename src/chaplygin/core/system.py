@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ..arguments import Formula, NamedFormulas, arguments_checked
-from ..errors import InputError, require_label
+from ..errors import InputError, require_label, require_visible
 from .display import Displayed
 from .laws import Integral, Law
 from .named_formulas import Pairs, as_pairs, expand, needed_steps
@@ -325,7 +325,8 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
-        require_label(self.name, self.title)
+        require_label(self.name, self.title, self.summary)
+        require_visible(x.meaning for x in (*self.parameters, *self.observables, *self.laws))
         for p in self.parameters:
             if not math.isfinite(p.default):
                 raise InputError(f"{self.name}: {p.symbol} = {p.default} must be a finite number")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -20,9 +21,22 @@ _OTHERS = (
     (stat.S_ISSOCK, "a socket"),
 )
 
+#: Whether the system keeps names of files for devices, and the names that it keeps.
+WINDOWS = sys.platform == "win32"
+_DEVICES = {"CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"} | {
+    f"{port}{i}" for port in ("COM", "LPT") for i in "123456789¹²³"
+}
+
+
+def require_file_name(path: Path) -> None:
+    """Raise InputError if the name of a file is that of a device, with or without an ending."""
+    if WINDOWS and path.name.partition(".")[0].rstrip().upper() in _DEVICES:
+        raise InputError(f"{path} is the name of a device on Windows: choose another name")
+
 
 def check_target(target: Path, force: bool = False) -> None:
     """Raise InputError unless a file may be written to `target`."""
+    require_file_name(target)
     status = status_of_target(target)
     if status is not None:
         _check_replaced(target, status, force)

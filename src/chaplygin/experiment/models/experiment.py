@@ -29,6 +29,7 @@ from ..file.table import Table
 from ..file.tables import OF_A_DIMENSION
 from ..file.toml import Key, Tables
 from ..file.validation import validation_messages
+from ..files import require_file_name
 from .ball_model import BallExperiment
 from .catalogue_models import StateExperiment, SystemExperiment
 from .described_models import EquationsExperiment, MechanismExperiment
@@ -102,6 +103,7 @@ def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
     name = str(source)
     if not name.strip():
         raise InputError("the path is empty; it must be that of an experiment file, or its text")
+    require_file_name(Path(source))
     try:
         with Path(source).open("rb") as file:
             content = file.read(_MOST_BYTES + 1)
