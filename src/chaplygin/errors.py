@@ -110,14 +110,14 @@ class InputError(ValueError):
         return readable(f"{self.where}: {self.message}" if self.where else self.message)
 
 
-def require_label(name: str, title: str, summary: str = "") -> None:
+def require_label(name: str, title: str, *texts: str) -> None:
     """Raise InputError unless a name is there, and no text has invisible characters."""
     if not name.strip():
         raise InputError("the name of a system is empty; it must be a word such as 'top'")
     for what, text in (("name", name), ("title", title)):
         if not text.isprintable():
             raise InputError(f"the {what} {text!r} contains a character that cannot be seen")
-    require_visible([summary])
+    require_visible(texts)
 
 
 def require_visible(texts: Iterable[str]) -> None:

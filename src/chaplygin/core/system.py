@@ -325,8 +325,8 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
-        require_label(self.name, self.title, self.summary)
-        require_visible(x.meaning for x in (*self.parameters, *self.observables, *self.laws))
+        require_label(self.name, self.title, self.summary, *(p.meaning for p in self.parameters))
+        require_visible([o.meaning for o in self.observables] + [law.meaning for law in self.laws])
         for p in self.parameters:
             if not math.isfinite(p.default):
                 raise InputError(f"{self.name}: {p.symbol} = {p.default} must be a finite number")
