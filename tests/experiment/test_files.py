@@ -8,9 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin import load
+from chaplygin import load, partial_files
 from chaplygin.errors import InputError
-from chaplygin.experiment import files
 from chaplygin.experiment.files import atomic_file, check_target
 from chaplygin.report.study_folder import begin, check_folder, end
 
@@ -35,7 +34,7 @@ def test_names_of_devices_are_refused_on_windows(
     (tmp_path / name).write_text('system = {name = "veselova"}')
     load(tmp_path / name)
     check_target(tmp_path / name, force=True)
-    monkeypatch.setattr(files, "WINDOWS", True)
+    monkeypatch.setattr(partial_files, "WINDOWS", True)
     check_target(tmp_path / "console.toml")
     refused(tmp_path / name, "is the name of a device on Windows")
     with pytest.raises(InputError, match="is the name of a device on Windows"):

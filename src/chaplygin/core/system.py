@@ -326,7 +326,7 @@ class System(Displayed):
 
     def _check_symbols(self) -> None:
         require_label(self.name, self.title, self.summary, *(p.meaning for p in self.parameters))
-        require_visible([o.meaning for o in self.observables] + [law.meaning for law in self.laws])
+        require_visible([o.meaning for o in self.observables] + [i.meaning for i in self.integrals])
         for p in self.parameters:
             if not math.isfinite(p.default):
                 raise InputError(f"{self.name}: {p.symbol} = {p.default} must be a finite number")

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 import stat
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from ..errors import InputError
-from ..partial_files import partial_file, umask
+from ..partial_files import partial_file, require_file_name, umask
 
 #: Kinds of files that are no regular files, with the tests for them.
 _OTHERS = (
@@ -20,18 +19,6 @@ _OTHERS = (
     (stat.S_ISFIFO, "a pipe"),
     (stat.S_ISSOCK, "a socket"),
 )
-
-#: Whether the system keeps names of files for devices, and the names that it keeps.
-WINDOWS = sys.platform == "win32"
-_DEVICES = {"CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"} | {
-    f"{port}{i}" for port in ("COM", "LPT") for i in "123456789¹²³"
-}
-
-
-def require_file_name(path: Path) -> None:
-    """Raise InputError if the name of a file is that of a device, with or without an ending."""
-    if WINDOWS and path.name.partition(".")[0].rstrip().upper() in _DEVICES:
-        raise InputError(f"{path} is the name of a device on Windows: choose another name")
 
 
 def check_target(target: Path, force: bool = False) -> None:

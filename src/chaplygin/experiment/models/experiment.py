@@ -23,13 +23,13 @@ from pydantic import ValidationError
 
 from ...arguments import arguments_checked
 from ...errors import InputError, nearest
+from ...partial_files import require_file_name
 from ..file.ball_tables import SmoothTable
 from ..file.source import Source
 from ..file.table import Table
 from ..file.tables import OF_A_DIMENSION
 from ..file.toml import Key, Tables
 from ..file.validation import validation_messages
-from ..files import require_file_name
 from .ball_model import BallExperiment
 from .catalogue_models import StateExperiment, SystemExperiment
 from .described_models import EquationsExperiment, MechanismExperiment
