@@ -12,7 +12,7 @@ from typing import TypeAlias
 import sympy as sp
 
 from ..arguments import Conditions, Formula, NamedFormulas, arguments_checked
-from ..errors import InputError, require_label
+from ..errors import InputError, require_label, require_visible
 from .display import Displayed
 from .laws import Integral, Law
 from .named_formulas import Pairs, as_pairs, expand, needed_steps
@@ -325,7 +325,8 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
-        require_label(self.name, self.title)
+        require_label(self.name, self.title, self.summary, *(p.meaning for p in self.parameters))
+        require_visible([o.meaning for o in self.observables] + [i.meaning for i in self.integrals])
         for p in self.parameters:
             if not math.isfinite(p.default):
                 raise InputError(f"{self.name}: {p.symbol} = {p.default} must be a finite number")
