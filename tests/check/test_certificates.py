@@ -41,7 +41,7 @@ def test_a_root_without_its_sign_is_noticed() -> None:
     certificate = examples.root()
     for proof in certificate["proofs"]:
         proof["signs"] = []
-    with pytest.raises(CheckError, match="leaves open the sign of a factor under a root"):
+    with pytest.raises(CheckError, match="a root of the law is none of factors with known signs"):
         check(certificate)
 
 
@@ -82,23 +82,6 @@ def test_an_isomorphism_must_not_lose_dimensions() -> None:
     law = certificate["claim"]["law"]
     law["map"] = [["X", "0*x"], ["V", "0*v"]]
     with pytest.raises(CheckError, match="rank is not as the law says"):
-        check(certificate)
-
-
-def test_an_expressed_variable_needs_its_own_proof() -> None:
-    certificate = examples.expressed()
-    del certificate["proofs"][0]
-    with pytest.raises(CheckError, match="leave open"):
-        check(certificate)
-
-
-def test_an_expressed_variable_loses_no_points() -> None:
-    """Where a vanishes, a z = a f(x) says nothing of z."""
-    certificate = examples.expressed()
-    certificate["claim"]["law"]["density"] = [["y", "2"]]
-    law = certificate["proofs"][1]["claim"]["law"]
-    law["density"] = [["y", "2"], ["a", "-1"]]
-    with pytest.raises(CheckError, match="divides by what the system does not"):
         check(certificate)
 
 

@@ -20,12 +20,11 @@ from .claim.domain import domain
 from .claim.errors import CheckError, UndefinedError
 from .claim.evaluate import Point
 from .claim.formulas import Formula, names_in, number, parse
-from .claim.jets import ball
 from .claim.json_data import as_list, field, integer, mapping, only, rational, text
 from .claim.polynomials import Poly, Ring
 from .claim.quotients import quotient
+from .claim.real_functions import RealFunctions, ball
 from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals
-from .claim.unspecified_functions import Functions
 from .identities.proof import Condition
 
 PRECISION = 1200
@@ -119,7 +118,7 @@ class _StatedPoint:
         self.claim = claim
         self.system = claim.system
         # another point, other values: they may be small where a root asks for it
-        self.functions = Functions(json.dumps(data, sort_keys=True))
+        self.functions = RealFunctions(json.dumps(data, sort_keys=True))
         self.balls: dict[str, arb] = {}
         self.rationals: dict[str, Fraction] = {}
         self.chain: list[tuple[str, Poly]] = []
@@ -207,7 +206,7 @@ class _StatedPoint:
                 raise CheckError("a guard is not positive at the point")
         settled = {word: number(value) for word, value in self.rationals.items()}
         try:
-            domain(self.claim, settled).values(self.evaluate)
+            domain(self.claim, settled).require(self.evaluate)
         except UndefinedError:
             raise CheckError("the law is not certainly defined at the point") from None
 
@@ -245,7 +244,7 @@ class _StatedPoint:
         return bool(above.is_zero())
 
     def _value(self, poly: Poly) -> arb:
-        return self.ring.value(poly, [self.balls[n] for n in self.ring.names])
+        return self.ring.value(poly, [self.balls[n] for n in self.ring.names], self.functions)
 
     def _with_rationals(self, poly: Poly) -> Poly:
         table = {
@@ -294,7 +293,8 @@ def _root(
     """A ball around a root in an interval at whose ends a polynomial has different signs."""
 
     def value(at: arb, of: Poly = poly) -> arb:
-        return ring.value(of, [at if n == word else balls[n] for n in ring.names])
+        values = [at if n == word else balls[n] for n in ring.names]
+        return ring.value(of, values, RealFunctions(""))
 
     def sign(at: Fraction) -> int:
         here = value(ball(at))

@@ -10,15 +10,15 @@ from typing import Any
 
 from .errors import CheckError
 from .evaluate import Point
-from .formulas import Formula, names_in, parse, parse_condition
+from .formulas import CONSTANTS, FUNCTIONS, Formula, names_in, parse, parse_condition
+from .functions import Functions
 from .jets import Number
 from .json_data import as_list, field, integer, items, mapping, only, text
-from .unspecified_functions import Functions
 
 _NAME = re.compile(r"[^\W\d]\w*")
 
-#: Names that formulas use otherwise.
-_RESERVED_NAMES = {"Derivative", "Subs", "Ne", "Eq"}
+#: Names that formulas use otherwise, and those that a reader takes for something else.
+_RESERVED_NAMES = {*CONSTANTS, *FUNCTIONS, "Derivative", "Subs", "Ne", "Eq", "oo", "zoo", "nan"}
 
 
 @dataclass(frozen=True)
@@ -138,8 +138,10 @@ def _formulas(data: object, what: str) -> tuple[Formula, ...]:
 
 def _name(data: object, what: str) -> str:
     word = text(data, what)
-    if _NAME.fullmatch(word) is None or word in _RESERVED_NAMES:
+    if _NAME.fullmatch(word) is None:
         raise CheckError(f"{what} is {word!r}, which is no name")
+    if word in _RESERVED_NAMES:
+        raise CheckError(f"{what} is {word!r}, a name that means something else in formulas")
     return word
 
 
@@ -165,7 +167,7 @@ def _distinct(words: Iterable[str], what: str) -> None:
 
 
 def _require(formulas: Iterable[Formula], names: set[str], what: str) -> None:
-    strange = sorted(names_in(formulas) - names - {"pi", "E"})
+    strange = sorted(names_in(formulas) - names - {*CONSTANTS})
     if strange:
         raise CheckError(f"{what} uses {strange[0]}, which is unknown")
 

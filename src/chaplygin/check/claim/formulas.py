@@ -24,6 +24,9 @@ FUNCTIONS = {
     "atan2": 2,
 }
 
+#: Names of numbers.
+CONSTANTS = ("pi", "E")
+
 #: Formulas may be nested in brackets as deep as this.
 DEPTH = 120
 LENGTH = 5_000_000

@@ -10,10 +10,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
-from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from .errors import CheckError
-from .jets import inverse
+from .functions import Functions
+from .jets import Number, inverse
 from .json_data import as_list, field, integer, items, mapping, only, rational
 
 Poly: TypeAlias = fmpq_mpoly
@@ -101,12 +102,12 @@ class Ring:
             result = result * poly**power
         return result
 
-    def value(self, poly: Poly, values: Sequence[arb]) -> arb:
-        """The value of a polynomial at balls, one for each generator."""
-        known: dict[tuple[int, int], arb] = {}
-        total = arb(0)
+    def value(self, poly: Poly, values: Sequence[Number], functions: Functions) -> Number:
+        """The value of a polynomial at numbers, one for each generator."""
+        known: dict[tuple[int, int], Number] = {}
+        total: Number = functions.number(Fraction(0))
         for exponents, coefficient in poly.to_dict().items():
-            term = arb(coefficient)
+            term = functions.number(Fraction(int(coefficient.p), int(coefficient.q)))
             for i, exponent in enumerate(exponents):
                 if exponent:
                     key = (i, int(exponent))
@@ -116,11 +117,13 @@ class Ring:
             total = total + term
         return total
 
-    def value_of_powers(self, powers: Powers, values: Sequence[arb]) -> arb:
+    def value_of_powers(
+        self, powers: Powers, values: Sequence[Number], functions: Functions
+    ) -> Number:
         """The value of a product of powers."""
-        result = arb(1)
+        result = functions.number(Fraction(1))
         for poly, power in powers:
-            base = self.value(poly, values)
+            base = self.value(poly, values, functions)
             result = result * (base**power if power > 0 else inverse(base) ** -power)
         return result
 

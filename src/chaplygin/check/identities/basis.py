@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..claim.errors import CheckError
@@ -10,14 +10,12 @@ from ..claim.formulas import Formula
 from ..claim.json_data import as_list, field, mapping
 from ..claim.polynomials import Poly, monic
 from .case_tree import Signs
-from .divisors import Entry, nonzero_factors, read_divisors
+from .comparisons import Comparisons
+from .divisors import Entry, Matches, nonzero_factors, read_divisors
 from .equations import read_equations
-from .generators import POINTS, Generators, Sample
+from .generators import Generators
 from .positivity import PositiveSum, check_radicand_positive, learn_positive, settle
-from .roots import check_functions, check_radicands, check_roots, has_formal_roots
-
-#: Points at which roots are compared of which the sign is not said.
-FORMAL = 10
+from .roots import check_functions, check_roots
 
 
 @dataclass(frozen=True)
@@ -35,11 +33,11 @@ class Basis:
     certain : Signs
         Signs that are known without assuming any.
     radicands : tuple of Entry
-        Are positive where the law is defined.
+        Are positive where the law is defined, whatever signs are assumed.
     """
 
     generators: Generators
-    samples: list[Sample]
+    comparisons: Comparisons
     equations: tuple[Poly, ...]
     nonzero: frozenset[str]
     signs: Signs
@@ -50,46 +48,94 @@ class Basis:
 def read_basis(
     data: Mapping[str, object],
     generators: Generators,
-    region: Sequence[Formula],
+    formulas: Iterable[Formula],
+    seed: str,
     what: str,
-    with_residuals: bool = True,
 ) -> Basis:
-    """Equations, divisors and signs of a proof, compared with the claim at random points.
+    """Equations, divisors and signs of a proof, compared with the claim.
 
-    With `with_residuals` all roots of the law must be those of factors with known signs.
+    Parameters
+    ----------
+    formulas : iterable of formulas
+        Will be compared later.
     """
-    ring = generators.ring
-    samples = generators.samples(FORMAL if has_formal_roots(generators) else POINTS)
-    entries, matched = read_divisors(data, generators, samples, what)
-    nonzero = nonzero_factors(generators, entries)
+    ring, system = generators.ring, generators.claim.system
+    entries = read_divisors(data, generators, what)
+    stated = [*system.guards, *generators.claim.conditions, *(f for f, _ in system.admissible)]
+    comparisons = Comparisons(
+        generators, seed, [(e.content, e.powers) for e in entries], [*formulas, *stated]
+    )
+    matches = Matches(generators, entries, comparisons)
     certain = Signs()
     for auxiliary in generators.auxiliary:
         if auxiliary.positive:
-            certain.learn(generators.ring.generator(auxiliary.name), 1)
-    positives = as_list(field(data, "positive", what), f"what is positive in {what}")
-    for item in positives:
-        learn_positive(item, generators, samples, certain, what)
+            certain.learn(ring.generator(auxiliary.name), 1)
+    knowledge = _Knowledge(data, matches, what)
+    knowledge.extend(certain)
+    radicands = tuple(e for e in matches.radicands if e is not None)
     signs = certain.copy()
     for poly, sign in generators.signs:
-        if not poly.is_constant() and monic(poly)[0] not in nonzero:
-            raise CheckError(f"{what} assumes the sign of something that may vanish")
         signs.learn(poly, sign)
-    radicands = tuple(entries[i] for i in matched if i is not None)
-    stated = [item for item in positives if mapping(item, what).get("from") == "sum"]
-    sums = [PositiveSum(mapping(item, what), generators, what) for item in stated]
-    written = [
-        ring.read(field(mapping(item, what), "poly", what), what)
-        for item in as_list(field(data, "equations", what), what)
-    ]
-    settle(certain, radicands, sums, nonzero, written)
-    left = settle(signs, radicands, sums, nonzero, written)
-    if left:
-        raise CheckError(f"what is positive in {what}: a sum is not")
-    if with_residuals:
-        check_roots(generators, signs, nonzero, entries, matched, what)
-        check_radicands(generators, signs, entries, matched, what)
-    check_functions(generators, samples, nonzero, signs, what)
-    for item in positives:
+    knowledge.extend(signs)
+    knowledge.require_all()
+    for sample in comparisons.samples:
+        sample.require_definitions()
+    nonzero = nonzero_factors(generators, matches.known)
+    for poly, _ in generators.signs:
+        if monic(poly)[0] not in nonzero:
+            raise CheckError(f"{what} assumes the sign of something that may vanish")
+    known = [entry for entry in matches.radicands if entry is not None]
+    check_roots(generators, signs, nonzero, known, what)
+    check_functions(comparisons, nonzero, signs, what)
+    for item in knowledge.positives:
         check_radicand_positive(mapping(item, what), generators, signs, what)
-    equations = read_equations(data, generators, samples, region, nonzero, signs, what)
-    return Basis(generators, samples, equations, nonzero, signs, certain, radicands)
+    equations = read_equations(data, comparisons, nonzero, signs, what)
+    return Basis(generators, comparisons, equations, nonzero, signs, certain, radicands)
+
+
+class _Knowledge:
+    """Signs and divisors, each of which may help to know more of the other.
+
+    A formula with a root is known once the signs of what stands under the root are; these may
+    follow from what is positive, such as another radicand.
+    """
+
+    def __init__(self, data: Mapping[str, object], matches: Matches, what: str) -> None:
+        self.matches, self.what = matches, what
+        generators = matches.generators
+        self.positives = as_list(field(data, "positive", what), f"what is positive in {what}")
+        sums = [item for item in self.positives if mapping(item, what).get("from") == "sum"]
+        self._sums = [PositiveSum(mapping(item, what), generators, what) for item in sums]
+        self._equations = [
+            generators.ring.read(field(mapping(item, what), "poly", what), what)
+            for item in as_list(field(data, "equations", what), what)
+        ]
+        self._reasons: Sequence[CheckError] = ()
+        self._open: list[PositiveSum] = []
+
+    def extend(self, signs: Signs) -> None:
+        """Learn all signs that follow, and find the divisors that are known by them."""
+        self.matches.comparisons.set_signs(signs)
+        waiting = [*self.positives]
+        while True:
+            reasons = [
+                learn_positive(i, self.matches.comparisons, signs, self.what) for i in waiting
+            ]
+            left = [i for i, reason in zip(waiting, reasons, strict=True) if reason is not None]
+            self._reasons = [reason for reason in reasons if reason is not None]
+            learned = len(left) < len(waiting)
+            waiting = left
+            found = self.matches.extend()
+            nonzero = nonzero_factors(self.matches.generators, self.matches.known)
+            radicands = [entry for entry in self.matches.radicands if entry is not None]
+            self._open = settle(signs, radicands, self._sums, nonzero, self._equations)
+            if not (found or learned):
+                return
+
+    def require_all(self) -> None:
+        """Nothing is left open; CheckError otherwise."""
+        for reason in self._reasons:
+            raise reason
+        self.matches.require_all()
+        if self._open:
+            raise CheckError(f"what is positive in {self.what}: a sum is not")

@@ -4,26 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..claim.errors import CheckError, UndefinedError
+from ..claim.errors import CheckError
 from ..claim.formulas import Formula, parse
 from ..claim.json_data import as_list, field, items, mapping, only, text
 from ..claim.polynomials import Poly, Powers, Ring, monic
-from .accuracy import agree
 from .case_tree import Signs
-from .generators import Auxiliary, Generators, Sample
+from .comparisons import Comparisons
+from .generator_functions import Auxiliary
+from .generators import Generators
 
 
 def read_equations(
     data: Mapping[str, object],
-    generators: Generators,
-    samples: list[Sample],
-    region: Sequence[Formula],
+    comparisons: Comparisons,
     nonzero: frozenset[str],
     signs: Signs,
     what: str,
 ) -> tuple[Poly, ...]:
     """The polynomials that vanish on the level, each with what it comes from checked."""
     polys: list[Poly] = []
+    generators = comparisons.generators
     ring = generators.ring
     for number, data_of_one in enumerate(as_list(field(data, "equations", what), what)):
         label = f"equation {number} of {what}"
@@ -46,32 +46,20 @@ def read_equations(
                 key = None if factor.is_constant() else monic(factor)[0]
                 if key is not None and key not in nonzero and not signs.of(factor):
                     raise CheckError(f"{label} multiplies by something that may vanish")
-            _check_condition(poly, powers, parse(source, label), generators, samples, region, label)
+            _check_condition(poly, powers, parse(source, label), comparisons, label)
         polys.append(poly)
     return tuple(polys)
 
 
 def _check_condition(
-    poly: Poly,
-    powers: Powers,
-    formula: Formula,
-    generators: Generators,
-    samples: list[Sample],
-    region: Sequence[Formula],
-    label: str,
+    poly: Poly, powers: Powers, formula: Formula, comparisons: Comparisons, label: str
 ) -> None:
-    if formula not in (*generators.claim.conditions, *region):
+    if formula not in comparisons.generators.claim.conditions:
         raise CheckError(f"{label} comes from no condition")
-    try:
-        stated = [sample.point(formula) for sample in samples]
-        values = [
-            generators.ring.value(poly, sample.values)
-            / generators.ring.value_of_powers(powers, sample.values)
-            for sample in samples
-        ]
-    except UndefinedError:
-        raise CheckError(f"{label} is not defined") from None
-    if not agree(stated, values):
+    stated = comparisons.formula(formula)
+    if stated is None:
+        raise CheckError(f"{label} is not defined")
+    if stated != comparisons.fraction(poly, powers):
         raise CheckError(f"{label} is not the condition from which it comes")
 
 

@@ -4,46 +4,47 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from flint import arb, fmpq
+from flint import fmpq
 
 from ..claim.claim import Claim
-from ..claim.errors import CheckError, UndefinedError
+from ..claim.errors import CheckError
 from ..claim.formulas import Formula, parse, parse_condition
 from ..claim.json_data import as_list, field, items, mapping, only, rational, text
 from ..claim.polynomials import Poly, monic
-from .accuracy import agree
 from .case_tree import Signs
+from .comparisons import Comparisons
 from .divisors import Entry
-from .generators import Generators, Sample
+from .generators import Generators
+from .residues import UnknownRootError
 
 
 def learn_positive(
-    item: object, generators: Generators, samples: list[Sample], signs: Signs, what: str
-) -> None:
-    """Something positive that a guard or a condition on parameters says."""
+    item: object, comparisons: Comparisons, signs: Signs, what: str
+) -> CheckError | None:
+    """Learn what is positive by a guard or a condition on parameters; why it is not, if so."""
     label = f"what is positive in {what}"
     item = mapping(item, label)
     more = ("terms", "quotients") if item.get("from") == "sum" else ()
     only(item, label, "poly", "strict", "from", *more)
+    generators = comparisons.generators
     poly = generators.ring.read(field(item, "poly", label), label)
     strict = field(item, "strict", label)
     source = text(field(item, "from", label), label)
     if not isinstance(strict, bool):
         raise CheckError(f"{label} has a field 'strict' that is neither true nor false")
     if source == "sum" or source.startswith("radicand "):
-        return
-    values = [generators.ring.value(poly, sample.values) for sample in samples]
+        return None
     for formula, sign in _positive_formulas(source, generators.claim, label):
         if strict and sign != ">":
             continue
         try:
-            ratio = common_ratio(values, [sample.point(formula) for sample in samples])
-        except UndefinedError:
-            continue
+            ratio = comparisons.ratio(poly, formula)
+        except UnknownRootError as error:
+            return error
         if ratio is not None and ratio > 0:
             signs.learn(poly, 1, strict)
-            return
-    raise CheckError(f"{label}: {source} does not say so")
+            return None
+    return CheckError(f"{label}: {source} does not say so")
 
 
 def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Formula, str]]:
@@ -56,14 +57,6 @@ def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Form
         stated = [(parse(source, label), ">")]
         known = [(guard, ">") for guard in system.guards]
     return [pair for pair in stated if pair in known]
-
-
-def common_ratio(first: Sequence[arb], second: Sequence[arb]) -> arb | None:
-    """The number by which two lists of numbers differ, or None if there is none."""
-    if any(b.contains(0) for b in second):
-        return None
-    ratios = [a / b for a, b in zip(first, second, strict=True)]
-    return ratios[0] if agree(ratios[:1] * len(ratios), ratios) and ratios[0] != 0 else None
 
 
 def check_radicand_positive(
@@ -94,7 +87,7 @@ def _force(signs: Signs, radicands: Sequence[Entry]) -> None:
             odd = [p for p, n in entry.powers if n % 2 and not p.is_constant()]
             unknown = [p for p in odd if not signs.of(p)]
             if len(unknown) == 1:
-                others = entry.content
+                others = 1 if entry.content > 0 else -1
                 for poly, power in entry.powers:
                     if power % 2 and poly is not unknown[0]:
                         others *= signs.of(poly)

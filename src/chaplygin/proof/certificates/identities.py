@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from fractions import Fraction
 
 from ..claim_text import Text
 from ..fields.quotient_ring import Element, Poly
@@ -62,7 +61,6 @@ def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bo
         ],
         "zeros": [str(zero) for zero in level.zeros],
         "signs": [[setting.terms(poly), sign] for poly, sign in assumed],
-        "near": _point_text(setting),
         "equations": [text for _, text in sources],
         "divisors": [
             {
@@ -99,13 +97,4 @@ def _residual(setting: ProofSetting, what: str, value: Element) -> Text:
         "what": what,
         "numerator": setting.terms(setting.field.reduce(value.poly)),
         "denominator": setting.powers(below),
-    }
-
-
-def _point_text(setting: ProofSetting) -> dict[str, str]:
-    plain = setting.ring[len(setting.field.record) :]
-    return {
-        name: str(Fraction(repr(float(setting.sample[name]))).limit_denominator(10**6))
-        for name in plain
-        if name in setting.sample and abs(setting.sample[name]) < 1e20
     }
