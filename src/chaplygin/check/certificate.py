@@ -98,11 +98,11 @@ def _check_proofs(data: Mapping[str, object], claim: Claim, conditions: list[Con
     proofs = as_list(field(data, "proofs", "the certificate"), "proofs")
     if not proofs:
         raise CheckError("the certificate has no proofs")
-    seed = hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
+    seed = hashlib.sha256(json.dumps(data, sort_keys=True, default=repr).encode()).hexdigest()
     groups: dict[str, list[Basis]] = {}
-    for i, proof in enumerate(proofs):
+    for i, data_of_one in enumerate(proofs):
         what = f"proof {i}"
-        proof = mapping(proof, what)
+        proof = mapping(data_of_one, what)
         basis = check_proof(proof, claim, what, conditions, seed)
         groups.setdefault(json.dumps(proof.get("zeros", [])), []).append(basis)
     if not any(covers(group, conditions) for group in groups.values()):

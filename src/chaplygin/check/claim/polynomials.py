@@ -6,6 +6,7 @@ polynomial above and a list of ``[polynomial, power]`` below.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import TypeAlias
@@ -104,18 +105,19 @@ class Ring:
 
     def value(self, poly: Poly, values: Sequence[Number], functions: Functions) -> Number:
         """The value of a polynomial at numbers, one for each generator."""
-        known: dict[tuple[int, int], Number] = {}
-        total: Number = functions.number(Fraction(0))
-        for exponents, coefficient in poly.to_dict().items():
-            term = functions.number(Fraction(int(coefficient.p), int(coefficient.q)))
-            for i, exponent in enumerate(exponents):
-                if exponent:
-                    key = (i, int(exponent))
-                    if key not in known:
-                        known[key] = values[i] ** int(exponent)
-                    term = term * known[key]
-            total = total + term
-        return total
+        return self.values(poly, [(values, functions)])[0]
+
+    def values(
+        self, poly: Poly, points: Sequence[tuple[Sequence[Number], Functions]]
+    ) -> list[Number]:
+        """The values of a polynomial at several points."""
+        terms = [
+            (coefficient, [(i, int(n)) for i, n in enumerate(exponents) if n])
+            for exponents, coefficient in poly.to_dict().items()
+        ]
+        below = math.lcm(1, *{int(coefficient.q) for coefficient, _ in terms})
+        whole = [(int(c.p) * (below // int(c.q)), powers) for c, powers in terms]
+        return [_value(whole, below, values, functions) for values, functions in points]
 
     def value_of_powers(
         self, powers: Powers, values: Sequence[Number], functions: Functions
@@ -126,6 +128,26 @@ class Ring:
             base = self.value(poly, values, functions)
             result = result * (base**power if power > 0 else inverse(base) ** -power)
         return result
+
+
+def _value(
+    terms: Sequence[tuple[int, list[tuple[int, int]]]],
+    below: int,
+    values: Sequence[Number],
+    functions: Functions,
+) -> Number:
+    """Σ number · ∏ valueᵢ^power, divided by a number."""
+    known: dict[tuple[int, int], Number] = {}
+    one = functions.number(Fraction(1))
+    total = functions.number(Fraction(0))
+    for number, powers in terms:
+        term = one
+        for key in powers:
+            if key not in known:
+                known[key] = values[key[0]] ** key[1]
+            term = term * known[key]
+        total = total + number * term
+    return total if below == 1 else total / functions.number(Fraction(below))
 
 
 def monic(poly: Poly) -> tuple[str, int]:

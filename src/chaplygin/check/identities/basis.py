@@ -12,7 +12,7 @@ from ..claim.polynomials import Poly, monic
 from .case_tree import Signs
 from .comparisons import Comparisons
 from .divisors import Entry, Matches, nonzero_factors, read_divisors
-from .equations import read_equations
+from .equations import Equations
 from .generators import Generators
 from .positivity import PositiveSum, check_radicand_positive, learn_positive, settle
 from .roots import check_functions, check_roots
@@ -59,7 +59,7 @@ def read_basis(
     formulas : iterable of formulas
         Will be compared later.
     """
-    ring, system = generators.ring, generators.claim.system
+    system = generators.claim.system
     entries = read_divisors(data, generators, what)
     stated = [*system.guards, *generators.claim.conditions, *(f for f, _ in system.admissible)]
     comparisons = Comparisons(
@@ -67,9 +67,6 @@ def read_basis(
     )
     matches = Matches(generators, entries, comparisons)
     certain = Signs()
-    for auxiliary in generators.auxiliary:
-        if auxiliary.positive:
-            certain.learn(ring.generator(auxiliary.name), 1)
     knowledge = _Knowledge(data, matches, what)
     knowledge.extend(certain)
     radicands = tuple(e for e in matches.radicands if e is not None)
@@ -80,7 +77,7 @@ def read_basis(
     knowledge.require_all()
     for sample in comparisons.samples:
         sample.require_definitions()
-    nonzero = nonzero_factors(generators, matches.known)
+    nonzero = nonzero_factors(generators, matches.known, signs)
     for poly, _ in generators.signs:
         if monic(poly)[0] not in nonzero:
             raise CheckError(f"{what} assumes the sign of something that may vanish")
@@ -89,7 +86,7 @@ def read_basis(
     check_functions(comparisons, nonzero, signs, what)
     for item in knowledge.positives:
         check_radicand_positive(mapping(item, what), generators, signs, what)
-    equations = read_equations(data, comparisons, nonzero, signs, what)
+    equations = knowledge.equations.checked(nonzero, signs)
     return Basis(generators, comparisons, equations, nonzero, signs, certain, radicands)
 
 
@@ -106,10 +103,7 @@ class _Knowledge:
         self.positives = as_list(field(data, "positive", what), f"what is positive in {what}")
         sums = [item for item in self.positives if mapping(item, what).get("from") == "sum"]
         self._sums = [PositiveSum(mapping(item, what), generators, what) for item in sums]
-        self._equations = [
-            generators.ring.read(field(mapping(item, what), "poly", what), what)
-            for item in as_list(field(data, "equations", what), what)
-        ]
+        self.equations = Equations(data, matches.comparisons, what)
         self._reasons: Sequence[CheckError] = ()
         self._open: list[PositiveSum] = []
 
@@ -125,12 +119,28 @@ class _Knowledge:
             self._reasons = [reason for reason in reasons if reason is not None]
             learned = len(left) < len(waiting)
             waiting = left
-            found = self.matches.extend()
-            nonzero = nonzero_factors(self.matches.generators, self.matches.known)
+            found = self.matches.extend() or self._learn_symbols(signs)
+            nonzero = nonzero_factors(self.matches.generators, self.matches.known, signs)
             radicands = [entry for entry in self.matches.radicands if entry is not None]
-            self._open = settle(signs, radicands, self._sums, nonzero, self._equations)
+            polys, usable = self.equations.polys, self.equations.usable(signs)
+            self._open = settle(signs, radicands, self._sums, nonzero, polys, usable)
             if not (found or learned):
                 return
+
+    def _learn_symbols(self, signs: Signs) -> bool:
+        """Learn which roots, powers and exponentials are positive; whether any is.
+
+        A root has a real value only where what stands under it is positive.
+        """
+        learned = False
+        for auxiliary in self.matches.generators.auxiliary:
+            symbol = self.matches.generators.ring.generator(auxiliary.name)
+            rooted = auxiliary.kind in ("root", "power")
+            real = not rooted or signs.of(auxiliary.of[0][0]) > 0
+            if auxiliary.positive and real and not signs.of(symbol):
+                signs.learn(symbol, 1)
+                learned = True
+        return learned
 
     def require_all(self) -> None:
         """Nothing is left open; CheckError otherwise."""

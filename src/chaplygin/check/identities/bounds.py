@@ -72,6 +72,7 @@ class Bounds(GeneratorFunctions):
         products: Iterable[tuple[Fraction, Sequence[tuple[Bound, int]]]],
     ) -> None:
         self.degree, self.height = 1, 1
+        self.radicands: list[Bound] = []
         self.values: list[Number] = [Bound(1, 1)] * size
         whole = Bound(2, 2) ** (2 * LARGEST * (len(auxiliary) + 4))
         for content, powers in products:
@@ -116,6 +117,7 @@ class Bounds(GeneratorFunctions):
 
     def new_root(self, symbol: Auxiliary, radicand: Number, whole: Number) -> Number:
         """A variable."""
+        self.radicands.append(radicand)
         return self._noted((radicand, whole), Bound(1, 1))
 
     def new_power(self, symbol: Auxiliary, base: Number, exponent: Callable[[], Number]) -> Number:

@@ -50,7 +50,6 @@ class Comparisons:
         degrees = [root.number for root in generators.roots]
         bits = prime_bits(
             _bounds(generators, products, formulas, with_residuals),
-            [root.of[0][0] for root in generators.roots],
             math.lcm(2, *degrees),
             len(generators.auxiliary) + 4,
         )
@@ -89,16 +88,19 @@ class Comparisons:
 
     def polynomial(self, poly: Poly) -> list[Number]:
         """Values of a polynomial."""
-        ring = self.generators.ring
-        return [ring.value(poly, s.values, s.functions) for s in self.samples]
+        points = [(s.values, s.functions) for s in self.samples]
+        return self.generators.ring.values(poly, points)
 
     def product(self, content: Fraction, powers: Powers) -> list[Number]:
         """Values of a product of powers."""
-        ring = self.generators.ring
-        return [
-            s.functions.number(content) * ring.value_of_powers(powers, s.values, s.functions)
-            for s in self.samples
-        ]
+        result = [s.functions.number(content) for s in self.samples]
+        for poly, power in powers:
+            values = self.polynomial(poly)
+            result = [
+                value * (base**power if power > 0 else inverse(base) ** -power)
+                for value, base in zip(result, values, strict=True)
+            ]
+        return result
 
     def fraction(self, above: Poly, below: Powers) -> list[Number]:
         """Values of a fraction."""

@@ -12,6 +12,7 @@ from ..claim.formulas import Formula, parse
 from ..claim.json_data import as_list, choice, field, mapping, only, rational, text
 from ..claim.polynomials import Powers, monic
 from ..claim.residuals import gram_determinants
+from .case_tree import Signs
 from .comparisons import Comparisons
 from .generators import Generators
 from .residues import UnknownRootError
@@ -127,9 +128,12 @@ class Matches:
         return any(list(column) == values for column in zip(*rows, strict=True))
 
 
-def nonzero_factors(generators: Generators, entries: Sequence[Entry]) -> frozenset[str]:
+def nonzero_factors(
+    generators: Generators, entries: Sequence[Entry], signs: Signs
+) -> frozenset[str]:
     """Keys of factors that do not vanish, where those in denominators are known not to."""
-    keys = {monic(generators.ring.generator(a.name))[0] for a in generators.auxiliary if a.positive}
+    symbols = [generators.ring.generator(a.name) for a in generators.auxiliary]
+    keys = {monic(symbol)[0] for symbol in symbols if signs.of(symbol)}
     for names, _ in generators.inverses:
         # the inverse of a matrix is one that has an inverse
         a, b, c, d, e, f = (generators.ring.generator(word) for word in names)

@@ -6,8 +6,8 @@ and height h (the sum of the absolute values of its coefficients is at most 2^h)
 with the claim by :mod:`.bounds` and for polynomials of a certificate from the limits of its format.
 
 *Roots.*  Replacing r_k^n by u_k, from the last root to the first, writes G in the basis of A; if u
-has the degree a and the height b, this multiplies the degree by max(1, a) and adds d (b + 1) to the
-height.  Some coefficient g of G ≠ 0 is a polynomial other than 0, of degree D and height H, say.
+has the degree a and the height b, this multiplies the degree by at most 1 + a and adds d (b + 1) to
+the height.  Some coefficient g of G ≠ 0 is a polynomial other than 0, of degree D and height H.
 
 *Primes.*  g vanishes modulo p only if p divides each of its coefficients, of which one is not zero
 and at most 2^H; at most H/(β − 1) primes of β bits do.  Of the primes p ≡ 1 mod n with β bits,
@@ -31,8 +31,6 @@ they were drawn after it was written: whoever writes 2^k of them has the chance 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from ..claim.errors import CheckError
 from ..claim.polynomials import Poly
 from .bounds import Bound, Bounds
@@ -48,7 +46,7 @@ LARGEST_ORDER = 60
 
 #: Degree and height of products in a certificate, by the limits of its format: 2,000 generators,
 #: exponents and powers up to 10^5, 10^6 factors, and coefficients of 40,000 digits.
-FORMAT = Bound(2**70, 2**70)
+FORMAT = Bound(2**80, 2**80)
 
 
 def of_polynomial(poly: Poly) -> Bound:
@@ -63,15 +61,13 @@ def of_polynomial(poly: Poly) -> Bound:
     return Bound(int(poly.total_degree()), height)
 
 
-def prime_bits(bounds: Bounds, radicands: Sequence[Poly], order: int, symbols: int) -> int:
+def prime_bits(bounds: Bounds, order: int, symbols: int) -> int:
     """The bits of a prime that make the probability of an error small.
 
     Parameters
     ----------
     bounds : Bounds
-        Of everything in the claim that is compared.
-    radicands : sequence of Poly
-        Of the roots of the proof, in their order.
+        Of everything in the claim that is compared, and of what roots are taken of.
     order : int
         The least common multiple of the degrees.
     symbols : int
@@ -81,9 +77,8 @@ def prime_bits(bounds: Bounds, radicands: Sequence[Poly], order: int, symbols: i
         raise CheckError("the degrees of roots are too large")
     degree = 2 * bounds.degree + FORMAT.degree
     height = 2 * bounds.height + FORMAT.height + 1
-    for poly in reversed(radicands):
-        own = of_polynomial(poly)
+    for own in reversed(bounds.radicands):
         height += degree * (own.height + 1)
-        degree *= max(1, own.degree)
+        degree *= 1 + own.degree
     worst = 2 * degree + 16 * order**2 * height
     return max(SMALLEST, SECURITY + 50 + 8 * symbols + worst.bit_length() + 1)

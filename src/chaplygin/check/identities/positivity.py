@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 
 from flint import fmpq
 
@@ -122,8 +122,13 @@ class PositiveSum:
             ring.read(q, label) for q in as_list(field(data, "quotients", label), label)
         ]
 
-    def holds(self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly]) -> bool:
-        """Whether the terms are known to be positive; CheckError where the sum is another."""
+    def holds(
+        self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly], usable: Set[int]
+    ) -> bool:
+        """Whether the terms are known to be positive; CheckError where the sum is another.
+
+        Of the equations only those with numbers in `usable` are known to hold.
+        """
         if len(self.quotients) != len(equations):
             raise CheckError(
                 f"{self.label}: a sum has not as many quotients as there are equations"
@@ -131,7 +136,8 @@ class PositiveSum:
         total = self.ring.constant(0)
         for quotient, equation in zip(self.quotients, equations, strict=True):
             total = total + quotient * equation
-        certain, strict = True, False
+        used = {i for i, quotient in enumerate(self.quotients) if quotient}
+        certain, strict = used <= usable, False
         for weights, number, base in self.terms:
             for part, power in weights:
                 known = not part.is_constant() and monic(part)[0] in nonzero
@@ -151,6 +157,7 @@ def settle(
     sums: Sequence[PositiveSum],
     nonzero: frozenset[str],
     equations: Sequence[Poly],
+    usable: Set[int],
 ) -> list[PositiveSum]:
     """Learn what sums and radicands say; the sums of which the terms are not known."""
     _force(signs, radicands)
@@ -159,7 +166,7 @@ def settle(
     while changed:
         changed = False
         for item in list(left):
-            if item.holds(signs, nonzero, equations):
+            if item.holds(signs, nonzero, equations, usable):
                 signs.learn(item.poly, 1)
                 left.remove(item)
                 changed = True

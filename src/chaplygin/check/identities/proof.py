@@ -64,7 +64,11 @@ def _checked_residuals(data: Mapping[str, object], basis: Basis, what: str) -> l
     stated = as_list(field(data, "residuals", what), f"the residuals of {what}")
     fractions = [ring.fraction(item, f"a residual of {what}") for item in stated]
     # one point suffices where an identity is tested
-    for sample in basis.comparisons.draws[0]:
+    draw = basis.comparisons.draws[0]
+    points = [(s.values, s.functions) for s in draw]
+    upper = [ring.values(above, points) for above, _ in fractions]
+    lower = [[ring.value_of_powers(below, *point) for point in points] for _, below in fractions]
+    for i, sample in enumerate(draw):
         try:
             values = residuals(claim, sample.point)
         except UndefinedError as error:
@@ -73,10 +77,8 @@ def _checked_residuals(data: Mapping[str, object], basis: Basis, what: str) -> l
             raise CheckError(
                 f"{what} states {len(fractions)} residuals, but the law has {len(values)}"
             )
-        for number, ((above, below), value) in enumerate(zip(fractions, values, strict=True)):
-            upper = ring.value(above, sample.values, sample.functions)
-            lower = ring.value_of_powers(below, sample.values, sample.functions)
-            if value * lower != upper or lower == 0:
+        for number, value in enumerate(values):
+            if value * lower[number][i] != upper[number][i] or lower[number][i] == 0:
                 raise CheckError(f"{what}: residual {number} is not that of the law")
     for number, (_, below) in enumerate(fractions):
         for poly, _ in below:
