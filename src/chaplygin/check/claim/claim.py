@@ -125,6 +125,15 @@ class Claim:
         """The formulas that vanish where the law is claimed."""
         return (*self.system.relations, *self.law.on)
 
+    @property
+    def formulas(self) -> list[Formula]:
+        """All formulas of system, law and target."""
+        formulas = self.law.formulas()
+        for system in (self.system, self.law.target):
+            if system is not None:
+                formulas += [*system.rates, *system.definitions.values(), *system.relations]
+        return [*formulas, *self.law.several.get("onto", ())]
+
     @cached_property
     def moving(self) -> tuple[Formula, ...]:
         """The conditions that involve the state."""

@@ -15,6 +15,9 @@ from .errors import UndefinedError
 from .functions import Functions
 from .jets import Number
 
+#: Powers with larger numbers in the exponent are taken by a logarithm.
+LARGEST = 10_000
+
 
 def ball(value: Fraction | int) -> arb:
     """A rational number as a ball."""
@@ -60,6 +63,8 @@ class RealFunctions(Functions):
         """A power of a positive number with a fractional exponent."""
         if not a > 0:
             raise UndefinedError("a root of what is not positive")
+        if max(abs(exponent.numerator), exponent.denominator) > LARGEST:
+            return self.plain_power(a, ball(exponent))
         return a.root(exponent.denominator) ** exponent.numerator
 
     def plain_power(self, a: Number, exponent: Number) -> Number:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from ..claim.errors import UndefinedError
-from ..claim.formulas import Formula
+from ..claim.formulas import Formula, walk
 from ..claim.jets import Number, inverse
 from ..claim.polynomials import Poly, Powers
 from ..claim.residuals import gram_determinants, residuals
@@ -51,7 +51,7 @@ class Comparisons:
         bits = prime_bits(
             _bounds(generators, products, formulas, with_residuals),
             math.lcm(2, *degrees),
-            len(generators.auxiliary) + 4,
+            _symbols(generators),
         )
         self.field = PrimeField(seed, bits, degrees)
         self.draws = generators.samples(self.field, POINTS)
@@ -135,6 +135,13 @@ class Comparisons:
             before, here = here, before - times * here
             factor_before, factor = factor, factor_before - times * factor
         return Fraction(here, factor) if here and 0 < abs(factor) <= limit else None
+
+
+def _symbols(generators: Generators) -> int:
+    """How many values of functions may be combined in one argument, at most."""
+    own = [a for a in generators.auxiliary if a.kind != "function"]
+    calls = [node for node in walk(generators.claim.formulas) if node.kind == "call"]
+    return len(own) + len(calls) + 2
 
 
 def _bounds(
