@@ -132,7 +132,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     wrong.write_text(json.dumps(certificate))
     no.write_text('{"format": 1, "format": 2}')
     assert main([str(good)]) == 0
-    assert capsys.readouterr().out == f"{good}: checks\n"
+    assert capsys.readouterr().out.startswith(f"{good}: checks; a false one would pass with")
     assert main([str(good), str(wrong)]) == 1
     out = capsys.readouterr().out
     assert "wrong.json: does not check: proof 0: residual 0 is not that of the law" in out
@@ -155,6 +155,6 @@ def test_it_runs_without_sympy_and_the_rest(tmp_path: Path) -> None:
         "print('\\n'.join(m for m in sys.modules if 'sympy' in m or 'chaplygin' in m))\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    loaded = done.stdout.split()[2:]
+    loaded = done.stdout.splitlines()[1:]
     allowed = re.compile(r"chaplygin(\._version|\.check(\..*)?)?")
     assert all(allowed.fullmatch(module) for module in loaded), loaded

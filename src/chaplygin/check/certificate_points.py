@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 
-from flint import arb, ctx
+from flint import arb, ctx, fmpq
 
 from .claim.claim import Claim
 from .claim.domain import domain
@@ -120,7 +120,7 @@ class _StatedPoint:
         self.functions = RealFunctions(json.dumps(data, sort_keys=True))
         self.balls: dict[str, arb] = {}
         self.rationals: dict[str, Fraction] = {}
-        self.chain: list[tuple[str, dict[tuple[int, ...], object]]] = []
+        self.chain: list[tuple[str, dict[tuple[int, ...], fmpq]]] = []
         self._formulas: dict[str, Formula] = {}
         self._zeros = tuple(c for c in claim.conditions if c.kind == "function")
         zeros = [c for c in claim.conditions if c.kind == "function"]
@@ -184,7 +184,7 @@ class _StatedPoint:
             raise CheckError(f"{what} has a radius that is not positive")
         self.balls[word] = _root(poly, small, word, self.balls, middle, radius, what)
         table = {n: self.system.symbols.index(n) for n in names}
-        terms: dict[tuple[int, ...], object] = {}
+        terms: dict[tuple[int, ...], fmpq] = {}
         for exponents, coefficient in poly.to_dict().items():
             spread = [0] * len(self.system.symbols)
             for name, exponent in zip(names, exponents, strict=True):
@@ -253,7 +253,8 @@ def _root(
 
     def value(at: arb, of: Poly = poly) -> arb:
         values = [at if n == word else balls[n] for n in ring.names]
-        return ring.value(of, values, RealFunctions(""))
+        result: arb = ring.value(of, values, RealFunctions(""))
+        return result
 
     def sign(at: Fraction) -> int:
         here = value(ball(at))

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain
 
-from flint import arb
+from flint import arb, fmpq
 
 from .claim.errors import UndefinedError
 from .claim.evaluate import exact_value
@@ -51,7 +51,7 @@ class ExactValues:
         self,
         symbols: Sequence[str],
         rationals: Mapping[str, Fraction],
-        algebraic: Sequence[tuple[str, Mapping[tuple[int, ...], object]]],
+        algebraic: Sequence[tuple[str, Mapping[tuple[int, ...], fmpq]]],
         formulas: Mapping[str, Formula],
         value: Callable[[Formula], arb],
         balls: Mapping[str, arb],
@@ -62,7 +62,7 @@ class ExactValues:
         self._rationals, self._value, self._zeros = rationals, value, zeros
         self._formulas = {**formulas, **{w: number(v) for w, v in rationals.items()}}
         self._balls: dict[str, arb] = dict(balls)
-        self._known: list[tuple[str, object, tuple[Quotient, ...], Quotient]] = []
+        self._values: list[tuple[str, object, tuple[Quotient, ...], Quotient]] = []
         #: Generators with the polynomials whose roots they are, in order.
         self._chain: list[tuple[str, Poly]] = []
         for word, terms in algebraic:
@@ -70,7 +70,7 @@ class ExactValues:
         self._algebraic = {word for word, _ in algebraic}
         self._count = 0
 
-    def _polynomial(self, terms: Mapping[tuple[int, ...], object]) -> Poly:
+    def _polynomial(self, terms: Mapping[tuple[int, ...], fmpq]) -> Poly:
         """A polynomial over the symbols, with the rational coordinates in it."""
         spread = {(*exponents, *[0] * MOST): c for exponents, c in terms.items()}
         poly = self.ring.context.from_dict(spread)
@@ -131,8 +131,8 @@ class ExactValues:
             return sine if word == "sin" else cosine
         arguments = tuple(map(value_of, node.parts))
         if word == "exp":
-            for known, _, inner, own in self._known:
-                if known == "log" and self._same(own, arguments[0]):
+            for function, _, inner, own in self._values:
+                if function == "log" and self._same(own, arguments[0]):
                     return inner[0]
             if self._is_zero(arguments[0][0]):
                 return one, one
@@ -144,11 +144,11 @@ class ExactValues:
         self, word: str, more: object, arguments: tuple[Quotient, ...], node: Formula
     ) -> Quotient:
         """A generator that is the same for equal arguments."""
-        for known, other, theirs, value in self._known:
-            if (known, other) == (word, more) and all(map(self._same, arguments, theirs)):
+        for function, other, theirs, value in self._values:
+            if (function, other) == (word, more) and all(map(self._same, arguments, theirs)):
                 return value
         value = self._generator(node if word != "constant" else None, str(more))
-        self._known.append((word, more, arguments, value))
+        self._values.append((word, more, arguments, value))
         return value
 
     def _generator(self, node: Formula | None, word: str) -> Quotient:
@@ -165,8 +165,8 @@ class ExactValues:
         key = "root", degree
         found = [
             value
-            for known, other, theirs, value in self._known
-            if (known, other) == key and self._same(of, theirs[0])
+            for word, other, theirs, value in self._values
+            if (word, other) == key and self._same(of, theirs[0])
         ]
         if found:
             value = found[0]
@@ -176,7 +176,7 @@ class ExactValues:
             name = f"#{self._count - 1}"
             self._balls[name] = self._value(base).root(degree)
             self._chain.append((name, value[0] ** degree * of[1] - of[0]))
-            self._known.append((*key, (of,), value))
+            self._values.append((*key, (of,), value))
         power = value[0] ** abs(exponent.numerator)
         one = self.ring.constant(1)
         return (power, one) if exponent > 0 else (one, power)
@@ -192,12 +192,12 @@ class ExactValues:
             sine: Quotient = (zero, one)
             cosine: Quotient = (one, one)
             for part in angle.parts:
-                sine, cosine = _turned(sine, cosine, *self._circle(part, value_of))
+                sine, cosine = _sum_of_angles(sine, cosine, *self._circle(part, value_of))
             return sine, cosine
         argument = value_of(angle)
         if self._is_zero(argument[0]):
             return (zero, one), (one, one)
-        for word, more, inner, value in list(self._known):
+        for word, more, inner, value in list(self._values):
             if word == "atan2":
                 y, x = inner
                 square = _sum(_product(y, y), _product(x, x))
@@ -263,7 +263,7 @@ def _sum(first: Quotient, second: Quotient) -> Quotient:
     return first[0] * second[1] + second[0] * first[1], first[1] * second[1]
 
 
-def _turned(
+def _sum_of_angles(
     sine: Quotient, cosine: Quotient, s: Quotient, c: Quotient
 ) -> tuple[Quotient, Quotient]:
     minus = (-s[0], s[1])
@@ -278,7 +278,7 @@ def _multiple_angle(
 ) -> tuple[Quotient, Quotient]:
     turn = s if times > 0 else (-s[0], s[1])
     for _ in range(abs(times)):
-        sine, cosine = _turned(sine, cosine, turn, c)
+        sine, cosine = _sum_of_angles(sine, cosine, turn, c)
     return sine, cosine
 
 

@@ -77,7 +77,7 @@ def read_basis(
     knowledge.require_all()
     for sample in comparisons.samples:
         sample.require_definitions()
-    nonzero = nonzero_factors(generators, matches.known, signs)
+    nonzero = nonzero_factors(generators, matches.of_law, signs)
     for poly, _ in generators.signs:
         if monic(poly)[0] not in nonzero:
             raise CheckError(f"{what} assumes the sign of something that may vanish")
@@ -86,7 +86,7 @@ def read_basis(
     check_functions(comparisons, nonzero, signs, what)
     for item in knowledge.positives:
         check_radicand_positive(mapping(item, what), generators, signs, what)
-    equations = knowledge.equations.checked(nonzero, signs)
+    equations = knowledge.equations.verify(nonzero, signs)
     return Basis(generators, comparisons, equations, nonzero, signs, certain, radicands)
 
 
@@ -120,7 +120,7 @@ class _Knowledge:
             learned = len(left) < len(waiting)
             waiting = left
             found = self.matches.extend() or self._learn_symbols(signs)
-            nonzero = nonzero_factors(self.matches.generators, self.matches.known, signs)
+            nonzero = nonzero_factors(self.matches.generators, self.matches.of_law, signs)
             radicands = [entry for entry in self.matches.radicands if entry is not None]
             polys, usable = self.equations.polys, self.equations.usable(signs)
             self._open = settle(signs, radicands, self._sums, nonzero, polys, usable)

@@ -89,7 +89,7 @@ class Bounds(GeneratorFunctions):
         if max(self.degree.bit_length(), self.height.bit_length()) > MANY:
             raise CheckError("the formulas are of too high a degree")
 
-    def _noted(self, arguments: Iterable[Number], value: Bound) -> Bound:
+    def _with_note(self, arguments: Iterable[Number], value: Bound) -> Bound:
         for argument in arguments:
             self.note(argument)
         return value
@@ -118,26 +118,26 @@ class Bounds(GeneratorFunctions):
     def new_root(self, symbol: Auxiliary, radicand: Number, whole: Number) -> Number:
         """A variable."""
         self.radicands.append(radicand)
-        return self._noted((radicand, whole), Bound(1, 1))
+        return self._with_note((radicand, whole), Bound(1, 1))
 
     def new_power(self, symbol: Auxiliary, base: Number, exponent: Callable[[], Number]) -> Number:
         """A variable."""
-        return self._noted((base, exponent()), Bound(1, 1))
+        return self._with_note((base, exponent()), Bound(1, 1))
 
     def plain_root(self, a: Number, exponent: Fraction) -> Number:
         """A product of roots."""
-        return self._noted((a,), self._whole ** (abs(exponent.numerator) + 1))
+        return self._with_note((a,), self._whole ** (abs(exponent.numerator) + 1))
 
     def plain_power(self, a: Number, exponent: Number) -> Number:
         """A product of powers."""
-        return self._noted((a, exponent), self._whole)
+        return self._with_note((a, exponent), self._whole)
 
     def plain_value(self, word: str, arguments: tuple[Number, ...]) -> Number:
         """A variable, or an expression of those of multiples of other arguments."""
-        return self._noted(arguments, self._whole**2)
+        return self._with_note(arguments, self._whole**2)
 
     def plain_unspecified(
         self, word: str, orders: tuple[int, ...], arguments: tuple[Number, ...]
     ) -> Number:
         """A variable."""
-        return self._noted(arguments, Bound(1, 1))
+        return self._with_note(arguments, Bound(1, 1))

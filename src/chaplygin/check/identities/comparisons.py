@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from ..claim.errors import UndefinedError
+from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, walk
 from ..claim.jets import Number, inverse
 from ..claim.polynomials import Poly, Powers
@@ -20,6 +20,9 @@ from .residues import Residues
 
 #: Random points: at one, what is equal is compared; whether a ratio is constant needs another.
 POINTS = 2
+
+#: Primes that are tried, from 2^8 points modulo the first to 2^19 modulo the last.
+ROUNDS = 12
 
 #: Bits of a prime that a ratio leaves over, so that no other is congruent to it but by accident.
 SPARE = 164
@@ -53,8 +56,17 @@ class Comparisons:
             math.lcm(2, *degrees),
             _symbols(generators),
         )
-        self.field = PrimeField(seed, bits, degrees)
-        self.draws = generators.samples(self.field, POINTS)
+        for number in range(ROUNDS):
+            # a root of a number asks for another prime, any other root for another point
+            self.field = PrimeField(f"{seed} {number}", bits, degrees)
+            draws = generators.samples(self.field, POINTS, 2 ** (8 + number))
+            if draws is not None:
+                break
+        else:
+            raise CheckError(
+                "no random points were found at which the roots of a proof are defined"
+            )
+        self.draws = draws
         self.samples = [sample for draw in self.draws for sample in draw]
         self._memo: dict[tuple[str, Formula], list[Number] | None] = {}
 

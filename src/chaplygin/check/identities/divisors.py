@@ -78,7 +78,7 @@ class Matches:
         self._left = [*range(len(entries))]
         self._first = len(domain.nonzero)
         #: Entries that are divisors or radicands of the law.
-        self.known: list[Entry] = []
+        self.of_law: list[Entry] = []
         #: The entry of each radicand and each argument of a logarithm.
         self.radicands: list[Entry | None] = [None] * (len(domain.formulas) - self._first)
 
@@ -104,7 +104,7 @@ class Matches:
                 raise CheckError(f"{entry.label} is not defined")
             if stated != values:
                 raise CheckError(f"{entry.label}: its factors do not make the formula")
-        unknown, found = None, False
+        unknown, alike_any = None, False
         for i, (where, formula) in enumerate(self.generators.domain.formulas):
             try:
                 alike = self.comparisons.formula(formula, where) == values
@@ -112,15 +112,15 @@ class Matches:
                 unknown = error
                 continue
             if alike:
-                found = True
+                alike_any = True
                 if i >= self._first:
                     self.radicands[i - self._first] = entry
-        found = found or (self.generators.domain.gram and self._is_volume(values))
-        if unknown is not None and not found:
+        alike_any = alike_any or (self.generators.domain.gram and self._is_volume(values))
+        if unknown is not None and not alike_any:
             raise unknown
-        if not found:
+        if not alike_any:
             raise CheckError(f"{entry.label} is nothing by which the law divides")
-        self.known.append(entry)
+        self.of_law.append(entry)
 
     def _is_volume(self, values: Sequence[object]) -> bool:
         points = [s.point for s in self.comparisons.samples]

@@ -53,7 +53,7 @@ class Equations:
         except UnknownRootError:
             return False
 
-    def checked(self, nonzero: frozenset[str], signs: Signs) -> tuple[Poly, ...]:
+    def verify(self, nonzero: frozenset[str], signs: Signs) -> tuple[Poly, ...]:
         """The polynomials; CheckError where one does not come from what it is said to."""
         generators = self.comparisons.generators
         ring = generators.ring

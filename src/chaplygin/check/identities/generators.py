@@ -26,9 +26,6 @@ from .generator_functions import Auxiliary, GeneratorFunctions
 from .prime_field import PrimeField
 from .residues import Residues
 
-#: Random points that are tried; most are left where the roots of a proof are none.
-ATTEMPTS = 2**20
-
 #: Ways in which all roots may be chosen.
 CHOICES = 4096
 
@@ -67,19 +64,21 @@ class Generators:
         """The auxiliary symbols that are roots."""
         return tuple(a for a in self.auxiliary if a.kind in ("root", "formal root"))
 
-    def samples(self, field: PrimeField, count: int) -> list[list[Sample]]:
-        """Random points, each with all choices of the roots.
+    def samples(self, field: PrimeField, count: int, attempts: int) -> list[list[Sample]] | None:
+        """Random points, each with all choices of the roots that matter; None if too few are found.
 
         Raises
         ------
         CheckError
-            If too few were found.
+            If the roots may be chosen in too many ways.
         """
         choices = [range(root.number) for root in self.roots]
+        if self._has_independent_roots(field):
+            choices = [range(1) for _ in self.roots]
         if math.prod(map(len, choices)) > CHOICES:
             raise CheckError(f"the roots of a proof may be chosen in more than {CHOICES} ways")
         drawn: list[list[Sample]] = []
-        for attempt in range(ATTEMPTS):
+        for attempt in range(attempts):
             try:
                 drawn.append(
                     [
@@ -91,7 +90,38 @@ class Generators:
                 continue
             if len(drawn) == count:
                 return drawn
-        raise CheckError("no random points were found at which the roots of a proof are defined")
+        return None
+
+    def _has_independent_roots(self, field: PrimeField) -> bool:
+        """Whether the roots certainly generate a field of square roots, so that one choice suffices.
+
+        They do if no product of some radicands is a square (Kummer theory).  A product that is one
+        would be a square at every point modulo every prime; the radicands for which this is so at
+        some points form a space over 𝔽₂, which is seen to be zero when it is.
+        """
+        names = {root.name for root in self.roots}
+        plain = [
+            root.number == 2
+            and not names
+            & {n for n, d in zip(self.ring.names, root.of[0][0].degrees(), strict=True) if d}
+            for root in self.roots
+        ]
+        if not all(plain):
+            return False
+        rows: dict[int, int] = {}
+        for number in range(8 * len(names) + 8):
+            functions = Residues(field, self.ring, f"character {number}", ())
+            functions.characters = []
+            try:
+                self.sample(functions)
+            except UndefinedError:
+                continue
+            row = sum(1 << i for i, square in enumerate(functions.characters) if not square)
+            while row and (top := row.bit_length()) in rows:
+                row ^= rows[top]
+            if row:
+                rows[row.bit_length()] = row
+        return len(rows) == len(names)
 
     def sample(self, functions: GeneratorFunctions) -> Sample:
         """The point at which the generators have the values that functions give them."""

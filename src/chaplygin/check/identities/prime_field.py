@@ -9,6 +9,7 @@ from fractions import Fraction
 from flint import fmpz, fmpz_mod, fmpz_mod_ctx
 
 from ..claim.errors import CheckError, UndefinedError
+from ..claim.jets import Number
 
 #: Candidates for a prime; one in about 500 is one.
 CANDIDATES = 1_000_000
@@ -52,11 +53,11 @@ class PrimeField:
         digest = hashlib.shake_256(f"{self._seed} {word}".encode()).digest((self._bits + 135) // 8)
         return int.from_bytes(digest, "big")
 
-    def random(self, word: str) -> fmpz_mod:
+    def random(self, word: str) -> Number:
         """An element that is the same for the same word."""
         return self._context(self._number(word))
 
-    def number(self, value: Fraction) -> fmpz_mod:
+    def number(self, value: Fraction) -> Number:
         """A rational number; UndefinedError where its denominator is zero."""
         if value.denominator == 1:
             return self._context(value.numerator)
@@ -65,7 +66,7 @@ class PrimeField:
             raise UndefinedError("a division by zero")
         return self._context(value.numerator) / below
 
-    def _root_of_unity(self) -> fmpz_mod:
+    def _root_of_unity(self) -> Number:
         """An element of the order n."""
         primes = [
             q for q in range(2, self._order + 1) if self._order % q == 0 and fmpz(q).is_prime()
@@ -76,7 +77,13 @@ class PrimeField:
                 return unit
         raise CheckError("no root of unity was found")
 
-    def root(self, element: fmpz_mod, degree: int, which: int) -> fmpz_mod:
+    def is_square(self, element: fmpz_mod) -> bool:
+        """Whether an element is a square; UndefinedError at zero."""
+        if element == 0:
+            raise UndefinedError("zero is taken for an element with an inverse")
+        return bool(element ** ((self.modulus - 1) // 2) == 1)
+
+    def root(self, element: fmpz_mod, degree: int, which: int) -> Number:
         """One of the roots of an element that is an n-th power; UndefinedError where it is none.
 
         The n-th powers are the group of order c, in which every root is a power.

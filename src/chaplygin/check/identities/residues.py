@@ -16,7 +16,8 @@ All of them hold for real numbers wherever the law is defined, whatever else may
 functions; so an identity in A is one of real functions.  It is tested at one random x modulo one
 random prime p ≡ 1 modulo the degrees, such that all uᵢ have roots there: then A becomes a product
 of fields 𝔽_p, one for each choice of the roots, and two elements are equal only if they are so for
-all choices.  The error of this test is bounded in :mod:`.error_bound`.
+all choices.  Where A is a field, one choice suffices.  The error of this test is bounded in
+:mod:`.error_bound`.
 """
 
 from __future__ import annotations
@@ -65,8 +66,10 @@ class Residues(GeneratorFunctions):
         self.signs = Signs()
         #: Products of powers, by their values.
         self.products: dict[fmpz_mod, list[Product]] = {}
+        #: Whether radicands are squares, where no roots of them are wanted.
+        self.characters: list[bool] | None = None
         self._draw, self._choice = draw, iter(choice)
-        self._known: dict[tuple[object, ...], fmpz_mod] = {}
+        self._symbols: dict[tuple[object, ...], fmpz_mod] = {}
         self._angles: list[tuple[fmpz_mod, fmpz_mod, fmpz_mod]] = []
         self._exponentials: list[tuple[fmpz_mod, fmpz_mod]] = []
         self._formal: list[tuple[fmpz_mod, int, fmpz_mod]] = []
@@ -97,10 +100,13 @@ class Residues(GeneratorFunctions):
         self, word: str, orders: Sequence[int], arguments: Sequence[Number], value: Number
     ) -> None:
         """Give a value of an unspecified function that is not free."""
-        self._known["unspecified", word, tuple(orders), tuple(arguments)] = value
+        self._symbols["unspecified", word, tuple(orders), tuple(arguments)] = value
 
     def new_root(self, symbol: Auxiliary, radicand: Number, whole: Number) -> Number:
         """A root of an element that is a power; UndefinedError where it is none."""
+        if self.characters is not None:
+            self.characters.append(self.field.is_square(radicand))
+            return self.free(f"root {symbol.name}")
         root = self.field.root(radicand, symbol.number, next(self._choice))
         if symbol.kind == "formal root":
             self._formal.append((radicand * whole**symbol.number, symbol.number, root * whole))
@@ -116,9 +122,9 @@ class Residues(GeneratorFunctions):
 
     def _fixed(self, key: tuple[object, ...]) -> Number:
         """A value that is free, but the same for the same key."""
-        if key not in self._known:
-            self._known[key] = self.free(f"value {len(self._known)}")
-        return self._known[key]
+        if key not in self._symbols:
+            self._symbols[key] = self.free(f"value {len(self._symbols)}")
+        return self._symbols[key]
 
     # --- functions ------------------------------------------------------------------------------
 
@@ -148,15 +154,15 @@ class Residues(GeneratorFunctions):
     def _circle(self, angle: Number) -> tuple[Number, Number]:
         """Sine and cosine of an angle: of a sum of multiples of known ones, or a new one."""
         zero, one = self.number(Fraction(0)), self.number(Fraction(1))
-        known = [*self._angles, (self.constant("pi") / 2, one, zero)]
-        multiples = relation(angle, [a for a, _, _ in known], self.field.modulus)
+        angles = [*self._angles, (self.constant("pi") / 2, one, zero)]
+        multiples = relation(angle, [a for a, _, _ in angles], self.field.modulus)
         if multiples is None:
             t = self.free(f"angle {len(self._angles)}")
             below = inverse(1 + t * t)
             self._angles.append((angle, 2 * t * below, (1 - t * t) * below))
             return self._angles[-1][1:]
         sine, cosine = zero, one
-        for number, (_, s, c) in zip(multiples, known, strict=True):
+        for number, (_, s, c) in zip(multiples, angles, strict=True):
             for _ in range(abs(number)):
                 turn = s if number > 0 else -s
                 sine, cosine = sine * c + cosine * turn, cosine * c - sine * turn
