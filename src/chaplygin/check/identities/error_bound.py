@@ -18,8 +18,8 @@ x/(160 log² x) (Bennett, Martin, O'Bryant and Rechnitzer, Illinois J. Math. 62,
 *Points.*  Modulo every other prime g has at most a share D/p of zeros (Schwartz, J. ACM 27, 1980,
 701–717; Zippel 1979).  Where g does not vanish, G does not vanish for all choices of the roots.
 Primes and points are drawn until all u_i are powers, at most 2^20 times; that one of those is bad
-is at most 2^20 times as likely.  Where A is seen to be a field, one choice of k square roots is tried;
-there the norm of G takes the place of g, with 2^k times its degree and height.
+is at most 2^20 times as likely.  Where A is seen to be a field, one choice of k square roots is
+tried; there the norm of G takes the place of g, with 2^k times its degree and height.
 
 In the whole check fewer than 2^30 pairs are compared, each with one of at most 129^s multiples
 where s symbols may be combined, so that

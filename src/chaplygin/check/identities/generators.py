@@ -93,7 +93,7 @@ class Generators:
         return None
 
     def _has_independent_roots(self, field: PrimeField) -> bool:
-        """Whether the roots certainly generate a field of square roots, so that one choice suffices.
+        """Whether the roots are square roots that certainly generate a field.
 
         They do if no product of some radicands is a square (Kummer theory).  A product that is one
         would be a square at every point modulo every prime; the radicands for which this is so at
