@@ -97,6 +97,8 @@ def test_every_function_of_one_argument(name: str) -> None:
         ("exp(log(7)*1e60)", "this exponent is too large", 0),
         ("1e5000", "the power of ten of this number is too large", 0),
         ("x + (9**100)**100", "this number is too large", 4),
+        ("1/(sin(1)**2 + cos(1)**2 - 1)", "division by zero", 3),
+        ("x/(sqrt(2)*sqrt(3) - sqrt(6))", "division by zero", 3),
         ("sin(exp(exp(100)))", "this number is larger than 1e+100", 4),
         ("", "the formula is empty", 0),
         (" \n", "the formula is empty", 0),
@@ -232,3 +234,15 @@ def test_letters_as_on_paper(text: str, code: str) -> None:
 def test_an_unknown_letter_is_told_as_it_is_written_in_code() -> None:
     with pytest.raises(InputError, match="unknown name 'gamma_4', did you mean 'gamma_3'"):
         parse("γ₄", {"gamma_3": sympy.Symbol("gamma_3")})
+
+
+def test_a_sum_of_many_terms_is_read() -> None:
+    assert parse("x" + "-y" * 2400 + "+x" * 2500, NAMES) == 2501 * X - 2400 * Y
+
+
+def test_a_mistake_far_inside_a_long_sum_is_shown_where_it_is() -> None:
+    text = "x" + "+x" * 4000 + "+sqrt(x, y)" + "+x" * 20
+    with pytest.raises(InputError, match="sqrt takes 1 argument") as caught:
+        parse(text, NAMES)
+    _, excerpt, pointer = str(caught.value).split("\n")
+    assert excerpt[pointer.index("^") :].startswith("sqrt(x, y)")

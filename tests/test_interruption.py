@@ -32,7 +32,9 @@ with interruptible():
 LONG = 2 * 10**9
 
 
-def interrupted(script: str, times: int = 1) -> tuple[int, str, str, float]:
+def interrupted(
+    script: str, times: int = 1, sent: signal.Signals = signal.SIGINT
+) -> tuple[int, str, str, float]:
     """Exit code, outputs and seconds after Ctrl-C, given when the script says it is ready."""
     program = subprocess.Popen(
         [sys.executable, "-c", script],
@@ -48,7 +50,7 @@ def interrupted(script: str, times: int = 1) -> tuple[int, str, str, float]:
     for number in range(times):
         if number:
             time.sleep(1.5)
-        program.send_signal(signal.SIGINT)
+        program.send_signal(sent)
     out, err = program.communicate(timeout=60)
     return program.returncode, out, err, time.monotonic() - began
 
@@ -67,6 +69,39 @@ with message_on_interrupt(lambda: "half of it is kept"):
     assert (code, err) == (130, "interrupted: half of it is kept\n")
     # alone it would take minutes
     assert seconds < 10
+
+
+@pytest.mark.parametrize("work", ["time.sleep(60)", f"machine_code({LONG})"])
+def test_an_end_from_outside_is_in_order_too(work: str) -> None:
+    script = block(f"""
+try:
+    with message_on_interrupt(lambda: "half of it is kept"):
+        ready()
+        {work}
+finally:
+    print("removed", flush=True)
+""")
+    # where Ctrl-C is ignored, as in what a script starts in the background
+    script = script.replace(HEARING, "import signal; signal.signal(2, signal.SIG_IGN)\n")
+    code, out, err, seconds = interrupted(script, sent=signal.SIGTERM)
+    assert (code, err) == (143, "interrupted: half of it is kept\n")
+    assert out == "removed\n" or "machine" in work
+    assert seconds < 10
+
+
+def test_nothing_half_written_stays_where_machine_code_is_given_up(tmp_path: Path) -> None:
+    script = block(f"""
+from chaplygin.partial_files import write_lock, partial_file, partial_folder
+from pathlib import Path
+place = Path({str(tmp_path)!r})
+with write_lock(place / "a.zarr"), partial_folder(place), partial_file(place):
+    print(len(list(place.iterdir())), file=sys.stderr)
+    ready()
+    machine_code({LONG})
+""")
+    code, _, err, _ = interrupted(script)
+    assert (code, err[0]) == (130, "3")
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_what_says_nothing_has_saved_nothing() -> None:

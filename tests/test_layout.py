@@ -71,6 +71,27 @@ def _imported(path: Path, name: str, package: str) -> Iterator[tuple[str, str]]:
                 first, *rest = alias.name.split(".")
                 if first == package and rest:
                     yield ".".join(rest), ""
+        elif isinstance(node, ast.Call):
+            # what is looked up by its name is imported too
+            yield from ((module, "") for module in _named(node, here, package))
+
+
+def _named(call: ast.Call, here: list[str], package: str) -> Iterator[str]:
+    """Modules below the package that a call names by a string; of a template, its folder."""
+    called = (
+        call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+    )
+    for argument in call.args:
+        texts = argument.values if isinstance(argument, ast.JoinedStr) else [argument]
+        text = texts[0].value if texts and isinstance(texts[0], ast.Constant) else None
+        if not isinstance(text, str):
+            continue
+        if len(texts) > 1:
+            text = text.rpartition(".")[0]
+        if text.startswith(f"{package}."):
+            yield text.partition(".")[2]
+        elif called == "import_module" and (dots := len(text) - len(text.lstrip("."))):
+            yield ".".join([*here[: len(here) - dots + 1], text.lstrip(".")])
 
 
 def folded(graph: Graph, home: Path, depth: int) -> dict[str, set[str]]:
@@ -139,6 +160,10 @@ def test_folders_form_no_circle(depth: int) -> None:
         "def g():\n    from . import b",
         "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from package.b import f",
         "import package.b",
+        "from importlib import import_module\nimport_module('package.b')",
+        "import importlib\nimportlib.import_module('.b', __package__)",
+        "import importlib\nimportlib.import_module(f'package.b.{1}')",
+        "from jinja2 import PackageLoader\nPackageLoader('package.b')",
     ],
 )
 def test_every_kind_of_import_is_seen(tmp_path: Path, line: str) -> None:

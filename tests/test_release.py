@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import subprocess
 import tomllib
+from importlib.metadata import PackageNotFoundError, metadata
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +17,7 @@ import chaplygin
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+STATIC = ROOT / "src" / "chaplygin" / "lab" / "static"
 #: Packages of conda with another name, or a part of them that is enough.
 CONDA = {"matplotlib": "matplotlib-base"}
 #: The placeholders, and the only files that have them.
@@ -74,3 +77,95 @@ def test_placeholders_are_where_they_are_said_to_be() -> None:
         assert [name for name, text in texts.items() if re.search(pattern, text)] == [place]
     assert "placeholder" in texts["CITATION.cff"].lower()
     assert "placeholder" in texts["pyproject.toml"].lower()
+
+
+def bundled() -> dict[str, str]:
+    """Packages of which the front end has parts, as its build wrote them, with their licences."""
+    text = (STATIC / "licences.txt").read_text(encoding="utf-8")
+    found = re.findall(
+        r"^={80}\n(\S+) [\d.]+\nLicence: (.+)\nSource: https://\S+\n\n(?=\S)", text, re.M
+    )
+    assert text.count("=" * 80 + "\n") == len(found)
+    return dict(found)
+
+
+def rows(page: str) -> list[list[str]]:
+    """The rows of all tables of a page, cell by cell."""
+    lines = (ROOT / page).read_text(encoding="utf-8").splitlines()
+    return [line.strip("| ").split(" | ") for line in lines if line.startswith("| ")]
+
+
+def test_the_licence_covers_what_is_bundled() -> None:
+    """three.js, uPlot and mediabunny were in the wheel without theirs."""
+    licences = bundled()
+    # what esbuild names in the bundle itself
+    names = re.findall(r"^(\w+)/[\w./-]+\.js:$", (STATIC / "lab.js").read_text("utf-8"), re.M)
+    assert set(names) == set(licences) == {"mediabunny", "three", "uplot"}
+    project = PROJECT["project"]
+    assert set(project["license"].split(" AND ")) == {"MIT", *licences.values()}
+    assert [(ROOT / name).is_file() for name in project["license-files"]] == [True, True]
+    assert read("recipe/recipe.yaml")["about"]["license_file"] == project["license-files"]
+    table = {row[0]: row[2] for row in rows("docs/dependencies.md") if len(row) == 3}
+    assert {name: table.get(name) for name in licences} == licences
+
+
+#: Words of metadata, and what they are in the table.
+FAMILIES = {"BSD-3-Clause": "BSD", "BSD License": "BSD", "BSD": "BSD", "MIT License": "MIT"}
+FAMILIES |= {"Python Software Foundation License": "PSF"}
+
+
+def licence(name: str) -> str:
+    """The licence that an installed package states."""
+    known = metadata(name)
+    classified = [c for c in known.get_all("Classifier") or () if c.startswith("License ::")]
+    stated = known["License-Expression"] or (
+        classified[0].split(" :: ")[-1] if classified else known["License"]
+    )
+    return FAMILIES.get(stated, stated)
+
+
+def test_licences_of_dependencies_are_those_that_they_state() -> None:
+    project = PROJECT["project"]
+    extras = project["optional-dependencies"]
+    users = [e for e in extras if e not in ("dev", "release", "site")]
+    needs = [*project["dependencies"], *(r for extra in users for r in extras[extra])]
+    names = {re.match(r"[\w-]+", requirement).group() for requirement in needs}  # type: ignore[union-attr]
+    listed = {
+        word: row[0]
+        for row in rows("docs/dependencies.md")
+        if re.match(r"(MIT|BSD|Apache|PSF|MPL)", row[0])
+        for word in re.findall(r"[\w-]+", row[1].partition(", which")[0])
+    }
+    assert set(listed) == names
+    installed = {name for name in names if is_installed(name)}
+    assert len(installed) > 20
+    assert {name: licence(name) for name in installed} == {n: listed[n] for n in installed}
+
+
+def is_installed(name: str) -> bool:
+    """Whether there is a package of this name."""
+    try:
+        metadata(name)
+    except PackageNotFoundError:
+        return False
+    return True
+
+
+def test_platforms_are_those_that_the_resolver_was_asked_for() -> None:
+    """Classifiers promised systems without wheels."""
+    spec = spec_from_file_location("platforms", ROOT / "scripts" / "platforms.py")
+    assert spec is not None and spec.loader is not None
+    script = module_from_spec(spec)
+    spec.loader.exec_module(script)
+    table = {row[0]: row[1:] for row in rows("docs/dependencies.md") if len(row) == 5}
+    assert set(table) >= set(script.PLATFORMS.values())
+    answers = [table[name] for name in script.PLATFORMS.values()]
+    assert all(re.match("yes|no: ", answer) for row in answers for answer in row)
+    assert {len(row) for row in answers} == {len(script.PYTHONS)}
+    classifiers = PROJECT["project"]["classifiers"]
+    # a classifier is for a system on all of its processors; musl is Linux too, as the page says
+    assert [c for c in classifiers if c.startswith("Operating")] == [
+        "Operating System :: POSIX :: Linux"
+    ]
+    versions = [c.rpartition(" ")[2] for c in classifiers if re.search(r"Python :: 3\.", c)]
+    assert versions == list(script.PYTHONS)

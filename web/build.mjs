@@ -3,7 +3,18 @@ import { build } from "esbuild";
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, resolve } from "node:path";
 
-const common = { bundle: true, target: "es2022", logLevel: "warning" };
+const common = { bundle: true, target: "es2022", logLevel: "warning", metafile: true };
+
+/** Files of which something is in what was built, by their names in the reports of esbuild. */
+const used = new Set();
+
+/** Take note of what is in a bundle; a file of which nothing is left counts for nothing. */
+function noted({ outputFiles, metafile }) {
+  for (const { inputs } of Object.values(metafile.outputs)) {
+    for (const [name, { bytesInOutput }] of Object.entries(inputs)) if (bytesInOutput > 0) used.add(name);
+  }
+  return { outputFiles, metafile };
+}
 
 /** `worker:FILE` is the text of a bundle of its own, `FILE.css` that of a small style sheet. */
 const texts = {
@@ -14,13 +25,13 @@ const texts = {
       namespace: "worker",
     }));
     builder.onLoad({ filter: /.*/, namespace: "worker" }, async ({ path }) => {
-      const { outputFiles, metafile } = await build({
-        ...common, entryPoints: [path], format: "iife", minify: true, write: false, metafile: true,
-      });
+      const { outputFiles, metafile } = noted(await build({
+        ...common, entryPoints: [path], format: "iife", minify: true, write: false,
+      }));
       const watchFiles = Object.keys(metafile.inputs).map((name) => resolve(name));
       return { contents: outputFiles[0].text, loader: "text", watchFiles, resolveDir: dirname(path) };
     });
-    builder.onLoad({ filter: /uPlot\.esm\.js$/ }, ({ path }) => ({ contents: withOwnPen(readFileSync(path, "utf8")), loader: "js" }));
+    builder.onLoad({ filter: /uPlot\.esm\.js$/ }, ({ path }) => ({ contents: withNotice(withOwnPen(readFileSync(path, "utf8"))), loader: "js" }));
     builder.onLoad({ filter: /\.css$/ }, async ({ path }) => ({ contents: await styleSheet(path), loader: "text" }));
   },
 };
@@ -32,9 +43,30 @@ function withOwnPen(text) {
   return text.replace(asked, wanted);
 }
 
+/** The notice of uPlot in the form that is kept. */
+function withNotice(text) {
+  if (!text.startsWith("/**")) throw new Error("uPlot begins otherwise: adapt build.mjs");
+  return text.replace("/**", "/*!");
+}
+
 async function styleSheet(path) {
-  const { outputFiles } = await build({ ...common, entryPoints: [path], minify: true, write: false });
+  const { outputFiles } = noted(await build({ ...common, entryPoints: [path], minify: true, write: false }));
   return outputFiles[0].text.trim();
+}
+
+/** The licences of the packages of which something is in what was built. */
+function licences() {
+  const folders = [...used].map((name) => /(?:.*\/)?node_modules\/(?:@[^/]+\/)?[^/]+/.exec(name.replace(/^[\w-]+:/, ""))?.[0]);
+  const packages = [...new Set(folders.filter((folder) => folder !== undefined))].sort();
+  const texts = packages.map((folder) => {
+    const { name, version, license, homepage, repository } = JSON.parse(readFileSync(`${folder}/package.json`, "utf8"));
+    const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry));
+    if (!license || file === undefined) throw new Error(`${name} has no licence: it may not be part of lab.js`);
+    const source = (repository?.url ?? repository ?? homepage).replace(/^git\+/, "");
+    return `${name} ${version}\nLicence: ${license}\nSource: ${source}\n\n${readFileSync(`${folder}/${file}`, "utf8").replaceAll("\r\n", "\n").trim()}\n`;
+  });
+  const line = "=".repeat(80);
+  return `lab.js and engine.js contain parts of the following packages.\n\n${line}\n${texts.join(`\n${line}\n`)}`;
 }
 
 if (process.argv[2] === "test") {
@@ -52,13 +84,13 @@ if (process.argv[2] === "test") {
 } else {
   const out = "../src/chaplygin/lab/static";
   mkdirSync(out, { recursive: true });
-  await build({
+  noted(await build({
     ...common,
     entryPoints: ["src/engine/index.ts"],
     format: "esm",
     outfile: `${out}/engine.js`,
-  });
-  const { outputFiles } = await build({
+  }));
+  const { outputFiles } = noted(await build({
     ...common,
     entryPoints: ["src/index.ts"],
     format: "iife",
@@ -68,10 +100,11 @@ if (process.argv[2] === "test") {
     legalComments: "eof",
     plugins: [texts],
     write: false,
-  });
+  }));
   // a page holds the program within its own text
   const program = outputFiles[0].text.replaceAll("</script", "<\\/script");
   writeFileSync(`${out}/lab.js`, program);
   writeFileSync(`${out}/lab.css`, (await styleSheet("src/style/lab.css")) + "\n");
+  writeFileSync(`${out}/licences.txt`, licences());
   console.log(`lab.js ${(program.length / 1024).toFixed(0)} kB`, readFileSync(`${out}/lab.css`).length, "bytes of style");
 }

@@ -10,7 +10,14 @@ import jinja2
 
 from chaplygin import __version__
 from chaplygin.borisov_mamaev import remarks
-from chaplygin.borisov_mamaev.audit import DECISIONS, TITLES, Judgement, counts, typeset
+from chaplygin.borisov_mamaev.audit import (
+    DECISIONS,
+    TITLES,
+    Judgement,
+    counts,
+    judged_findings,
+    typeset,
+)
 
 HOME = Path(__file__).parent
 
@@ -24,8 +31,9 @@ def pages(judgements: Sequence[Judgement]) -> Iterator[tuple[str, str]]:
         undefined=jinja2.StrictUndefined,
     )
     environment.filters["typeset"] = typeset
+    environment.filters["findings"] = judged_findings
     claims = list(zip(anchors(judgements), judgements, strict=True))
-    wrong = [(anchor, j) for anchor, j in claims if j.corrected is not None or not j.printed]
+    wrong = [(anchor, j) for anchor, j in claims if j.printed.decision == "refuted"]
     shared = {
         "version": __version__,
         "titles": TITLES,

@@ -11,4 +11,17 @@ Names are imported when first used, so that importing the package costs nothing.
 
 import lazy_loader
 
+from .displays import use_printers
+
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def _printers() -> object:
+    from . import printing
+    from .printing import formula, system  # noqa: F401  (attributes of the folder)
+
+    return printing
+
+
+use_printers(_printers)
+del use_printers

@@ -19,7 +19,7 @@ def main() -> None:
     # formulas and modules are many small objects that stay: to look through them all for what
     # could go, every 700 new ones, takes a tenth of the time of a study
     gc.set_threshold(100_000, 20, 100)
-    from .interruption import EXIT_CODE, GRACE_PERIOD, interruptible
+    from .interruption import GRACE_PERIOD, exit_code, interruptible
 
     if heard:
         signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -29,9 +29,9 @@ def main() -> None:
 
             command()
     except SystemExit as end:
-        if end.code == EXIT_CODE:
+        if end.code == exit_code():
             # do not wait for threads that compute what nobody wants any more
-            timer = threading.Timer(GRACE_PERIOD, os._exit, (EXIT_CODE,))
+            timer = threading.Timer(GRACE_PERIOD, os._exit, (end.code,))
             timer.daemon = True
             timer.start()
         raise

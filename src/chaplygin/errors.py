@@ -102,6 +102,15 @@ class InputError(ValueError):
         return readable(f"{self.where}: {self.message}" if self.where else self.message)
 
 
+def require_label(name: str, title: str) -> None:
+    """Raise InputError unless a name is there, and name and title have no invisible characters."""
+    if not name.strip():
+        raise InputError("the name of a system is empty; it must be a word such as 'top'")
+    for what, text in (("name", name), ("title", title)):
+        if not text.isprintable():
+            raise InputError(f"the {what} {text!r} contains a character that cannot be seen")
+
+
 class RunError(RuntimeError):
     """A computation that could not be carried to its end.
 

@@ -1,7 +1,8 @@
 """Ctrl-C: a command ends within a second, says what it has saved, and exits with code 130.
 
-Machine code that runs for long lets Python act on Ctrl-C only when it is done.  So a thread listens
-besides, which does what is to be done where the command itself has not come to it.
+SIGTERM, with which another process asks for the end, does the same, with code 143.  Machine code
+that runs for long lets Python act on a signal only when it is done.  So a thread listens besides,
+which does what is to be done where the command itself has not come to it.
 """
 
 from __future__ import annotations
@@ -17,8 +18,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from types import FrameType
 
-#: Exit code of what was interrupted.
-EXIT_CODE = 130
+#: Exit code of what was interrupted, by Ctrl-C unless another signal came.
+EXIT_CODE = 128 + signal.SIGINT
+
+#: Signals that interrupt, with what they do where nobody has asked for anything else.
+_SIGNALS: dict[signal.Signals, Callable[[int, FrameType | None], object] | signal.Handlers] = {
+    signal.SIGINT: signal.default_int_handler,
+    signal.SIGTERM: signal.SIG_DFL,
+}
 
 #: What is said where nothing else is.
 NOTHING_SAVED = "nothing was saved; the same command starts from the beginning"
@@ -46,6 +53,7 @@ class _State:
     endings: list[_Ending]
     was_announced: bool = False
     was_interrupted: bool = False
+    exit_code: int = EXIT_CODE
 
     @property
     def ending(self) -> _Ending:
@@ -58,6 +66,11 @@ class _State:
 
 _NOTHING = _Ending(lambda: NOTHING_SAVED)
 _STATE = _State([])
+
+
+def exit_code() -> int:
+    """The exit code of a program that was interrupted: 130 by Ctrl-C, 143 by SIGTERM."""
+    return _STATE.exit_code
 
 
 def print_interruption(words: str = "") -> None:
@@ -126,20 +139,26 @@ def interruptible() -> Iterator[None]:
         yield
         return
     _STATE.was_announced = _STATE.was_interrupted = False
-    if signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+    # where tests and scripts run in the background, Ctrl-C may be ignored
+    heard = [name for name, default in _SIGNALS.items() if signal.getsignal(name) == default]
+    if not heard:
         yield
         return
+    _STATE.exit_code = EXIT_CODE
     unraisable = sys.unraisablehook
     sys.unraisablehook = _without_interruptions(unraisable)
     ear, mouth = socket.socketpair()
     mouth.setblocking(False)
     before = signal.set_wakeup_fd(mouth.fileno(), warn_on_full_buffer=False)
-    signal.signal(signal.SIGINT, _act)
+    for name in heard:
+        signal.signal(name, _act)
     over = threading.Event()
     threading.Thread(target=_listen, args=(ear, over), daemon=True).start()
     try:
         yield
     except KeyboardInterrupt:
+        if signal.SIGINT not in heard and not _STATE.was_interrupted:
+            raise
         _conclude()
     except SystemExit as end:
         if end.code == EXIT_CODE:
@@ -154,12 +173,14 @@ def interruptible() -> Iterator[None]:
         over.set()
         sys.unraisablehook = unraisable
         signal.set_wakeup_fd(before)
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+        for name in heard:
+            signal.signal(name, _SIGNALS[name])
         mouth.close()
 
 
 def _act(number: int, frame: FrameType | None) -> None:
     _STATE.was_interrupted = True
+    _STATE.exit_code = 128 + number
     raise KeyboardInterrupt
 
 
@@ -185,16 +206,17 @@ def _conclude() -> None:
     # a string that was executed when it was interrupted makes Python end by SIGINT under -m,
     # unless another is executed after it
     exec("")
-    raise SystemExit(EXIT_CODE)
+    raise SystemExit(_STATE.exit_code)
 
 
 def _listen(ear: socket.socket, over: threading.Event) -> None:
-    """Wait for Ctrl-C; then print its sentence and end the program."""
+    """Wait for a signal; then print its sentence and end the program."""
     times = 0
     with ear:
         while heard := ear.recv(1):
-            if heard[0] != signal.SIGINT:
+            if heard[0] not in _SIGNALS:
                 continue
+            _STATE.exit_code = 128 + heard[0]
             times += 1
             if over.wait(0 if times > 1 else GRACE_PERIOD):
                 return
@@ -204,13 +226,23 @@ def _listen(ear: socket.socket, over: threading.Event) -> None:
                     continue
                 print_interruption()
             _end_children()
-            os._exit(EXIT_CODE)
+            _remove_partial_files()
+            os._exit(_STATE.exit_code)
 
 
 def _end_children() -> None:
-    """Kill the processes that compute for this one."""
+    """End the processes that compute for this one."""
     if "multiprocessing" in sys.modules:
         from multiprocessing import active_children
 
-        for child in active_children():
-            child.kill()
+        from .child_processes import end_processes
+
+        end_processes(active_children(), GRACE_PERIOD)
+
+
+def _remove_partial_files() -> None:
+    """Remove what is being written, if anything ever was."""
+    if f"{__package__}.partial_files" in sys.modules:
+        from .partial_files import remove_own
+
+        remove_own()

@@ -144,6 +144,25 @@ def test_what_is_proven_in_part_or_open_is_counted_as_such():
     assert table["corrected"] == {"proven": 0, "proven where": 0, "refuted": 0, "undecided": 1}
 
 
+def test_conditions_of_a_claim_are_in_its_judgement(monkeypatch, tmp_path):
+    """Computed, read from the cache and counted: proven where they hold."""
+    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    proven = Verdict("law", "proven", finding="a proof")
+    claim = Claim("(1)", "$x$", lambda: proven, argument="in $n$ dimensions", where=("$n > 2$",))
+    monkeypatch.setattr(module, "claims", lambda section=None: ((SECTION, claim),))
+    for _ in range(2):
+        (judgement,), left = audit(SECTION, workers=1)
+        assert left == 0
+        assert judgement.printed.decision == "proven where"
+        record = judgement.record()
+        assert record["conditions"] == ["$n > 2$"]
+        assert record["argument"] == "in $n$ dimensions"
+        assert counts([judgement])["printed"]["proven"] == 0
+    body = page([judgement], SECTION).split("</style>")[1]
+    assert "Proven where <math" in body
+    assert "By an argument: in <math" in body
+
+
 def test_records_tell_conditions_and_reasons():
     part, open_one = (judgement.record() for judgement in partly_proven())
     assert part["printed"] == "proven where"

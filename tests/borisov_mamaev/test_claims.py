@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin.borisov_mamaev import claims, remarks
+from chaplygin.borisov_mamaev import Claim, claims, remarks
 from chaplygin.borisov_mamaev.audit import TITLES, audit, counts, judge
 from chaplygin.printing.mathml import mathml
 from chaplygin.proof.verdict import Verdict
@@ -41,7 +41,7 @@ def test_a_claim_says_what_it_is(number):
     section, claim = CLAIMS[number]
     assert section in TITLES
     assert claim.source and claim.statement
-    for text in (claim.statement, claim.correction, claim.note):
+    for text in (claim.statement, claim.correction, claim.note, claim.argument, *claim.where):
         check_text(text)
     # what is not true may be put right in words alone; a form is always told
     if claim.corrected is not None:
@@ -87,6 +87,37 @@ def test_a_claim_is_judged_and_put_right(number):
         assert corrected.decision in ("proven", "proven where"), corrected
     elif printed.decision == "refuted":
         assert claim.note, "a refuted claim without a correction says why"
+    holding = corrected or printed
+    assert (holding.decision == "proven where") == bool(claim.where)
+    assert set(claim.where) <= set(holding.conditions)
+
+
+#: Words by which a note says that a computation covers less than the statement.
+NARROWER = re.compile(
+    r"(decided|computed|shown|proved) for (?!every|any)|for one |\bfor a homogeneous|on one torus"
+    r"|[nm] = [2-9]\b|\bfor (two|three|four) |for functions"
+)
+
+
+@NUMBERS
+def test_a_narrower_computation_has_an_argument_or_conditions(number):
+    _, claim = CLAIMS[number]
+    if claim.corrected is None and NARROWER.search(claim.note):
+        assert claim.argument or claim.where, claim.note
+
+
+def test_corrected_forms_state_their_hypotheses():
+    assert not [claim.source for _, claim in CLAIMS if claim.corrected and claim.where]
+
+
+def test_conditions_restrict_what_is_proven_alone():
+    claim = Claim("(1)", "$x$", lambda: Verdict("law", "proven"), where=("x > 0",))
+    part = claim.under_conditions(Verdict("law", "proven where", conditions=("y > 0",)))
+    assert part.decision == "proven where"
+    assert part.conditions == ("y > 0", "x > 0")
+    for decision in ("refuted", "undecided"):
+        other = Verdict("law", decision)
+        assert claim.under_conditions(other) is other
 
 
 @pytest.mark.slow
@@ -109,11 +140,35 @@ def test_counts_are_those_of_the_judgements():
         assert ("corrected" in record) == ("verdict" in record) == (judgement.corrected is not None)
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/proofs.md"])
+PAGES = Path(__file__).parents[2] / "docs"
+
+
+def test_the_page_lists_the_conditions():
+    rows = [f"| {c.source} | {'; '.join(c.where)} |" for _, c in CLAIMS if c.where]
+    table = (PAGES / "proofs.md").read_text().split("| claim | where |\n|---|---|\n")[1]
+    assert table.split("\n\n")[0].split("\n") == rows
+
+
+def test_pages_and_results_that_arguments_name_are_there():
+    """An argument that is written elsewhere names the page, and the result on it."""
+    named = [(c.source, c.argument) for _, c in CLAIMS if "docs/" in c.argument]
+    assert named
+    for source, argument in named:
+        page = re.search(r"docs/([\w-]+\.md)", argument)
+        assert page and (PAGES / page[1]).is_file(), source
+        for result in re.findall(r"result (\d+)", argument):
+            assert f"**{result}. " in (PAGES / page[1]).read_text(), source
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/proofs.md", "CHANGELOG.md"])
 def test_the_numbers_of_claims_in_the_documentation(page):
-    """Each printed form either holds or is put right; the test above judges them one by one."""
+    """Each printed form is proven, proven where conditions hold, or put right.
+
+    The test above judges them one by one.
+    """
     text = " ".join((Path(__file__).parents[2] / page).read_text().split())
     total, wrong = len(CLAIMS), sum(claim.corrected is not None for _, claim in CLAIMS)
+    partly = sum(bool(claim.where) for _, claim in CLAIMS)
     assert f"{total} claims" in text
-    assert f"{total - wrong} hold as printed" in text
+    assert f"{total - wrong - partly} are proven as printed, {partly} where" in text
     assert re.search(rf"{wrong} are (misprinted|refuted)", text)

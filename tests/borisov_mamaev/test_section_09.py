@@ -116,6 +116,19 @@ def test_braden_and_neumann_satisfy_the_conditions(power):
     assert all(sp.simplify(c) == 0 for c in diagonal)
 
 
+def test_sphero_conical_coordinates_meet_their_bounds_on_a_great_circle():
+    """The inequalities after (9.5) are strict for n₁n₂n₃ ≠ 0 alone: here ξ = J₁."""
+    z = sp.Symbol("z")
+    moments, normal = (1, 2, 3), (sp.Integer(0), sp.Rational(3, 5), sp.Rational(4, 5))
+    quadric = sum(
+        sp.prod(moment - z for moment in moments if moment != own) * x**2
+        for own, x in zip(moments, normal, strict=True)
+    )
+    assert min(sp.roots(sp.Poly(quadric, z))) == moments[0]
+    (claim,) = (c for c in section_09_3.CLAIMS if c.printed is section_09_3.interlaced)
+    assert "n₁n₂n₃ ≠ 0" in claim.where
+
+
 def test_dependent_functions_are_not_called_independent():
     made = ratio.rolling()
     state = {"n_1": "2/7", "n_2": "-3/7", "n_3": "6/7"}

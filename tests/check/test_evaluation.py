@@ -24,7 +24,7 @@ FORMULAS = [
     "asin(x) + acos(y) + atan(x/y) + atan2(x, y)",
     "x**(y + 1/3)",
     "Abs(y)*Abs(x)",
-    "pi*x + E*y",
+    "pi*x + exp(1)*y",
 ]
 
 

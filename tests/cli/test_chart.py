@@ -116,7 +116,7 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
         code, out, err = ask(*SMALL, "-o", "chart.zarr")
     assert (code, out) == (130, "")
     assert err.endswith(
-        "interrupted: nothing was saved; the same command starts from the beginning\n"
+        "interrupted: chart.zarr stays, with nothing added; the same command resumes there\n"
     )
     assert ask(*SMALL, "-o", "chart.zarr")[0] == 0
 

@@ -6,16 +6,19 @@ import json
 import re
 from dataclasses import replace
 from importlib import import_module
+from pathlib import Path
 
 import pytest
 
-from chaplygin.borisov_mamaev import Claim
+from chaplygin.borisov_mamaev import Claim, remarks
 from chaplygin.check.__main__ import main as check_files
 from chaplygin.printing.formula import width
 from chaplygin.proof.verdict import Verdict
 from cli.test_cli import ask
 
 __all__ = ["ask"]
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.mark.slow
@@ -47,6 +50,21 @@ def test_prove_takes_an_experiment_file(ask, tmp_path):
     code, out, _ = ask("prove", "egg.toml")
     assert code == 0
     assert "(10.3)" in out
+
+
+def test_a_law_that_states_nothing_is_refused_by_itself(ask, tmp_path):
+    text = (EXAMPLES / "sleigh.toml").read_text()
+    measures = "[laws.measures]\n"
+    assert measures in text
+    (tmp_path / "sleigh.toml").write_text(
+        text.replace(measures, f'{measures}imaginary = "sqrt(-1 - u**2)"\n')
+    )
+    code, out, _ = ask("prove", "sleigh.toml", "--json")
+    assert code == 2
+    rows = {row["law"]: row for row in json.loads(out)}
+    assert rows["imaginary"]["verdict"] == "refused"
+    assert "root of a negative quantity" in rows["imaginary"]["reason"]
+    assert rows["straight"]["verdict"] == rows["energy"]["verdict"] == "proven"
 
 
 def test_one_law_by_its_name(ask):
@@ -104,7 +122,7 @@ def test_audit_of_one_section(ask, tmp_path):
 def test_audit_as_json(ask):
     code, out, _ = ask("audit", "--section", "6", "--json", "--workers", "1")
     assert code == 0
-    rows = json.loads(out)
+    rows = json.loads(out)["claims"]
     assert {"source", "statement", "printed", "seconds"} <= set(rows[0])
     wrong = [row for row in rows if row["printed"] == "refuted"]
     assert wrong
@@ -123,7 +141,7 @@ def test_the_audit_speaks_unicode_on_a_terminal_and_latex_to_programs(ask, monke
     assert not re.search(r"[\\$]|frac|mathbf", out)
     assert all(width(line.rstrip()) <= 80 for line in out.splitlines())
     _, printed, _ = ask("audit", "--section", "6", "--json", "--workers", "1")
-    notes = [row.get("note", "") for row in json.loads(printed)]
+    notes = [row.get("note", "") for row in json.loads(printed)["claims"]]
     assert any(r"U = \frac{K}{2}" in note for note in notes)
 
 
@@ -148,6 +166,48 @@ def test_the_audit_tells_what_is_proven_in_part(ask, monkeypatch):
     assert "as printed: 0 proven, 1 proven where, 1 refuted, 0 undecided" in out
     assert "corrected: 0 proven, 0 proven where, 0 refuted, 1 undecided" in out
     assert "x²" in out and "x³" in out
+
+
+def test_what_was_not_computed_is_counted_listed_and_in_json(ask, monkeypatch):
+    judged = import_module("chaplygin.borisov_mamaev.audit")
+    found = remarks(7)
+    monkeypatch.setattr(judged, "audit", lambda *_: ((), 0))
+    code, out, _ = ask("audit", "--section", "7")
+    assert code == 0
+    counted = f"{len(found)} further statements, of literature or judgement, were not computed: "
+    assert counted + "chaplygin audit --section 7 --remarks" in " ".join(out.split())
+    _, out, _ = ask("audit", "--section", "7", "--json")
+    records = json.loads(out)["remarks"]
+    assert [(row["source"], row["statement"], row["reason"]) for row in records] == [
+        (remark.source, remark.statement, remark.reason) for remark in found
+    ]
+    assert {row["section"] for row in records} == {7}
+
+
+def test_the_remarks_alone_judge_nothing(ask, monkeypatch):
+    judged = import_module("chaplygin.borisov_mamaev.audit")
+    monkeypatch.setattr(judged, "audit", None)
+    code, out, _ = ask("audit", "--remarks")
+    assert code == 0
+    assert "§12 Open problems" in out and "Remark 25" in out
+    assert not re.search(r"[\\$]|mathbf", out)
+    _, out, _ = ask("audit", "--remarks", "--json", "--section", "7")
+    assert len(json.loads(out)["remarks"]) == len(remarks(7))
+    code, out, err = ask("audit", "--remarks", "-o", "audit.html")
+    assert code == 2
+    assert err.strip() == "error: --remarks judges no claims: leave out --output and --workers"
+
+
+def test_an_erratum_is_told_beside_the_verdict(ask, monkeypatch):
+    judged = import_module("chaplygin.borisov_mamaev.audit")
+    proven = Verdict("a", "proven", finding="a proof")
+    claim = Claim("(1)", "(6.1) holds", lambda: proven, erratum="(6.1) is printed for (7.1)")
+    made = (judged.Judgement(7, claim, proven, None, 0.5),)
+    monkeypatch.setattr(judged, "audit", lambda *_: (made, 0))
+    _, out, _ = ask("audit")
+    assert "erratum    (6.1) is printed for (7.1)" in out
+    assert made[0].record()["erratum"] == "(6.1) is printed for (7.1)"
+    assert "Erratum: (6.1) is printed for (7.1)" in judged.page(made, 7)
 
 
 def test_an_interrupted_proof_prints_what_is_done(ask, monkeypatch):

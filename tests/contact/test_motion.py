@@ -266,6 +266,33 @@ def test_rules_are_checked() -> None:
     with pytest.raises(ch.InputError, match=r"restitution 2\.0: it must lie between 0 and 1"):
         EventRules(restitution=2.0)
 
+    with pytest.raises(ch.InputError, match="most_steps 0: it must be at least 1"):
+        EventRules(most_steps=0)
+
+
+@pytest.mark.parametrize(
+    ("rules", "ending", "words"),
+    [
+        (EventRules(0.5, most_steps=1000), "many steps", "took 2,000 steps up to t = "),
+        (
+            EventRules(0.5, most_steps=100_000),
+            "many steps",
+            "took 2,000 steps, of about 5e+05 in all, up",
+        ),
+        (EventRules(0.5, most_events=3), "many events", "took 4 events up to t = "),
+    ],
+)
+def test_a_motion_has_a_budget(
+    rules: EventRules, ending: str, words: str, loaded: CompiledContact
+) -> None:
+    """Euler's disk with ω = 10⁶ was followed for minutes."""
+    fast = 1e5 if ending == "many steps" else 1.0
+    motion = contact_motion(loaded, drop(1.5, (1.0, 0.5, 0.0), (fast, 0, 0)), [0.0, 9.0], rules)
+    assert motion.ending == ending
+    assert words in motion.reason and "start it more slowly, follow it for a" in motion.reason
+    assert f"t = {motion.end_time:.9g}, where the body turns with" in motion.reason
+    assert motion.times[-1] == motion.end_time < 9.0
+
 
 def random_drops(count: int, seed: int) -> list[tuple[list[float], EventRules]]:
     rng = np.random.default_rng(seed)

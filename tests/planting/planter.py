@@ -12,17 +12,20 @@ from chaplygin.errors import InputError
 
 from .branches import BRANCHES
 from .case import Case, Family, Truth
+from .constrained import CONSTRAINED
 from .dress import dressed
 from .kinds import KINDS
 from .levels import LEVELS
 from .malformed import MALFORMED
 from .mechanical import MECHANICAL
+from .powers import POWERS
 from .setting import SettingFamily
 from .unspecified import UNSPECIFIED
+from .volumes import VOLUMES
 
 __all__ = ["FAMILIES", "SETTINGS", "planted", "planted_case"]
 
-SETTINGS: dict[str, SettingFamily] = {**LEVELS, **BRANCHES, **UNSPECIFIED}
+SETTINGS: dict[str, SettingFamily] = {**LEVELS, **BRANCHES, **POWERS, **UNSPECIFIED}
 
 
 def _dressed(name: str, rng: random.Random) -> Case:
@@ -32,12 +35,23 @@ def _dressed(name: str, rng: random.Random) -> Case:
 FAMILIES: dict[str, Family] = {
     **{name: partial(_dressed, name) for name in SETTINGS},
     **KINDS,
+    **VOLUMES,
     **MECHANICAL,
+    **CONSTRAINED,
     **MALFORMED,
 }
 
 #: How often a family is drawn; 1 for those that are not named.
-_OFTEN = {"product of factors": 4, "conditions with functions": 3, "levels that move": 2}
+_OFTEN = {
+    "product of factors": 4,
+    "conditions with functions": 3,
+    "levels that move": 2,
+    "volume of a relation": 3,
+    "even powers": 2,
+    "absolute values": 3,
+    "absolute values with signs": 3,
+    "energy with constraints": 3,
+}
 _ROUND = tuple(name for name in FAMILIES for _ in range(_OFTEN.get(name, 1)))
 
 

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from multiprocessing import active_children
 from pathlib import Path
 
+import psutil
 import pytest
 
 from chaplygin.errors import InputError
@@ -79,3 +83,60 @@ def test_work_of_a_process_ended_from_outside_is_done_here() -> None:
 
     with beside(fragile) as result:
         assert result() == own
+
+
+#: A program with work beside it: what it prints last are the numbers of the second process.
+PROGRAM = """
+import os, sys, time
+from pathlib import Path
+from chaplygin.interruption import interruptible
+from chaplygin.report.second_process import beside
+
+def work():
+    Path("begun").write_text(str(os.getpid()))
+    try:
+        {work}
+    finally:
+        Path("ended").touch()
+
+with interruptible(), beside(work) as result:
+    while not Path("begun").exists():
+        time.sleep(0.01)
+    time.sleep(0.1)
+    print(Path("begun").read_text(), flush=True)
+    time.sleep(60)
+"""
+#: More than a pipe holds, and time that passes.
+WORKS = {"sends": "return bytes(10_000_000)", "computes": "time.sleep(60)"}
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="processes are copied on Linux alone")
+@pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGKILL, signal.SIGINT])
+@pytest.mark.parametrize("work", WORKS)
+def test_the_second_process_ends_with_the_first(
+    work: str, sent: signal.Signals, tmp_path: Path
+) -> None:
+    """It stayed for ever, with 340 MB, after SIGTERM and SIGKILL."""
+    script = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+    program = subprocess.Popen(
+        [sys.executable, "-c", script + PROGRAM.format(work=WORKS[work])],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert program.stdout is not None
+    second = psutil.Process(int(program.stdout.readline()))
+    try:
+        program.send_signal(sent)
+        _, words = program.communicate(timeout=10)
+        second.wait(timeout=5)
+    finally:
+        for process in (program, second):
+            with suppress(psutil.NoSuchProcess):
+                process.kill()
+    codes = {signal.SIGTERM: 143, signal.SIGKILL: -signal.SIGKILL, signal.SIGINT: 130}
+    assert program.returncode == codes[sent]
+    assert (tmp_path / "ended").exists()
+    assert (words == "") == (sent == signal.SIGKILL)
+    assert "Traceback" not in words

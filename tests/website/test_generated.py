@@ -11,7 +11,10 @@ from typing import Any
 import pytest
 
 import chaplygin
+from chaplygin.borisov_mamaev import Claim
+from chaplygin.borisov_mamaev.audit import Judgement
 from chaplygin.experiment.models.schema import experiment_schema
+from chaplygin.proof.verdict import Verdict
 
 WEBSITE = Path(__file__).parents[2] / "website"
 
@@ -55,6 +58,20 @@ def test_every_claim_has_an_anchor_of_its_own() -> None:
     assert len(set(anchors)) == len(judgements)
     wrong = re.findall(r'<li id="([^"]+)" class="claim"', written["audit/misprints.md"])
     assert wrong and set(wrong) <= set(anchors)
+
+
+def test_a_claim_that_is_proven_where_conditions_hold_is_no_misprint() -> None:
+    partly = Verdict("part", "proven where", finding="a part", conditions=("x > 0",))
+    refuted = Verdict("wrong", "refuted", finding="a point")
+    judgements = [
+        Judgement(1, Claim(f"({n})", "$x$", lambda: partly), verdict, None, 0.1)
+        for n, verdict in enumerate((partly, refuted), 1)
+    ]
+    written = dict(import_module("claims").pages(judgements))
+    assert 'data-corrected="none needed"' in written["audit/index.md"]
+    assert "Proven where x &gt; 0." in written["audit/index.md"]
+    assert "claim-1-2" in written["audit/misprints.md"]
+    assert "claim-1-1" not in written["audit/misprints.md"]
 
 
 def test_the_reference_has_every_name_command_and_key() -> None:

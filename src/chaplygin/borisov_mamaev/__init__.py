@@ -9,9 +9,9 @@ import pkgutil
 from importlib import import_module
 
 from ..arguments import arguments_checked
-from .claim import Case, Claim, Remark
+from .claim import Case, Claim, Finding, Remark
 
-__all__ = ["Case", "Claim", "Remark", "claims", "remarks"]
+__all__ = ["Case", "Claim", "Finding", "Remark", "claims", "remarks"]
 
 
 def _modules() -> dict[str, int]:

@@ -9,19 +9,17 @@ from __future__ import annotations
 import html
 import os
 import re
-import signal
-import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from typing import Any
 
 from .._version import __version__
 from ..arguments import arguments_checked
+from ..child_processes import follow_parent, signals_blocked
 from ..core.cache import entry_name
 from ..core.source_digest import package_digest
 from ..errors import InputError
@@ -31,7 +29,7 @@ from ..proof.fields.budget import EFFORT
 from ..proof.prover import prove
 from ..proof.verdict import Decision, Verdict
 from ..proof.verdict_cache import load_verdict, store_verdict
-from . import Case, Claim, claims, remarks
+from . import Case, Claim, Finding, Remark, claims, remarks
 
 THOROUGH = 4 * EFFORT
 """Term operations that the proof of one claim may take."""
@@ -77,6 +75,10 @@ class Judgement:
             table["verdict"] = self.corrected.decision
         if self.claim.note:
             table["note"] = self.claim.note
+        if self.claim.erratum:
+            table["erratum"] = self.claim.erratum
+        if self.claim.argument:
+            table["argument"] = self.claim.argument
         if self.conditions:
             table["conditions"] = list(self.conditions)
         if self.reason:
@@ -108,6 +110,12 @@ def _joint_verdict(case: Case) -> Verdict:
     )
 
 
+def _stored_verdict(claim: Claim, form: str) -> Verdict | None:
+    """The verdict on a form of a claim from an earlier audit, if there is one."""
+    stored = load_verdict(_name(claim, form))
+    return None if stored is None else claim.under_conditions(stored)
+
+
 def _verdict_from_cache(name: str, decide: Callable[[], Case]) -> Verdict:
     """A verdict from an earlier audit, or a new one, which is stored."""
     stored = load_verdict(name)
@@ -119,13 +127,17 @@ def _verdict_from_cache(name: str, decide: Callable[[], Case]) -> Verdict:
     return verdict
 
 
+def _verdict_on(claim: Claim, form: str, decide: Callable[[], Case]) -> Verdict:
+    return claim.under_conditions(_verdict_from_cache(_name(claim, form), decide))
+
+
 def judge(number: int, section: int | None) -> tuple[Verdict, Verdict | None]:
     """Verdicts on the printed and the corrected form of one claim."""
     _, claim = claims(section)[number]
-    names = [_name(claim, form) for form in ("printed", "corrected")]
-    printed = _verdict_from_cache(names[0], claim.printed)
-    corrected = None if claim.corrected is None else _verdict_from_cache(names[1], claim.corrected)
-    return printed, corrected
+    printed = _verdict_on(claim, "printed", claim.printed)
+    if claim.corrected is None:
+        return printed, None
+    return printed, _verdict_on(claim, "corrected", claim.corrected)
 
 
 def _name(claim: Claim, form: str) -> str:
@@ -171,7 +183,7 @@ def audit(
     >>> import chaplygin as ch
     >>> judgements, left = ch.audit(section=11, workers=1)
     >>> sorted({judgement.printed.decision for judgement in judgements}), left
-    (['proven', 'refuted'], 0)
+    (['proven', 'proven where', 'refuted'], 0)
     """
     if workers is not None and workers < 1:
         raise InputError(f"workers = {workers}: there must be one at least")
@@ -184,8 +196,8 @@ def audit(
     verdicts: dict[int, tuple[Verdict, Verdict | None]] = {}
     waiting = []
     for number, (_, claim) in enumerate(chosen):
-        printed = load_verdict(_name(claim, "printed"))
-        corrected = load_verdict(_name(claim, "corrected")) if claim.corrected else None
+        printed = _stored_verdict(claim, "printed")
+        corrected = _stored_verdict(claim, "corrected") if claim.corrected else None
         if printed is None or (claim.corrected is not None and corrected is None):
             waiting.append(number)
         else:
@@ -225,9 +237,10 @@ def _judge_in_processes(
     report: Callable[[float], None],
 ) -> int:
     """Fill `verdicts`; the number left undone by an interruption."""
-    pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
+    context = get_context("spawn")
+    pool = ProcessPoolExecutor(workers, mp_context=context, initializer=follow_parent)
     try:
-        with _interrupts_blocked():
+        with signals_blocked():
             tasks: dict[Future[tuple[Verdict, Verdict | None]], int] = {
                 pool.submit(judge, n, section): n for n in waiting
             }
@@ -249,19 +262,6 @@ def _judge_in_processes(
     return 0
 
 
-@contextmanager
-def _interrupts_blocked() -> Iterator[None]:
-    """A block in which new processes ignore Ctrl-C; Windows has nothing of the kind."""
-    if sys.platform == "win32":
-        yield
-    else:
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-        try:
-            yield
-        finally:
-            signal.pthread_sigmask(signal.SIG_SETMASK, before)
-
-
 def _judgement(
     section: int, claim: Claim, printed: Verdict, corrected: Verdict | None
 ) -> Judgement:
@@ -279,6 +279,25 @@ def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
         if judgement.corrected is not None:
             table["corrected"][judgement.corrected.decision] += 1
     return table
+
+
+def judged_findings(remark: Remark) -> tuple[tuple[Finding, Verdict], ...]:
+    """What is decided here of an open question, with the verdicts, which are stored."""
+    return tuple(
+        (
+            finding,
+            _verdict_from_cache(
+                entry_name(finding.key, finding.statement, package_digest()), finding.decide
+            ),
+        )
+        for finding in remark.findings
+    )
+
+
+def remarks_by_section(section: int | None = None) -> dict[int, tuple[Remark, ...]]:
+    """The statements that were not computed, of one section or of each that has any."""
+    numbers = TITLES if section is None else (section,)
+    return {number: found for number in numbers if (found := remarks(number))}
 
 
 # --- the page ------------------------------------------------------------------------------
@@ -308,18 +327,17 @@ def page(judgements: Sequence[Judgement], section: int | None = None) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["findings"] = judged_findings
     environment.filters["typeset"] = lambda text: Markup(typeset(text))
     sections: dict[int, list[Judgement]] = {}
     for judgement in judgements:
         sections.setdefault(judgement.section, []).append(judgement)
-    numbers = sorted(sections) if section is None else [section]
-    notes = {number: remarks(number) for number in numbers}
     return environment.get_template("audit.html").render(
         version=__version__,
         titles=TITLES,
         decisions=DECISIONS,
         sections=sections,
-        notes=notes,
+        notes=remarks_by_section(section),
         counts=counts(judgements),
         counts_by_section={n: counts(judged) for n, judged in sections.items()},
         total=len(judgements),

@@ -11,6 +11,7 @@ from .claim.claim import Claim, read_claim
 from .claim.errors import BadInputError, CheckError, UndefinedError
 from .claim.formulas import names_in, parse_condition
 from .claim.json_data import as_list, field, mapping, only, text
+from .claim.power import claims_of_identities
 from .claim.separation import check_separation
 from .identities.basis import Basis
 from .identities.proof import Condition, check_proof
@@ -69,11 +70,32 @@ def _check(data: Mapping[str, object]) -> None:
         conditions = [_condition(t, claim) for t in stated]
         if not conditions:
             raise CheckError("the verdict is proven where, but no condition says where")
+    seed = hashlib.sha256(json.dumps(data, sort_keys=True, default=repr).encode()).hexdigest()
+    if "rates" in data:
+        only(data, what, "format", "verdict", "claim", "sample", "rates", "identities")
+        check_sample(claim, field(data, "sample", what), conditions)
+        _check_identities(data, claim, seed)
+        return
     only(data, what, *allowed)
     if claim.law.kind == "Separation":
         check_separation(claim)
     check_sample(claim, field(data, "sample", what), conditions)
-    _check_proofs(data, claim, conditions)
+    _check_proofs(data, claim, conditions, seed)
+
+
+def _check_identities(data: Mapping[str, object], claim: Claim, seed: str) -> None:
+    """Check the identities by which the theorem on energy proves an integral."""
+    what = "the identities"
+    stated = mapping(field(data, "claim", "the certificate"), "the claim")
+    claims = claims_of_identities(stated, claim, data["rates"])
+    identities = mapping(field(data, "identities", "the certificate"), what)
+    only(identities, what, *claims)
+    for word, whole in claims.items():
+        identity = mapping(field(identities, word, what), f"the identity {word!r}")
+        only(identity, f"the identity {word!r}", "sample", "proofs")
+        own = read_claim(whole, f"the claim {word!r}")
+        check_sample(own, field(identity, "sample", f"the identity {word!r}"), [])
+        _check_proofs(identity, own, [], f"{seed} {word}")
 
 
 def _condition(data: object, claim: Claim) -> Condition:
@@ -93,12 +115,13 @@ def _condition(data: object, claim: Claim) -> Condition:
     return Condition(words, formula, sign == ">")
 
 
-def _check_proofs(data: Mapping[str, object], claim: Claim, conditions: list[Condition]) -> None:
+def _check_proofs(
+    data: Mapping[str, object], claim: Claim, conditions: list[Condition], seed: str
+) -> None:
     """Check every proof, and that together they treat everything, whatever signs they assume."""
     proofs = as_list(field(data, "proofs", "the certificate"), "proofs")
     if not proofs:
         raise CheckError("the certificate has no proofs")
-    seed = hashlib.sha256(json.dumps(data, sort_keys=True, default=repr).encode()).hexdigest()
     groups: dict[str, list[Basis]] = {}
     for i, data_of_one in enumerate(proofs):
         what = f"proof {i}"

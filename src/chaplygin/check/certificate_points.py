@@ -15,21 +15,23 @@ from functools import cached_property
 
 from flint import arb, ctx, fmpq
 
-from .claim.claim import Claim
+from .claim.claim import Claim, ClaimedSystem
 from .claim.domain import domain
 from .claim.errors import CheckError, UndefinedError
 from .claim.evaluate import Point
-from .claim.formulas import Formula, names_in, number, parse
+from .claim.formulas import CONSTANTS, Formula, names_in, number, parse
 from .claim.json_data import as_list, field, integer, mapping, only, rational, text
 from .claim.polynomials import Poly, Ring
 from .claim.real_functions import RealFunctions, ball
-from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals
+from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals, target_point
 from .exact_values import ExactValues
 from .identities.proof import Condition
 
 PRECISION = 1200
 #: Halvings of an interval until a polynomial is steep in it.
 BISECTIONS = 300
+#: Steps of Newton's method, each of which nearly doubles the number of digits.
+NEWTON_STEPS = 60
 
 _DECIMAL = re.compile(r"-?\d{1,2000}(\.\d{1,2000})?([eE][+-]?\d{1,4})?")
 
@@ -158,7 +160,7 @@ class _StatedPoint:
         only(data, what, "root", "formula")
         if set(data) == {"formula"}:
             formula = parse(data["formula"], what)
-            if not names_in([formula]) <= {*self.balls, *self.system.definitions, "pi", "E"}:
+            if not names_in([formula]) <= {*self.balls, *self.system.definitions, *CONSTANTS}:
                 raise CheckError(f"{what} uses what is not known before it")
             self.balls[word] = self._partial_point()(formula)
             self._formulas[word] = formula
@@ -210,6 +212,18 @@ class _StatedPoint:
             domain(self.claim, settled).require(self.evaluate)
         except UndefinedError:
             raise CheckError("the law is not certainly defined at the point") from None
+        if self.claim.law.target is not None:
+            self._check_target(self.claim.law.target)
+
+    def _check_target(self, target: ClaimedSystem) -> None:
+        """Check that the parameters of the target are admissible at the point."""
+        there = target_point(self.claim, self.evaluate)
+        for formula, sign in target.admissible:
+            exact = there.exact(formula)
+            value = there(formula) if exact is None else exact
+            holds = {">": value > 0, ">=": value >= 0, "!=": value != 0}
+            if not holds.get(sign, exact == 0):
+                raise CheckError("the parameters of the target are not admissible at the point")
 
     def _admissible(self, formula: Formula, sign: str) -> bool:
         value = self.evaluate(formula)
@@ -280,9 +294,11 @@ def _root(
 
 def _newton_narrowed(here: arb, value: Callable[[arb], arb], slope: Callable[[arb], arb]) -> arb:
     """A ball with one root made narrower by Newton's method: the root stays in it."""
-    while True:
+    # the intersection is rounded: what counts is how narrow it is, not what it was made of
+    for _ in range(NEWTON_STEPS):
         middle = here.mid()
-        after = middle - value(middle) / slope(here)
+        after = here.intersection(middle - value(middle) / slope(here))
         if not after.rad() < here.rad() / 2:
-            return here
-        here = here.intersection(after)
+            break
+        here = after
+    return here

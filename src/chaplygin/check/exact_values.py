@@ -15,7 +15,7 @@ from flint import arb, fmpq
 
 from .claim.errors import UndefinedError
 from .claim.evaluate import exact_value
-from .claim.formulas import Formula, call, number
+from .claim.formulas import CONSTANTS, Formula, call, number
 from .claim.functions import HALF
 from .claim.polynomials import Poly, Ring
 from .claim.quotients import Quotient, quotient
@@ -105,7 +105,7 @@ class ExactValues:
             return self.ring.constant(self._rationals[word]), one
         if word in self._algebraic:
             return self.ring.generator(word), one
-        return self._new("constant", word, (), number(0)) if word in ("pi", "E") else None
+        return self._new("constant", word, (), number(0)) if word in CONSTANTS else None
 
     # --- roots and functions ---------------------------------------------------------------------
 
@@ -147,17 +147,16 @@ class ExactValues:
         for function, other, theirs, value in self._values:
             if (function, other) == (word, more) and all(map(self._same, arguments, theirs)):
                 return value
-        value = self._generator(node if word != "constant" else None, str(more))
+        value = self._generator(node if word != "constant" else None)
         self._values.append((word, more, arguments, value))
         return value
 
-    def _generator(self, node: Formula | None, word: str) -> Quotient:
+    def _generator(self, node: Formula | None) -> Quotient:
         if self._count == MOST:
             raise UndefinedError("there are too many functions at the point")
         name = f"#{self._count}"
         self._count += 1
-        constants = {"pi": arb.pi(), "E": arb(1).exp()}
-        self._balls[name] = constants[word] if node is None else self._value(node)
+        self._balls[name] = arb.pi() if node is None else self._value(node)
         return self.ring.generator(name), self.ring.constant(1)
 
     def _root(self, of: Quotient, node: Formula, exponent: Fraction) -> Quotient:
@@ -172,7 +171,7 @@ class ExactValues:
             value = found[0]
         else:
             base = node.parts[0]
-            value = self._generator(None, "pi")
+            value = self._generator(None)
             name = f"#{self._count - 1}"
             self._balls[name] = self._value(base).root(degree)
             self._chain.append((name, value[0] ** degree * of[1] - of[0]))

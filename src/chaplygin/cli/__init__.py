@@ -95,7 +95,8 @@ def _options(
 def main() -> None:
     """Run the command line.
 
-    It exits with 0 when done, 1 when the answer is no, 2 on bad input and 130 when interrupted.
+    It exits with 0 when done, 1 when the answer is no, 2 on bad input, 130 when interrupted and 143
+    when ended by SIGTERM.
     """
     from ..errors import InputError, RunError
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -14,10 +15,11 @@ from .terminal.progress import progress, waiting
 from .terminal.stores import require_processes
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from rich.console import RenderableType
 
+    from ..borisov_mamaev import Remark
     from ..borisov_mamaev.audit import Judgement
 
 #: Of the paper.
@@ -35,12 +37,20 @@ def command(
     workers: Annotated[
         int | None, typer.Option(help="Number of processes; default: one for each processor.")
     ] = None,
+    remarks_alone: Annotated[
+        bool,
+        typer.Option(
+            "--remarks", help="List the statements that are not computed; judge no claims."
+        ),
+    ] = False,
     force: Force = False,
     json: Json = False,
 ) -> None:
     """Judge every claim of Borisov and Mamaev (2008); exit 1 if a corrected one is refuted."""
     from ..errors import InputError
 
+    if remarks_alone and (output is not None or workers is not None):
+        raise InputError("--remarks judges no claims: leave out --output and --workers")
     if workers is not None:
         require_processes(workers)
     if output is not None:
@@ -52,16 +62,26 @@ def command(
             f"--section {section}: the audit covers sections {SECTIONS[0]} to {SECTIONS[-1]}"
         )
     with waiting("reading the claims of the paper"):
-        from ..borisov_mamaev.audit import audit, page
+        from ..borisov_mamaev.audit import audit, page, remarks_by_section
+
+        remarks = remarks_by_section(section)
+    if remarks_alone:
+        if json:
+            print_json({"remarks": _remark_records(remarks)})
+        else:
+            _print_remarks(remarks)
+        return
 
     with results_on_interrupt("the verdicts reached so far are about to be printed"):
         with progress("judging the claims of the paper") as report:
             judgements, left = audit(section, workers, report)
         with beside(output):
             if json:
-                print_json([judgement.record() for judgement in judgements])
+                records = [judgement.record() for judgement in judgements]
+                print_json({"claims": records, "remarks": _remark_records(remarks)})
             else:
                 _print(judgements)
+                _print_number_of_remarks(remarks, section)
         # a page of some claims alone would stand in the way of the command that goes on
         if output is not None and not left:
             with output_file(output) as place:
@@ -93,6 +113,57 @@ def _print(judgements: Sequence[Judgement]) -> None:
     for form, label in (("printed", "as printed"), ("corrected", "corrected")):
         listed = ", ".join(f"{n} {decision}" for decision, n in numbers[form].items())
         shown.print(f"{label}: {listed}")
+
+
+def _print_number_of_remarks(remarks: Mapping[int, Sequence[Remark]], section: int | None) -> None:
+    """How many statements are not computed, and how to see them."""
+    number = sum(len(found) for found in remarks.values())
+    chosen = "" if section is None else f" --section {section}"
+    if number:
+        console().print(
+            f"{number} further statements, of literature or judgement, were not computed: "
+            f"chaplygin audit{chosen} --remarks"
+        )
+
+
+def _print_remarks(remarks: Mapping[int, Sequence[Remark]]) -> None:
+    from rich.markup import escape
+    from rich.padding import Padding
+
+    from ..borisov_mamaev.audit import TITLES, judged_findings
+    from ..printing.plain_text import plain_words
+    from .prove import coloured_decision
+
+    shown = console()
+    for section, found in remarks.items():
+        shown.print(f"\n[bold]§{section} {TITLES[section]}[/]")
+        for remark in found:
+            words = [plain_words(text) for text in (remark.statement, remark.reason)]
+            shown.print(f"\n[bold]{escape(plain_words(remark.source))}[/]")
+            shown.print(Padding(escape(words[0]), (0, 0, 0, 2), expand=False))
+            shown.print(Padding(f"[dim]{escape(words[1])}[/]", (0, 0, 0, 2), expand=False))
+            for finding, verdict in judged_findings(remark):
+                text = f"{coloured_decision(verdict.decision)} here: {escape(finding.statement)}"
+                place = f" (docs/open-problems.md, {finding.key})"
+                shown.print(Padding(text + place, (0, 0, 0, 2), expand=False))
+
+
+def _remark_records(remarks: Mapping[int, Sequence[Remark]]) -> list[dict[str, Any]]:
+    """Remarks for another program, with what is decided here of open questions."""
+    from ..borisov_mamaev.audit import judged_findings
+
+    return [
+        {
+            "section": section,
+            **asdict(remark),
+            "findings": [
+                {"row": finding.key, "statement": finding.statement, "verdict": verdict.statement}
+                for finding, verdict in judged_findings(remark)
+            ],
+        }
+        for section, found in remarks.items()
+        for remark in found
+    ]
 
 
 def _claim_block(judgement: Judgement, wide: bool) -> RenderableType:
@@ -137,7 +208,11 @@ def _remarks(judgement: Judgement) -> Iterator[tuple[str, str]]:
         yield "corrected", plain_words(claim.correction)
     if claim.note:
         yield "note", plain_words(claim.note)
+    if claim.erratum:
+        yield "erratum", plain_words(claim.erratum)
+    if claim.argument:
+        yield "argument", plain_words(claim.argument)
     if judgement.conditions:
-        yield "where", ", ".join(judgement.conditions)
+        yield "where", plain_words(", ".join(judgement.conditions))
     if judgement.reason:
         yield "undecided", judgement.reason

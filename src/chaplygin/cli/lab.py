@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from ..interruption import EXIT_CODE, message_on_interrupt
+from ..interruption import exit_code, message_on_interrupt
 from .terminal.options import Override, is_name, study_of
 from .terminal.progress import waiting
 
@@ -81,4 +81,4 @@ def command(
             serve(folder, name, port, announce)
     except KeyboardInterrupt:
         # no worker is left, and the libraries take a second to be unloaded
-        os._exit(EXIT_CODE)
+        os._exit(exit_code())

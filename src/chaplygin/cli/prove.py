@@ -29,7 +29,13 @@ if TYPE_CHECKING:
     from ..core.system import System
     from ..proof.verdict import Verdict
 
-COLOURS = {"proven": "green", "proven where": "cyan", "refuted": "red", "undecided": "yellow"}
+COLOURS = {
+    "proven": "green",
+    "proven where": "cyan",
+    "refuted": "red",
+    "undecided": "yellow",
+    "refused": "magenta",
+}
 
 
 def command(
@@ -52,7 +58,7 @@ def command(
     """Prove or refute the laws of a system; exit 1 unless all are proven without conditions.
 
     The exit status is 1 if any law is refuted, undecided, or proven only where a
-    condition holds.
+    condition holds, and 2 if one is refused because it states nothing.
     """
     allowed = operations(effort)
     if certificate is not None:
@@ -73,6 +79,8 @@ def command(
             "and the same command resumes"
         )
         raise typer.Exit(EXIT_CODE)
+    if any(attempt.verdict.decision == "refused" for attempt in done):
+        raise typer.Exit(2)
     if not all(attempt.verdict for attempt in done):
         raise typer.Exit(1)
 
@@ -89,17 +97,15 @@ class _Attempt(NamedTuple):
 def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool) -> list[_Attempt]:
     """The verdicts, or those until an interruption."""
     from ..proof.certificates.certificate import prove_with_certificate
-    from ..proof.prover import prove
+    from ..proof.prover import judgement_of, prove
 
     done: list[_Attempt] = []
     try:
         with progress("proving") as report:
             for count, (system, law) in enumerate(claims):
                 report.say(f"proving {law.name}, {count + 1} of {len(claims)}")
-                if certificates:
-                    verdict = prove_with_certificate(system, law, effort)
-                else:
-                    verdict = prove(system, law, effort=effort)
+                prover = prove_with_certificate if certificates else prove
+                verdict = judgement_of(prover, system, law, effort)
                 wrong = law.as_printed
                 printed = None if wrong is None else prove(system, wrong, effort=effort)
                 done.append(_Attempt(system, law, verdict, printed))
@@ -251,9 +257,12 @@ def _write(path: Path, verdicts: list[Verdict]) -> None:
     inform(f"certificates of {len(own)} of {len(verdicts)} laws: {name_of(path)}")
     for verdict in by_theorem:
         count = len(verdict.identities)
+        if verdict.in_ranges:
+            inform(f"{verdict.law} has {count} certificates, one for each range of its parameters")
+            continue
         what = f"{count} identities are" if count > 1 else "1 identity is"
         inform(f"{verdict.law} follows from a theorem, of which {what} certified")
     for verdict in verdicts:
         if verdict.certificate is None and not verdict.identities:
-            why = verdict.no_certificate or "it is undecided"
+            why = verdict.no_certificate or f"it is {verdict.decision}"
             inform(f"no certificate of {verdict.law}: {why}")

@@ -1,15 +1,12 @@
-"""Display of systems and formulas.
-
-The printers import this folder.  They are looked up by name at the first display, so that no import
-leads back to them.
-"""
+"""Display of systems and formulas, by printers that this folder does not know."""
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import Protocol, cast
 
 import sympy as sp
+
+from ..displays import printers
 
 
 class _Printer(Protocol):
@@ -26,13 +23,21 @@ class _FormulaPrinter(Protocol):
     def latex(self, formula: sp.Basic) -> str: ...
 
 
-def _printer() -> _Printer:
-    return cast(_Printer, import_module("chaplygin.printing.system"))
+class _Printers(Protocol):
+    @property
+    def system(self) -> _Printer: ...
+
+    @property
+    def formula(self) -> _FormulaPrinter: ...
+
+
+def _printers() -> _Printers:
+    return cast(_Printers, printers())
 
 
 def formula_latex(formula: sp.Basic) -> str:
     """LaTeX of a formula, for SymPy's own printer, which notebooks call."""
-    return cast(_FormulaPrinter, import_module("chaplygin.printing.formula")).latex(formula)
+    return _printers().formula.latex(formula)
 
 
 class Displayed:
@@ -40,16 +45,16 @@ class Displayed:
 
     def latex(self) -> str:
         """The equations of motion as a LaTeX ``aligned`` environment."""
-        return _printer().system_latex(self)
+        return _printers().system.system_latex(self)
 
     def __repr__(self) -> str:
-        return _printer().system_line(self)
+        return _printers().system.system_line(self)
 
     def __str__(self) -> str:
-        return _printer().system_text(self)
+        return _printers().system.system_text(self)
 
     def _repr_latex_(self) -> str:
         return f"$\\displaystyle {self.latex()}$"
 
     def _repr_html_(self) -> str:
-        return _printer().system_html(self)
+        return _printers().system.system_html(self)

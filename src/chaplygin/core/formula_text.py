@@ -44,7 +44,8 @@ class _ReprPrinter(_OncePrinter, ReprPrinter):
 
 
 class _StrPrinter(_OncePrinter, StrPrinter):
-    pass
+    def _print_Exp1(self, expr: sp.Basic) -> str:
+        return "exp(1)"
 
 
 def exact_text(value: object) -> str:
@@ -59,7 +60,7 @@ def exact_text(value: object) -> str:
 
 
 def short_text(formula: sp.Basic) -> str:
-    """The text of `str`.
+    """The text of `str`, but for the number e, which is ``exp(1)``: E may be a name.
 
     Examples
     --------

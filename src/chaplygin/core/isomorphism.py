@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -23,7 +23,8 @@ class Isomorphism(Law):
     `constants` that depend on the state have fixed values.  On almost all of every level the map
     is a local diffeomorphism onto the phase space of the target, which is cut out by the relations
     of the target and by `onto`: its differential is injective, and both have one dimension.
-    dτ/dt is real and positive.
+    dτ/dt is real and positive, and the parameters of the target are admissible; where they are
+    not, nothing is said.
 
     Parameters
     ----------
@@ -83,3 +84,9 @@ class Isomorphism(Law):
             )
         if twice := repeated_name(named):
             raise InputError(f"the law {self.name!r}: its {part} names {twice} twice")
+
+
+def with_any_parameters(system: System) -> System:
+    """A system as equations alone, whatever its parameters: a target without a body behind it."""
+    free = tuple(replace(p, admissible=()) for p in system.parameters)
+    return replace(system, parameters=free)

@@ -17,15 +17,15 @@ change the program as well.  An untrusted file is no error: its content is compu
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import logging
 import os
 import stat
 import sys
-import tempfile
 from functools import cache
 from pathlib import Path
+
+from ..partial_files import partial_file
 
 _OTHERS = stat.S_IWGRP | stat.S_IWOTH
 #: Flags with which a link is not followed and a pipe is not waited for.
@@ -80,20 +80,15 @@ def read_private(path: Path) -> bytes | None:
 
 def write_private(path: Path, content: bytes) -> bool:
     """Write a file, which appears complete or not at all; return whether that was possible."""
-    temporary = None
     try:
         _create(path.parent)
         folder = _trusted_folder(path.parent)
         if folder is None:
             return False
-        with tempfile.NamedTemporaryFile(dir=folder, delete=False) as stream:
-            temporary = Path(stream.name)
-            stream.write(_seal(path, content) + b"\n" + content)
-        temporary.replace(folder / path.name)
+        with partial_file(folder) as temporary:
+            temporary.write_bytes(_seal(path, content) + b"\n" + content)
+            temporary.replace(folder / path.name)
     except (OSError, ValueError):
-        if temporary is not None:
-            with contextlib.suppress(OSError):
-                temporary.unlink(missing_ok=True)
         return False
     return True
 

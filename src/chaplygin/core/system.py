@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ..arguments import Formula, NamedFormulas, arguments_checked
-from ..errors import InputError
+from ..errors import InputError, require_label
 from .display import Displayed
 from .laws import Integral, Law
 from .named_formulas import Pairs, as_pairs, expand, needed_steps, require_names
@@ -324,11 +324,10 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
-        for item in self.parameters:
-            if not math.isfinite(item.default):
-                raise InputError(
-                    f"{self.name}: {item.symbol} = {item.default} must be a finite number"
-                )
+        require_label(self.name, self.title)
+        for p in self.parameters:
+            if not math.isfinite(p.default):
+                raise InputError(f"{self.name}: {p.symbol} = {p.default} must be a finite number")
         names = [p.symbol for p in self.parameters] + [
             *self.symbols,
             *(s for s, _ in self.scalar_definitions),

@@ -104,6 +104,7 @@ def closed_form_trajectory(
         recorded_values(system, states),
         (),
         Statistics(
+            method=f"none: closed form, {solution.form.title}",
             steps=0,
             order=0,
             tolerance=float(np.finfo(float).eps),
@@ -121,7 +122,6 @@ def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Data
     start = zip(trajectory.system.symbols, study.start, strict=False)
     return closed.assign_attrs(
         start="; ".join(f"{symbol} = {float(value)!r}" for symbol, value in start),
-        integrator=f"none: closed form, {solution.form.title}",
         motion=solution.form.motion,
     )
 

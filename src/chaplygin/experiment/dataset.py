@@ -138,7 +138,7 @@ def to_dataset(
         "events": "\n".join(map(str, trajectory.events)),
         "tolerance": statistics.tolerance,
         "precision": statistics.precision,
-        "integrator": f"Taylor series of order {statistics.order}, {statistics.steps} steps",
+        "integrator": statistics.integrator,
         "versions": ", ".join(
             f"{name} {version(name)}" for name in ("chaplygin", "llvmlite", "numpy", "sympy")
         ),

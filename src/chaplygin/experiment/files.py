@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 import stat
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from ..errors import InputError
+from ..partial_files import partial_file, umask
 
 #: Kinds of files that are no regular files, with the tests for them.
 _OTHERS = (
@@ -94,28 +94,15 @@ def atomic_file(target: Path) -> Iterator[Path]:
     InputError
         If it cannot be written (a protected folder, a full disk, no regular file).
     """
-    temporary = None
     try:
         place = target.resolve()
-        handle, name = tempfile.mkstemp(dir=place.parent, prefix=".", suffix=".partial")
-        os.close(handle)
-        temporary = Path(name)
-        yield temporary
-        if place.exists():
-            _check_replaced(target, place.stat(), force=True)
-            temporary.chmod(stat.S_IMODE(place.stat().st_mode))
-        else:
-            temporary.chmod(0o666 & ~umask())
-        temporary.replace(place)
+        with partial_file(place.parent) as temporary:
+            yield temporary
+            if place.exists():
+                _check_replaced(target, place.stat(), force=True)
+                temporary.chmod(stat.S_IMODE(place.stat().st_mode))
+            else:
+                temporary.chmod(0o666 & ~umask())
+            temporary.replace(place)
     except OSError as problem:
         raise InputError(f"{target} cannot be written: {problem.strerror or problem}") from problem
-    finally:
-        if temporary is not None:
-            temporary.unlink(missing_ok=True)
-
-
-def umask() -> int:
-    """The permissions that new files are to lack."""
-    current = os.umask(0)
-    os.umask(current)
-    return current

@@ -5,13 +5,13 @@ from __future__ import annotations
 import csv
 import io
 import shutil
-import tempfile
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import InputError
-from .files import atomic_file, check_replaced_store, check_target, umask
+from ..partial_files import partial_folder
+from .files import atomic_file, check_replaced_store, check_target
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -127,15 +127,11 @@ def csv_text(dataset: xr.Dataset) -> str:
 def _save_zarr(dataset: xr.Dataset, path: Path) -> None:
     """The store is filled under another name first."""
     try:
-        provisional = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}."))
-        try:
+        with partial_folder(path.parent) as provisional:
             dataset.to_zarr(provisional, mode="w", zarr_format=2, consolidated=True)
-            provisional.chmod(0o777 & ~umask())
             if path.exists():
                 shutil.rmtree(path)
             provisional.replace(path)
-        finally:
-            shutil.rmtree(provisional, ignore_errors=True)
     except OSError as problem:
         raise InputError(f"{path} cannot be written: {problem.strerror or problem}") from problem
 

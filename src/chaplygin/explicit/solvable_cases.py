@@ -31,7 +31,7 @@ from ..mechanics.rolling.equations import Rolling
 from .base.no_closed_form import CIRCULATIONS, Condition, degenerate, refusal
 from .base.problem import Problem, rational, same_field
 from .base.solution import Solution
-from .change_of_symbols import in_symbols_of, translation
+from .genus_two.change_of_symbols import in_symbols_of, translation
 from .genus_two.separation import SeparatedSystem
 from .principal_axes import about_fixed_point, in_principal_axes, to_original_axes
 from .recover_body import rolling_of

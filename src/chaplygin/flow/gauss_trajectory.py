@@ -87,6 +87,7 @@ def collocate(
     doubles = {symbol: float(np.asarray(value, dtype=float)) for symbol, value in constants.items()}
     recorded = recorded_values(lifted, states.astype(float), doubles)
     statistics = Statistics(
+        method="Gauss–Legendre collocation",
         steps=int(motion.steps[0]),
         order=16 if digits == 16 else 32,
         tolerance=1e-16 if digits == 16 else 1e-30,

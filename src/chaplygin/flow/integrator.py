@@ -102,6 +102,8 @@ def integrate(
     """
     if time_limit is not None and not time_limit > 0:
         raise InputError(f"time_limit = {time_limit}: it must be a positive number of seconds")
+    if not system.state:
+        raise InputError(f"{system.name}: a system without state has no motion")
     start = whole_start(system, start, parameters)
     if method == "gauss":
         for name, value in (
@@ -151,6 +153,7 @@ def integrate(
     trajectory = run.finish(
         log,
         Statistics(
+            method="Taylor series",
             steps=log.steps,
             order=code.series.order,
             tolerance=tolerance,

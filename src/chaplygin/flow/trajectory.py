@@ -32,6 +32,13 @@ class UnknownVariableError(InputError, KeyError):
     """A name that no quantity of a motion has; a KeyError too, as of any mapping."""
 
 
+def _read_only(array: WorkingArray) -> WorkingArray:
+    """A view of an array that cannot be written into."""
+    view = array.view()
+    view.flags.writeable = False
+    return view
+
+
 def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArray[Number]:
     """A variable of states (n, size) by name: (n, components), (n,) for a scalar.
 
@@ -91,8 +98,27 @@ class Event:
 
 @dataclass(frozen=True)
 class Statistics:
-    """Method, cost and accuracy of an integration."""
+    """Method, cost and accuracy of an integration.
 
+    Attributes
+    ----------
+    method : str
+        The method in words, such as ``"Taylor series"``; whoever computes the motion names it.
+    steps, order : int
+        0 for a closed form, which takes no steps.
+    tolerance : float
+        Relative, of one step.
+    precision : str
+        ``"double"`` or ``"quad"``.
+    corrections : int
+        Projections onto the phase space.
+    seconds : float
+        Of computing.
+    from_cache : bool
+        Whether the machine code was compiled before.
+    """
+
+    method: str
     steps: int
     order: int
     tolerance: float
@@ -100,6 +126,13 @@ class Statistics:
     corrections: int
     seconds: float
     from_cache: bool
+
+    @property
+    def integrator(self) -> str:
+        """The method with its order and the number of its steps."""
+        if not self.steps:
+            return self.method
+        return f"{self.method} of order {self.order}, {self.steps} steps"
 
 
 @dataclass(frozen=True)
@@ -149,7 +182,7 @@ def require_pieces(pieces: int) -> None:
 
 @dataclass(frozen=True, repr=False)
 class Trajectory(WithOverview):
-    """States and observables of a system along one motion.
+    """States and observables of a system along one motion; its arrays are read-only.
 
     Attributes
     ----------
@@ -185,6 +218,12 @@ class Trajectory(WithOverview):
     events: tuple[Event, ...]
     statistics: Statistics
     dense: DenseOutput | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "times", _read_only(self.times))
+        object.__setattr__(self, "states", _read_only(self.states))
+        records = {name: _read_only(record) for name, record in self.records.items()}
+        object.__setattr__(self, "records", records)
 
     def __getitem__(self, name: str) -> WorkingArray:
         """A state variable or an observable by name."""

@@ -294,13 +294,15 @@ class Evaluator(Evaluation[Jet]):
             return self(_as_ratio(formula))
         if isinstance(formula, sp.sinh | sp.cosh | sp.tanh):
             return self(formula.rewrite(sp.exp))
+        if isinstance(formula, sp.acos):
+            return self(sp.pi / 2 - sp.asin(formula.args[0]))
         if not (formula.args and formula.is_Function):
             raise OutOfReachError(f"{formula}, which is no real number or function of the state")
         inner = [self(part) for part in formula.args]
         values = [jet.value for jet in inner]
         one = field.one
         if isinstance(formula, sp.log):
-            return inner[0].through(field.function_value("log", values), one / values[0])
+            return inner[0].through(field.logarithm(values[0]), one / values[0])
         if isinstance(formula, sp.atan2):
             upper, lower = inner
             square = lower.value * lower.value + upper.value * upper.value
@@ -309,12 +311,9 @@ class Evaluator(Evaluation[Jet]):
         x = values[0]
         if isinstance(formula, sp.atan):
             return inner[0].through(field.function_value("atan", values), one / (one + x * x))
-        if isinstance(formula, sp.asin | sp.acos):
+        if isinstance(formula, sp.asin):
             root = field.root(one - x * x, 2)
-            sign = one if isinstance(formula, sp.asin) else field.zero - one
-            return inner[0].through(
-                field.function_value(type(formula).__name__, values), sign / root
-            )
+            return inner[0].through(field.function_value("asin", values), one / root)
         if isinstance(formula, sp.Abs):
             raise OutOfReachError("an absolute value; write it with a square root")
         raise OutOfReachError(
@@ -322,21 +321,29 @@ class Evaluator(Evaluation[Jet]):
         )
 
     def _circular(self, formula: sp.Expr) -> Jet:
-        angle = formula.args[0]
-        spread = sp.expand_trig(formula) if _few_multiples(angle) else formula
+        spread = _in_parts(formula, self.field.angle_parts)
         if spread != formula:
             return self(spread)
-        inner = self(angle)
+        inner = self(formula.args[0])
         sine, cosine = self.field.circle(inner.value)
         if isinstance(formula, sp.sin):
             return inner.through(sine, cosine)
         return inner.through(cosine, self.field.zero - sine)
 
 
-def _few_multiples(angle: sp.Expr) -> bool:
-    """Whether sine and cosine of the multiples in an angle are short polynomials."""
-    factors = (term.as_coeff_Mul()[0] for term in sp.Add.make_args(sp.expand(angle)))
-    return all(abs(factor) <= MOST_MULTIPLES for factor in factors)
+def angle_terms(formula: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
+    """The terms of the angle of a sine or cosine: numbers, and what they are multiples of."""
+    return [term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(formula.args[0]))]
+
+
+def _in_parts(formula: sp.Expr, angle_parts: Mapping[sp.Expr, int]) -> sp.Expr:
+    """A sine or cosine as a polynomial in those of parts of its angle, where that is short."""
+    terms = [(number * angle_parts.get(t, 1), t) for number, t in angle_terms(formula)]
+    if any(abs(number) > MOST_MULTIPLES for number, _ in terms):
+        return formula
+    parts = {t: sp.Dummy(real=True) for _, t in terms}
+    spread = sp.expand_trig(formula.func(sp.Add(*(number * parts[t] for number, t in terms))))
+    return spread.xreplace({part: t / angle_parts.get(t, 1) for t, part in parts.items()})
 
 
 def _as_ratio(formula: sp.Expr) -> sp.Expr:

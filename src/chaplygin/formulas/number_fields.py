@@ -9,6 +9,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
+from types import MappingProxyType
 from typing import Any, NoReturn, TypeAlias
 
 import sympy as sp
@@ -57,6 +58,8 @@ class Rationals:
 
     exact = True
     one, zero = fmpq(1), fmpq(0)
+    #: Into how many parts angles are divided; nothing is gained by it at a point.
+    angle_parts: Mapping[sp.Expr, int] = MappingProxyType({})
 
     def __init__(self, values: Mapping[str, Element]) -> None:
         self.values: dict[str, fmpq] = dict(values)
@@ -98,6 +101,10 @@ class Rationals:
         """The exponential."""
         raise NotExactError
 
+    def logarithm(self, element: fmpq) -> NoReturn:
+        """The logarithm."""
+        raise NotExactError
+
     def pi(self) -> NoReturn:
         """The number π."""
         raise NotExactError
@@ -124,6 +131,7 @@ class Balls:
     """
 
     exact = False
+    angle_parts: Mapping[sp.Expr, int] = MappingProxyType({})
 
     def __init__(self, values: Mapping[str, Element]) -> None:
         self.values = {name: arb(value) for name, value in values.items()}
@@ -170,6 +178,10 @@ class Balls:
     def exponential(self, element: arb) -> arb:
         """The exponential."""
         return element.exp()
+
+    def logarithm(self, element: arb) -> arb:
+        """The logarithm; ZeroDivisionError where it has none."""
+        return self.function_value("log", [element])
 
     def pi(self) -> arb:
         """The number π."""

@@ -123,8 +123,7 @@ class Scalars:
         for operator, operand in chain(node, (ast.Mult, ast.Div)):
             value = self.read(operand, depth + 1)
             if isinstance(operator, ast.Div):
-                if value.is_zero:
-                    raise self.error("division by zero", operand)
+                self.check_divisor(value, operand)
                 value = 1 / value
             factors.append(value)
         return sympy.Mul(*factors)
@@ -152,6 +151,16 @@ class Scalars:
         if name == "exp":
             self.check_exponent(arguments[0], node)
         return FUNCTIONS[name](*arguments)
+
+    def check_divisor(self, value: sympy.Expr, node: ast.expr) -> None:
+        """Refuse zero, and a number without symbols that no number of digits tells from zero."""
+        zero = value.is_zero
+        if zero is None and not value.free_symbols:
+            zero = value.equals(0)
+            if zero is None and abs(sympy.N(value)) * MAX_CONSTANT < 1:
+                raise self.error("division by a number that cannot be told from zero", node)
+        if zero:
+            raise self.error("division by zero", node)
 
     def check_exponent(self, exponent: sympy.Expr, node: ast.expr) -> None:
         """Refuse numbers of which SymPy, computing exactly, would make astronomic ones."""

@@ -33,6 +33,8 @@ _SHAPE = MappingProxyType({"(": "parenthesis", "[": "bracket"})
 _EXCERPT = 72
 
 TOO_DEEP = "the formula is nested too deeply"
+LONG_SUM = 500
+"""Terms that Python's own parser can read in any place."""
 
 
 @dataclass(frozen=True)
@@ -104,7 +106,7 @@ def syntax_tree(source: Source) -> ast.expr:
         message = "the formula cannot be read from here on"
         raise source.error(message, min(max(position, 0), len(line))) from None
     except (RecursionError, MemoryError):
-        raise source.error(TOO_DEEP, 0) from None
+        return _long_sum(source, line, tokens)
 
 
 def _tokens(source: Source) -> list[_Token]:
@@ -159,12 +161,54 @@ def _check_parentheses(source: Source, tokens: Sequence[_Token]) -> None:
         raise source.error(f"this {_SHAPE[last.word]} is never closed", last.position)
 
 
+def _terms(tokens: Sequence[_Token]) -> list[tuple[str, int, int]]:
+    """The terms of a sum: the operator before each (empty at first), where it begins and ends."""
+    terms: list[tuple[str, int, int]] = []
+    depth, operator, begin, previous = 0, "", 0, ""
+    for token in tokens:
+        depth += (token.word in _SHAPE) - (token.word in _CLOSING)
+        if depth == 0 and token.word in ("+", "-") and _ends_value(previous):
+            terms.append((operator, begin, token.position))
+            operator, begin = token.word, token.position + 1
+        previous = token.word
+    last = tokens[-1]
+    return [*terms, (operator, begin, last.position + len(last.word))]
+
+
+def _long_sum(source: Source, line: str, tokens: Sequence[_Token]) -> ast.expr:
+    """The tree of a sum of so many terms that Python's parser gives up; each is read by itself."""
+    terms = _terms(tokens)
+    if len(terms) < LONG_SUM:
+        raise source.error(TOO_DEEP, 0)
+    whole: ast.expr | None = None
+    for operator, begin, end in terms:
+        try:
+            term = ast.parse(f"({line[begin:end]})", mode="eval").body
+        except (RecursionError, MemoryError):
+            raise source.error(TOO_DEEP, begin) from None
+        for node in ast.walk(term):
+            if isinstance(node, ast.expr):
+                node.col_offset += begin
+                node.end_col_offset = (node.end_col_offset or 0) + begin
+        if whole is None:
+            whole = term
+        else:
+            sign = ast.Add() if operator == "+" else ast.Sub()
+            place = {"lineno": 1, "col_offset": whole.col_offset}
+            whole = ast.BinOp(whole, sign, term, **place, end_col_offset=term.end_col_offset)
+    assert whole is not None
+    return whole
+
+
+def _ends_value(word: str) -> bool:
+    return word != "" and (word[-1].isalnum() or word[-1] in "_).]")
+
+
 def _value_meets_value(source: Source, previous: str, word: str) -> bool:
     """Whether two values follow each other without an operator: ``2x``, ``x (y + 1)``."""
     if word == "(" and (previous in FUNCTIONS or (source.brackets and previous in PRODUCTS)):
         return False
-    ends_value = previous != "" and (previous[-1].isalnum() or previous[-1] in "_).]")
-    return ends_value and (word[0].isalnum() or word[0] in "_(.[")
+    return _ends_value(previous) and (word[0].isalnum() or word[0] in "_(.[")
 
 
 def chain(node: ast.BinOp, operators: tuple[type, ...]) -> list[tuple[ast.operator, ast.expr]]:

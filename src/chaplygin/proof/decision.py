@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import sympy as sp
 
@@ -38,12 +38,14 @@ from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim, polynomial_problems
 from .level.positivity_conditions import positive_formulas, sign_determining_bases
 from .level.sample_points import moderate_number, number_near_default
-from .random_test import Trial, point_of_reversed_time, trials
+from .level.target_conditions import is_admissible_target, open_conditions
+from .random_test import Trial, is_nowhere, point_of_reversed_time, trials
 from .rank import DIMENSION
 from .remarks import remark
+from .residuals import conditions_are_independent
 from .symbolic_proof import Proof, proof
 from .verdict import Verdict
-from .witness_points import Witness, witness, witness_point
+from .witness_points import Witness, point_shown, witness, witness_point
 
 FURTHER = (number_near_default,) * 6 + (moderate_number,) * 40
 """Points tried where a remainder is left, before a law is called undecided."""
@@ -51,6 +53,14 @@ FURTHER = (number_near_default,) * 6 + (moderate_number,) * 40
 
 NOTHING = Proof(0)
 NOWHERE = "no point was found at which the density is real"
+NO_VOLUME = (
+    "the conditions of the level cut out no volume: their gradients depend on each other at every "
+    "point tried"
+)
+NO_TARGET = "the parameters that it gives its target are not admissible there at any point tried"
+
+
+NOT_CONFIRMED = "fails at a point tried, which the check of certificates does not confirm"
 
 
 @dataclass(frozen=True)
@@ -123,9 +133,12 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
         return _refutation(law, failed[0], parts)
     open_parts = [part for part in parts if part.proof.failure]
     proven = [part for part in parts if part.proof.residuals and not part.proof.failure]
-    nowhere = all(part.proof.failure == NOWHERE for part in open_parts)
+    nowhere = all(part.proof.failure in (NOWHERE, NO_VOLUME, NO_TARGET) for part in open_parts)
     if not nowhere and (not proven or any(not part.defining_factors for part in open_parts)):
         return Verdict(law.name, "undecided", reason=open_parts[0].proof.failure)
+    for reason in (NO_VOLUME, NO_TARGET) if not proven else ():
+        if any(part.proof.failure == reason for part in open_parts):
+            raise InputError(f"{system.name}: the law {law.name!r} states nothing: {reason}")
     if not proven:
         raise InputError(
             f"{system.name}: the law {law.name!r} divides by zero, or takes a root of a "
@@ -165,7 +178,9 @@ class _Checker:
                 return None
         except (CheckError, UndefinedError):
             return None
-        return _Part((), trial=trial, point=level.point_shown(trial.field), witness=confirmed)
+        return _Part(
+            (), trial=trial, point=point_shown(claim, level, trial.field), witness=confirmed
+        )
 
     def _beyond(self, claim: Claim, level: LevelSet, trial: Trial) -> bool:
         """Whether the check has the point, but not the residual, which it does not know.
@@ -190,16 +205,19 @@ def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker)
         yield _Part(alternative.defining_factors, Proof(0, failure=str(reason)))
         return
     for claim in claims:
-        levels = _components(claim.system, claim.law.on)
+        try:
+            levels = _components(claim.system, claim.law.on)
+        except OutOfReachError as reason:
+            raise type(reason)(claim.original_words(str(reason))) from None
         for level in levels:
             part = _on(level, claim, budget, checker)
-            yield replace(
-                part, defining_factors=(*alternative.defining_factors, *level.defining_factors)
-            )
+            own = map(claim.original, level.defining_factors)
+            yield replace(part, defining_factors=(*alternative.defining_factors, *own))
             if part.trial is not None or (part.proof.failure and not level.defining_factors):
                 return
         for excluded in claim.excluded_zeros:
-            yield _Part((*alternative.defining_factors, excluded), Proof(0, failure="not decided"))
+            defining_factors = (*alternative.defining_factors, claim.original(excluded))
+            yield _Part(defining_factors, Proof(0, failure="not decided"))
 
 
 @memory(16)
@@ -215,6 +233,7 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
     law = claim.law
     sample: dict[str, float] | None = None
     first: Trial | None = None
+    contested = ""
     # a rank is that at almost all points, not the one where an initial vanishes
     attained = level.parent is not None
     for trial in trials(law, points):
@@ -222,10 +241,11 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
             refuted = checker.refutation(claim, points, trial)
             if refuted is not None:
                 return refuted
+            contested = f"{trial.witness[0]} {NOT_CONFIRMED}"
             continue
         if trial.lack is not None and trial.lack[0] == DIMENSION:
             failed = replace(trial, witness=trial.lack)
-            return _Part((), trial=failed, point=points.point_shown(trial.field))
+            return _Part((), trial=failed, point=point_shown(claim, points, trial.field))
         first = first or trial
         sample = sample or {name: float(value) for name, value in trial.field.values.items()}
         attained = attained or trial.lack is None
@@ -235,25 +255,47 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
             refuted = checker.refutation(claim, points, last)
             if refuted is not None:
                 return refuted
+        if isinstance(law, Measure) and is_nowhere(points, conditions_are_independent):
+            return _Part((), Proof(0, failure=NO_VOLUME))
+        if isinstance(law, Isomorphism) and is_nowhere(points, partial(is_admissible_target, law)):
+            return _Part((), Proof(0, failure=NO_TARGET))
         if isinstance(law, Measure) and positive_formulas(law, level):
             return _Part((), Proof(0, failure=NOWHERE))
     outcome = proof(law, level, sample, budget, attained)
     if outcome.lack is not None and first is not None:
         failed = replace(first, witness=outcome.lack)
-        return _Part((), trial=failed, point=points.point_shown(first.field))
+        return _Part((), trial=failed, point=point_shown(claim, points, first.field))
     if outcome.failure or outcome.conditions:
         for trial in trials(law, points, FURTHER):
             refuted = trial.witness and checker.refutation(claim, points, trial)
             if refuted:
                 return refuted
-    return _Part((), outcome, needs=_needs(law, level), remark=_remark(law, level, first))
+    if contested and not outcome.failure:
+        outcome = replace(outcome, failure=contested)
+    words = claim.original_words
+    return _Part(
+        (),
+        replace(
+            outcome,
+            conditions=tuple(map(words, outcome.conditions)),
+            failure=words(outcome.failure),
+        ),
+        needs=tuple((words(need), words(formula)) for need, formula in _needs(law, level)),
+        remark=words(_remark(law, level, first)),
+    )
 
 
 def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:
-    """Time must run forward: rates of time not known to be positive, in words and as formulas."""
-    if not isinstance(law, Isomorphism) or level.sign(to_components(law.time)) is Sign.POSITIVE:
+    """What an isomorphism needs and what is not known to hold, in words and as formulas.
+
+    Time must run forward, and the parameters of the target must be admissible.
+    """
+    if not isinstance(law, Isomorphism):
         return ()
-    return tuple(
+    admissible = tuple((text(c), str(c)) for c in open_conditions(law, level))
+    if level.sign(to_components(law.time)) is Sign.POSITIVE:
+        return admissible
+    return admissible + tuple(
         (f"{what} > 0", f"{formula} > 0")
         for what, formula in positive_formulas(law, level)
         if level.sign(formula) is not Sign.POSITIVE

@@ -13,6 +13,7 @@ import sympy as sp
 from ..check.claim.claim import Claim as CheckedClaim
 from ..check.claim.domain import GRAM, domain
 from ..check.claim.formulas import Formula, parse
+from ..core.formula_text import short_text
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Identity, Law, Rate, Reduction
 from ..formulas.errors import OutOfReachError, UnknownSymbolError
@@ -33,7 +34,8 @@ def divisors(
 ) -> Iterator[Divisor]:
     """All divisors and radicands of a law, apart from those that have no value in the field."""
     settled = {
-        str(s): parse(str(v), "a settled parameter") for s, v in level.fixed_parameters.items()
+        str(s): parse(short_text(v), "a settled parameter")
+        for s, v in level.fixed_parameters.items()
     }
     own_domain = domain(claim, settled)
     positive = dict.fromkeys(
@@ -70,7 +72,7 @@ def _value(level: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: E
 
     def value(formula: Formula) -> tuple[str, Element]:
         made_of = sympy_formula(formula, table)
-        return str(made_of), evaluate.value(level.without_second_rates(made_of, quantities))
+        return short_text(made_of), evaluate.value(level.without_second_rates(made_of, quantities))
 
     return value
 
@@ -85,7 +87,7 @@ def _target(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
 
     def value(formula: Formula) -> tuple[str, Element]:
         made_of = sympy_formula(formula, table)
-        return str(made_of), there.value(made_of)
+        return short_text(made_of), there.value(made_of)
 
     return [value]
 
@@ -124,10 +126,7 @@ def sympy_formula(formula: Formula, table: Mapping[str, sp.Symbol]) -> sp.Expr:
     if formula.kind == "number":
         return sp.Rational(formula.word.numerator, formula.word.denominator)
     if formula.kind == "name":
-        constants = {"pi": sp.pi, "E": sp.E}
-        word = formula.word
-        symbol = table[word] if word in table else constants[word]
-        return symbol
+        return table.get(formula.word, sp.pi) if formula.word == "pi" else table[formula.word]
     if formula.kind == "sum":
         return sp.Add(*parts)
     if formula.kind == "product":

@@ -6,7 +6,7 @@ import contextlib
 import math
 import time
 from dataclasses import fields, replace
-from typing import overload
+from typing import Protocol, overload
 
 import sympy as sp
 
@@ -19,6 +19,7 @@ from ..formulas.errors import OutOfReachError, UnknownSymbolError
 from ..formulas.number_fields import ball_precision
 from .decision import verdict_of
 from .fields.budget import EFFORT, Budget, checked_effort
+from .theorems import identities_of, theorem_of
 from .verdict import Verdict
 from .verdict_cache import fingerprint, load_verdict, store_verdict
 
@@ -51,7 +52,8 @@ def prove(
     Raises
     ------
     InputError
-        If a law uses an unknown symbol, or its level is empty or annuls a denominator.
+        If the law uses an unknown symbol, its level is empty, or it is defined nowhere on it.  Of
+        all laws of a system, one of that kind is "refused", and the others are judged.
 
     Examples
     --------
@@ -64,7 +66,7 @@ def prove(
     """
     checked_effort(effort)
     if law is None:
-        return tuple(prove(system, each, effort=effort) for each in system.laws)
+        return tuple(judgement_of(prove, system, each, effort) for each in system.laws)
     if isinstance(law, str):
         law = _by_name(system, law)
     _check_defaults(system)
@@ -95,11 +97,20 @@ def prove(
     return verdict
 
 
-def theorem_of(system: System, law: Law) -> Theorem | None:
-    """The theorem of a system from which a law of it follows, if there is one."""
-    if law not in system.laws:
-        return None
-    return next((t for t in system.theorems if law.name in t.laws), None)
+class Prover(Protocol):
+    """What proves or refutes a law: `prove`, or `prove_with_certificate`."""
+
+    def __call__(self, system: System, law: Law, *, effort: int) -> Verdict:
+        """The verdict on a law of a system."""
+        ...
+
+
+def judgement_of(prover: Prover, system: System, law: Law, effort: int) -> Verdict:
+    """The verdict on one law among several: one that states nothing is refused by itself."""
+    try:
+        return prover(system, law, effort=effort)
+    except InputError as problem:
+        return Verdict(law.name, "refused", reason=str(problem))
 
 
 def _by_theorem(system: System, law: Law, theorem: Theorem, budget: Budget) -> Verdict:
@@ -108,9 +119,10 @@ def _by_theorem(system: System, law: Law, theorem: Theorem, budget: Budget) -> V
         verdict = verdict_of(system, law, Budget(effort=POINTS_ALONE))
         if verdict.decision != "undecided":
             return verdict
-    parts = [v for whole in theorem.identities() for v in prove(whole, effort=budget.effort)]
+    wholes = identities_of(theorem, system, law)
+    parts = [v for whole in wholes for v in prove(whole, effort=budget.effort)]
     budget.charge(sum(v.effort for v in parts))
-    if any(not part for part in parts):
+    if not parts or any(not part for part in parts):
         return verdict_of(system, law, budget)
     count = f"{len(parts)} identities are" if len(parts) > 1 else "1 identity is"
     return Verdict(law.name, "proven", finding=f"{theorem.words}; {count} certified")

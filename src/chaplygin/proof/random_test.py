@@ -17,8 +17,15 @@ from .fields.field import Field, FieldElement
 from .level.level_set import Draw, LevelSet
 from .level.positivity_conditions import unmet_conditions
 from .level.sample_points import moderate_number, number_near_default, number_of_any_magnitude
+from .level.target_conditions import is_admissible_target
 from .rank import rank_defect
-from .residuals import Residuals, condition_rates, in_words, residuals
+from .residuals import (
+    Residuals,
+    condition_rates,
+    conditions_are_independent,
+    in_words,
+    residuals,
+)
 
 ATTEMPTS = 400
 """Points looked at, for one inside the domain at which the law is defined."""
@@ -97,6 +104,20 @@ def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:
     return _first(trial_at, level, random.Random(SEED), number_near_default)
 
 
+def is_nowhere(level: LevelSet, holds: Callable[[LevelSet, Field], bool]) -> bool:
+    """Whether there are points on a level, and something holds at none of those tried."""
+    found = []
+
+    def trial_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
+        found.append(values)
+        if not holds(level, field):
+            raise ZeroDivisionError
+        return Trial(field, values)
+
+    first = _first(trial_at, level, random.Random(SEED), number_near_default)
+    return first is None and bool(found)
+
+
 def _first(
     compute: Callable[[Rationals | Balls, Mapping[str, fmpq | arb]], Trial],
     level: LevelSet,
@@ -125,6 +146,10 @@ def _trial_at(
 ) -> Trial:
     if isinstance(law, Isomorphism | Measure) and unmet_conditions(law, level, field):
         # the law makes no sense here
+        raise ZeroDivisionError
+    if not is_admissible_target(law, level, field):
+        raise ZeroDivisionError
+    if isinstance(law, Measure) and not conditions_are_independent(level, field):
         raise ZeroDivisionError
     for name, residual in all_residuals(law, level, field):
         if not field.vanishes(residual):

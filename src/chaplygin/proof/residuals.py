@@ -139,11 +139,12 @@ def _transverse(
 ) -> FieldElement:
     """The part of the divergence that points out of the phase space.
 
-    With v(F_i) = Σ C_ij F_j for the conditions F it is the trace of C.
+    With v(F_i) = Σ C_ij F_j for the conditions F it is the trace of C.  It depends on the
+    conditions as they are stated: those of a component cut out another volume.
     """
     symbols = level.system.symbols
     normals, drifts = [], []
-    for condition in level.moving:
+    for condition in level.volume_conditions:
         slopes = [partial(sp.diff(condition, s)) for s in symbols]
         drift = Jet(field.zero, {})
         for slope, rate in zip(slopes, rates, strict=True):
@@ -159,6 +160,21 @@ def _transverse(
         right = [_product(field, drifts[i], normal) for normal in normals]
         total = total + _solution(field, gram, right)[i]
     return total
+
+
+def conditions_are_independent(level: LevelSet, field: Field) -> bool:
+    """Whether the gradients of the conditions, as stated, are independent: there is a volume."""
+    partial = level.partial(field)
+    normals = [
+        [partial(sp.diff(condition, s)).value for s in level.system.symbols]
+        for condition in level.volume_conditions
+    ]
+    gram = [[_product(field, a, b) for b in normals] for a in normals]
+    try:
+        _solution(field, gram, [field.zero] * len(gram))
+    except ZeroDivisionError:
+        return False
+    return True
 
 
 def _product(field: Field, first: Row, second: Row) -> FieldElement:

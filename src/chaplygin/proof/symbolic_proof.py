@@ -24,6 +24,7 @@ from .fields.formal_roots import FormalRoots
 from .fields.function_field import FunctionField
 from .fields.quotient_ring import Element
 from .level.level_set import LevelSet
+from .level.trigonometric import angle_parts
 from .random_test import all_residuals
 from .rank import rank_defect
 from .residuals import in_words
@@ -138,6 +139,7 @@ def _run(
     spare = 8
     while True:
         field = level.fractions(kind, spare, sample, budget, signs)
+        field.angle_parts = angle_parts(level.system, law)
         run = _Run(field)
         try:
             run.residuals, run.failure = _zero_residuals(law, level, field)

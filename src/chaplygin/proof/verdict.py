@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from ..core.overview import Overview, WithOverview
 
-Decision = Literal["proven", "proven where", "refuted", "undecided"]
+Decision = Literal["proven", "proven where", "refuted", "undecided", "refused"]
 
 
 NOT_TRIED = "not tried"
@@ -22,10 +22,11 @@ class Verdict(WithOverview):
     ----------
     law : str
         Name of the law.
-    decision : ``"proven"``, ``"proven where"``, ``"refuted"`` or ``"undecided"``
+    decision : ``"proven"``, ``"proven where"``, ``"refuted"``, ``"undecided"`` or ``"refused"``
         Proven: an exact computation that covers the whole level; proven where: one that covers
         the points of the level that satisfy `conditions`; refuted: an exact or ball-arithmetic
-        witness; undecided: none of these, for the `reason` given.
+        witness; undecided: none of these, for the `reason` given; refused: among several laws, one
+        that states nothing, such as a density that is real nowhere: the `reason` says why.
     conditions : tuple of str
         What the points covered satisfy, such as ``"x > 0"`` or ``"not y = 0"``; empty unless the
         decision is "proven where".
@@ -35,7 +36,7 @@ class Verdict(WithOverview):
     finding : str
         What was shown, in a few words.
     reason : str
-        Why it is undecided; empty otherwise.
+        Why it is undecided or refused; empty otherwise.
     terms : int
         Size of the largest polynomial met.
     seconds : float
@@ -52,7 +53,10 @@ class Verdict(WithOverview):
         Why there is no certificate, where one was asked for.
     identities : tuple of mappings
         Of a law without a certificate of its own that follows from a theorem: the certificates of
-        the identities that the theorem leaves to be proven.
+        the identities that the theorem leaves to be proven; of one whose parameters have several
+        ranges (`in_ranges`) those in each range.
+    in_ranges : bool
+        Whether the law is certified in each range of its parameters by itself.
 
     Examples
     --------
@@ -76,6 +80,7 @@ class Verdict(WithOverview):
     certificate: dict[str, Any] | None = None
     no_certificate: str = ""
     identities: tuple[dict[str, Any], ...] = ()
+    in_ranges: bool = False
 
     @property
     def is_untried(self) -> bool:

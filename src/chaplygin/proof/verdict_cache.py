@@ -30,7 +30,7 @@ def fingerprint(system: System, law: Law, theorem: Theorem | None = None) -> str
     """The name of the verdict on a law of a system, for which there may be a theorem."""
     parts = [digest(_statement(system)), digest(_statement(law))]
     if theorem is not None:
-        parts.append(digest(theorem.words))
+        parts.append(digest(_statement(theorem)))
     return entry_name("verdict", *parts)
 
 
@@ -44,6 +44,8 @@ def _statement(value: object) -> object:
             return ("Parameter", value.symbol, value.default, value.admissible)
         case Guard():
             return ("Guard", value.value, value.lift_off)
+        case Theorem():
+            return tuple(_statement(v) for v in vars(value).values() if not callable(v))
         case Law():
             fields = {name: v for name, v in vars(value).items() if name not in FOR_THE_READER}
             return (type(value), _statement(fields))

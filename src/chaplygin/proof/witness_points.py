@@ -12,10 +12,13 @@ from flint import arb, fmpq
 from ..check import CheckError
 from ..check.certificate_points import failing
 from ..check.claim.claim import Claim as CheckedClaim
+from ..core.formula_text import short_text
 from ..formulas.errors import NotExactError
-from ..formulas.number_fields import Rationals
+from ..formulas.jets import Evaluator
+from ..formulas.number_fields import Balls, Rationals
 from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim
+from .level.sample_points import number_text
 
 
 def witness_point(
@@ -49,22 +52,50 @@ def witness_point(
             coordinates[by_name[name]] = {"root": root}
     for symbol in level.symbols:
         if symbol not in coordinates and symbol in level.fixed_parameters:
-            coordinates[symbol] = {"formula": str(level.fixed_parameters[symbol])}
+            coordinates[symbol] = {"formula": short_text(level.fixed_parameters[symbol])}
     if set(level.symbols) - set(coordinates):
         return None
-    return _original(claim, coordinates)
+    return _original(claim, coordinates, level.evaluator(Balls(values)))
 
 
-def _original(claim: Claim, coordinates: Mapping[sp.Symbol, object]) -> dict[str, object] | None:
+def point_shown(claim: Claim, level: LevelSet, field: Rationals | Balls) -> dict[str, str]:
+    """State and parameters of a system at a point, for a reader."""
+    point = level.point_shown(field)
+    for angle, sine, cosine, unit in claim.circles:
+        evaluate = level.evaluator(Balls(field.values))
+        s, c, multiple = (evaluate.value(formula) for formula in (sine, cosine, unit))
+        radians = arb.pi() if 0 in s and c < 0 else arb.atan2(s, c)
+        del point[str(sine)], point[str(cosine)]
+        point[str(angle)] = number_text(radians / multiple)
+    return point
+
+
+def _angle(sine: object, cosine: object, s: arb, c: arb) -> str | None:
+    """An angle as a formula, from sine and cosine as they are written and as numbers."""
+    if sine == "0" or cosine in ("1", "-1"):
+        return "0" if c > 0 else "pi"
+    if isinstance(sine, str) and isinstance(cosine, str):
+        return f"atan2({sine}, {cosine})"
+    if isinstance(sine, str):
+        return f"asin({sine})" if c > 0 else f"pi - asin({sine})"
+    if isinstance(cosine, str):
+        return f"acos({cosine})" if s > 0 else f"-acos({cosine})"
+    return None
+
+
+def _original(
+    claim: Claim, coordinates: Mapping[sp.Symbol, object], evaluate: Evaluator
+) -> dict[str, object] | None:
     """The point in the variables of the system, with angles and expressed variables."""
     point = dict(coordinates)
     for angle, sine, cosine, unit in claim.circles:
-        s, c = point.pop(sine), point.pop(cosine)
-        if not (isinstance(s, str) and isinstance(c, str)):
+        s, c = (evaluate.value(symbol) for symbol in (sine, cosine))
+        value = _angle(point.pop(sine), point.pop(cosine), s, c)
+        if value is None:
             return None
-        point[angle] = {"formula": f"atan2({s}, {c})/({unit})"}
+        point[angle] = {"formula": value if unit == 1 else f"({value})/({unit})"}
     for symbol, formula in claim.expressions:
-        point[symbol] = {"formula": str(formula)}
+        point[symbol] = {"formula": short_text(formula)}
     # roots of one polynomial may be needed by another: rational numbers first
     ordered = sorted(point.items(), key=lambda pair: not isinstance(pair[1], str))
     return {str(symbol): value for symbol, value in ordered}

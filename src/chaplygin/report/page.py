@@ -302,10 +302,6 @@ def _remark(study: Study, name: str) -> str:
     return ""
 
 
-#: Names of the integration methods, by the words of the file.
-METHODS = {"taylor": "Taylor series", "gauss": "Gauss–Legendre collocation"}
-
-
 def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
     run, statistics = study.experiment.run, trajectory.statistics
     first, last = float(trajectory.times[0]), float(trajectory.times[-1])
@@ -313,7 +309,7 @@ def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
     plural = "" if corrections == 1 else "s"
     facts = [
         ("time", f"{first:g} … {last:.10g} s, {len(trajectory.times)} samples"),
-        ("method", f"{METHODS[run.method]} of order {statistics.order}, {statistics.steps} steps"),
+        ("method", statistics.integrator),
         ("tolerance", f"{number(statistics.tolerance, 3)}, {run.precision} precision"),
         ("corrections", f"{corrections} projection{plural} onto the phase space"),
         ("integrals", "enforced by projection" if run.keep_integrals else "free, as a check"),

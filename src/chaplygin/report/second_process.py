@@ -7,16 +7,17 @@ where others may hold locks, the work is done when its result is asked for.
 
 from __future__ import annotations
 
-import signal
 import sys
 import threading
 import warnings
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cache
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from typing import TypeVar
+
+from ..child_processes import end_processes, follow_parent, signals_blocked
 
 T = TypeVar("T")
 
@@ -40,8 +41,8 @@ def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
     if sys.platform == "linux" and threading.current_thread() is threading.main_thread():
         context = get_context("fork")
         receiver, sender = context.Pipe(duplex=False)
-        process = context.Process(target=_do, args=(work, sender), daemon=True)
-        with warnings.catch_warnings():
+        process = context.Process(target=_do, args=(work, receiver, sender), daemon=True)
+        with signals_blocked(), warnings.catch_warnings():
             # of other threads: those of this program hold no lock that the copy asks for
             warnings.simplefilter("ignore", DeprecationWarning)
             process.start()
@@ -62,17 +63,16 @@ def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
             yield result
         finally:
             receiver.close()
-            process.terminate()
-            process.join()
+            end_processes([process])
     else:
         yield cache(work)
 
 
-def _do(work: Callable[[], T], sender: Connection) -> None:
+def _do(work: Callable[[], T], receiver: Connection, sender: Connection) -> None:
     """Send the result of work, or what it raises; interruptions are for the first process."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    # an end from outside lets what is being written be removed
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    # a copy has both ends: with its own end for reading it would wait for itself for ever
+    receiver.close()
+    follow_parent()
     # the other process may hold the lock of what stands in place of a terminal
     sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
     answer: tuple[T] | Exception
@@ -80,5 +80,7 @@ def _do(work: Callable[[], T], sender: Connection) -> None:
         answer = (work(),)
     except Exception as error:
         answer = error
-    sender.send(answer)
+    # nobody reads it where the first process has ended
+    with suppress(BrokenPipeError):
+        sender.send(answer)
     sender.close()

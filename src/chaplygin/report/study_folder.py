@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from ..errors import InputError
 from ..experiment.files import atomic_file, check_target
+from ..partial_files import write_lock
 
 FILES = ("report.html", "trajectory.nc", "experiment.toml", "figures")
 
@@ -50,6 +53,24 @@ def check_folder(folder: Path, force: bool = False, what: str = "") -> None:
 def is_begun(folder: Path) -> bool:
     """Whether the folder holds a study that was interrupted."""
     return (folder / MARK).is_file()
+
+
+@contextmanager
+def being_written(folder: Path) -> Iterator[None]:
+    """A block in which no other process writes to the folder, which is made if need be.
+
+    Raises
+    ------
+    InputError
+        If the folder cannot be written, or another process is writing to it.
+    """
+    with ExitStack() as stack:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            stack.enter_context(write_lock(folder, inside=True))
+        except OSError as problem:
+            raise InputError(f"{folder} cannot be written: {problem.strerror}") from problem
+        yield
 
 
 def begin(folder: Path, experiment: str, force: bool) -> None:

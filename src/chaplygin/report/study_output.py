@@ -19,7 +19,7 @@ from . import page
 from .illustrations import Illustrations
 from .second_process import beside
 from .stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
-from .study_folder import TRAJECTORY, begin, end
+from .study_folder import TRAJECTORY, begin, being_written, end
 
 #: Points through which curves are drawn, at least.
 SMOOTH = 3000
@@ -60,7 +60,7 @@ def write_study(
     Raises
     ------
     InputError
-        If the folder cannot be written, or holds another study.
+        If the folder cannot be written, is being written, or holds another study.
     InterruptionError
         If the integration is interrupted.
 
@@ -79,8 +79,17 @@ def write_study(
     ...     sorted(path.name for path in home.iterdir())
     ['experiment.toml', 'figures', 'report.html', 'trajectory.nc']
     """
+    with being_written(folder):
+        begin(folder, study.complete_toml(), force)
+        outcome = _complete(study, folder, budget, report)
+        end(folder)
+    return outcome
+
+
+def _complete(
+    study: Study, folder: Path, budget: ProofBudget, report: Report
+) -> tuple[Trajectory, RunError | None]:
     failure: RunError | None = None
-    begin(folder, study.complete_toml(), force)
     # curves are drawn through more points than the file is to have
     pieces = -(-SMOOTH // (study.experiment.run.samples - 1))
     try:
@@ -104,7 +113,6 @@ def write_study(
         text = page.render(study, trajectory, dataset, shown, budget, failure)
     with atomic_file(folder / "report.html") as temporary:
         temporary.write_text(text, encoding="utf-8")
-    end(folder)
     return trajectory, failure
 
 

@@ -14,7 +14,7 @@ from chaplygin.analysis.classification.classifier import classify
 from chaplygin.analysis.classification.conserved_covectors import sources
 from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.analysis.classification.lie_theorem import independent_symmetries, lie_symmetries
-from chaplygin.analysis.classification.ranks import RankSample
+from chaplygin.analysis.classification.ranks import RankSample, rational_parameters
 from chaplygin.analysis.classification.sign_test import sign
 from chaplygin.analysis.classification.statements import IgnoredLaw
 from chaplygin.catalogue import entry
@@ -440,3 +440,30 @@ def test_relations_with_angles_are_read_by_sine_and_cosine() -> None:
     made = found(System("turning", "Turning", field, relations=(relation,)))
     assert made.reason == ""
     assert made.dimension == 2
+
+
+def test_sine_and_cosine_of_a_parameter_leave_a_phase_space() -> None:
+    """Their decimals are on no circle; a rational point of it as near as rounding is taken."""
+    x, y, beta = map(real_symbol, ["x", "y", "beta"])
+    field = {x: y * sp.cos(beta), y: y * sp.sin(beta)}
+    system = System(
+        "slope",
+        "Slope",
+        field,
+        (Parameter(beta, "angle", 0.3),),
+        relations=(x * sp.sin(beta) - y * sp.cos(beta),),
+    )
+    assert found(system).dimension == 1
+    s, c = map(real_symbol, ["s", "c"])
+    pair = (Parameter(s, "sine", 0.3), Parameter(c, "cosine", 0.9539392014169456))
+    values = rational_parameters(System("pair", "Pair", {x: x}, pair, relations=(s**2 + c**2 - 1,)))
+    assert values[s] ** 2 + values[c] ** 2 == 1
+    assert all(abs(values[p.symbol] - p.default) < 1e-15 for p in pair)
+
+
+def test_decimals_that_miss_a_relation_between_parameters_are_named() -> None:
+    x, a, b = map(real_symbol, ["x", "a", "b"])
+    given = (Parameter(a, "number", 2.0), Parameter(b, "its root", 1.4142135623730951))
+    standing = found(System("root", "Root", {x: x}, given, relations=(b**2 - a,)))
+    assert "between parameters does not hold exactly at their present values" in standing.reason
+    assert "empty" not in standing.reason

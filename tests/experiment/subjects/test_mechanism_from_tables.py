@@ -335,3 +335,55 @@ def test_missing_tables_are_named() -> None:
         SLEIGH[: start[1]] + SLEIGH[start[2] :]
     )
     assert "start: u, omega missing" in refused(SLEIGH[: SLEIGH.index("[start]")])
+
+
+TURNING_CONE = """
+title = "Point on a turning cone"
+[parameters]
+a = 2.0
+beta = 0.3
+[frame]
+coordinates = ["s", "phi"]
+[lagrangian]
+kinetic = "(sdot**2 + s**2*phidot**2)/2"
+[constraints]
+velocity = ["s*phidot*cos(beta) - a*sin(beta)"]
+[start]
+s = 1.0
+sdot = 0.1
+phidot = 0.7
+"""
+
+
+def test_a_wrong_velocity_is_answered_with_another_velocity_alone() -> None:
+    message = refused(TURNING_CONE)
+    assert (
+        "the nearest admissible state is s = 1.0, sdot = 0.1, phidot = 0.61867249921924" in message
+    )
+    # s = 0 admits no velocity: only then does a place move
+    message = refused(changed(TURNING_CONE, "s = 1.0", "s = 0.0"))
+    assert "nearest" not in message or "s = 0.0" not in message
+
+
+def test_a_wrong_place_moves_places_first_and_the_time_not_at_all() -> None:
+    moving = """
+title = "Bead on a moving circle"
+[frame]
+coordinates = ["x", "y"]
+[lagrangian]
+kinetic = "(xdot**2 + ydot**2)/2"
+potential = "y"
+[constraints]
+position = ["(x - sin(t))**2 + y**2 - 1"]
+[start]
+x = 1.1
+y = 0.0
+xdot = 1.0
+ydot = 0.5
+"""
+    message = refused(moving)
+    nearest = message.partition("the nearest admissible state is ")[2].split("\\n")[0]
+    values = dict(part.split(" = ") for part in nearest.split(", "))
+    assert {name: float(value) for name, value in values.items()} == pytest.approx(
+        {"x": 1.0, "y": 0.0, "xdot": 1.0, "ydot": 0.5, "t": 0.0}, abs=1e-12
+    )

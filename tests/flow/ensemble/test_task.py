@@ -165,9 +165,14 @@ def test_killed_twenty_times(tmp_path: Path) -> None:
 
 def test_a_store_half_begun_is_begun_again(tmp_path: Path) -> None:
     # what is left when the process is killed while the store is laid out
-    provisional = tmp_path / ".a.zarr.begun"
-    (provisional / "orbit").mkdir(parents=True)
-    (provisional / "zarr.json").write_text('{"zarr_form')
+    script = (
+        "import os, signal, sys; from pathlib import Path\n"
+        "from chaplygin.partial_files import partial_folder\n"
+        "with partial_folder(Path(sys.argv[1])) as place:\n"
+        "    (place / 'orbit').mkdir(); os.kill(os.getpid(), signal.SIGKILL)"
+    )
+    subprocess.run([sys.executable, "-c", script, tmp_path], check=False)
+    assert len(list(tmp_path.iterdir())) == 1
     same(compute(task()), compute(task(), tmp_path / "a.zarr"))
     assert [item.name for item in tmp_path.iterdir()] == ["a.zarr"]
 
@@ -487,7 +492,11 @@ def test_one_writer_at_a_time(tmp_path: Path) -> None:
 
     def meddle(done: float) -> None:
         if done == 0.5:
-            refused(f"{place} is being written by another process: wait for it", task(), place)
+            refused(
+                f"{place} is being written by another process: wait for it, or choose another name",
+                task(),
+                place,
+            )
 
     same(compute(task()), compute(task(), place, progress=meddle))
 

@@ -293,6 +293,20 @@ def test_a_computation_ends_when_its_page_goes_away(laboratory: Laboratory) -> N
     assert laboratory.ask({"do": "motion", "subject": {"what": "own.toml"}})[-1] == {"done": True}
 
 
+@pytest.mark.parametrize("sent", [b"", b"POST / HTTP/1.1\r\nHost:"])
+def test_connections_without_a_request_keep_nobody_out(laboratory: Laboratory, sent: bytes) -> None:
+    """Three hundred of them kept the owner out for twenty seconds."""
+    with contextlib.ExitStack() as lines:
+        for _ in range(300):
+            line = lines.enter_context(
+                socket.create_connection(("127.0.0.1", laboratory.port), timeout=60)
+            )
+            with contextlib.suppress(OSError):
+                line.sendall(sent)
+        status, text = laboratory.send(b"", f"/{laboratory.token}/", "GET", {})
+        assert status == 200, text
+
+
 def test_a_process_that_was_killed_is_replaced(laboratory: Laboratory) -> None:
     motion = {"do": "motion", "subject": {"what": "own.toml"}}
     assert laboratory.ask(motion)[-1] == {"done": True}

@@ -104,6 +104,51 @@ def test_auxiliary_speeds_bring_out_reactions():
     assert prove(system, Identity("across", shown["across"])).decision == "proven"
 
 
+def on_a_rail(constraint: sp.Expr, *forces: tuple[Point, sp.Expr]) -> KanesMethod:
+    """A particle on a blade, carried by a rail that an auxiliary speed moves."""
+    x, y, u1, u2, u3, hold = dynamicsymbols("x y u1 u2 u3 hold")
+    rail, place = Point("R"), Point("P")
+    rail.set_vel(N, u3 * N.y)
+    place.set_vel(N, u1 * N.x + (u2 + u3) * N.y)
+    return KanesMethod(
+        N,
+        q_ind=[x, y],
+        u_ind=[u1],
+        u_dependent=[u2],
+        u_auxiliary=[u3],
+        velocity_constraints=[constraint],
+        kd_eqs=[x.diff(t) - u1, y.diff(t) - u2],
+        bodies=[Particle("B", place, m)],
+        forcelist=[(rail, hold * N.y), *forces],
+    )
+
+
+def test_auxiliary_speeds_beside_velocity_constraints_bring_out_reactions():
+    """The ice holds the blade, so the rail holds nothing; a blade on the rail it holds in turn."""
+    x, u1, u2, u3 = dynamicsymbols("x u1 u2 u3")
+    x_, u1_, m_ = (real_symbol(name) for name in ("x", "u1", "m"))
+    across = real_symbol("u2")
+    for constraint, held in ((u2 + u3 - x * u1, 0), (u2 - x * u1, m_ * Rate(across))):
+        system = from_sympy(on_a_rail(constraint), {"m": 2})
+        shown = {o.name: o.value for o in system.observables}
+        law = Identity("held", shown["hold"] - held)
+        assert prove(system, law).decision == "proven"
+        assert prove(system, Identity("slope", across - x_ * u1_)).decision == "proven"
+        wrong = Identity("wrong", shown["hold"] - m_)
+        assert prove(system, wrong).decision == "refuted"
+
+
+def test_auxiliary_speeds_that_determine_no_force_are_refused():
+    x, u1, u2 = dynamicsymbols("x u1 u2")
+    end, more = Point("E"), dynamicsymbols("more")
+    end.set_vel(N, dynamicsymbols("u3") * N.y)
+    model = on_a_rail(u2 - x * u1, (end, more * N.y))
+    with pytest.raises(InputError, match="1 auxiliary speed should bring out as many"):
+        from_sympy(model, {"m": 2})
+    with pytest.raises(InputError, match="bring out hold, which a mechanism does not record"):
+        mechanism_from_sympy(on_a_rail(u2 - x * u1), {"m": 2})
+
+
 def constrained() -> KanesMethod:
     """A particle in the Cartesian coordinates of a plane on a rod: one constraint of each kind."""
     x, y, u1, u2 = dynamicsymbols("x y u1 u2")

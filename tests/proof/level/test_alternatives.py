@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from chaplygin.core.laws import Measure
+from chaplygin.core.laws import Identity, Measure
 from chaplygin.core.system import System
 from chaplygin.proof.prover import prove
 
@@ -36,3 +36,17 @@ def test_the_volume_is_that_of_the_whole_condition(
     density: tuple[sp.Expr, int], decision: str
 ) -> None:
     assert prove(on_the_level(), Measure("density", (density,))).decision == decision
+
+
+def test_a_name_hides_no_factor() -> None:
+    product, again = sp.symbols("product again", real=True)
+    system = System(
+        "still",
+        "Still",
+        {X: sp.S.Zero, Y: sp.S.Zero},
+        definitions={product: Y * sp.sin(X), again: 2 * product},
+    )
+    for condition in (Y * sp.sin(X), product, again):
+        assert prove(system, Identity("y", Y, on=(condition,))).decision == "refuted"
+        both = Identity("both", Y * sp.sin(X) ** 2, on=(condition,))
+        assert prove(system, both).decision == "proven"

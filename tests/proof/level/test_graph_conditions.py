@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 
 from chaplygin import prove
 from chaplygin.check import CheckError, check
-from chaplygin.core.laws import Integral, Measure
+from chaplygin.core.laws import Identity, Integral, Measure
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import real_symbol
 from chaplygin.proof.certificates.certificate import prove_with_certificate
@@ -79,3 +81,35 @@ def test_volume_on_a_graph() -> None:
     )
     assert prove(system, Measure("area", {sp.S.One * 2: 1})).decision == "proven"
     assert prove(system, Measure("weighted", {1 + x**2: 1})).decision == "refuted"
+
+
+def named(system: System, *orders: int) -> System:
+    """The same system with names for its relations, in some order."""
+    names = [real_symbol(f"c_{i}") for i in range(len(system.relations))]
+    return replace(
+        system,
+        definitions=tuple(zip(names, system.relations, strict=True)),
+        relations=tuple(names[i] for i in orders),
+    )
+
+
+@pytest.mark.parametrize("orders", [(0, 1), (1, 0)])
+def test_a_name_hides_no_condition(orders: tuple[int, int]) -> None:
+    system = named(on_a_surface(sp.sqrt(1 + x**2) * sp.exp(y)), *orders)
+    assert prove(system, ENERGY).decision == "proven"
+    assert prove(system, Integral("wrong", ENERGY.value + w)).decision == "refuted"
+    assert prove(system, Measure("volume", {})).decision == "refuted"
+    general = named(on_a_surface(HEIGHT), *orders)
+    assert prove(general, ENERGY).decision == "proven"
+
+
+def test_a_condition_leaves_another_the_variable_it_needs() -> None:
+    """The first is linear in u and v, the second in v alone: whichever comes first."""
+    first, second = u + v - sp.exp(w), v * sp.exp(w) - 1
+    still = {s: sp.S.Zero for s in (u, v, w)}
+    for relations in ((first, second), (second, first)):
+        system = System("still", "Still", still, relations=relations)
+        law = Identity("sinh", u - sp.exp(w) + sp.exp(-w))
+        assert prove(system, law).decision == "proven"
+        wrong = Identity("wrong", u - sp.exp(w) - sp.exp(-w))
+        assert prove(system, wrong).decision == "refuted"

@@ -260,7 +260,7 @@ class Panel implements ChartPanel {
   private writeKey(): void {
     const { drawn } = this;
     if (drawn === null) return;
-    const [low, high] = drawn.setting.kind === "megno" ? ["MEGNO 2, regular", `${readable(drawn.scale[1], 3)} and more`] : drawn.scale.map((value) => readable(value, 3));
+    const [low, high] = drawn.setting.kind === "megno" ? ["MEGNO to about 2, regular", `${readable(drawn.scale[1], 3)} and more`] : drawn.scale.map((value) => readable(value, 3));
     const scale = element("i", { style: `background:linear-gradient(90deg,${indicatorScale().join(",")})` });
     this.key.replaceChildren(element("span", {}, low ?? ""), scale, element("span", {}, high ?? ""), element("span", {}, "blank: no such motion"));
   }

@@ -293,7 +293,7 @@ class Panel implements SectionPanel {
     this.byIndicator = isOn;
     this.key.hidden = !isOn;
     const scale = element("i", { style: `background:linear-gradient(90deg,${indicatorScale().join(",")})` });
-    this.key.replaceChildren(element("span", {}, "MEGNO 2, regular"), scale, element("span", {}, "32 and more, chaotic"));
+    this.key.replaceChildren(element("span", {}, "MEGNO to about 2, regular"), scale, element("span", {}, "32 and more, chaotic"));
     this.sheet.repaint();
     this.writeEntries();
     if (isOn) for (const orbit of this.list) void this.judge(orbit);

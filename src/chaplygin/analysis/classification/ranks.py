@@ -35,8 +35,48 @@ SEED = 20130400
 
 
 def rational_parameters(system: System) -> dict[sp.Symbol, sp.Rational]:
-    """The values of all parameters as rational numbers, exactly their decimals."""
-    return {p.symbol: exact_number(p.default) for p in system.parameters}
+    """The values of all parameters as rational numbers, exactly their decimals.
+
+    Parameters that a relation puts on a sphere, such as the sine and the cosine of an angle, have
+    the values of a rational point of it, within rounding of their decimals.
+    """
+    values = {p.symbol: exact_number(p.default) for p in system.parameters}
+    for relation in _between_parameters(system):
+        values |= _on_sphere(relation, values)
+    return values
+
+
+def _between_parameters(system: System) -> list[sp.Expr]:
+    """The relations of a system that hold parameters alone."""
+    parameters = {p.symbol for p in system.parameters}
+    written = (system.expand(relation) for relation in system.relations)
+    return [f for f in written if f.free_symbols and f.free_symbols <= parameters]
+
+
+def _on_sphere(
+    relation: sp.Expr, values: Mapping[sp.Symbol, sp.Rational]
+) -> dict[sp.Symbol, sp.Rational]:
+    """The point of a sphere on the line from a pole to a given point; nothing of other relations.
+
+    The pole is opposite to the largest coordinate, so that both points are as near as rounding.
+    """
+    names = sorted(relation.free_symbols, key=str)
+    if len(names) < 2 or not relation.is_polynomial(*names) or relation.xreplace(values) == 0:
+        return {}
+    weight = relation.coeff(names[0], 2)
+    square = -relation.xreplace(dict.fromkeys(names, sp.S.Zero)) / weight if weight else sp.S.Zero
+    if not (weight.is_Rational and square.is_Rational and square.is_positive):
+        return {}
+    radius = sp.sqrt(square)
+    sphere = weight * (sp.Add(*(x**2 for x in names)) - square)
+    if not radius.is_Rational or sp.expand(relation - sphere) != 0:
+        return {}
+    top = max(names, key=lambda x: abs(values[x]))
+    height = radius + abs(values[top])
+    shares = {x: values[x] / height for x in names if x != top}
+    whole = 1 + sp.Add(*(share**2 for share in shares.values()))
+    cap = sp.sign(values[top]) * radius * (2 / whole - 1)
+    return {**{x: 2 * radius * share / whole for x, share in shares.items()}, top: cap}
 
 
 def with_numeric_parameters(system: System, values: Mapping[sp.Symbol, Number]) -> System:
@@ -116,7 +156,20 @@ class RankSample:
 
     @cached_property
     def level_set(self) -> LevelSet:
-        """The level, with parameters that are numbers."""
+        """The level, with parameters that are numbers.
+
+        Raises
+        ------
+        OutOfReachError
+            If relations between parameters hold for no rational values near the present ones.
+        """
+        own = rational_parameters(self.system) if self.values is None else {}
+        for relation in _between_parameters(self.system) if own else ():
+            if relation.xreplace(own) != 0:
+                raise OutOfReachError(
+                    f"the relation {relation} = 0 between parameters does not hold exactly at "
+                    "their present values"
+                )
         return LevelSet(with_numeric_parameters(self.system, self.parameters), self.on)
 
     @property

@@ -336,9 +336,10 @@ class FastLyapunovIndicator(ChaosIndicator):
 
 @arguments_checked
 class Megno(ChaosIndicator):
-    """The mean of MEGNO: 2 on a regular motion, λ/2 times the time on a chaotic one.
+    """The mean of MEGNO: up to about 2 on a regular motion, λ/2 times the time on a chaotic one.
 
-    It is 0 if all neighbours keep their distance (equal frequencies, a stable equilibrium).
+    It tends to 2, often from below, where neighbours part in proportion to the time, and stays 0
+    if they keep their distance (equal frequencies, a stable equilibrium).
 
     Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
     over the intervals.

@@ -1,4 +1,4 @@
-"""Marble bodies of revolution, not spheres, with an elementary integral linear in ω (§5).
+"""Marble bodies of revolution: any, and those with an elementary integral linear in ω (§3.2, §5).
 
 With the height p(γ₃) of the centre of mass above the plane, the radii of curvature ρ₁ of the
 meridian and ρ₂ across it, r₃ and ξ² = r₁² + r₂², let the profile obey
@@ -31,6 +31,29 @@ LEAN = 1 - g_3**2
 POTENTIAL = sp.Function("U")(g_3)
 
 
+def any_body() -> System:
+    """A marble body of revolution of any profile p(γ₃), heavy and in any potential U(γ₃)."""
+    profile = sp.Function("p_s")(g_3)
+    values = {name: sp.diff(profile, g_3, n) for n, name in enumerate((height, slope, bend))}
+    system = _with_some_profile(POTENTIAL)
+    return replace(
+        system,
+        name="marble-body-of-revolution",
+        title="Marble body of revolution",
+        definitions=tuple(
+            (name, values.get(name, formula) if isinstance(name, sp.Symbol) else formula)
+            for name, formula in system.definitions
+        ),
+    )
+
+
+def _with_some_profile(potential: sp.Expr) -> System:
+    """A body of revolution, whose profile is to be replaced."""
+    some = Revolution(1 + g_3**2 / 4)
+    system = roll(Body(1.0, (0.3, 0.3, 0.2), some), field=Forces(9.81, potential))
+    return replace(system, guards=(), observables=(), reconstruction=None, laws=())
+
+
 def curvatures() -> tuple[sp.Expr, sp.Expr]:
     """ρ₁ and ρ₂ of a lens, in γ₃, p and p′."""
     across = height - g_3 * slope
@@ -44,8 +67,7 @@ def lens(potential: sp.Expr = POTENTIAL) -> System:
 
     State M, γ, and p, p′ at the contact, whose rates follow from the equation of the profile.
     """
-    any_profile = Revolution(1 + g_3**2 / 4)
-    system = roll(Body(1.0, (0.3, 0.3, 0.2), any_profile), field=Forces(9.81, potential))
+    system = _with_some_profile(potential)
     along, across = curvatures()
     nod = g_1 * omega.symbols[1] - g_2 * omega.symbols[0]
     definitions = tuple(item for item in system.definitions if item[0] not in (height, slope, bend))
@@ -55,10 +77,6 @@ def lens(potential: sp.Expr = POTENTIAL) -> System:
         title="Marble lens",
         field=(*system.field, (height, slope * nod), (slope, bend * nod)),
         definitions=((bend, (along - across) / LEAN), *definitions),
-        guards=(),
-        observables=(),
-        reconstruction=None,
-        laws=(),
     )
 
 

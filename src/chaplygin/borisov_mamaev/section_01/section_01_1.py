@@ -1,7 +1,8 @@
 """§1.1: nonholonomic constraints and Ferrers' equations.
 
-Three coordinates, two constraints and everything unspecified: the matrix A(q) of the kinetic
-energy, the constraints a(q), b(q), and the forces Q(q, v).
+Computed with three coordinates, two constraints and everything unspecified: the matrix A(q) of the
+kinetic energy, the constraints a(q), b(q), and the forces Q(q, v).  Each claim says what carries
+this over to n coordinates and m constraints.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from ...core.vector_operators import gradient
 from ...core.vectors import Symmetric, constant, cross, dot, real_symbol, to_components, vectors
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified_systems
+from ..methods.any_number import any_number
 
 q, v, a_1, a_2, Q, slope, push, vdot = vectors("q v a_1 a_2 Q slope push vdot")
 A, B = Symmetric("A"), Symmetric("B")
@@ -187,6 +189,18 @@ def lagrange() -> Case:
     return ferrers(), Identity("lagrange", left - right)
 
 
+#: ḟ_μ for n coordinates and m constraints, with the accelerations of (1.3).
+RATE_OF_CONSTRAINT = (
+    r"for any number of coordinates and constraints: with $\ddot{\mathbf q} = \mathbf A^{-1}"
+    r"(\mathbf p + \sum_\nu\lambda_\nu\mathbf a_\nu)$, $\mathbf p = \mathbf Q + \partial T/"
+    r"\partial\mathbf q - \dot{\mathbf A}\dot{\mathbf q}$, the rate of $f_\mu$ is $\sum_\nu"
+    r"(\mathbf a_\mu, \mathbf A^{-1}\mathbf a_\nu)\lambda_\nu + (\mathbf A^{-1}\mathbf a_\mu, "
+    r"\mathbf p) + (\dot{\mathbf q}, \partial f_\mu/\partial\mathbf q)$, since $\mathbf A$ is "
+    "symmetric"
+)
+#: What (1.5) needs to have one solution.
+REGULAR = ("the constraints are independent and T is positive definite",)
+
 CLAIMS = (
     Claim(
         "(1.3)",
@@ -194,16 +208,20 @@ CLAIMS = (
         r"{\partial\mathbf q}=\mathbf Q+\sum_\mu\lambda_\mu\frac{\partial f_\mu}{\partial\dot"
         r"{\mathbf q}}$: the reactions do no work on displacements that the constraints allow",
         virtual_work,
-        note="read as d'Alembert's principle for three coordinates and two constraints, with "
-        "T, Q and the constraints unspecified",
+        note="read as d'Alembert's principle, with T, Q and the constraints unspecified",
+        argument="for any number of coordinates and constraints: the work on a displacement δq is "
+        "Σ λ_μ (∂f_μ/∂q̇, δq), and each term is zero for a δq that the constraints allow",
     ),
     Claim(
         "§1.1, after (1.3)",
         r"the undetermined multipliers $\lambda_\mu$ can be uniquely found from the constraint "
         "conditions (1.2)",
         unique,
-        note="the determinant of the linear system (1.5) is (n, An)/det A with n = a₁×a₂: positive "
-        "for independent constraints and a positive definite A",
+        note="the determinant of the linear system (1.5) is (n, An)/det A with n = a₁×a₂; "
+        "for two equal constraints it is zero",
+        argument="for any number of coordinates and constraints the matrix of (1.5) is the Gram "
+        "matrix of the vectors ∂f_μ/∂q̇ in the metric A⁻¹, which is positive definite",
+        where=REGULAR,
     ),
     Claim(
         "(1.4)",
@@ -215,6 +233,7 @@ CLAIMS = (
         r"where $\mathbf A(\mathbf q)$ is a symmetric matrix",
         "A must not depend on the velocities: then T is not a quadratic form (Euler's identity "
         "fails)",
+        argument=any_number(2),
     ),
     Claim(
         "(1.5)",
@@ -224,15 +243,18 @@ CLAIMS = (
         r"{\partial\mathbf q}-\mathbf Q\right)-\left(\dot{\mathbf q},\frac{\partial f_\mu}"
         r"{\partial\mathbf q}\right)$",
         multipliers,
-        note="for all unspecified A(q), a(q), b(q), Q(q, q̇) with n = 3, m = 2: the difference of "
-        "both sides is the rate of f_μ",
+        note="for all unspecified A(q), a(q), b(q), Q(q, q̇): the difference of both sides is the "
+        "rate of f_μ",
+        argument=RATE_OF_CONSTRAINT,
     ),
     Claim(
         "§1.1, after (1.5)",
         "substituting these multipliers in Eqs. (1.3), we obtain a closed system; moreover, "
         "Eqs. (1.2) define an invariant variety of this system",
         invariant,
-        note="n = 3, m = 2, everything unspecified; every level of f_μ is invariant",
+        note="everything unspecified; every level of f_μ is invariant",
+        argument=RATE_OF_CONSTRAINT,
+        where=REGULAR,
     ),
     Claim(
         "Remark 1",
@@ -240,6 +262,7 @@ CLAIMS = (
         r"\partial f_\mu}{\partial\dot{\mathbf q}},\ddot{\mathbf q}\right)=0$, and (1.5) follows "
         r"with the accelerations $\ddot{\mathbf q}$ from Eqs. (1.3)",
         differentiated,
+        argument=RATE_OF_CONSTRAINT,
     ),
     Claim(
         "(1.6)",
@@ -247,6 +270,7 @@ CLAIMS = (
         r"\partial L}{\partial\dot{\mathbf q}}\right)'-\frac{\partial L}{\partial\mathbf q}="
         r"\sum_\mu\lambda_\mu\frac{\partial f_\mu}{\partial\dot{\mathbf q}}$, $L=T-U$",
         lagrange,
+        argument=any_number(3),
     ),
 )
 
@@ -268,5 +292,10 @@ REMARKS = (
         "Ferrers (1872), Appell and Hamel, the other forms of the equations and how often they are "
         "used; Remark 2 on Chaplygin and Voronets",
         "history and judgement",
+    ),
+    Remark(
+        "§1.1, after (1.2)",
+        "Exactly these constraints are realized in substantial problems.",
+        "judgement",
     ),
 )

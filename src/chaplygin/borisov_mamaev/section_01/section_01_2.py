@@ -1,7 +1,14 @@
 """§1.2: the Poincaré–Suslov equations.
 
-Three coordinates, an unspecified frame G(q), an unspecified Lagrange function L(q, q̇) and an
-unspecified constraint f(q, q̇); the motion is arbitrary: q̇ = G w, ẇ = s with any s.
+Computed with three coordinates, an unspecified frame G(q), an unspecified Lagrange function L(q, q̇)
+and an unspecified constraint f(q, q̇); the motion is arbitrary: q̇ = G w, ẇ = s with any s.
+
+(1.9) for n coordinates: with v = G w, L̂(q, w) = L(q, G w) and L_a = ∂L/∂q̇_a,
+
+    d/dt ∂L̂/∂w_i − E_i(L̂) = Σ_a G_ai (d/dt L_a − ∂L/∂q_a) + Σ_a L_a Σ_j w_j [E_j, E_i]_a,
+
+since G_ai has the rate Σ_j w_j E_j(G_ai) and E_i(L̂) contains Σ_aj L_a E_i(G_aj) w_j.  The last
+sum is Σ_jk c_ji^k w_j ∂L̂/∂w_k, by (1.8) and Σ_a G_ak L_a = ∂L̂/∂w_k.
 """
 
 from __future__ import annotations
@@ -17,6 +24,7 @@ from ...core.system import Parameter, System
 from ...core.vectors import constant, real_symbol, vectors
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified_systems
+from ..methods.any_number import any_number
 
 q, w, v, s = vectors("q w v s")
 lambda_0, det = real_symbol("lambda_0"), real_symbol("det")
@@ -179,13 +187,15 @@ CLAIMS = (
         r"$\mathbf w$ are the components of the velocity in the basis $\mathbf E_1,\dots,"
         r"\mathbf E_n$",
         velocity,
-        note="decided for three coordinates and an unspecified frame",
+        note="for an unspecified frame",
+        argument=any_number(2),
     ),
     Claim(
         "(1.8)",
         r"$[\mathbf E_i,\mathbf E_j]=\sum_kc_{ij}^k(\mathbf q)\mathbf E_k$",
         commutators,
-        note="decided for three coordinates and an unspecified frame; it fixes the sign of c",
+        note="for an unspecified frame; it fixes the sign of c",
+        argument="any number of fields that form a basis has its commutators as combinations",
     ),
     Claim(
         "(1.9), Proposition 1",
@@ -198,8 +208,12 @@ CLAIMS = (
         r"(\mathbf q)\frac{\partial\hat L}{\partial w_k}w_j-\mathbf E_i(\hat L)=\sum_\mu"
         r"\hat\lambda_\mu\frac{\partial\hat f_\mu}{\partial w_i}$",
         "the sum runs over j and k, not over i and k (printed, j is left free: read as asked for "
-        "every j), and the constraint on the right is f̂; n = 3, one constraint, L(q, q̇) and the "
-        "frame unspecified, λ̂ = λ",
+        "every j), and the constraint on the right is f̂; L(q, q̇), the frame and the constraint "
+        "unspecified, λ̂ = λ",
+        argument=r"for any number of coordinates and constraints: $\frac{d}{dt}\frac{\partial"
+        r"\hat L}{\partial w_i} - \mathbf E_i(\hat L)$ is the left side of (1.6) along "
+        r"$\mathbf E_i$ and $\sum_jw_j\,(\partial L/\partial\dot{\mathbf q}, [\mathbf E_j, "
+        r"\mathbf E_i])$, the sum with $c_{ji}^k$; constraints add up",
     ),
     Claim(
         "(1.9), second equation",
@@ -208,11 +222,13 @@ CLAIMS = (
         velocity,
         r"$\dot q_i=\sum_jG_{ij}(\mathbf q)w_j$",
         "G_ij depends on all coordinates, not on q_i alone",
+        argument=any_number(2),
     ),
     Claim(
         "Remark 3",
         r"if we set $G_{ij}=\delta_{ij}$ in (1.7) we obtain usual Eqs. (1.6)",
         coordinates,
+        argument=any_number(2),
     ),
 )
 

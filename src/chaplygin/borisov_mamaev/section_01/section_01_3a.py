@@ -11,16 +11,14 @@ from ...catalogue.bodies.any_shape import SUPPORT
 from ...catalogue.bodies.rubber_body import any_rubber_body
 from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Rate
-from ...core.system import System
-from ...core.vector_operators import gradient, unit_vector
-from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, to_components, vectors
+from ...core.system import Parameter, System
+from ...core.vector_operators import gradient
+from ...core.vectors import Vector, constant, cross, dot, norm_squared, to_components, vectors
 from ...mechanics.lagrangian.structure_functions import VectorField, lie_derivative
 from ...mechanics.rolling.attitude import rotation
-from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import roll
-from ...mechanics.shapes.shapes import Ellipsoid
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods import unspecified_systems
 from ..methods.derived_verdicts import computed_verdict
 from ..methods.rigid_body_in_space import (
     COORDINATES,
@@ -31,7 +29,7 @@ from ..methods.rigid_body_in_space import (
 )
 
 alpha, beta, gamma, R, omega, v, r, c = vectors("alpha beta gamma R omega v r c")
-I, B = Diagonal("I"), Diagonal("B")
+velocity = Vector("velocity")
 THREE = range(3)
 HALF = sp.Rational(1, 2)
 DIRECTIONS = (alpha, beta, gamma)
@@ -49,12 +47,6 @@ def body() -> System:
 def rubber() -> System:
     """A rubber body of any shape on a plane."""
     return any_rubber_body()
-
-
-@cache
-def ellipsoid() -> System:
-    """A rolling ellipsoid, whose surface has the equation (r, B⁻¹r) = 1."""
-    return roll(Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8))))
 
 
 def _same(first: VectorField, second: VectorField) -> list[sp.Expr]:
@@ -157,10 +149,22 @@ def no_slip() -> Case:
 
 
 def inward_normal() -> Case:
-    """γ = −∇f/|∇f| at the contact point of an ellipsoid."""
-    slope = 2 * B**-1 * r
+    """γ = −∇f/|∇f| for any f: a unit vector across the motions on f = 0, along which f falls."""
+    surface = sp.Function("f_s")(*r.symbols)
+    slope = gradient(surface, r)
     length = sp.sqrt(norm_squared(slope))
-    return ellipsoid(), Identity("normal", (gamma + slope / length, dot(r, B**-1 * r) - 1))
+    normal = -slope / length
+    wandering = unspecified_systems.system(
+        "wandering",
+        "A point on a surface",
+        {r: velocity},
+        parameters=tuple(
+            Parameter(s, "velocity", 0.3 + i / 5) for i, s in enumerate(velocity.symbols)
+        ),
+    )
+    across = Rate(surface) + length * dot(normal, velocity)
+    falling = dot(slope, normal) + length
+    return wandering, Identity("normal", (norm_squared(normal) - 1, across, falling))
 
 
 def no_spin() -> Case:
@@ -172,14 +176,10 @@ def no_spin() -> Case:
 
 
 def kinetic() -> Case:
-    """Three pairs of point masses on the axes: any mass and any principal moments."""
-    masses = [sp.Symbol(f"r_{i}", real=True) ** 2 for i in (1, 2, 3)]
-    velocities = [v + sign * cross(omega, unit_vector(i + 1)) for i in THREE for sign in (-1, 1)]
-    total = sp.Add(*(HALF * masses[n // 2] * norm_squared(u) for n, u in enumerate(velocities)))
-    whole = 2 * sp.Add(*masses)
-    moments = [whole - 2 * mass for mass in masses]
-    inertia = sp.Add(*(i * w**2 for i, w in zip(moments, omega, strict=True)))
-    return body(), Identity("kinetic", total - HALF * whole * norm_squared(v) - HALF * inertia)
+    """The energy of a unit mass at r: what is linear in r, and (ω, (r² − r⊗r)ω)."""
+    turned = norm_squared(r) * norm_squared(omega) - dot(r, omega) ** 2
+    split = HALF * norm_squared(v) + dot(cross(v, omega), r) + HALF * turned
+    return body(), Identity("kinetic", HALF * norm_squared(v + cross(omega, r)) - split)
 
 
 def height() -> Case:
@@ -202,7 +202,7 @@ CLAIMS = (
         r"projections of the orths of the immovable space on the movable axes, is an orthogonal "
         r"matrix, $\mathbf Q\in SO(3)$",
         orthogonal,
-        note="decided with a unit quaternion as attitude",
+        note="with a unit quaternion as attitude, of which every attitude has one",
     ),
     Claim(
         "Remark 4",
@@ -258,8 +258,9 @@ CLAIMS = (
         r"if $f(\mathbf r)=0$ is the equation of the surface, $\boldsymbol\gamma=-\frac{\nabla "
         r"f(\mathbf r)}{|\nabla f(\mathbf r)|}$",
         inward_normal,
-        note="decided for an ellipsoid, f negative inside; the normals of body and plane are "
-        "opposite to each other",
+        note="for every f: this is the unit vector across the surface along which f falls; the "
+        "normals of body and plane are opposite to each other",
+        where=("f < 0 inside the body",),
     ),
     Claim(
         "(1.15)",
@@ -271,7 +272,9 @@ CLAIMS = (
         "§1.3, before (1.16)",
         r"$T=\frac12m\mathbf v^2+\frac12(\boldsymbol\omega,\mathbf I\boldsymbol\omega)$",
         kinetic,
-        note="decided for six point masses on the principal axes",
+        note="v is the velocity of the centre of mass",
+        argument="summed over the masses of any body: Σ m r = 0 about the centre of mass, and "
+        "Σ m (r²E − r⊗r) is I",
     ),
     Claim(
         "(1.16)",

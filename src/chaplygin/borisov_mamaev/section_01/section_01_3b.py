@@ -26,6 +26,7 @@ from ...core.vectors import (
     vectors,
 )
 from ...mechanics.lagrangian.structure_functions import lie_derivative
+from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified_systems
 from ..methods.arbitrary_motion import (
@@ -36,6 +37,7 @@ from ..methods.arbitrary_motion import (
     reduced_equation,
     tensor,
 )
+from ..methods.derived_verdicts import computed_verdict
 from ..methods.rigid_body_in_space import POTENTIAL, constrained, rotation_field, translation_field
 
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
@@ -193,6 +195,31 @@ def evolution() -> Case:
     return system, system.laws[0]
 
 
+def not_of_reactions() -> Verdict:
+    """λ₀ is no function of ω and λ: a rubber ball at rest, m = b = 1, in two attitudes.
+
+    For ω = 0 the first equation of (1.17) is λ = ω̇×γ, so that ω̇ = γ×λ, and (1.18) is
+    Ĩω̇ = τ + λ₀γ with Ĩ = I + E − γ⊗γ and a couple τ across γ, which a potential can have at
+    both attitudes.
+    """
+    inertia, force = sp.diag(1, 2, 3), sp.Matrix([1, 0, 0])
+    found = []
+    for normal in (sp.Matrix([0, 0, 1]), sp.Matrix([0, 3, 4]) / 5):
+        spin = normal.cross(force)
+        turned = (inertia + sp.eye(3) - normal * normal.T) * spin
+        multiplier = normal.dot(turned)
+        assert spin.cross(normal) == force and normal.dot(turned - multiplier * normal) == 0
+        found.append(multiplier)
+    return computed_verdict(
+        "arguments of λ₀",
+        found[0] != found[1],
+        f"ω = 0 and λ = (1, 0, 0) with λ₀ = {found[0]} at γ = (0, 0, 1), {found[1]} at (0, 3, 4)/5",
+        "both attitudes have the same multiplier",
+        decision="refuted",
+        witness={"lambda_0": [str(value) for value in found]},
+    )
+
+
 CLAIMS = (
     Claim(
         "(1.17), equations of motion",
@@ -244,6 +271,15 @@ CLAIMS = (
         contact_tensor,
     ),
     Claim(
+        "§1.3, before (1.19)",
+        r"the undetermined multiplier $\lambda_0=\lambda_0(\boldsymbol\omega,\boldsymbol\lambda)$ "
+        "can be found from the constraint equation (1.15)",
+        not_of_reactions,
+        spin_torque,
+        r"$\lambda_0=\lambda_0(\boldsymbol\omega,\boldsymbol\gamma)$",
+        "λ for γ: (1.19) is a function of ω and γ",
+    ),
+    Claim(
         "(1.19)",
         r"$\lambda_0=-\frac{(\tilde{\mathbf I}^{-1}\boldsymbol\gamma,\tilde{\mathbf I}\boldsymbol"
         r"\omega\times\boldsymbol\omega-m\mathbf r\times(\boldsymbol\omega\times\dot{\mathbf r})+"
@@ -270,11 +306,6 @@ CLAIMS = (
 )
 
 REMARKS = (
-    Remark(
-        "§1.3, before (1.19)",
-        r"$\lambda_0=\lambda_0(\boldsymbol\omega,\boldsymbol\lambda)$",
-        "read γ for λ: (1.19) is a function of ω and γ",
-    ),
     Remark(
         "(1.17)",
         r"$\dot{\mathbf R}_1$, $\dot{\mathbf R}_2$, $\dot{\mathbf R}_3$",

@@ -143,23 +143,6 @@ def from_fixed_point() -> tuple[System, Identity]:
     return bound(constant([0, 0, 0]), nu), Identity("fixed_point", newton_euler() - left)
 
 
-def ball_from_reduced() -> tuple[System, Identity]:
-    """The Chaplygin ball in (1.18) with r = −Rγ and λ₀ of (1.19), left less right side.
-
-    Ĩ = J − mR² γ⊗γ with J = I + mR², so that Ĩ⁻¹γ is along J⁻¹γ.
-    """
-    along = (I + m * R**2 * identity) ** -1 * gamma
-    # what is left with λ₀ = 0 is the bracket of (1.19) less Ĩω̇
-    bracket = I * rate(omega) + m * R**2 * cross(gamma, cross(rate(omega), gamma)) - _ball_balance()
-    torque_0 = -dot(along, bracket) / dot(gamma, along)
-    return ball(), Identity("reduced", _ball_balance() - torque_0 * gamma)
-
-
-def from_reduced() -> Case:
-    """Both systems satisfy (1.18) with (1.19), which for r = 0 is (1.21) with (1.22)."""
-    return ball_from_reduced(), veselova()
-
-
 def from_unreduced() -> Case:
     """The ball is (1.17) with λ₀ = 0, the Veselova system (1.17) with r = 0 and (1.22)."""
     return from_rolling(), from_fixed_point(), veselova()
@@ -227,12 +210,11 @@ CLAIMS = (
         "§1.4, first sentences",
         "the equations of motion of the first two systems (the Chaplygin ball and the Veselova "
         "system) can be obtained as particular cases of system (1.18)",
-        from_reduced,
         from_unreduced,
-        r"they can be obtained as particular cases of system (1.17): the ball with $\lambda_0 = 0$ "
-        r"and $\mathbf r = -a\boldsymbol\gamma$, the Veselova system with $\mathbf r = 0$",
-        "(1.17) is meant, as the next sentences have it; λ₀ of (1.18) is (1.19), which keeps "
-        "(ω, γ), while the ball may spin: of the two only the Veselova system is a case of (1.18)",
+        note=r"the ball with $\lambda_0 = 0$ and $\mathbf r = -a\boldsymbol\gamma$, the Veselova "
+        r"system with $\mathbf r = 0$. Of (1.18) with the λ₀ of (1.19), which keeps (ω, γ), the "
+        "second alone is a case, since the ball may spin",
+        erratum="(1.18) is printed for (1.17), which the next sentences name",
     ),
     Claim(
         "§1.4, before (1.20)",
@@ -294,13 +276,17 @@ CLAIMS = (
         r"\boldsymbol\gamma}$",
         "the couple of U(γ): since γ̇ = (E + W/a)⁻¹γ×ω, the printed one does not do the work of U; "
         "it is right only for U = 0 or a plane",
+        argument="for every body: the couple of U is the one whose power is −(∂U/∂γ, γ̇) for every "
+        "ω, and (E + W/a)⁻¹ is symmetric; computed are the ball and the energy of every shape",
     ),
     Claim(
         "(1.23), second equation",
         r"$\dot{\boldsymbol\gamma}+\boldsymbol\omega\times\boldsymbol\gamma=\frac1a\dot{"
         r"\mathbf r}$",
         kinematics,
-        note="a > 0 outside the sphere; decided for an ellipsoid",
+        note="a > 0 outside the sphere; computed for an ellipsoid",
+        argument="for every body: the contact wanders over the sphere with the velocity "
+        "a(γ̇ + ω×γ), and over the body with ṙ, and without slip both are its velocity in space",
     ),
     Claim(
         "§1.4, after (1.23)",

@@ -193,6 +193,12 @@ def any_level() -> Case:
     return lifted, Integral("level", height + dot(gamma, r))
 
 
+SPAN = (
+    "a function that is constant along the fields is so along their commutators, and hence along "
+    "all of L; computed is the example"
+)
+FROBENIUS = f"{SPAN}. Conversely, Frobenius' theorem gives dim M − dim L such functions"
+
 CLAIMS = (
     Claim(
         "§2.1, first possibility",
@@ -204,6 +210,7 @@ CLAIMS = (
         "nonholonomic",
         "'nonholonomic' is meant: no function is constant along all admissible paths; refuted by "
         "the constraint ż = xẏ",
+        argument=SPAN,
     ),
     Claim(
         "§2.1, second possibility",
@@ -211,9 +218,10 @@ CLAIMS = (
         r"$F_1(\mathbf q)=0,\dots,F_k(\mathbf q)=0$",
         least_printed,
         least,
-        r"$F_1(\mathbf q)=0,\dots,F_m(\mathbf q)=0$ with $m=n-k$",
+        r"near every point, $F_1(\mathbf q)=0,\dots,F_m(\mathbf q)=0$ with $m=n-k$",
         "k is the dimension of the distribution; there are m = n − k constraints, each equal to "
         "a constant; refuted by ż = yẋ + xẏ, that is, z − xy = const",
+        argument=FROBENIUS,
     ),
     Claim(
         "§2.1, third possibility",
@@ -222,8 +230,10 @@ CLAIMS = (
         r"(\mathbf q)=0,\dots,F_k(\mathbf q)=0\}$",
         between_printed,
         between,
-        r"$\overline{\mathcal M}=\{\mathbf q|F_1(\mathbf q)=0,\dots,F_{\bar k}(\mathbf q)=0\}$",
+        r"$\overline{\mathcal M}=\{\mathbf q|F_1(\mathbf q)=0,\dots,F_{\bar k}(\mathbf q)=0\}$, "
+        r"near a point about which $\dim\mathcal L$ is constant",
         "k̄ functions, not k; the rubber ball on a plane has k = 2, dim L = 5, k̄ = 1",
+        argument=FROBENIUS,
     ),
     Claim(
         "(2.3), first field",

@@ -223,9 +223,9 @@ CLAIMS = (
     Claim(
         "§2.3, after (2.7)",
         r"$\mathbf r=-b\mathbf n$, $\mathbf n=\frac{\nabla f(\mathbf R)}{|\nabla f(\mathbf R)|}$, "
-        r"the normals coincide and have the direction of $\mathbf r$",
+        r"their normals coincide and have the same direction as the vector $\mathbf r$",
         direction,
-        note="n is opposite to r: 'the same direction' means the same line",
+        note="n is opposite to r: 'the same direction' means the same line, as r = −bn has it",
     ),
     Claim(
         "(2.8)",

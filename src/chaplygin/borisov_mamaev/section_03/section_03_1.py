@@ -5,14 +5,12 @@ from __future__ import annotations
 import sympy as sp
 
 from ...catalogue import CATALOGUE
+from ...catalogue.bodies import rubber_body
 from ...core.laws import Identity, Rate
 from ...core.system import System
-from ...core.vectors import Vector
 from ...mechanics.lagrangian.structure_functions import lie_derivative
-from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Forces, roll
-from ...mechanics.shapes.shapes import Ellipsoid
 from ..claim import Case, Claim, Remark
+from ..methods.any_number import any_number
 from ..methods.catalogue_laws import law_named
 from ..methods.unspecified_systems import fields, gradient, system, unspecified_functions
 
@@ -125,14 +123,17 @@ def homogeneous_constraints() -> Case:
 
 
 def examples() -> Case:
-    """The energy of the rubber body in any potential, of the Chaplygin ball and of Veselova's."""
-    gamma = Vector("gamma")
-    potential = sp.Function("U")(*gamma.symbols)
-    body = Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8)))
-    rubber = roll(body, contact="rubber", field=Forces(potential=potential))
-    dynamics = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
+    """The energy of every rubber body in any potential, of the Chaplygin ball and Veselova's."""
+    names = ("chaplygin-ball", "veselova")
+    dynamics = [rubber_body.general(), *(CATALOGUE[name].system() for name in names)]
     return tuple((each, law_named(each, "energy")) for each in dynamics)
 
+
+#: Euler's theorem for all homogeneous functions; polynomials are computed.
+EULER = (
+    "for every differentiable f, homogeneous of degree ϰ, the derivative of f(q, sw) = s^ϰ f(q, w) "
+    "by s at s = 1 is Euler's identity"
+)
 
 CLAIMS = (
     Claim(
@@ -141,6 +142,7 @@ CLAIMS = (
         r"$\dot F = (\nabla F, \mathbf{v}(\mathbf{x})) = 0$",
         rate_of_a_function,
         note="read as the formula for the rate of any function",
+        argument=any_number(1),
     ),
     Claim(
         "(3.2)",
@@ -150,6 +152,7 @@ CLAIMS = (
         symmetry_of_integrals,
         note="read as: the components of the bracket are those of the commutator of derivatives, "
         "so that the derivative along u of an integral is an integral",
+        argument=any_number(2),
     ),
     Claim(
         "Theorem 1, (3.3)",
@@ -157,7 +160,7 @@ CLAIMS = (
         r"constraints are homogeneous functions of $w_i$, the system (1.9) preserves the energy "
         r"$\mathcal{E} = \sum w_i\,\partial\hat L/\partial w_i - \hat L$ (3.3)",
         theorem_1,
-        note="for three degrees of freedom and polynomial constraints of degree one to three",
+        argument=f"{any_number(3)}; {EULER}",
     ),
     Claim(
         "Theorem 1, proof",
@@ -165,6 +168,7 @@ CLAIMS = (
         r"\frac{\partial\hat f_\mu}{\partial w_i} w_i$",
         power_of_reactions,
         note="by (1.9) the reactions are the left sides of its first line; their power is Ė",
+        argument=any_number(3),
     ),
     Claim(
         "Theorem 1, proof, Euler's theorem",
@@ -172,19 +176,22 @@ CLAIMS = (
         r"$\varkappa_\mu$ is the degree of homogeneity of $f_\mu$",
         eulers_theorem,
         note="summed over i",
+        argument=EULER,
     ),
     Claim(
         "§3.1, energy for (1.6)",
         r"For the equation in local coordinates (1.6), the energy integral reads "
         r"$\mathcal{E} = (\dot{\mathbf{q}}, \partial L/\partial\dot{\mathbf{q}}) - L$",
         energy_in_coordinates,
-        note="for three degrees of freedom; Ė is the power of the reactions",
+        note="Ė is the power of the reactions",
+        argument=any_number(2),
     ),
     Claim(
         "§3.1, homogeneous constraints",
         r"For the constraints (1.2) the homogeneity condition is equivalent to "
         r"$b_\mu(\mathbf{q}) = 0$",
         homogeneous_constraints,
+        argument=any_number(1),
     ),
     Claim(
         "§3.1, examples",

@@ -5,22 +5,24 @@ from __future__ import annotations
 import sympy as sp
 
 from ...catalogue import CATALOGUE
-from ...catalogue.fixed_point import suslov
 from ...core.laws import Identity, Measure, Rate
-from ...core.vectors import Diagonal, Vector, dot, real_symbol
+from ...core.system import Parameter
+from ...core.vector_operators import unit_vector
+from ...core.vectors import Diagonal, Symmetric, cross, dot, norm_squared, real_symbol, vectors
+from ...mechanics.lagrangian.mechanism import Frame, Mechanism, rotations
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Forces, roll
+from ...mechanics.rolling.equations import Rolling
 from ...mechanics.shapes.shapes import Ellipsoid
-from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.marble_bodies_of_revolution import any_body
+from ..methods.measure_theorems import has_no_measure
 from ..methods.unspecified_systems import fields, system, unspecified_functions
-from ..obstructions.divergence_at_equilibria import excludes_measure
 
 x = sp.symbols("x_1:4", real=True)
 y = sp.symbols("y_1:4(1:4)", real=True)
-gamma, M, r = Vector("gamma"), Vector("M"), Vector("r")
-I = Diagonal("I")
+omega, gamma, r = vectors("omega gamma r")
+I, tensor = Diagonal("I"), Symmetric("I")
 
 
 def volume() -> Case:
@@ -43,36 +45,33 @@ def chaplygin_ball() -> Case:
 
 
 def body_of_revolution() -> Case:
-    """A spheroid in any potential U(γ₃): ρ = (I₁I₃ + m(r, Ir))^(−1/2) in the variables M, γ."""
-    potential = sp.Function("U")(gamma.symbols[2])
-    body = Body(1.0, (1.0, 1.0, 1.5), Ellipsoid((1.0, 1.0, 2.0)))
-    dynamics = roll(body, field=Forces(potential=potential))
+    """Any profile in any potential U(γ₃): ρ = (I₁I₃ + m(r, Ir))^(−1/2) in the variables M, γ."""
     I_1, I_2, I_3 = I.symbols
-    b_1, b_2, b_3 = sp.symbols("b_1:4", real=True)
-    m = real_symbol("m")
-    numbers = (m - 1, I_2 - I_1, b_1 - 1, b_2 - 1, b_3 - 2)
-    density = I_1 * I_3 + m * dot(r, I * r)
-    return dynamics, Measure("measure", {density: -sp.Rational(1, 2)}, on=numbers)
+    density = I_1 * I_3 + real_symbol("m") * dot(r, I * r)
+    return any_body(), Measure("measure", {density: -sp.Rational(1, 2)}, on=(I_1 - I_2,))
 
 
 def celtic_stone() -> Verdict:
-    """An ellipsoid whose axes are not its principal axes of inertia spins about the vertical."""
+    """An ellipsoid whose axes are not its principal axes of inertia."""
     inertia = ((1.0, 0.25, 0.0), (0.25, 1.5, 0.0), (0.0, 0.0, 2.0))
-    dynamics = roll(Body(1.0, inertia, Ellipsoid((1.0, 0.75, 0.5))), field=Forces(10.0))
-    point = {p.symbol: exact_number(p.default) for p in dynamics.parameters}
-    upright = dict(zip((*M, *gamma), map(sp.Integer, (0, 0, 2, 0, 0, 1)), strict=True))
-    return excludes_measure(dynamics, {**point, **upright})
+    return has_no_measure(Rolling(Body(1.0, inertia, Ellipsoid((1.0, 0.75, 0.5)))), "celtic stone")
 
 
 def suslov_skew() -> Verdict:
-    """Rotation about ω ∥ (I_23, −I_13, 0), which is also the vertical."""
-    dynamics = CATALOGUE["suslov"].system(
-        {"I_1": 5.0, "I_2": 6.0, "I_3": 7.0, "I_13": 1.5, "I_23": 2}
+    """ω₃ = 0 with any tensor of inertia: a measure needs I_13 = I_23 = 0."""
+    turning = cross(gamma, omega)
+    frame = Frame(
+        {gamma: turning}, (omega,), (norm_squared(gamma) - 1,), structure=rotations(omega)
     )
-    point = {p.symbol: exact_number(p.default) for p in dynamics.parameters}
-    axis = (sp.Rational(4, 5), -sp.Rational(3, 5), sp.S.Zero)
-    equilibrium = dict(zip((*suslov.omega, *suslov.gamma), (*axis, *axis), strict=True))
-    return excludes_measure(dynamics, {**point, **equilibrium})
+    numbers = zip(tensor.symbols, (2.0, 0.1, 0.2, 2.5, 0.3, 3.0), strict=True)
+    mechanism = Mechanism(
+        "suslov",
+        frame,
+        dot(omega, tensor * omega) / 2,
+        (dot(omega, unit_vector(3)),),
+        parameters=tuple(Parameter(s, "entry of the tensor of inertia", v) for s, v in numbers),
+    )
+    return has_no_measure(mechanism, "Suslov's problem")
 
 
 CLAIMS = (
@@ -82,7 +81,9 @@ CLAIMS = (
         r"$\int_{\Gamma_t}\rho(\mathbf{x})\,d^n\mathbf{x} = \text{const}$ for any domain "
         r"$\Gamma_t$ carried by the flow",
         volume,
-        note="for three dimensions and any v and ρ",
+        note="for any v and ρ",
+        argument="for any number of variables the matrix y of displacements has ẏ = (∂v/∂x) y, and "
+        "Jacobi's formula (det y)˙ = det y tr(∂v/∂x); computed is n = 3",
     ),
     Claim(
         "§3.2, Chaplygin ball",
@@ -93,21 +94,27 @@ CLAIMS = (
         "§3.2, body of revolution",
         "There are systems with an invariant measure: a body of revolution on a plane",
         body_of_revolution,
-        note="for spheroids of one shape, with any moments of inertia I₁ = I₂ and I₃, in any "
-        "potential U(γ₃)",
+        note="for every profile and centre of mass on the axis, with any moments of inertia "
+        "I₁ = I₂ and I₃, in any potential U(γ₃)",
     ),
     Claim(
         "§3.2, Celtic stones",
         "There are systems without an invariant measure: Celtic stones",
         celtic_stone,
-        note="for one ellipsoid; meant is a measure with positive smooth density",
+        note="meant is a measure with a density that is smooth and positive up to rest",
+        argument="docs/measures.md, result 6; computed is one ellipsoid",
+        where=(
+            "the normal at a contact passes through the centre of mass, and the directions of "
+            "curvature there differ from those of the inertia",
+        ),
     ),
     Claim(
         "§3.2, Suslov's problem",
         "There are systems without an invariant measure: Suslov's problem",
         suslov_skew,
-        note="when the axis is not a principal axis; otherwise, as in the problem behind (3.8), "
-        "the volume is preserved in every potential",
+        note="otherwise, as in the problem behind (3.8), the volume is preserved in every "
+        "potential",
+        where=("the axis without rotation is not a principal axis of inertia",),
     ),
 )
 

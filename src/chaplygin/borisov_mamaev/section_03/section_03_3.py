@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import combinations, product
+from itertools import combinations, permutations
 
 import sympy as sp
 
@@ -13,6 +13,7 @@ from ...core.system import Guard, System
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.any_number import any_number
 from ..methods.derived_verdicts import contrary
 from ..methods.unspecified_systems import (
     bracket,
@@ -27,7 +28,9 @@ from ..obstructions.divergence_at_equilibria import excludes_measure
 x = sp.symbols("x_1:4", real=True)
 z = sp.symbols("z_1:5", real=True)
 J = skew(x)
-f, g, h, H, N = unspecified_functions("f g h H N", *x)
+#: In four dimensions, for formulas whose terms have four different indices.
+K = skew(z)
+f, g, H, N = unspecified_functions("f g H N", *x)
 
 
 def _jacobiator(matrix: sp.Matrix, i: int, j: int, k: int) -> sp.Expr:
@@ -37,7 +40,7 @@ def _jacobiator(matrix: sp.Matrix, i: int, j: int, k: int) -> sp.Expr:
         *(
             matrix[one, a] * sp.diff(matrix[two, three], s)
             for one, two, three in turns
-            for a, s in enumerate(x)
+            for a, s in enumerate(z)
         )
     )
 
@@ -51,18 +54,6 @@ def _cyclic_gradient(matrix: sp.Matrix, i: int, j: int, k: int) -> sp.Expr:
 # --- Jacobi identity -----------------------------------------------------------------------
 
 
-def _nested_brackets() -> sp.Expr:
-    """{f, {g, h}} + {g, {h, f}} + {h, {f, g}}."""
-    turns = ((f, g, h), (g, h, f), (h, f, g))
-    return sp.Add(*(bracket(J, one, bracket(J, two, three, x), x) for one, two, three in turns))
-
-
-def _jacobi(defect: sp.Expr) -> Case:
-    """The nested brackets of any f, g, h are (∇f × ∇g, ∇h) times the defect J_123 of identity."""
-    volume = sp.Matrix.hstack(*(gradient(function, x) for function in (f, g, h))).det()
-    return hamiltonian(J, H, x), Identity("jacobi", _nested_brackets() - volume * defect)
-
-
 def jacobi_printed() -> Case:
     """A bracket satisfies the Jacobi identity when its components satisfy (3.6): e(3)'s so(3)."""
     turning = sp.Matrix([[0, x[2], -x[1]], [-x[2], 0, x[0]], [x[1], -x[0], 0]])
@@ -72,8 +63,16 @@ def jacobi_printed() -> Case:
 
 
 def jacobi_corrected() -> Case:
-    """The components of the Jacobi identity for any skew-symmetric J in three dimensions."""
-    return _jacobi(_jacobiator(J, 0, 1, 2))
+    """The nested brackets of any f, g, h are Σ f_i g_j h_k times the component ijk, for any J."""
+    f, g, h, H = unspecified_functions("f g h H", *z)
+    turns = ((f, g, h), (g, h, f), (h, f, g))
+    nested = (bracket(K, one, bracket(K, two, three, z), z) for one, two, three in turns)
+    slopes = [list(gradient(function, z)) for function in (f, g, h)]
+    components = (
+        slopes[0][i] * slopes[1][j] * slopes[2][k] * _jacobiator(K, i, j, k)
+        for i, j, k in permutations(range(4), 3)
+    )
+    return hamiltonian(K, H, z), Identity("jacobi", sp.Add(*nested) - sp.Add(*components))
 
 
 def bracket_of_functions() -> Case:
@@ -184,23 +183,24 @@ def change_of_time() -> Case:
 
 def tensor_invariant() -> Case:
     """(L_v J)_ij is Σ_k H_k times the defect of the Jacobi identity, for any skew-symmetric J."""
-    rates = list(J * gradient(H, x))
+    (H,) = unspecified_functions("H", *z)
+    rates = list(K * gradient(H, z))
 
     def lie(i: int, j: int) -> sp.Expr:
-        along = sp.Add(*(rate * sp.diff(J[i, j], s) for rate, s in zip(rates, x, strict=True)))
+        along = sp.Add(*(rate * sp.diff(K[i, j], s) for rate, s in zip(rates, z, strict=True)))
         turned = sp.Add(
             *(
-                sp.diff(rates[i], s) * J[k, j] + sp.diff(rates[j], s) * J[i, k]
-                for k, s in enumerate(x)
+                sp.diff(rates[i], s) * K[k, j] + sp.diff(rates[j], s) * K[i, k]
+                for k, s in enumerate(z)
             )
         )
         return along - turned
 
     def defect(i: int, j: int) -> sp.Expr:
-        return sp.Add(*(_jacobiator(J, i, j, k) * sp.diff(H, s) for k, s in enumerate(x)))
+        return sp.Add(*(_jacobiator(K, i, j, k) * sp.diff(H, s) for k, s in enumerate(z)))
 
-    residuals = tuple(lie(i, j) + defect(i, j) for i, j in product(range(3), repeat=2))
-    return hamiltonian(J, H, x), Identity("lie_derivative", residuals)
+    residuals = tuple(lie(i, j) + defect(i, j) for i, j in combinations(range(4), 2))
+    return hamiltonian(K, H, z), Identity("lie_derivative", residuals)
 
 
 def no_conservation_laws() -> Verdict:
@@ -212,6 +212,12 @@ def one_conservation_law() -> Case:
     """H stays an integral without the Jacobi identity."""
     return energy()
 
+
+LIOUVILLE = (
+    "for any number of variables: the condition with Σ ∂(ρJ_ij)/∂x_i has two different indices in "
+    "a term, and for a non-degenerate J it holds in the coordinates of Theorem 2, in which ρ is "
+    "constant; computed is the density in any coordinates, n = 4"
+)
 
 CLAIMS = (
     Claim(
@@ -225,6 +231,7 @@ CLAIMS = (
         r"J_{jl}\frac{\partial J_{ki}}{\partial x_l} + "
         r"J_{kl}\frac{\partial J_{ij}}{\partial x_l}\right) = 0$",
         "(3.6) states that a 2-form is closed; the Lie–Poisson bracket of so(3) breaks it",
+        argument=any_number(4),
     ),
     Claim(
         "§3.3, Poisson bracket",
@@ -232,11 +239,13 @@ CLAIMS = (
         r"\frac{\partial g}{\partial x_j}$",
         bracket_of_functions,
         note="with it ḟ = {f, H} along (3.5)",
+        argument=any_number(2),
     ),
     Claim(
         "(3.5)",
         r"The Hamiltonian system (3.5) has $H(\mathbf{x})$ as an integral of motion",
         energy,
+        argument=any_number(2),
     ),
     Claim(
         "§3.3, Liouville's theorem",
@@ -249,6 +258,7 @@ CLAIMS = (
         r"not have one near a point where its rank falls",
         "the hypothesis is missing: {x₁, x₃} = x₁, {x₂, x₃} = x₂, H = x₃ preserves no smooth "
         "measure",
+        argument=LIOUVILLE,
     ),
     Claim(
         "Remark 8, tensor invariant",
@@ -256,6 +266,7 @@ CLAIMS = (
         r"$\mathcal{L}_{\mathbf{v}}\mathbf{J} = 0$, due to Jacobi's identity",
         tensor_invariant,
         note="the Lie derivative is the contraction of the Jacobi identity (corrected) with ∇H",
+        argument=any_number(4),
     ),
     Claim(
         "Remark 8, no conservation laws",
@@ -265,6 +276,7 @@ CLAIMS = (
         one_conservation_law,
         "It implies the conservation of $H$, by skew symmetry alone",
         "H is conserved for every skew-symmetric J",
+        argument=any_number(2),
     ),
     Claim(
         "§3.3, measure of (3.7)",
@@ -274,17 +286,20 @@ CLAIMS = (
         r"(3.7) preserves $\rho\mathcal{N}^{-1} d^n\mathbf{x}$ where $\mathcal{N} \ne 0$ and (3.5) "
         r"preserves $\rho\,d^n\mathbf{x}$, as for non-degenerate $\mathbf{J}$",
         "fails where N vanishes (q̇ = q, ṗ = 0), and where (3.5) preserves no measure",
+        argument=LIOUVILLE,
     ),
     Claim(
         "§3.3, Hamiltonian function of (3.7)",
         "Conformally Hamiltonian systems have the Hamiltonian as a constant of motion",
         conformal_energy,
+        argument=any_number(2),
     ),
     Claim(
         "(3.7)",
-        r"Upon the change of time $\mathcal{N}(\mathbf{x})\,dt = d\tau$ the system (3.7) is "
-        "reduced to a Hamiltonian form",
+        r"If the sign $\mathcal{N}(\mathbf{x})$ is fixed, then, upon the change of time "
+        r"$\mathcal{N}(\mathbf{x})\,dt = d\tau$, the system (3.7) is reduced to a Hamiltonian form",
         change_of_time,
+        argument=any_number(2),
     ),
 )
 
@@ -299,5 +314,17 @@ REMARKS = (
         "§3.3, end",
         "Most nonholonomic systems can be represented in the conformally Hamiltonian form",
         "judgement; the cases are claims of §§5–10",
+    ),
+    Remark(
+        "§3.3, before Remark 8",
+        "Hamiltonian systems are the class of dynamical systems most extensively studied; whether "
+        "equations of nonholonomic mechanics are Hamiltonian is a very important issue",
+        "judgement",
+    ),
+    Remark(
+        "§3.3, before (3.7)",
+        "Conformally Hamiltonian systems are practically indistinguishable from Hamiltonian "
+        "systems",
+        "judgement; that they keep $H$, and when they keep a measure, are claims",
     ),
 )

@@ -10,6 +10,7 @@ from ...core.system import System
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.any_number import any_number
 from ..methods.catalogue_laws import laws_named
 from ..methods.derived_verdicts import computed_verdict
 from ..methods.unspecified_systems import (
@@ -125,17 +126,21 @@ def additional_printed() -> Verdict:
     )
 
 
+BLOCKS = "the matrix of any number of pairs is made of the same blocks"
+
 CLAIMS = (
     Claim(
         "§3.4, Casimir functions",
         "A Casimir function is an integral of the system (3.7)",
         casimir_is_integral,
+        argument=any_number(2),
     ),
     Claim(
         "§3.4, kernel",
         r"$\nabla\Phi_\alpha(\mathbf{x})$ lies in the kernel of the Poisson structure "
         r"$\mathbf{J}(\mathbf{x})$",
         gradient_in_kernel,
+        argument=any_number(2),
     ),
     Claim(
         "Theorem 2, pairs",
@@ -145,6 +150,7 @@ CLAIMS = (
         darboux,
         r"$\{q_i, p_j\} = \delta_{ij}$",
         "an index: as printed, {q₁, p₂} is left open and the rank may fall",
+        argument=BLOCKS,
     ),
     Claim(
         "Theorem 2, Casimir functions",
@@ -154,13 +160,15 @@ CLAIMS = (
         darboux,
         r"$\{z_\alpha, q_i\} = \{z_\alpha, p_i\} = \{z_\alpha, z_\beta\} = 0$",
         "the brackets of the z with each other are left out",
+        argument=BLOCKS,
     ),
     Claim(
         "Remark 9",
         r"The number of local Casimir functions near $\mathbf{x}_0$ is the dimension of the kernel "
         r"of $\mathbf{J}(\mathbf{x}_0)$",
         local_casimirs,
-        note="where the rank is constant, as in Theorem 2; for (3.8): three",
+        note="z_α are those of Theorem 2, which has the rank constant; for (3.8): three",
+        argument="Theorem 2 has as many functions z as the kernel has dimensions",
     ),
     Claim(
         "§3.4, canonical form",
@@ -168,7 +176,7 @@ CLAIMS = (
         r"$\dot{\mathbf{p}} = -N_c\,\partial H_c/\partial\mathbf{q}$ is (3.7) in the canonical "
         "bracket",
         canonical_form,
-        note="for two degrees of freedom",
+        argument=any_number(2),
     ),
     Claim(
         "§3.4, first situation",
@@ -180,6 +188,8 @@ CLAIMS = (
         "with it and with each other, are sufficient",
         "the Hamiltonian is one of the n; “additional” is read as besides it and the Casimir "
         "functions",
+        argument="that so many independent ones are sufficient is Liouville's theorem; computed is "
+        "the Lagrange top",
     ),
 )
 
@@ -193,5 +203,19 @@ REMARKS = (
         "Theorem 2",
         "The generalized Darboux theorem",
         "a quoted theorem; its formulas are claims",
+    ),
+    Remark(
+        "§3.4, first situation",
+        "The two numbers of Casimir functions are equal in most applications; then a symplectic "
+        "leaf is a manifold given by the Casimir functions, and integrability is proved by the "
+        "Liouville–Arnold theorem",
+        "a definition and quoted theorems; the canonical form and the number of integrals are "
+        "claims",
+    ),
+    Remark(
+        "§3.4, second situation",
+        "This case is not discussed in the literature; the problem will be considered in "
+        "subsequent papers",
+        "literature",
     ),
 )

@@ -201,6 +201,8 @@ CLAIMS = (
         kernel_corrected,
         r"$\dim(\operatorname{Ker}\mathbf{J}) > m$",
         "the equality of the first situation is repeated",
+        argument="by Remark 9 the local Casimir functions are as many as dim Ker J has it; "
+        "computed is (3.8)",
     ),
     Claim(
         "§3.4, solvable algebra",
@@ -249,7 +251,9 @@ CLAIMS = (
         "In the case of irrational $d$ the Poisson structure has only two independent globally "
         "defined Casimir functions",
         only_two,
-        note="for functions analytic at the origin",
+        argument="for every differentiable function: the flow of γ₃ turns p₁ + iγ₁ and p₂ + iγ₂ "
+        "at the rates 1 and d, so that for irrational d its orbits are dense in the tori of "
+        "constant Φ₁, Φ₂, and {p₁, γ₃} = −γ₁ excludes γ₃; computed are the rates",
     ),
     Claim(
         "§3.4, symplectic leaves of (3.8)",

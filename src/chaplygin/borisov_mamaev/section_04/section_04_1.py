@@ -7,7 +7,15 @@ import sympy as sp
 from ...catalogue import CATALOGUE
 from ...catalogue.fixed_point.lagrange_top import I_1, I_3, p_phi, p_psi, phi, psi, theta
 from ...core.isomorphism import Isomorphism
-from ...core.laws import ConformallyHamiltonian, Identity, Integral, Measure, PoissonStructure, Rate
+from ...core.laws import (
+    ConformallyHamiltonian,
+    Identity,
+    Integral,
+    Law,
+    Measure,
+    PoissonStructure,
+    Rate,
+)
 from ...core.system import System
 from ...parsing.exact_decimals import exact_number
 from ...proof.prover import prove
@@ -98,7 +106,7 @@ def _uniform() -> System:
     return system("uniform", "(4.2)", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero})
 
 
-def _with_uniform_angles(shifts: tuple[sp.Expr, sp.Expr]) -> Case:
+def _with_uniform_angles(shifts: tuple[sp.Expr, sp.Expr]) -> tuple[System, Isomorphism]:
     """(4.1) with ζ_i = ω_i + ω₁ ∂Z_i/∂θ₁, and the change θ̃_i = θ_i − Z_i."""
     uniform = _uniform()
     omega = uniform.rates[:3]
@@ -135,14 +143,17 @@ def theorem_4_printed() -> Verdict:
     )
 
 
-def theorem_4_corrected() -> Case:
+def theorem_4_corrected() -> tuple[System, Isomorphism]:
     """Z_i(θ₁, F), the periodic primitive of (ζ_i − ω_i)/ω₁, unspecified."""
     first, second = unspecified_functions("Z2 Z3", theta_1, F_1, F_2)
     return _with_uniform_angles((first, second))
 
 
 def fourier() -> Case:
-    """The series with three harmonics, in real form: cosine a_m gives sine a_m/(m ω₁)."""
+    """The series with three harmonics, in real form: cosine a_m gives sine a_m/(m ω₁).
+
+    For every ζ the change is `theorem_4_corrected`, whose Z has this series by partial integration.
+    """
     omega_1 = _uniform().rates[0]
 
     def shift(name: str) -> sp.Expr:
@@ -152,7 +163,7 @@ def fourier() -> Case:
             terms.append((a * sp.sin(n * theta_1) - b * sp.cos(n * theta_1)) / n)
         return sp.Add(*terms) / omega_1
 
-    return _with_uniform_angles((shift("y"), shift("z")))
+    return _with_uniform_angles((shift("y"), shift("z"))), theorem_4_corrected()
 
 
 def frequencies() -> Verdict:
@@ -171,7 +182,10 @@ def frequencies() -> Verdict:
 
 
 def corollary_1_corrected() -> Case:
-    """Two angles, two integrals, independent frequencies, ω₁ ≠ 0: two structures for (4.1)."""
+    """Two angles, two integrals, independent frequencies, ω₁ ≠ 0: structures for (4.1).
+
+    For any g_i the frequencies themselves are taken as the variables F_i.
+    """
     omega_1, omega_2 = unspecified_functions("omega1 omega2", F_1, F_2)
     (Z,) = unspecified_functions("Z", theta_1, F_1, F_2)
     field = {
@@ -190,7 +204,26 @@ def corollary_1_corrected() -> Case:
         structure = PoissonStructure(f"bracket_{i}", matrix, rank=4)
         form = ConformallyHamiltonian(f"form_{i}", sp.S.One, structure, energy)
         forms += [(dynamics, structure), (dynamics, form)]
-    return tuple(forms)
+    return (*forms, *_for_any_energy())
+
+
+def _for_any_energy() -> tuple[tuple[System, Law], ...]:
+    """{θ̃_i, ω_j} = δ_ij ω_i/g_i′(ω_i) and H = g₁(ω₁) + g₂(ω₂), with ω_i = F_i."""
+    (Z,), energies = (
+        unspecified_functions("Z", theta_1, F_1, F_2),
+        (unspecified_functions("g1", F_1)[0], unspecified_functions("g2", F_2)[0]),
+    )
+    field = {
+        theta_1: F_1,
+        theta_2: F_2 + F_1 * sp.diff(Z, theta_1),
+        F_1: sp.S.Zero,
+        F_2: sp.S.Zero,
+    }
+    dynamics = system("by_frequencies", "(4.1) in its frequencies", field)
+    weights = (F_1 / sp.diff(energies[0], F_1), F_2 / sp.diff(energies[1], F_2))
+    structure = PoissonStructure("bracket", canonical_in((F_1, F_2), weights, Z), rank=4)
+    form = ConformallyHamiltonian("form", sp.S.One, structure, sp.Add(*energies))
+    return (dynamics, structure), (dynamics, form)
 
 
 def remark_11() -> Case:
@@ -206,6 +239,8 @@ def corollary_1_printed() -> Verdict:
     return contrary(not_hamiltonian())
 
 
+EACH_ANGLE = "each of any number of angles is changed by itself, with the integrals as parameters"
+
 CLAIMS = (
     Claim(
         "§4.1, Lie-integrable systems",
@@ -216,6 +251,8 @@ CLAIMS = (
         r"triangular form, where $\tilde v_1 \ne 0$",
         "fails at rest points: the velocities of the Chaplygin sleigh (n = 2, one integral) "
         "preserve no smooth measure, nor do those of Suslov's problem, which §3.2 names",
+        argument="for any number of variables: ρ = 1/ṽ₁ depends on y₁ and F alone, and each rate "
+        "ṽ_i, i > 1, does not depend on y_i",
     ),
     Claim(
         "§4.1, precession of the Lagrange top",
@@ -242,27 +279,35 @@ CLAIMS = (
     ),
     Claim(
         "Theorem 4",
-        r"If $\dot\theta_1 = \omega_1(\mathbf{F})$, $\dot\theta_i = \zeta_i(\theta_1, \mathbf{F})$ "
-        r"(4.1), then a differentiable change of variables reduces the system to "
-        r"$\dot\theta_i = \omega_i(\mathbf{F})$ (4.2)",
+        "Suppose that in a neighborhood of a torus, the common level surface of the first "
+        "integrals, there are angular coordinates such that the vector field takes the form "
+        r"$\dot\theta_1 = \omega_1(\mathbf{F})$, $\dot\theta_i = \zeta_i(\theta_1, \mathbf{F})$ "
+        "(4.1). Then there exists a differentiable (analytic) change of variables that reduces "
+        r"the system (4.1) to the form $\dot\theta_i = \omega_i(\mathbf{F})$ (4.2)",
         theorem_4_printed,
         theorem_4_corrected,
         r"the same, where $\omega_1(\mathbf{F}) \ne 0$",
         "the hypothesis ω₁ ≠ 0 is missing; the change divides by ω₁",
+        argument=EACH_ANGLE,
     ),
     Claim(
         "Theorem 4, change of variables from (4.1) to (4.2)",
         r"$\tilde\theta_i = \theta_i - \frac{1}{\omega_1(\mathbf{F})}\sum_{m \ne 0}"
         r"\frac{\zeta_i^{(m)}(\mathbf{F})}{im}e^{im\theta_1}$",
         fourier,
-        note="for three harmonics with any coefficients; ω₁ ≠ 0",
+        note="with ω₁ ≠ 0, by which it divides",
+        argument=f"{EACH_ANGLE}; by partial integration the sum is the Fourier series of the "
+        "primitive Z_i of (ζ_i − ω_i)/ω₁, which is periodic and the sum of its series; computed "
+        "are any Z_i, and a sum of three harmonics",
     ),
     Claim(
         "Theorem 4, frequencies",
         r"$\omega_i(\mathbf{F}) = \zeta_i(\mathbf{F}) = "
         r"\frac{1}{2\pi}\int_0^{2\pi}\zeta_i(\theta_1, \mathbf{F})\,d\theta_1$",
         frequencies,
-        note=r"ζ_i(F) read as the coefficient ζ_i^(0)(F)",
+        erratum="ζ_i(F): read ζ_i^(0)(F), the coefficient of the series",
+        argument="the coefficient with m = 0 is the mean, and the mean of the other terms, of "
+        "which five are computed, is zero",
     ),
     Claim(
         "Corollary 1",
@@ -273,11 +318,13 @@ CLAIMS = (
         r"It is, near a torus with $\omega_1 \ne 0$ on which the frequencies "
         r"$\omega_1, \dots, \omega_{n-k}$ are functionally independent (so that $k \ge n - k$): "
         r"$\{\tilde\theta_i, \omega_j\} = \delta_{ij} g_i'(\omega_i)^{-1}\omega_i$, "
-        r"$H = \sum g_i(\omega_i)$ for any $g_i$",
-        "the hypotheses are missing: θ̇₁ = 1, θ̇₂ = F, Ḟ = 0 has no Poisson structure; the "
-        "correction is proved for two angles, g = ω²/2 and g = ω. Weaker: an integral F₁ on which "
+        r"$H = \sum g_i(\omega_i)$ for any $g_i$ with $g_i' \ne 0$",
+        "the hypotheses are missing: θ̇₁ = 1, θ̇₂ = F, Ḟ = 0 has no Poisson structure. Weaker: an "
+        "integral F₁ on which "
         "the ratios of the frequencies do not depend is enough, with {θ̃_i, F₁} = ω_i and H = F₁, "
         "as Proposition 5 shows for two angles",
+        argument="for any number of angles the bracket is a sum of those of the pairs θ̃_i, ω_i, "
+        "and further integrals are parameters; computed are two angles",
     ),
     Claim(
         "Remark 11",
@@ -322,5 +369,18 @@ REMARKS = (
         "Remark 12",
         "In the whole phase space the reduction may turn out to be impossible [42, 43]",
         "literature",
+    ),
+    Remark(
+        "§4.1, before Theorem 4",
+        "A similar result is valid for the averaging procedure in one-frequency systems [12].",
+        "literature, of which no statement is given: averaging is a change of variables close to "
+        "the identity in systems with a small parameter, and removes the angle to a given order of "
+        "it alone, while that of Theorem 4 is exact",
+    ),
+    Remark(
+        "§4.1, Lagrange–Lie integrable systems",
+        "There is a coordinate on the invariant surface by which all others are quadratures; the "
+        "dynamics is practically identical to that of integrable Hamiltonian systems",
+        "the definition of a name, and judgement; the formulas of the Lagrange top are claims",
     ),
 )

@@ -14,7 +14,7 @@ from ...core.laws import (
     Rate,
     Symmetry,
 )
-from ...core.system import System
+from ...core.system import Parameter, System
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.derived_verdicts import conclusion_verdict, contrary
@@ -78,10 +78,13 @@ def _constant_ratio() -> tuple[tuple[System, Law], ...]:
         unspecified_functions("Lambda", F_1),
         unspecified_functions("Phi", *ANGLES, F_1),
     )
-    ratio = (sp.S(2), sp.S(3))
+    ratio = sp.symbols("c_1:3", real=True)
     rates = [c * speed / spread for c in ratio]
     dynamics = system(
-        "constant_ratio", "(4.3)", dict(zip((*ANGLES, F_1), (*rates, sp.S.Zero), strict=True))
+        "constant_ratio",
+        "(4.3)",
+        dict(zip((*ANGLES, F_1), (*rates, sp.S.Zero), strict=True)),
+        parameters=tuple(Parameter(c, "frequency", 2.0 + i) for i, c in enumerate(ratio)),
     )
     matrix = sp.Matrix([[0, 0, ratio[0]], [0, 0, ratio[1]], [-ratio[0], -ratio[1], 0]])
     structure = PoissonStructure("bracket", matrix, rank=2)
@@ -121,6 +124,11 @@ def equal_periods() -> tuple[tuple[System, Law], ...]:
     return tuple((dynamics, Symmetry(f"shift of {s}", {s: sp.S.One})) for s in ANGLES)
 
 
+PARAMETERS = (
+    "for any number of integrals: those beyond the ones computed are parameters, and Casimir "
+    "functions of a bracket"
+)
+
 CLAIMS = (
     Claim(
         "Theorem 5, quadratures",
@@ -129,6 +137,8 @@ CLAIMS = (
         quadratures,
         note="the measure makes the equation of the trajectories on the level surface a total "
         "differential",
+        argument="with the n − 2 integrals among the coordinates they are parameters, and the "
+        "surface has a measure of its own; computed is the surface",
     ),
     Claim(
         "(4.3)",
@@ -137,6 +147,7 @@ CLAIMS = (
         "a flow that preserves measure",
         measure_of_kolmogorov,
         note="the measure Φ dθ₁ dθ₂ dF; that every such flow has this form is Kolmogorov's theorem",
+        argument=PARAMETERS,
     ),
     Claim(
         "Corollary 2",
@@ -148,18 +159,18 @@ CLAIMS = (
         r"multiplication of both and of $\Phi$ by a function of $\mathbf{F}$, are independent, "
         "that is, where the rotation number has a differential that is not zero; and for $n = 3$ "
         "when the rotation number is constant",
-        "the hypotheses are missing: for n = 3 with a varying rotation number (4.3) is not N J ∇H; "
-        "the correction is proved for n = 3 and n = 4",
+        "the hypotheses are missing: for n = 3 with a varying rotation number (4.3) is not N J ∇H",
+        argument=PARAMETERS,
     ),
     Claim(
         "§4.2, after Corollary 2",
         "A Euler–Jacobi integrable system cannot generally (without resort to changes of time) be "
         "reduced to the Hamiltonian form",
         never_hamiltonian,
-        note="not all can: for n = 3 a varying rotation number excludes it. For n ≥ 4 every such "
-        "system has a Hamiltonian form of rank two, v∧∂/∂F₁, near a torus "
-        "where the rotation number has a differential that is not zero, or is constant; what "
-        "different periods exclude is one in which the integrals commute",
+        note="not all can: with one integral a varying rotation number excludes it. For n ≥ 4 "
+        "every such system has a Hamiltonian form of rank two, v∧∂/∂F₁, near a torus where the "
+        "rotation number has a differential that is not zero, or is constant; what different "
+        "periods exclude is one in which the integrals commute",
     ),
     Claim(
         "§4.2, resonant tori",
@@ -167,14 +178,17 @@ CLAIMS = (
         r"general case, since $\Phi(\theta_1, \theta_2, \mathbf{F})$ depends on $\theta_i$, the "
         "periods of motion along these trajectories are different",
         different_periods,
-        note="for one example; a Φ that depends on θ₁ alone does not do it",
+        note="a Φ that depends on θ₁ alone does not do it on a torus with λ₁ ≠ 0",
+        argument="the period is the mean of Φ over the trajectory, up to a factor; as a function "
+        "of the trajectory it has the Fourier coefficients Φ_m with (m, λ) = 0, and those with "
+        "m ≠ 0 vanish for special Φ only; computed is an example",
     ),
     Claim(
         "Proposition 4",
         "In an integrable Hamiltonian system with two-dimensional invariant tori the periods of "
         "the solutions that belong to one and the same resonant torus are equal",
         equal_periods,
-        note="in angle–action variables near a non-singular torus",
+        note="near a non-singular torus, which has angle–action variables",
     ),
 )
 
@@ -190,5 +204,16 @@ REMARKS = (
         "Different periods result in mixing on resonant tori, which prevents nonholonomic systems "
         "from being Hamiltonian [47]",
         "literature; mixing is meant along the torus, each trajectory of which is closed",
+    ),
+    Remark(
+        "§4.2, after (4.3)",
+        "The theorem extends the statement from [28]; Kolmogorov's proof can be easily extended to "
+        "a flow on a torus that depends on parameters",
+        "literature; a proof is not given",
+    ),
+    Remark(
+        "§4.2, before Proposition 4",
+        "Lagrange–Liouville integrable systems",
+        "an erratum: read Lagrange–Lie, the name given in §4.1",
     ),
 )

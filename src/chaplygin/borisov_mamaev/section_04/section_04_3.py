@@ -158,7 +158,7 @@ CLAIMS = (
     Claim(
         "§4.3, reducing multiplier of the Chaplygin sleigh",
         "The equations of the Chaplygin sleigh can be integrated using the method of reducing "
-        "multiplier",
+        "multiplier and solution of a Hamilton–Jacobi equation",
         sleigh_multiplier_printed,
         sleigh_multiplier_corrected,
         r"They can, with $\mathcal{N} = \cos\varphi$, when the centre of mass lies on the "

@@ -219,10 +219,11 @@ def ordinary() -> Case:
 CLAIMS = (
     Claim(
         "§4.3, ordinary Chaplygin systems with a measure",
-        "If there exists an invariant measure whose density is a function of coordinates only, one "
-        r"can choose $\mathcal{N}(\mathbf{q})$ so that $\bar S = 0$",
+        "For an ordinary Chaplygin system it is established that if there exists an invariant "
+        "measure whose density is a function of coordinates only, one can choose "
+        r"$\mathcal{N}(\mathbf{q})$ so that $\bar S = 0$",
         ordinary,
-        note="for a homogeneous quadratic kinetic energy",
+        where=("the kinetic energy is a homogeneous quadratic form",),
     ),
     Claim(
         "Theorem 6",
@@ -290,6 +291,7 @@ CLAIMS = (
         r"Hence in the original time $t$ generalized measure-preserving Chaplygin systems are "
         "conformally Hamiltonian",
         in_the_old_time,
-        note="when the density depends on the coordinates alone",
+        note="by Theorem 6",
+        where=("the density of the measure depends on the coordinates alone",),
     ),
 )

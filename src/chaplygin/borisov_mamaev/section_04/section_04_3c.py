@@ -105,9 +105,11 @@ CLAIMS = (
         "If the manifold on which $q_1$ and $q_2$ are defined is compact, then the form Ω is "
         r"exact iff $\int_{\mathcal{M}}\Omega = 0$",
         exact,
-        note="shown with ω written out on the torus and the sphere; on any connected orientable "
-        "surface without boundary it is de Rham's theorem. On a disk, whose boundary is part of "
-        r"it, $\Omega = dq_1\wedge dq_2$ is exact and its integral is not zero",
+        note="on a disk, whose boundary is part of it, "
+        r"$\Omega = dq_1\wedge dq_2$ is exact and its integral is not zero",
+        argument="on every such surface it is de Rham's theorem; computed are the torus and the "
+        "sphere, with ω written out",
+        where=("the surface is connected, orientable and without boundary",),
     ),
 )
 
@@ -118,5 +120,12 @@ REMARKS = (
         "to the Hamiltonian form",
         "read as the canonical form: with the bracket (4.6), which needs Ω alone and no W, the "
         "equations are Hamiltonian globally",
+    ),
+    Remark(
+        "§4.3, after Theorem 6",
+        "Systems with the bracket (4.6) frequently occur: charged particles in a magnetic field, "
+        "gyroscopic forces; multidimensional generalizations are in [53], one of the "
+        "Hamilton–Jacobi method in [54]",
+        "literature; the bracket and the Lagrangian with $W$ are claims",
     ),
 )

@@ -35,6 +35,7 @@ from ..claim import Case, Claim
 from ..methods.derived_verdicts import computed_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.marble_bodies_of_revolution import curvatures, height, lens, linear_integral, slope
+from ..methods.tensor_of_a_body import with_tensor_of_a_body
 from ..methods.unspecified_systems import system
 
 M, omega, gamma, r = vectors("M omega gamma r")
@@ -79,7 +80,7 @@ def constants() -> tuple[sp.Expr, sp.Expr]:
 
 def equations() -> Case:
     """(1.18) with I_1 = I_2, in the form in which everything here is proven."""
-    return body(), catalogue.onto_rolled()
+    return with_tensor_of_a_body(body(), (I_1, I_1, I.symbols[2])), catalogue.onto_rolled()
 
 
 def contact_vector() -> Case:
@@ -329,6 +330,9 @@ CLAIMS = (
         "§5, Lie's theorem, independence",
         r"The integrals $\gamma^2$, $(\omega, \gamma)$, $\mathcal{E}$, $K$ are independent.",
         lie_independent,
+        argument="for every body of revolution: where γ is not along e₃, the last three have the "
+        "derivatives γ, Ĩω and Ae₃ by ω, independent for almost all ω since Ĩ is invertible, and "
+        "γ² does not contain ω; computed is Routh's sphere",
     ),
     Claim(
         "§5, γ in the angles",

@@ -11,7 +11,7 @@ from ...core.laws import Identity, Measure, Rate, Reduction
 from ...core.system import System
 from ...core.vectors import constant, real_symbol, to_components, vectors
 from ...proof.verdict import Verdict
-from ..claim import Case, Claim
+from ..claim import Case, Claim, Remark
 from ..methods.derived_verdicts import computed_verdict
 from ..methods.tori import of_rank_two
 from .section_05_a import body, body_in_angles, constants, quadratures
@@ -137,9 +137,13 @@ CLAIMS = (
         r"If $k \neq 0$, the equations of a heavy rubber body of revolution can be represented "
         "(without change of time) in the Hamiltonian form.",
         proposition,
-        note="near a torus where the rotation number has a differential or is constant: on a "
-        "regular level θ̇² and φ̇ depend on θ alone and φ̇ does not vanish, so that Theorem 4 gives "
-        "(4.2), of which a bracket of rank two is shown. Corollary 1 as printed does not suffice",
+        note="on a regular level θ̇² and φ̇ depend on θ alone and φ̇ does not vanish, so that "
+        "Theorem 4 gives (4.2), of which a bracket of rank two is shown. Corollary 1 as printed "
+        "does not suffice",
+        where=(
+            "the motion is near a torus at which the rotation number has a differential that is "
+            "not zero, or is constant",
+        ),
     ),
     Claim(
         "Proposition 5, proof",
@@ -149,7 +153,8 @@ CLAIMS = (
         nowhere_zero,
         r"In view of the second line of (5.2), $k\dot{\varphi} = k^2/(A\sin^2\theta) > 0$ "
         "everywhere.",
-        "φ̇ has the sign of k, and the equation for φ̇ shows it",
+        "φ̇ has the sign of k, which may be negative",
+        erratum="“first equation” is printed for “second line” of (5.2), which gives φ̇",
     ),
     Claim(
         "§5, disk, profile",
@@ -172,5 +177,14 @@ CLAIMS = (
         r"$\frac{1}{2}(I_1 + m(R^2 + a^2) + 2mRa\cos\theta)\dot{\theta}^2 = h - mg(R + "
         r"a\cos\theta) - \frac{1}{2}\frac{k^2}{\sin^2\theta}$",
         ball_quadrature,
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§5, after (5.1)",
+        "The existence of a linear integral is quite expectable [1]; that it is elementary for any "
+        "shape of the body is far from trivial.",
+        "judgement; that it is an integral for any shape is (5.1)",
     ),
 )

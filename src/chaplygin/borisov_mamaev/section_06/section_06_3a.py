@@ -202,11 +202,12 @@ CLAIMS = (
     ),
     Claim(
         "§6.3, geodesic flow",
-        "(6.11), (6.12) determines a certain integrable system on a two-dimensional sphere and "
-        "defines thereby a geodesic flow.",
+        "The system (6.11), (6.12) determines a certain integrable potential system on a "
+        "two-dimensional sphere and defines thereby a certain geodesic flow.",
         geodesic_flow,
-        note="for U = 0: H and F are quadratic in M and in involution; with an arbitrary U it is "
-        "not integrable",
+        note="H and F are quadratic in M and in involution; with an arbitrary U the system is not "
+        "integrable",
+        where=("U = 0",),
     ),
     Claim(
         "§6.3, inverse transformation",

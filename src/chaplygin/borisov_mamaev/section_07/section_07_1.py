@@ -14,9 +14,6 @@ from ...core.laws import Identity, Integral, Measure
 from ...core.system import System
 from ...core.vector_operators import gradient, outer
 from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, to_components, vectors
-from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Forces, roll
-from ...mechanics.shapes.shapes import Ball
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
@@ -31,8 +28,8 @@ I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
 HALF = sp.Rational(1, 2)
 U = sp.Function("U")(*gamma.symbols)
 TORQUE = cross(gamma, gradient(U, gamma))
-MOVED = "(6.1) is the Veselova system; (7.1) is meant"
-BOTH = "true of (6.1), with J for I, and of (7.1), which is meant"
+#: An erratum of (7.2) to (7.5).
+MOVED = "(6.1), the Veselova system, is printed for (7.1)"
 
 
 @cache
@@ -45,12 +42,6 @@ def ball() -> System:
 def free_ball() -> System:
     """The rolling ball without a field."""
     return CATALOGUE["chaplygin-ball"].system()
-
-
-@cache
-def rubber_ball() -> System:
-    """(6.1) with an unspecified potential and the tensor J: the ball that does not spin."""
-    return roll(Body(1.0, (1.0, 1.5, 2.1), Ball(1.0)), contact="rubber", field=Forces(potential=U))
 
 
 def identity_of(name: str, *formulas: object) -> Identity:
@@ -97,29 +88,18 @@ def tensor() -> Case:
 def energy() -> Case:
     """The energy of (7.2), of the ball that may spin and of the one that does not."""
     law = Integral("energy", HALF * dot(M, omega) + U)
-    return (ball(), law), (rubber_ball(), law)
+    return ball(), law
 
 
 def geometric() -> Case:
     """γ² of (7.2)."""
     law = Integral("geometric", norm_squared(gamma))
-    return (ball(), law), (rubber_ball(), law)
+    return ball(), law
 
 
 def area() -> Case:
     """(M, γ) of (7.2)."""
     return ball(), Integral("area", dot(M, gamma))
-
-
-def area_of_6_1() -> Case:
-    """(M, γ) along (6.1) with the tensor J."""
-    return rubber_ball(), Integral("area", dot(M, gamma))
-
-
-def momentum_of_6_1() -> Case:
-    """(M, M) along (6.1) with the tensor J."""
-    free = CATALOGUE["rubber-chaplygin-ball"].system()
-    return free, Integral("momentum", norm_squared(M))
 
 
 def measure() -> Case:
@@ -201,29 +181,30 @@ CLAIMS = (
     ),
     Claim(
         "(7.2), energy",
-        r"Equations (6.1) admit the integral $H = \frac{1}{2}(M, \omega) + U(\gamma)$.",
+        r"Equations (6.1) (with an arbitrary potential) admit the integral of energy $H = "
+        r"\frac{1}{2}(M, \omega) + U(\gamma)$.",
         energy,
-        note=BOTH,
+        erratum=MOVED,
     ),
     Claim(
         "(7.2), geometric integral",
-        r"Equations (6.1) preserve $(\gamma, \gamma) = 1$.",
+        r"Equations (6.1) (with an arbitrary potential) admit the geometric integral "
+        r"$(\gamma, \gamma) = 1$.",
         geometric,
-        note=BOTH,
+        erratum=MOVED,
     ),
     Claim(
         "(7.2), area integral",
-        r"Equations (6.1) admit the integral of areas $(M, \gamma) = c = $ const.",
-        area_of_6_1,
+        r"Equations (6.1) (with an arbitrary potential) admit the integral of areas "
+        r"$(M, \gamma) = c = $ const.",
         area,
-        r"Equations (7.1) admit the integral of areas $(M, \gamma) = c = $ const.",
-        MOVED,
+        erratum=MOVED,
     ),
     Claim(
         "(7.3), measure",
         r"They preserve $\rho_\mu d^3M d^3\gamma$ with $\rho_\mu = (\det I_Q)^{-1/2}$.",
         measure,
-        note="of the equations (7.1), for which (6.1) stands",
+        erratum=MOVED,
     ),
     Claim(
         "(7.3), determinant",
@@ -232,11 +213,10 @@ CLAIMS = (
     ),
     Claim(
         "(7.4)",
-        r"If $U = 0$, the system (6.1) has an additional integral $F = (M, M)$.",
-        momentum_of_6_1,
+        r"If there is no external field ($U = 0$), the system (6.1) has an additional integral "
+        r"$F = (M, M)$.",
         square,
-        r"If $U = 0$, the system (7.1) has an additional integral $F = (M, M)$.",
-        MOVED,
+        erratum=MOVED,
     ),
     Claim(
         "§7.1, after (7.4)",
@@ -262,15 +242,18 @@ CLAIMS = (
         "The periods of motion for the orbits lying on the two-dimensional invariant resonance "
         "tori are not the same.",
         unequal_periods,
-        note="for one ball and one torus with $(M, \\gamma) = 0$, by rigorous bounds: "
-        "$I = \\mathrm{diag}(0.2, 2, 2.1)$, $D = 5$, where one angle of the torus turns twice "
-        "while the other turns once; two of its closed motions have the periods 21.76 and 21.81 "
-        "for $2H = 1$",
+        note="by rigorous bounds: one angle of the torus turns twice while the other turns once, "
+        "and two of its closed motions have the periods 21.76 and 21.81 for $2H = 1$",
+        where=(
+            "I = diag(0.2, 2, 2.1) and D = 5",
+            "the torus is that with (M, γ) = 0 that the note names",
+        ),
     ),
     Claim(
         "Remark 21, Hamiltonian form",
-        "Without a time substitution, the equations of motion of the Chaplygin ball are not "
-        "Hamiltonian because the periods on resonance tori are not the same.",
+        "In [46], the authors showed numerically that without a time substitution, the equations "
+        "of motion of the Chaplygin ball are not Hamiltonian because the periods of motion for the "
+        "orbits lying on the two-dimensional invariant resonance tori are not the same.",
         periods_exclude_printed,
         periods_exclude,
         "Near a resonant torus on which the periods differ the equations have, without a time "

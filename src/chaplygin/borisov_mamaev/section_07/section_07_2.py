@@ -19,7 +19,7 @@ from ...core.vectors import Components, constant, cross, dot, to_components, vec
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from ..claim import Case, Claim, Remark
 from ..methods.independence import independent, rational_point
-from .section_07_1 import MOVED, free_ball, rubber_ball
+from .section_07_1 import MOVED, free_ball
 
 M, omega, alpha, beta = vectors("M omega alpha beta")
 J_1, J_2, J_3 = J.symbols
@@ -112,8 +112,9 @@ def energy() -> Case:
     return ball(), Identity("energy", dot(M, omega) / 2 + U - ENERGY)
 
 
-def _equations(system: System, momentum: MatrixExpr) -> Case:
-    return system, Identity(
+def hamilton_equations(momentum: MatrixExpr) -> Identity:
+    """Their left sides minus the right ones."""
+    return Identity(
         "hamilton",
         (
             rate(momentum) / DENSITY - hamilton(momentum.xreplace({M: L / DENSITY})),
@@ -122,15 +123,10 @@ def _equations(system: System, momentum: MatrixExpr) -> Case:
     )
 
 
-def equations_of_6_1() -> Case:
-    """Hamilton's equations for M and γ along (6.1) with the tensor J."""
-    system = rubber_ball()
-    return _equations(replace(system, definitions=(*system.definitions, (L, DENSITY * M))), M)
-
-
 def equations() -> Case:
-    """Hamilton's equations for L and γ along (7.1)."""
-    return _equations(ball(), L)
+    """Hamilton's equations along (7.1) for M and γ, as printed, and for L."""
+    system = ball()
+    return (system, hamilton_equations(M)), (system, hamilton_equations(L))
 
 
 CLAIMS = (
@@ -160,14 +156,12 @@ CLAIMS = (
         "(7.5) and Hamilton's equations",
         r"With $\rho_\mu dt = d\tau$, $L = \rho_\mu M$ the equations of motion (6.1) take the "
         r"Hamiltonian form $\frac{dM_k}{d\tau} = \{H, M_k\}$, "
-        r"$\frac{d\gamma_k}{d\tau} = \{H, \gamma_k\}$ with (7.6) and (7.7), for any potential.",
-        equations_of_6_1,
+        r"$\frac{d\gamma_k}{d\tau} = \{H, \gamma_k\}$ with (7.6) and (7.7), for an arbitrary "
+        "potential.",
         equations,
-        r"With $\rho_\mu dt = d\tau$, $L = \rho_\mu M$ the equations of motion (7.1) take the "
-        r"Hamiltonian form $\frac{dL_k}{d\tau} = \{H, L_k\}$, "
-        r"$\frac{d\gamma_k}{d\tau} = \{H, \gamma_k\}$ with (7.6) and (7.7), for any potential.",
-        MOVED + "; L_k is meant for M_k (any function of L, γ obeys the same equation); the order "
-        "{H, x} of the bracket is opposite to that of (3.5) and Theorem 9",
+        note="for M_k as printed and for L_k, as any function of L and γ obeys the same equation; "
+        "the order {H, x} of the bracket is opposite to that of (3.5) and Theorem 9",
+        erratum=MOVED,
     ),
     Claim(
         "(7.6)",

@@ -254,7 +254,7 @@ CLAIMS = (
         r"$\bar{S} = c(I_3 + mR^2) mR^2 \mathcal{N}^3 \sin \theta "
         r"(I_1 \cos^2 \varphi + I_2 \sin^2 \varphi + mR^2)$",
         new_time,
-        note=r"$\dot{\theta}'$ under the derivative read as $\theta'$",
+        erratum=r"$\dot{\theta}'$ under the derivative: read $\theta'$",
     ),
     Claim(
         "Theorem 9, equations",
@@ -279,7 +279,8 @@ CLAIMS = (
         r"$p_\varphi = \partial \bar{\mathcal{R}} / \partial \varphi'$, "
         r"$H = \theta' p_\theta + \varphi' p_\varphi - \bar{\mathcal{R}}$ is the Hamiltonian.",
         legendre,
-        note="it is the energy of (7.2); θ̇′ under the derivative read as θ′",
+        note="it is the energy of (7.2)",
+        erratum="θ̇′ under the derivative: read θ′",
     ),
     *_terms(),
     *_components(),

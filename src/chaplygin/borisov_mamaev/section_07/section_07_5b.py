@@ -25,10 +25,7 @@ AREA = (dot(M, gamma),)
 TILT = dot(I * gamma, A * gamma)
 LOAD = dot(J * K, INVERSE * K)
 #: What is meant wherever the rest of §7.5 writes ρ_μ.
-OTHER_DENSITY = (
-    r"The same with $\rho = (1 - D(\gamma, J^{-1}\gamma))^{1/2}$ in place of $\rho_\mu$ of (7.3)"
-)
-SAME_DENSITY = r"$\rho_\mu$ read as $(1 - D(\gamma, J^{-1}\gamma))^{1/2}$"
+SAME_DENSITY = r"with $\rho_\mu$ put right, $(1 - D(\gamma, J^{-1}\gamma))^{1/2}$"
 
 
 @cache
@@ -58,24 +55,15 @@ def density() -> Case:
     return rightly(), RATE_OF_DENSITY
 
 
-def momentum_printed() -> Case:
-    """The rate of ρ_μ Q with ρ_μ of (7.3)."""
-    return _momentum(ball(DENSITY))
-
-
 def momentum() -> Case:
     """The rate of ρQ."""
-    return _momentum(rightly())
-
-
-def _momentum(system: System) -> Case:
     turn = cross(Q, INVERSE * Q)
     value = (
         I * (A * cross(Q, rho * (INVERSE * Q)))
         + D * dot(turn, A * gamma) / rho * (I * (A * gamma))
         - D * dot(cross(gamma, INVERSE * Q), A * gamma) / rho * Q
     )
-    return system, Identity("momentum", rate(rho * Q) - value)
+    return rightly(), Identity("momentum", rate(rho * Q) - value)
 
 
 def normal() -> Case:
@@ -92,19 +80,10 @@ def level() -> Case:
     )
 
 
-def in_new_time_printed() -> Case:
-    """The rates of K and γ with ρ_μ of (7.3)."""
-    return _in_new_time(ball(DENSITY))
-
-
 def in_new_time() -> Case:
     """The rates of K and γ in the time τ, at (K, γ) = 0."""
-    return _in_new_time(rightly())
-
-
-def _in_new_time(system: System) -> Case:
     pull = D / DET_J * LOAD / TILT * cross(gamma, I * gamma)
-    return system, Identity(
+    return rightly(), Identity(
         "new_time",
         (
             rho * rate(K) - (cross(K, INVERSE * K) - pull),
@@ -163,10 +142,8 @@ CLAIMS = (
         r"$\frac{d}{dt}(\rho_\mu Q) = IJ^{-1}(Q \times \rho_\mu I^{-1}Q) + "
         r"((Q \times I^{-1}Q), DJ^{-1}\gamma) IJ^{-1}\gamma / \rho_\mu - "
         r"DQ((\gamma \times I^{-1}Q), J^{-1}\gamma) / \rho_\mu$, $Q = I\omega$",
-        momentum_printed,
         momentum,
-        OTHER_DENSITY,
-        "the formula is right, but not for the ρ of (7.3), see the claim before",
+        note=SAME_DENSITY,
     ),
     Claim(
         "§7.5, rate of γ",
@@ -185,10 +162,8 @@ CLAIMS = (
         r"$\frac{dK}{d\tau} = K \times I^{-1}K - \frac{D}{\det J} "
         r"\frac{(JK, I^{-1}K)}{(I\gamma, J^{-1}\gamma)} \gamma \times I\gamma$, "
         r"$\frac{d\gamma}{d\tau} = \gamma \times I^{-1}K$",
-        in_new_time_printed,
         in_new_time,
-        OTHER_DENSITY,
-        "the formulas are right, but not for the ρ of (7.3)",
+        note=SAME_DENSITY,
     ),
     Claim(
         "§7.5, integral 𝓛",

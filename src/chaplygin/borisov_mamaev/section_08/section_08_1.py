@@ -52,10 +52,10 @@ def momentum(sign: int, moment: sp.Expr) -> Case:
     return rolled(Sphere(2.0)), Identity("momentum", M - right_side, "momentum about the contact")
 
 
-def flattened(ratio: sp.Expr) -> tuple[System, Identity]:
-    """ṅ = n×ω where a curvature κ vanishes, for ṅ = `ratio` n×ω with any ω."""
-    system = unspecified_systems.system(
-        "limit",
+def with_ratio(ratio: sp.Expr) -> System:
+    """ṅ = `ratio` n×ω with any ω."""
+    return unspecified_systems.system(
+        "ratio",
         "a ball of the ratio given",
         {gamma: ratio * cross(gamma, omega), omega: zero},
         parameters=(
@@ -64,13 +64,12 @@ def flattened(ratio: sp.Expr) -> tuple[System, Identity]:
             Parameter(a, "radius of the surface", 2.0),
         ),
     )
+
+
+def flattened(ratio: sp.Expr) -> tuple[System, Identity]:
+    """ṅ = n×ω where a curvature κ vanishes."""
     law = Identity("kinematics", rate(gamma) - cross(gamma, omega), "a plane", on=(kappa,))
-    return system, law
-
-
-def large_body() -> Case:
-    """The radius of the body grows, k = a/(a + R) with R = 1/κ."""
-    return kinematics(a / (a + R)), flattened(a * kappa / (1 + a * kappa))
+    return with_ratio(ratio), law
 
 
 def large_surface() -> Case:
@@ -106,15 +105,16 @@ def measure() -> Case:
     return ball.equations_in_omega(), Measure("measure", {density: HALF}, "invariant measure")
 
 
-def radii() -> Case:
-    """A body of radius 2 with its inner surface on a ball of radius 1: ṅ = −n×ω."""
-    law = Identity(
-        "kinematics",
-        rate(gamma) + cross(gamma, omega),
-        "motion of the normal for k = −1",
-        on=(R - 2 * a,),
+def radii(body: sp.Expr) -> Case:
+    """k = a/(a − b) of a ball of radius a inside a hollow body is −1 for the b given."""
+    ratio = a / (a - R)
+    inside = rolled(Sphere(1.0), hollow=True)
+    law = Identity("kinematics", rate(gamma) - ratio * cross(gamma, omega), "motion of the normal")
+    turned = rate(gamma) + cross(gamma, omega)
+    return (inside, law), (
+        with_ratio(ratio),
+        Identity("radii", turned, "motion of the normal for k = −1", on=(R - body,)),
     )
-    return rolled(Sphere(1.0), hollow=True), law
 
 
 def linear(shift: sp.Expr) -> Case:
@@ -159,23 +159,16 @@ CLAIMS = (
     ),
     Claim(
         "§8.1, d",
-        "$d = mb^2$, where $b$ is the radius of the surface.",
-        lambda: momentum(-1, m * a**2),
+        "$d = mb^2$, here $m$ is the mass of the body.",
         lambda: momentum(-1, m * R**2),
-        "$d = mb^2$ with $b$ the radius of the body",
-        "the radii are exchanged in the text; read with the right sign of the momentum",
+        note="with b put right in (8.1), the radius of the body, and the sign of the momentum",
     ),
     Claim(
         "§8.1, k = 1",
         r"The case $k = 1$ corresponds to $a \rightarrow \infty$, i.e. a ball is rolling over a "
         "plane.",
-        large_body,
         large_surface,
-        r"The case $k = 1$ corresponds to $b \rightarrow \infty$, $b$ the radius of the surface, "
-        "i.e. a ball is rolling over a plane.",
-        "read as after (8.1), where a is the radius of the body: as it grows, k tends to 0 and not "
-        "to 1. Here the letters are those of the formula k = a/(a + b), in which a is the radius "
-        "of the surface",
+        note="with a put right in (8.1), the radius of the surface",
     ),
     Claim(
         "(8.2)",
@@ -192,11 +185,13 @@ CLAIMS = (
     ),
     Claim(
         "§8.1, before (8.3)",
-        "For $k = -1$ the radii of the body, $a$, and of the fixed ball, $b$, are connected by "
+        r"For $k = -1$ the radii of the body and the ball are connected by the equation "
         r"$\frac{b}{a} = \frac{1}{2}$.",
-        radii,
-        note="read as after (8.1), without the sign of a hollow body; with the letters of "
-        "k = a/(a + b), as in §9.2, it would be b = −2a",
+        lambda: radii(a / 2),
+        lambda: radii(2 * a),
+        r"$\frac{b}{a} = 2$ without the signs, $b = -2a$ with them, as in §9.2",
+        "the two radii are exchanged once more: with a and b put right in (8.1) b is that of the "
+        "body, and the ball inside it is the smaller one",
     ),
     Claim(
         "(8.3)",

@@ -106,6 +106,11 @@ def second() -> Case:
     return reduced(), Identity("second", excess, "square of the ball's momentum")
 
 
+def second_as_printed() -> Case:
+    """The formula against the F₂ of (8.3), which is zero on this orbit."""
+    return reduced(), Identity("second", e3.second(e3.delta()), "linear integral of the ball")
+
+
 def bracket() -> Case:
     """{m_i, m_j} = ε_ijk m_k, {m_i, γ_j} = ε_ijk γ_k, {γ_i, γ_j} = 0, with its Casimirs."""
     matrix = lie_poisson(-1 * M, -1 * Gamma)
@@ -263,8 +268,10 @@ CLAIMS = (
         r"\sum_{i=1}^3 d_i m_i^2)$, $d_i = \prod_{k \neq i} (J_i - J_k) \gamma_i^2 (\delta(J_i + "
         r"d) - (\gamma, \mathbf{J}(\mathbf{J} + d)\bar{\mathbf{A}}^2\gamma) + 2d(\gamma, "
         r"\mathbf{J}\bar{\mathbf{A}}\gamma)(\gamma, \bar{\mathbf{A}}\gamma))$.",
+        second_as_printed,
         second,
-        note="read with the right δ and A; this is the ball's F₁ = (M, M) divided by det J",
+        r"the formula is that of $F_1/\det\mathbf{J}$, $F_1 = (\mathbf{M}, \mathbf{M})$",
+        "F₂ is the linear integral (8.3), which is zero here; read with the right δ and A",
     ),
     Claim(
         "§8.2, after (8.7)",

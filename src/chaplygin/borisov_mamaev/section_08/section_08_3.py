@@ -369,6 +369,14 @@ CLAIMS = (
 
 REMARKS = (
     Remark(
+        "Remark 22, end",
+        "The equations for $F_2 \\neq 0$ are enormously huge, and general methods of integration "
+        "in quadratures are not yet sufficiently elaborated.",
+        "judgement; with the integral ½ (ΣI + d)(M, ω) − (M, M) in place of the energy the "
+        "multiplier and the form are short, and in the catalogue (docs/reduction.md). Quadratures "
+        "for $F_2 \\neq 0$ are not known here either",
+    ),
+    Remark(
         "§8.3, after (8.12)",
         "For $d = 0$ the method differs from the classical ones, although these approaches are "
         "connected with a linear-fractional function.",

@@ -27,6 +27,7 @@ from ...mechanics.shapes.surfaces import Sphere
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.independence import independent, rational_point
+from ..methods.tensor_of_a_body import with_tensor_of_a_body
 
 omega, gamma, n = vectors("omega gamma n")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
@@ -106,7 +107,7 @@ def as_veselova() -> Case:
         constants=dict(zip(I.symbols, J.symbols, strict=True)),
         on=(k - 1,),
     )
-    return ratio.rolling(), law
+    return with_tensor_of_a_body(ratio.rolling(), J.symbols), law
 
 
 def radii() -> Case:

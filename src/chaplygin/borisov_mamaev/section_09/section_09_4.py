@@ -90,15 +90,15 @@ def zero_level() -> Case:
     return on_level(), Identity("level", REGULAR, "H̃ on the level of the energy")
 
 
-def onto_point(strength: sp.Expr) -> Case:
-    """From (9.14), in the time G dt = ds, onto (9.17) with h as given."""
+def onto_point() -> Case:
+    """From (9.14), in the time G dt = ds, onto (9.17) with h = (det J / k²) 𝓗."""
     energy = STIFFNESS * KINETIC
     law = Isomorphism(
         "regularisation",
         point.moving(),
         {M: M, gamma: gamma},
         time=STIFFNESS,
-        constants={h: strength * energy},
+        constants={h: DET_J / k**2 * energy},
         onto=(point.HAMILTONIAN,),
     )
     return e3.hamiltonian_form(), law
@@ -109,10 +109,10 @@ def from_ball() -> Case:
     return ratio.rolling(), ratio.to_sphere()
 
 
-def potential(sign: int) -> Case:
-    """V of (9.17)."""
+def potential() -> Case:
+    """V of (9.17), with −h for h."""
     stretch = dot(gamma, J * gamma)
-    excess = point.HAMILTONIAN - norm_squared(M) / 2 - sign * h * stretch ** (-1 / k)
+    excess = point.HAMILTONIAN - norm_squared(M) / 2 + h * stretch ** (-1 / k)
     return point.moving(), Identity("potential", excess, "potential energy of the point")
 
 
@@ -252,12 +252,9 @@ CLAIMS = (
         "(9.17)",
         r"For the Hamiltonian (9.14) we have $\tilde{\mathcal H} = \frac12\mathbf M^2 - "
         r"h(\boldsymbol\gamma,\mathbf J\boldsymbol\gamma)^{-1/k}$, $h = \text{const}$.",
-        lambda: onto_point(sp.S.One),
-        lambda: onto_point(DET_J / k**2),
-        r"$\tilde{\mathcal H} = \frac12\mathbf M^2 - \tilde h(\boldsymbol\gamma,\mathbf J"
-        r"\boldsymbol\gamma)^{-1/k}$, $\tilde h = \frac{\det\mathbf J}{k^2}h$",
-        "read with the h of (9.16), the value of 𝓗, the factor det J / k² is lost; as the name of "
-        "another constant h is right",
+        onto_point,
+        note="the constant h is det J / k² times the one of (9.16), the value of 𝓗",
+        erratum="one letter for two constants, the h of (9.16) and the h of (9.17)",
     ),
     Claim(
         "§9.4, isomorphism",
@@ -274,11 +271,11 @@ CLAIMS = (
     ),
     Claim(
         "§9.4, potential",
-        r"The potential is $V = h(\boldsymbol\gamma,\mathbf J\boldsymbol\gamma)^{-1/k}$.",
-        lambda: potential(1),
-        lambda: potential(-1),
-        r"$V = -h(\boldsymbol\gamma,\mathbf J\boldsymbol\gamma)^{-1/k}$",
-        "the sign, by (9.17)",
+        r"(9.17) describes the motion in a potential field with potential "
+        r"$V = h(\boldsymbol\gamma,\mathbf J\boldsymbol\gamma)^{-1/k}$.",
+        potential,
+        note="with any constant h",
+        erratum="h of (9.17) with the opposite sign",
     ),
     Claim(
         "§9.4, Braden",
@@ -296,8 +293,9 @@ CLAIMS = (
         "§9.4, other k",
         r"In the other cases an additional integral quadratic in $\mathbf M$ does not exist.",
         no_quadratic_integral,
-        note="shown for every J with three different eigenvalues and every k with k² ≠ 1, for "
-        "integrals on all levels of the energy",
+        note="for every k with k² ≠ 1 and integrals on all levels of the energy; with two equal "
+        "eigenvalues the square of a component of M is one",
+        where=("J has three different eigenvalues",),
     ),
     Claim(
         "§9.4, integrability for other k",

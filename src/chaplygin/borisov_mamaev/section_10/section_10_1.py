@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from sympy.matrices.expressions import MatrixExpr
 
 from ...catalogue import from_catalogue
@@ -16,8 +14,9 @@ from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.derived_verdicts import computed_verdict
+from ..methods.derived_verdicts import conclusion_verdict
 from ..methods.independence import independent, rational_point
+from ..methods.measure_theorems import has_no_measure
 from ..methods.unbalanced_ball_symbols import (
     M_RATE,
     NORMAL,
@@ -32,7 +31,6 @@ from ..methods.unbalanced_ball_symbols import (
     omega,
     r,
 )
-from ..obstructions.measure_at_rest import divergence_of_spin
 
 
 def marble() -> System:
@@ -60,7 +58,7 @@ def contact_rate(vector: MatrixExpr) -> Case:
     return marble(), Identity("rate", R_RATE - cross(r + vector, omega), "rate of the contact")
 
 
-def invariants() -> Case:
+def invariants() -> tuple[tuple[System, Integral], ...]:
     """(10.2)."""
     system = marble()
     return (
@@ -106,14 +104,17 @@ def rank_of_marble() -> Verdict:
 
 
 def no_measure_for_marble() -> Verdict:
-    """No density that is positive and continuously differentiable at M = 0."""
-    value = divergence_of_spin(marble(), (Fraction(2, 7), Fraction(-3, 7), Fraction(6, 7)))
-    return computed_verdict(
-        "no measure",
-        value,
-        "no invariant density is positive and smooth at M = 0: for the parameters of the "
-        f"catalogue the divergence for ω = γ = (2, −3, 6)/7 is {value}",
-        "the obstruction vanishes",
+    """None, unless the centre lies on an axis of dynamical symmetry: a theorem on all balls."""
+    ball = Ball(2.0, centre=(0.1, -0.2, 0.3))
+    return has_no_measure(Rolling(Body(1.3, (1.0, 1.5, 2.1), ball)), "unbalanced ball")
+
+
+def surface() -> Verdict:
+    """Three independent functions are constant along a motion in six variables."""
+    return conclusion_verdict(
+        "surface",
+        "the points of one motion on a section lie on a level of H and F₂ in it, a surface",
+        (rank_of_marble(), *invariants(), (marble(), QUADRATIC)),
     )
 
 
@@ -172,11 +173,21 @@ CLAIMS = (
         note="shown: F₁, H, F₂ are independent; of six variables the theorem asks four integrals",
     ),
     Claim(
-        "§10.1, missing invariants",
-        r"In the generic cases the required invariants are missing: the invariant measure.",
+        "§10.1, missing invariants: the measure",
+        "Simulations show that in the generic cases the required invariants are missing.",
         no_measure_for_marble,
-        note="shown: no density that is positive and smooth at rest; the additional integral is "
-        "a matter of numerical evidence",
+        note="meant is a measure with a density that is smooth and positive up to rest; the "
+        "additional integral is a matter of numerical evidence",
+        argument="docs/measures.md, result 1, for every ball: only balanced ones and those with "
+        "their centre on an axis of dynamical symmetry have such a measure",
+    ),
+    Claim(
+        "Fig. 8, caption",
+        "One of the trajectories from the problem of motion of an unbalanced ball on a plane. It "
+        "is seen that all the points lie on the same surface.",
+        surface,
+        note="with $\\gamma^2 = 1$, $H$ and $F_2$ fixed three variables are left, and two on a "
+        "section",
     ),
     Claim(
         "§10.1, ball on a sphere",
@@ -193,5 +204,14 @@ REMARKS = (
         "§10.1, Fig. 8",
         "Simulations show that in the generic cases an additional integral is missing.",
         "numerical evidence, not a statement that algebra decides",
+    ),
+    Remark(
+        "Fig. 8, caption",
+        "Condensation spots indicate the approach to periodic solutions. The trajectory emanates "
+        "from the top and approaches the three points at the bottom.",
+        "numerical evidence. Observed with a body found by search, since the paper gives neither "
+        "body nor level: 63 % of the motions that cross the section come to an attracting cycle of "
+        "three points, whose mirror image under M → −M, t → −t repels, and a motion leads from one "
+        "to the other; not every motion does (`examples/figure_8.py`, docs/sections.md)",
     ),
 )

@@ -52,8 +52,9 @@ CLAIMS = (
         "over the contact area, thus yielding a non-zero net frictional force and a non-zero "
         "spinning friction torque.",
         force_and_couple,
-        note="read as: with Hertz' pressure on a disk the force is not zero where the contact "
-        "slides, and the torque is not zero where it spins",
+        note="read as: the force is not zero where the contact slides, and the torque is not zero "
+        "where it spins",
+        where=("the pressure is that of Hertz on a disk",),
     ),
 )
 
@@ -68,5 +69,15 @@ REMARKS = (
         "To model a number of dynamical phenomena it is essential to use dynamical rather than "
         "static friction.",
         "a judgement on modelling",
+    ),
+    Remark(
+        "§11.1",
+        "A bibliography on mechanical systems with friction is in the book by A. P. Markeev [86].",
+        "an erratum: [86] is the book of Neimark and Fufaev, that of Markeev is [98]",
+    ),
+    Remark(
+        "§11.1",
+        "Contensou studied the motion of a top, Erismann kinematical problems of integrators.",
+        "history",
     ),
 )

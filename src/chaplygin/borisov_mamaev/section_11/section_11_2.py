@@ -140,9 +140,13 @@ CLAIMS = (
         "A nonholonomic constraint can be realized as the limit of infinitely large viscous "
         "friction.",
         limit_of_viscosity,
-        note="for a body without slip on a plane, by Tikhonov's theorem, on any finite interval "
-        "after the start; the contact must be two-sided, since in the first moments the normal "
-        "force may be large and negative",
+        note="by Tikhonov's theorem; in the first moments the normal force may be large and "
+        "negative",
+        where=(
+            "a body rolls without slip on a plane",
+            "the contact is two-sided",
+            "the interval of time is finite and begins after the start",
+        ),
     ),
     Claim(
         "§11.2, list",
@@ -151,8 +155,9 @@ CLAIMS = (
         "friction at the point of contact is taken into consideration and the frictional torque is "
         "neglected.",
         rolling_with_spin,
-        note="decided for a homogeneous ball under Coulomb friction: the slip ends after the time "
+        note="the slip ends after the time "
         "$|\\mathbf u|/(\\mu g(1 + mR^2/I))$, and the spin stays constant",
+        where=("the body is a homogeneous ball under Coulomb friction",),
     ),
     Claim(
         "§11.2, after the list",
@@ -169,12 +174,33 @@ CLAIMS = (
         "In the Contensou–Erismann model sliding and spinning of a disk or a homogeneous ball "
         "terminate simultaneously.",
         simultaneous,
-        note="for a ball with Hertz' pressure on a round patch of constant radius, and for a disk "
-        "on its face with constant pressure, which both slide and spin at the start",
+        where=(
+            "the contact both slides and spins at the start",
+            "the pressure is that of Hertz on a round patch of constant radius for the ball, "
+            "constant for the disk on its face",
+        ),
     ),
 )
 
 REMARKS = (
+    Remark(
+        "§11.2, first paragraph",
+        "Ways to realize constraints, Carathéodory, Routh and Painlevé; as a rule nonholonomic "
+        "constraints are a realistic representation of the final stage of a motion.",
+        "history and judgement",
+    ),
+    Remark(
+        "§11.2, first paragraph",
+        "Due to the force of friction sliding ceases with the onset of the constraint.",
+        "stated of conditions that are not given; without them it is wrong: for an open set of "
+        "states of a sliding body with Coulomb friction the slip ends and begins again at once, as "
+        "rolling would need more friction than there is (docs/friction.md)",
+    ),
+    Remark(
+        "§11.2, end",
+        "The constraint of a rubber body decomposes into that of no slipping and that of Veselova.",
+        "the definition of the model, (1.14) and (1.15)",
+    ),
     Remark(
         "§11.2",
         "Zhuravlev and Klimov claim that the equations after the onset are not nonholonomic.",

@@ -207,10 +207,12 @@ CLAIMS = (
         "s, with $\\gamma_3 = -0.7185$, begins to roll and does not complete the overturn",
     ),
     Claim(
-        "§11.3, before Remark 24, on slow rotation",
-        "For pure sliding and small rotational velocity one can use the Coulomb friction.",
+        "§11.3, end of the paragraph after Remark 24, on slow rotation",
+        "Simulations show that for pure sliding and small rotational velocity one can use the "
+        "Coulomb friction.",
         sliding_without_spin,
-        note="read as the limit $v/(\\omega a) \\to \\infty$ with Hertz' pressure",
+        note="read as the limit $v/(\\omega a) \\to \\infty$",
+        where=("the pressure is that of Hertz on a disk of radius a",),
     ),
 )
 
@@ -218,6 +220,59 @@ REMARKS = (
     Remark(
         "§11.3",
         "Three categories of systems, and which model of friction each needs.",
+        "a judgement on modelling",
+    ),
+    Remark(
+        "§11.3, first paragraph",
+        "Methods of nonholonomic mechanics are said to be unsuitable for rolling bodies, and the "
+        "Contensou–Erismann theory the one to be used; the approach is excessively one-sided.",
+        "opinions of others, and a judgement of them",
+    ),
+    Remark(
+        "§11.3, before Remark 23",
+        "Most phenomena of friction are explained, qualitatively and sometimes quantitatively, by "
+        "simpler models of friction.",
+        "a judgement on modelling",
+    ),
+    Remark(
+        "Remark 23",
+        "The loyalty to the Contensou–Erismann model seems incomprehensible: it is merely an "
+        "approximation, which can be improved, and its analysis in [23, 88–90, 95] is reduced to "
+        "the numerical determination of just one or two trajectories.",
+        "judgement and literature. Of the approximation: the short formulas of [88] differ from "
+        "the exact factors of the model by up to 0.34 and 0.20, the model with a patch of two "
+        "curvatures is an improvement of it (docs/friction.md); charts of several hundred motions "
+        "are computed there",
+    ),
+    Remark(
+        "§11.3, after Remark 23",
+        "The rolling of Celtic stones essentially depends on geometry, masses and the absence of "
+        "absolute sliding, while the preference for any particular friction model produces very "
+        "little effect on the overall picture of motion; any nonholonomic model can be used.",
+        "a judgement, and computed motions contradict it. Observed, not proven: the stone of Kane "
+        "and Levinson spun at 5 rad/s on a table with dry friction, $\\mu = 0.3$, would need 0.76 "
+        "of the normal force to roll; it slips 5.7 ms after the start, changes 26 times between "
+        "slipping and rolling within half a second, and has lost half of its spin by then "
+        "(`examples/dry_rattleback.toml`, docs/friction.md). With friction enough to hold the "
+        "contact it rolls as the nonholonomic model has it",
+    ),
+    Remark(
+        "Remark 24",
+        "Most problems of rigid-body dynamics are solved within Hamiltonian mechanics, without "
+        "friction; so are foundations of hydrodynamics.",
+        "judgement, a comparison",
+    ),
+    Remark(
+        "§11.3, after Remark 24",
+        "Friction plays a crucial role for the tippe top; modern researches contributed very "
+        "little in comparison to the classical works; finer models are justified by the accuracy "
+        "required.",
+        "judgement and literature; what is stated of stability is judged in the claims",
+    ),
+    Remark(
+        "§11.3, end",
+        "The choice of a friction model must be determined by the effect of interest, experimental "
+        "data and the materials.",
         "a judgement on modelling",
     ),
 )

@@ -9,7 +9,7 @@ from ...core.system import System
 from ...core.vectors import real_symbol
 from ...mechanics.lagrangian.structure_functions import VectorField
 from ...proof.verdict import Verdict
-from ..claim import Case, Claim
+from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named
 from ..methods.growth_vector import growth, holonomic_count_verdict
 
@@ -87,12 +87,13 @@ def proportional_when_spinning_fast() -> Verdict:
 
 CLAIMS = (
     Claim(
-        "§11.3, before Remark 24",
-        "In the case of fast rotations the Contensou–Erismann frictional force is proportional to "
-        "the sliding velocity and is therefore practically the same as viscous friction.",
+        "§11.3, end of the paragraph after Remark 24",
+        "Simulations show that in the case of fast rotations the Contensou–Erismann frictional "
+        "force is proportional to the sliding velocity and is therefore practically the same as "
+        "viscous friction.",
         proportional_when_spinning_fast,
-        note="read as the first order in $v/(\\omega a)$ on a disk of radius $a$ with Hertz' "
-        "pressure; the paper draws it from simulations",
+        note="read as the first order in $v/(\\omega a)$; the paper draws it from simulations",
+        where=("the pressure is that of Hertz on a disk of radius a",),
     ),
     Claim(
         "§11.3, end",
@@ -114,5 +115,14 @@ CLAIMS = (
         integrable_disk,
         note="read as: four integrals, an invariant measure, a symmetry field, and a quadrature "
         "for the nutation with the values of the integrals",
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§11.3, end, [100]",
+        "More complicated integrable problems of a disk on ice were found and investigated in "
+        "[100].",
+        "literature; the problems are not stated. The disk of [99] is decided above",
     ),
 )

@@ -35,9 +35,10 @@ from ...core.vectors import (
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.catalogue_laws import law_named, laws_named
+from ..methods.catalogue_laws import laws_named
 from ..methods.derived_verdicts import conclusion_verdict, contrary
 from ..methods.tori import not_hamiltonian, of_rank_two
+from ..open_problems.findings import findings_of, measures_of_several_dimensions
 from ..section_07.section_07_3a import PRECESSION, SPIN, SPREAD
 
 M, omega = vectors("M omega")
@@ -185,12 +186,6 @@ def hamiltonian_near_tori() -> Verdict:
     )
 
 
-def four_dimensions() -> Case:
-    """Measures in four dimensions."""
-    systems = tuple(from_catalogue(name) for name in ("chaplygin-ball-4d", "veselova-4d"))
-    return tuple((system, law_named(system, "measure")) for system in systems)
-
-
 CLAIMS = (
     Claim(
         "§12, problem 1",
@@ -206,8 +201,8 @@ CLAIMS = (
     ),
     Claim(
         "§12, problem 1, linear terms",
-        "Upon a change of time one gets a Hamiltonian system on a sphere, which has a quadratic "
-        "integral that contains terms linear in velocities.",
+        "Upon a change of time, one gets a Hamiltonian system on a sphere which is integrable: the "
+        "system has a quadratic integral which contains terms linear in velocities.",
         linear_terms,
         note="for the gyrostat and for the Bruns field, with any area constant; the energy has no "
         "linear terms, so that they are not taken away by a multiple of it. The Hamiltonian system "
@@ -215,10 +210,12 @@ CLAIMS = (
     ),
     Claim(
         "§12, problem 1, zero area",
-        "In Kozlov's problem the integral of areas is zero and therefore these linear summands "
-        "vanish.",
+        "Kozlov's problem was explicitly solved only in the special case when the integral of "
+        "areas is zero and therefore these linear summands vanish.",
         without_area,
-        note="for $U = 0$ or the Bruns field, without a gyrostat",
+        note="decided is that they vanish in this case, in the Bruns field and without it; that "
+        "only this case was solved is a statement about the literature, [106]. Here, too, the "
+        "closed form in the field is for this case alone",
     ),
     Claim(
         "§12, problem 1, around a sphere",
@@ -254,8 +251,8 @@ CLAIMS = (
     ),
     Claim(
         "§12, problem 2, conformally Hamiltonian form",
-        "They are known to be integrable by the Euler–Jacobi theorem and therefore, theoretically, "
-        "can be written in conformally Hamiltonian form.",
+        "They are only known to be integrable by the Euler–Jacobi theorem and therefore, "
+        "theoretically, can be written in conformally Hamiltonian form.",
         therefore_conformally_hamiltonian,
         hamiltonian_near_tori,
         "They are known to be integrable by the Euler–Jacobi theorem and therefore, having more "
@@ -268,8 +265,9 @@ CLAIMS = (
     Claim(
         "§12, problem 3",
         "Invariant measures for the multidimensional Chaplygin and Veselova systems are found.",
-        four_dimensions,
-        note="decided in four dimensions, for arbitrary moments $I_{ij}$; equations derived here",
+        measures_of_several_dimensions,
+        note="for every operator of inertia; equations derived here",
+        argument="for every n, by docs/n-dimensions.md; computed is n = 4",
     ),
 )
 
@@ -289,22 +287,26 @@ REMARKS = (
         "§12, problem 2",
         "No conformally Hamiltonian representation is known of either system.",
         "a statement about what is not known",
+        findings=findings_of("2a", "lift"),
     ),
     Remark("Remark 25", "Explicit integration is a matter of tradition.", "a judgement"),
     Remark(
         "§12, after Remark 25",
         "It is open whether the Poisson structure can be lifted to the unreduced system.",
         "an open question",
+        findings=findings_of("lift"),
     ),
     Remark(
         "§12, problem 3",
         "Existence of a Poisson structure and integrability of the four-dimensional Chaplygin ball "
         "cannot be stated with assurance.",
         "a statement about what is not known",
+        findings=findings_of("3", "3, level"),
     ),
     Remark(
         "§12, problem 4",
         "Nothing is known of tensor invariants of a rolling body with a cavity filled with fluid.",
         "a statement about what is not known",
+        findings=findings_of("4"),
     ),
 )

@@ -157,7 +157,7 @@ def to_e3() -> Isomorphism:
 def to_sphere() -> Isomorphism:
     """(9.16), (9.17): onto a point on a sphere in a potential, on a level of the energy."""
     energy = dot(J * omega, omega) / 2
-    law = Isomorphism(
+    return Isomorphism(
         "sphere",
         power_potential_on_sphere.moving(),
         {rubber_ball_on_e3.M: MOMENTUM, rubber_ball_on_e3.gamma: DIRECTION},
@@ -166,11 +166,6 @@ def to_sphere() -> Isomorphism:
         meaning="trajectories of a point on a sphere in the potential −h (γ, Jγ)^(−1/k)",
         onto=(power_potential_on_sphere.HAMILTONIAN,),
         source="(9.16), (9.17)",
-    )
-    return replace(
-        law,
-        as_printed=replace(law, constants={power_potential_on_sphere.h: energy}),
-        misprint="the factor det J / k² of h is lost",
     )
 
 

@@ -22,7 +22,7 @@ from itertools import combinations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.isomorphism import Isomorphism
+from ...core.isomorphism import Isomorphism, with_any_parameters
 from ...core.laws import Integral, Law, Measure
 from ...core.system import Observable, Parameter, System, Theorem
 from ...core.vector_operators import outer
@@ -104,7 +104,7 @@ def laws(p: Numbers) -> tuple[Law, ...]:
         Measure("measure", {Delta: -HALF}, "invariant measure", source=SOURCE),
         Isomorphism(
             "chaplygin_ball",
-            chaplygin_ball_unreduced.build({"m": 1.0, "R": 1.0, **moments}),
+            with_any_parameters(chaplygin_ball_unreduced.build({"m": 1.0, "R": 1.0, **moments})),
             {name: name for name in (M, alpha, beta, gamma)},
             constants={m: D_3, R: sp.S.One},
             meaning="a single supporting ball",

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...core.isomorphism import Isomorphism
+from ...core.isomorphism import Isomorphism, with_any_parameters
 from ...core.laws import Integral
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, vectors
@@ -46,7 +46,7 @@ def fedorov(p: Numbers) -> System:
     """K′ = K×I⁻¹K − βγ×Iγ, γ′ = γ×I⁻¹K."""
     moments = (p["I_1"], p["I_2"], p["I_3"])
     check_inertia(moments)
-    target = clebsch.build({**p, "c": 1.0, "alpha": 0.0, "beta": 1.0})
+    target = with_any_parameters(clebsch.build({**p, "c": 1.0, "alpha": 0.0, "beta": 1.0}))
     return System(
         name="chaplygin-ball-fedorov",
         title=TITLE,
@@ -102,7 +102,7 @@ def onto_clebsch() -> Isomorphism:
     printed = [p / b for p, b in zip(place, WIDTHS, strict=True)]
     law = Isomorphism(
         "clebsch_case",
-        clebsch.build(clebsch.ENTRIES[0].defaults),
+        with_any_parameters(clebsch.build(clebsch.ENTRIES[0].defaults)),
         {CLEBSCH_MOMENTUM: momentum, Gamma: constant(place)},
         density * DET_J / D * sp.Mul(*ROOTS),
         constants={

@@ -37,7 +37,7 @@ class Functions(ABC):
 
     @abstractmethod
     def constant(self, word: str) -> Number:
-        """The number ``pi`` or ``E``."""
+        """The number ``pi``."""
 
     @abstractmethod
     def is_nonzero(self, a: Number) -> bool:

@@ -52,8 +52,8 @@ class RealFunctions(Functions):
         return ball(value)
 
     def constant(self, word: str) -> Number:
-        """The number ``pi`` or ``E``."""
-        return arb.pi() if word == "pi" else arb(1).exp()
+        """The number ``pi``."""
+        return arb.pi()
 
     def is_nonzero(self, a: Number) -> bool:
         """Whether a ball does not contain zero."""

@@ -14,8 +14,15 @@ from .comparisons import Comparisons
 from .divisors import Entry, Matches, nonzero_factors, read_divisors
 from .equations import Equations
 from .generators import Generators
-from .positivity import PositiveSum, check_radicand_positive, learn_positive, settle
-from .roots import check_functions, check_roots
+from .positivity import (
+    Derived,
+    check_radicand_positive,
+    factors_of,
+    learn_positive,
+    read_derived,
+    settle,
+)
+from .roots import check_functions, check_roots, is_radicand
 
 
 @dataclass(frozen=True)
@@ -77,7 +84,7 @@ def read_basis(
     knowledge.require_all()
     for sample in comparisons.samples:
         sample.require_definitions()
-    nonzero = nonzero_factors(generators, matches.of_law, signs)
+    nonzero = knowledge.nonzero(signs)
     for poly, _ in generators.signs:
         if monic(poly)[0] not in nonzero:
             raise CheckError(f"{what} assumes the sign of something that may vanish")
@@ -101,11 +108,13 @@ class _Knowledge:
         self.matches, self.what = matches, what
         generators = matches.generators
         self.positives = as_list(field(data, "positive", what), f"what is positive in {what}")
-        sums = [item for item in self.positives if mapping(item, what).get("from") == "sum"]
-        self._sums = [PositiveSum(mapping(item, what), generators, what) for item in sums]
+        ring = generators.ring
+        stated = [mapping(item, what) for item in self.positives]
+        self.polys = [ring.read(field(item, "poly", what), what) for item in stated]
+        self._derived = read_derived(self.positives, generators, what)
         self.equations = Equations(data, matches.comparisons, what)
         self._reasons: Sequence[CheckError] = ()
-        self._open: list[PositiveSum] = []
+        self._open: list[Derived] = []
 
     def extend(self, signs: Signs) -> None:
         """Learn all signs that follow, and find the divisors that are known by them."""
@@ -120,12 +129,28 @@ class _Knowledge:
             learned = len(left) < len(waiting)
             waiting = left
             found = self.matches.extend() or self._learn_symbols(signs)
-            nonzero = nonzero_factors(self.matches.generators, self.matches.of_law, signs)
             radicands = [entry for entry in self.matches.radicands if entry is not None]
+            nonzero = self.nonzero(signs)
             polys, usable = self.equations.polys, self.equations.usable(signs)
-            self._open = settle(signs, radicands, self._sums, nonzero, polys, usable)
+            self._open = settle(signs, radicands, self._derived, nonzero, polys, usable)
             if not (found or learned):
                 return
+
+    def nonzero(self, signs: Signs) -> frozenset[str]:
+        """Keys of what is known not to vanish."""
+        generators = self.matches.generators
+        radicands = [entry for entry in self.matches.radicands if entry is not None]
+        # a formal root is that of a radicand of the law, divided by what does not vanish
+        names = [
+            a.name
+            for a in generators.roots
+            if a.kind == "formal root" and is_radicand(a, radicands)
+        ]
+        names += [
+            a.name for a in generators.auxiliary if signs.of(generators.ring.generator(a.name))
+        ]
+        factors = nonzero_factors(generators, self.matches.of_law, names)
+        return factors | factors_of(signs, self.polys)
 
     def _learn_symbols(self, signs: Signs) -> bool:
         """Learn which roots, powers and exponentials are positive; whether any is.

@@ -73,6 +73,7 @@ class Bounds(GeneratorFunctions):
     ) -> None:
         self.degree, self.height = 1, 1
         self.radicands: list[Bound] = []
+        self.logarithms_of_numbers: list[Auxiliary] = []
         self.values: list[Number] = [Bound(1, 1)] * size
         whole = Bound(2, 2) ** (2 * LARGEST * (len(auxiliary) + 4))
         for content, powers in products:
@@ -103,8 +104,8 @@ class Bounds(GeneratorFunctions):
         return Bound(1, 1)
 
     def constant(self, word: str) -> Number:
-        """A variable, or the exponential of 1."""
-        return self._whole
+        """A variable."""
+        return Bound(1, 1)
 
     def is_nonzero(self, a: Number) -> bool:
         """Nothing is known to be zero."""

@@ -27,16 +27,20 @@ class Signs:
 
     def __init__(self) -> None:
         self._signs: dict[str, tuple[int, bool]] = {}
+        #: Polynomials, by key and sign, that are at least not negative.
+        self._not_negative: set[tuple[str, int]] = set()
 
     def copy(self) -> Signs:
         """A copy, to be extended independently."""
         signs = Signs()
         signs._signs = dict(self._signs)
+        signs._not_negative = set(self._not_negative)
         return signs
 
     def learn(self, poly: Poly, sign: int, strict: bool = True) -> None:
         """sign · poly is positive, or at least not negative."""
         key, lead = monic(poly)
+        self._not_negative.add((key, sign * lead))
         known = self._signs.get(key)
         if known is not None and known[0] != sign * lead and known[1] and strict:
             raise CheckError(f"what is positive contradicts itself at {_short_text(poly)}")
@@ -50,6 +54,12 @@ class Signs:
         key, lead = monic(poly)
         sign, strict = self._signs.get(key, (0, False))
         return sign * lead if strict else 0
+
+    def is_not_negative(self, poly: Poly) -> bool:
+        """Whether a polynomial is known to be positive or zero."""
+        if poly.is_constant():
+            return poly.is_zero() or self.of(poly) > 0
+        return monic(poly) in self._not_negative
 
     def weak(self, poly: Poly) -> int:
         """The sign of a polynomial that is zero at most besides; 0 if unknown."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -12,7 +12,6 @@ from ..claim.formulas import Formula, parse
 from ..claim.json_data import as_list, choice, field, mapping, only, rational, text
 from ..claim.polynomials import Powers, monic
 from ..claim.residuals import gram_determinants
-from .case_tree import Signs
 from .comparisons import Comparisons
 from .generators import Generators
 from .residues import UnknownRootError
@@ -129,11 +128,10 @@ class Matches:
 
 
 def nonzero_factors(
-    generators: Generators, entries: Sequence[Entry], signs: Signs
+    generators: Generators, entries: Sequence[Entry], symbols: Iterable[str]
 ) -> frozenset[str]:
-    """Keys of factors that do not vanish, where those in denominators are known not to."""
-    symbols = [generators.ring.generator(a.name) for a in generators.auxiliary]
-    keys = {monic(symbol)[0] for symbol in symbols if signs.of(symbol)}
+    """Keys of factors that do not vanish, where symbols and those in denominators do not."""
+    keys = {monic(generators.ring.generator(name))[0] for name in symbols}
     for names, _ in generators.inverses:
         # the inverse of a matrix is one that has an inverse
         a, b, c, d, e, f = (generators.ring.generator(word) for word in names)

@@ -6,13 +6,16 @@ from collections.abc import Mapping, Sequence
 
 from ..claim.errors import CheckError
 from ..claim.formulas import Formula, parse
-from ..claim.json_data import as_list, field, items, mapping, only, text
+from ..claim.json_data import as_list, field, integer, items, mapping, only, text
 from ..claim.polynomials import Poly, Powers, Ring, monic
 from .case_tree import Signs
 from .comparisons import Comparisons
 from .generator_functions import Auxiliary
 from .generators import Generators
 from .residues import UnknownRootError
+
+#: Known functions that take each value once.
+ONE_TO_ONE = ("exp", "log", "asin", "acos", "atan")
 
 
 class Equations:
@@ -25,7 +28,7 @@ class Equations:
         for number, data_of_one in enumerate(as_list(field(data, "equations", what), what)):
             label = f"equation {number} of {what}"
             item = mapping(data_of_one, label)
-            only(item, label, "poly", "from", "denominator", "quotients")
+            only(item, label, "poly", "from", "denominator", "quotients", "equation", "quotient")
             self.polys.append(comparisons.generators.ring.read(field(item, "poly", label), label))
             source = text(field(item, "from", label), label)
             self._items.append((item, source, source.split(" "), label))
@@ -35,7 +38,7 @@ class Equations:
         ring = self.comparisons.generators.ring
         numbers = set()
         for number, (_, source, words, label) in enumerate(self._items):
-            if words[0] in ("one", "same"):
+            if words[0] in ("one", "same", "argument"):
                 continue
             if words[0] == "root" and len(words) == 2:
                 known = words[1] in ring.index and bool(signs.of(ring.generator(words[1])))
@@ -65,6 +68,9 @@ class Equations:
                 quotients = field(item, "quotients", label)
                 known = self.polys[:number]
                 _check_equal_values(poly, words[1:], quotients, known, generators, label)
+            elif words[0] == "argument" and len(words) in (2, 3):
+                known = self.polys[:number]
+                _check_equal_arguments(poly, words[1:], item, known, generators, label)
             elif words[0] == "circle" and len(words) == 3:
                 _check_circle(poly, words[1:], generators, label)
             else:
@@ -134,6 +140,39 @@ def _check_equal_values(
         )
         if left != total:
             raise CheckError(f"{label}: the arguments are not equal on the level")
+
+
+def _check_equal_arguments(
+    poly: Poly,
+    words: Sequence[str],
+    item: Mapping[str, object],
+    equations: Sequence[Poly],
+    generators: Generators,
+    label: str,
+) -> None:
+    """Where q · (f(a) − f(b)) is zero, so is q · (a − b), f being one-to-one; or exp a is 1."""
+    ring = generators.ring
+    known = {a.name: a for a in generators.auxiliary if a.word in ONE_TO_ONE}
+    if not set(words) <= set(known):
+        raise CheckError(f"{label} is not one of a one-to-one function")
+    first = known[words[0]]
+    theirs: tuple[Poly, Powers] = (ring.constant(0), [])
+    other = ring.constant(1)
+    alike = first.word == "exp"
+    if len(words) == 2:
+        second = known[words[1]]
+        theirs, other = second.of[0], ring.generator(second.name)
+        alike = _function(first) == _function(second)
+    last = len(equations) - 1
+    equation = equations[integer(field(item, "equation", label), label, 0, last)]
+    quotient = ring.read(field(item, "quotient", label), label)
+    if not alike or equation != quotient * (ring.generator(first.name) - other):
+        raise CheckError(f"{label} does not say that values are equal")
+    mine = first.of[0]
+    left = mine[0] * ring.expanded_product(theirs[1]) - theirs[0] * ring.expanded_product(mine[1])
+    left = quotient * left
+    if poly.is_zero() or left.is_zero() or monic(poly)[0] != monic(left)[0]:
+        raise CheckError(f"{label} does not say that the arguments are equal")
 
 
 def _function(auxiliary: Auxiliary) -> tuple[object, ...]:

@@ -47,9 +47,11 @@ class GeneratorFunctions(Functions):
     ----------
     values : list of numbers
         Of the generators of a ring.
+    logarithms_of_numbers : list of Auxiliary
     """
 
     values: list[Number]
+    logarithms_of_numbers: list[Auxiliary]
 
     @abstractmethod
     def free(self, word: str) -> Number:

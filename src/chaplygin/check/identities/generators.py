@@ -162,6 +162,8 @@ class Generators:
         if auxiliary.kind == "power":
             assert auxiliary.exponent is not None
             return functions.new_power(auxiliary, inner[0], partial(solver, auxiliary.exponent))
+        if auxiliary.word == "log" and auxiliary.of[0][0].is_constant() and not auxiliary.of[0][1]:
+            functions.logarithms_of_numbers.append(auxiliary)
         return functions.plain_value(auxiliary.word, inner)
 
 

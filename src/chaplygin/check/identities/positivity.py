@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Iterable, Mapping, Sequence, Set
+from typing import TypeAlias
 
 from flint import fmpq
 
@@ -15,7 +16,11 @@ from .case_tree import Signs
 from .comparisons import Comparisons
 from .divisors import Entry
 from .generators import Generators
+from .one_variable import is_positive_where
 from .residues import UnknownRootError
+
+#: Reasons that rest on other signs, with the fields that they have beside a polynomial.
+DERIVED = {"sum": ("terms", "quotients"), "one variable": ("facts",)}
 
 
 def learn_positive(
@@ -24,7 +29,7 @@ def learn_positive(
     """Learn what is positive by a guard or a condition on parameters; why it is not, if so."""
     label = f"what is positive in {what}"
     item = mapping(item, label)
-    more = ("terms", "quotients") if item.get("from") == "sum" else ()
+    more = DERIVED.get(str(item.get("from")), ())
     only(item, label, "poly", "strict", "from", *more)
     generators = comparisons.generators
     poly = generators.ring.read(field(item, "poly", label), label)
@@ -32,7 +37,7 @@ def learn_positive(
     source = text(field(item, "from", label), label)
     if not isinstance(strict, bool):
         raise CheckError(f"{label} has a field 'strict' that is neither true nor false")
-    if source == "sum" or source.startswith("radicand "):
+    if source in DERIVED or source.startswith("radicand "):
         return None
     for formula, sign in _positive_formulas(source, generators.claim, label):
         if strict and sign != ">":
@@ -96,10 +101,11 @@ def _force(signs: Signs, radicands: Sequence[Entry]) -> None:
 
 
 class PositiveSum:
-    """A polynomial that is a sum of positive terms, up to multiples of equations.
+    """A polynomial that is a sum of terms that are not negative, up to multiples of equations.
 
     The terms are constant · ∏ weight^power · base² with a positive constant, and with weights that
-    are positive, or do not vanish where their power is even.
+    are not negative where their power is odd.  One of them must be positive if the sum is, unless
+    the sum is known not to vanish: its base a number, and its weights not zero.
     """
 
     def __init__(self, data: Mapping[str, object], generators: Generators, what: str) -> None:
@@ -107,8 +113,7 @@ class PositiveSum:
         ring = self.ring = generators.ring
         self.label = label
         self.poly = ring.read(field(data, "poly", label), label)
-        if field(data, "strict", label) is not True:
-            raise CheckError(f"{label}: a sum that is not strictly positive")
+        self.strict = field(data, "strict", label) is True
         self.terms = []
         for term in as_list(field(data, "terms", label), label):
             weight, constant, base = items(term, 3, label)
@@ -125,7 +130,7 @@ class PositiveSum:
     def holds(
         self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly], usable: Set[int]
     ) -> bool:
-        """Whether the terms are known to be positive; CheckError where the sum is another.
+        """Whether the signs of the terms are known; CheckError where the sum is another.
 
         Of the equations only those with numbers in `usable` are known to hold.
         """
@@ -136,14 +141,15 @@ class PositiveSum:
         total = self.ring.constant(0)
         for quotient, equation in zip(self.quotients, equations, strict=True):
             total = total + quotient * equation
-        used = {i for i, quotient in enumerate(self.quotients) if quotient}
-        certain, strict = used <= usable, False
+        certain = True
+        strict = not self.strict or (not self.poly.is_constant() and monic(self.poly)[0] in nonzero)
         for weights, number, base in self.terms:
+            positive = base.is_constant() and not base.is_zero()
             for part, power in weights:
                 known = not part.is_constant() and monic(part)[0] in nonzero
-                sign = signs.of(part) or (signs.weak(part) if known else 0)
-                certain = certain and (known or bool(sign) if power % 2 == 0 else sign > 0)
-            strict = strict or (base.is_constant() and not base.is_zero())
+                certain = certain and (power % 2 == 0 or signs.is_not_negative(part))
+                positive = positive and (known or bool(signs.of(part)))
+            strict = strict or positive
             fraction = fmpq(number.numerator, number.denominator)
             total = total + fraction * self.ring.expanded_product(weights) * base**2
         if total != self.poly:
@@ -151,14 +157,59 @@ class PositiveSum:
         return certain and strict
 
 
+class PositiveInOneVariable:
+    """A polynomial that is positive where others in the same variable are."""
+
+    strict = True
+
+    def __init__(self, data: Mapping[str, object], generators: Generators, what: str) -> None:
+        label = f"what is positive in {what}"
+        ring = generators.ring
+        self.poly = ring.read(field(data, "poly", label), label)
+        self.facts = [ring.read(f, label) for f in as_list(field(data, "facts", label), label)]
+        if field(data, "strict", label) is not True:
+            raise CheckError(f"{label}: what is positive in one variable is so strictly")
+
+    def holds(
+        self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly], usable: Set[int]
+    ) -> bool:
+        """Whether the others are known to be positive, and make it positive."""
+        if not all(map(signs.is_not_negative, self.facts)):
+            return False
+        return is_positive_where(self.poly, [(fact, signs.of(fact) > 0) for fact in self.facts])
+
+
+Derived: TypeAlias = PositiveSum | PositiveInOneVariable
+
+
+def read_derived(data: object, generators: Generators, what: str) -> list[Derived]:
+    """What is positive because other quantities are."""
+    kinds: dict[object, type[Derived]] = {
+        "sum": PositiveSum,
+        "one variable": PositiveInOneVariable,
+    }
+    stated = [mapping(item, what) for item in as_list(data, f"what is positive in {what}")]
+    return [
+        kinds[item.get("from")](item, generators, what)
+        for item in stated
+        if item.get("from") in kinds
+    ]
+
+
+def factors_of(signs: Signs, polys: Iterable[Poly]) -> frozenset[str]:
+    """Keys of the factors of polynomials that are known to be strictly positive or negative."""
+    strict = [poly for poly in polys if not poly.is_constant() and signs.of(poly)]
+    return frozenset(monic(part)[0] for poly in strict for part, _ in poly.factor()[1])
+
+
 def settle(
     signs: Signs,
     radicands: Sequence[Entry],
-    sums: Sequence[PositiveSum],
+    sums: Sequence[Derived],
     nonzero: frozenset[str],
     equations: Sequence[Poly],
     usable: Set[int],
-) -> list[PositiveSum]:
+) -> list[Derived]:
     """Learn what sums and radicands say; the sums of which the terms are not known."""
     _force(signs, radicands)
     left = list(sums)
@@ -167,7 +218,7 @@ def settle(
         changed = False
         for item in list(left):
             if item.holds(signs, nonzero, equations, usable):
-                signs.learn(item.poly, 1)
+                signs.learn(item.poly, 1, item.strict)
                 left.remove(item)
                 changed = True
         _force(signs, radicands)

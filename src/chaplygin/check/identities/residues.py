@@ -66,6 +66,8 @@ class Residues(GeneratorFunctions):
         self.signs = Signs()
         #: Products of powers, by their values.
         self.products: dict[fmpz_mod, list[Product]] = {}
+        #: Symbols that are logarithms of numbers.
+        self.logarithms_of_numbers: list[Auxiliary] = []
         #: Whether radicands are squares, where no roots of them are wanted.
         self.characters: list[bool] | None = None
         self._draw, self._choice = draw, iter(choice)
@@ -87,9 +89,7 @@ class Residues(GeneratorFunctions):
         return self.field.random(f"{self._draw} {word}")
 
     def constant(self, word: str) -> Number:
-        """The number π, which is free, or e¹."""
-        if word == "E":
-            return self.plain_value("exp", (self.number(Fraction(1)),))
+        """The number π, which is free."""
         return self._fixed((word,))
 
     def is_nonzero(self, a: Number) -> bool:
@@ -141,6 +141,10 @@ class Residues(GeneratorFunctions):
             return self._circle(a)[word == "cos"]
         if word == "exp":
             return self._exponential(a)
+        if word == "log":
+            return self._logarithm(a)
+        if word == "acos":
+            return self.constant("pi") / 2 - self._fixed(("asin", arguments))
         if word in ("sinh", "cosh"):
             value = self._exponential(a)
             other = inverse(value)
@@ -185,6 +189,48 @@ class Residues(GeneratorFunctions):
             for a, value in self._exponentials:
                 if value == radicand:
                     yield a / symbol.number, root
+
+    def _logarithm(self, a: Number) -> Number:
+        """log ∏ f^p = Σ p log |f| by the logarithms of the proof, or a new symbol."""
+        key = "log", (a,)
+        for content, powers in () if a == 1 or key in self._symbols else self.products.get(a, ()):
+            try:
+                result = self._logarithm_of_factor(self.ring.constant(content))
+                for poly, power in powers:
+                    result = result + power * self._logarithm_of_factor(poly)
+            except UnknownRootError:
+                continue
+            return result
+        return self.number(Fraction(0)) if a == 1 else self._fixed(key)
+
+    def _logarithm_of_factor(self, poly: Poly) -> Number:
+        """log |f|, where ±f is the argument of a logarithm, an exponential or a root."""
+        value = self._value(poly)
+        if value in (1, -1):
+            return self.number(Fraction(0))
+        for argument in (value, -value):
+            if ("log", (argument,)) in self._symbols:
+                return self._symbols["log", (argument,)]
+        for exponent, known in self._exponentials:
+            if known == value:
+                return exponent
+        for symbol, root in self._roots:
+            if root == value:
+                return self._logarithm_of_factor(symbol.of[0][0]) / symbol.number
+        if poly.is_constant():
+            return self._logarithm_of_number(abs(_constant(poly)))
+        raise UnknownRootError("a logarithm of the law is none of the proof")
+
+    def _logarithm_of_number(self, number: Fraction) -> Number:
+        result = self.number(Fraction(0))
+        for auxiliary in self.logarithms_of_numbers:
+            base = _constant(auxiliary.of[0][0])
+            if times := _valuation(number, base):
+                result = result + times * self._symbols["log", (self.number(base),)]
+                number /= base**times
+        if number != 1:
+            raise UnknownRootError("a logarithm of a number is none of the proof")
+        return result
 
     # --- roots and powers -----------------------------------------------------------------------
 

@@ -23,7 +23,7 @@ def check_roots(
     """Check that what stands under the roots of a proof is positive, or that of a law's root."""
     for auxiliary in generators.auxiliary:
         if auxiliary.kind == "formal root":
-            if not _is_radicand(auxiliary, radicands):
+            if not is_radicand(auxiliary, radicands):
                 raise CheckError(f"{what}: {auxiliary.name} is no root of the law")
             for poly, _ in auxiliary.whole:
                 if monic(poly)[0] not in nonzero and not signs.of(poly):
@@ -53,6 +53,8 @@ def check_functions(
             continue
         arguments = [comparisons.fraction(above, below) for above, below in auxiliary.of]
         if auxiliary.word == "log":
+            if _sign_of_fraction(*auxiliary.of[0], signs) > 0:
+                continue
             stated = arguments[0]
         elif auxiliary.word == "atan2":
             stated = [y * y + x * x for y, x in zip(*arguments, strict=True)]
@@ -63,7 +65,14 @@ def check_functions(
             raise CheckError(f"{label} is none of the law")
 
 
-def _is_radicand(auxiliary: Auxiliary, radicands: Sequence[Entry]) -> bool:
+def _sign_of_fraction(above: Poly, below: Powers, signs: Signs) -> int:
+    sign = signs.of(above)
+    for poly, power in below:
+        sign *= signs.of(poly) if power % 2 else abs(signs.of(poly))
+    return sign
+
+
+def is_radicand(auxiliary: Auxiliary, radicands: Sequence[Entry]) -> bool:
     """Whether what stands under a formal root has the sign of a radicand of the law."""
     inner, whole = auxiliary.radicand
     mine = _odd(_factors(inner) + [(p, n) for p, n in whole])

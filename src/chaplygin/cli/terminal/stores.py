@@ -107,17 +107,14 @@ def vacate(output: Path, force: bool) -> None:
     Raises
     ------
     InputError
-        If that would destroy something that is not ours.
+        If that would destroy something that is not ours, or that is being written.
     """
-    import shutil
-
     from ...experiment.files import check_replaced_store
-    from ...flow.ensemble.zarr_store import read_store
+    from ...flow.ensemble.zarr_store import remove_store
 
     if output.exists() and force:
         check_replaced_store(output)
-        read_store(output).close()
-        shutil.rmtree(output)
+        remove_store(output)
 
 
 def check_picture(output: Path, picture: Path, force: bool, by_user: bool = False) -> None:
@@ -221,9 +218,11 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
         report(fraction)
 
     def words() -> str:
-        if not share:
+        if not store.exists():
             return NOTHING_SAVED
         command = "the same command without --force" if force else "the same command"
+        if not share:
+            return f"{store} stays, with nothing added; {command} resumes there"
         return f"{share:.0%} is computed and saved in {store}; {command} resumes from there"
 
     begun = store.exists()

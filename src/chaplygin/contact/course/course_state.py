@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...core.arrays import FloatArray
-from ...flow.cost import Pace, TooMuchError
+from ...flow.cost import TooMuchError
 from ...flow.validation import extremes_in_words
 from ..friction.contensou import held_range_of, range_of
 from ..friction.modes import FLIGHT, Mode, Range
@@ -112,7 +112,7 @@ class CourseState:
         self.mode = Mode()
         self.pieces: list[Piece] = []
         self.events: list[ContactEvent] = []
-        self.steps, self.reason, self._pace = 0, "", Pace()
+        self.steps, self.reason = 0, ""
         self.ending: EndReason = ""
         self._height, self._hop = 0.0, math.inf
         self._dry = dry_friction(contact.situation)
@@ -164,19 +164,16 @@ class CourseState:
                 return "paradox"
             self._require_smooth(integrator)
             raise EndError("singular", "; ".join(filter(None, (SINGULAR, self._extremes()))))
-        if self._idle > _MOST_AT_ONE_INSTANT or len(self.events) > self.rules.most_events:
-            raise EndError(
-                "many events", f"{len(self.events)} events up to t = {self.time:.9g}: too many"
-            )
-        length = last - float(self.moments[0])
+        if self._idle > _MOST_AT_ONE_INSTANT:
+            raise EndError("many events", f"more and more events at t = {self.time:.9g}")
+        rates = [float(np.linalg.norm(self.state[part])) for part in (OMEGA, VELOCITY)]
+        times = float(self.moments[0]), self.time, last
+        self.rules.require_few(len(self.events), self.steps, *times, *rates)
         if outcome.guard == PAUSE and progress <= _LEAST_PROGRESS * (last - self.time):
             raise TooMuchError(
-                f"to follow a motion for {length:g} s would take more than "
+                f"to follow a motion for {last - float(self.moments[0]):g} s would take more than "
                 f"{_STRETCH / _LEAST_PROGRESS:.0e} steps"
             )
-        if length:
-            done = (self.time - float(self.moments[0])) / length
-            self._pace.check(done, f"to follow a motion for {length:g} s")
         return outcome.guard or (PAUSE if self.time < last else "")
 
     def _require_smooth(self, integrator: ModeIntegrator) -> None:

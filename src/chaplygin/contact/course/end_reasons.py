@@ -20,6 +20,7 @@ EndReason = Literal[
     "guard",
     "failure",
     "impact",
+    "many steps",
 ]
 
 #: Reasons in words, in the order of their codes in datasets.
@@ -38,6 +39,7 @@ END_REASONS: Mapping[EndReason, str] = {
     "guard": "the equations of motion end",
     "failure": "the integration failed",
     "impact": "the friction of an impact is not known",
+    "many steps": "too many steps of integration",
 }
 
 SINGULAR = "the motion comes to a singular end: its state stops being a number"

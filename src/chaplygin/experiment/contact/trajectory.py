@@ -130,6 +130,7 @@ def contact_trajectory(
         records=recorded,
         events=_events(motion),
         statistics=Statistics(
+            method="Taylor series, pieces joined by events,",
             steps=motion.steps,
             order=machine.mode(FLIGHT).code.series.order,
             tolerance=machine.tolerance,

@@ -100,6 +100,8 @@ def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
     if isinstance(source, str) and "\n" in source:
         return loads(source, overrides=overrides)
     name = str(source)
+    if not name.strip():
+        raise InputError("the path is empty; it must be that of an experiment file, or its text")
     try:
         with Path(source).open("rb") as file:
             content = file.read(_MOST_BYTES + 1)

@@ -9,6 +9,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import cast
 
+import sympy as sp
+
 from ...core.system import Observable, System
 from ...core.vectors import real_symbol
 from ...errors import InputError
@@ -57,6 +59,11 @@ class DescribedSubject(Subject):
     def model(self) -> Mechanism | None:
         """The mechanism, if there is one."""
         return self.mechanism
+
+    @property
+    def velocities(self) -> tuple[sp.Symbol, ...]:
+        """The velocities of the mechanism."""
+        return () if self.mechanism is None else self.mechanism.frame.w
 
     @property
     def state_names(self) -> list[str]:

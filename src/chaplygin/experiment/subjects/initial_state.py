@@ -7,7 +7,7 @@ rounded once.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import TypeAlias
 
 import mpmath
@@ -19,6 +19,7 @@ from ...core.vectors import Vector, norm_squared, to_components
 from ...errors import InputError
 from ...flow.initial_states import upright
 from ...formulas.multiprecision import Multiprecision
+from ...mechanics.lagrangian.mechanism import TIME
 from ...mechanics.rolling.attitude import attitude
 from ...mechanics.rolling.initial_state import DIGITS, SLACK
 from ...parsing import NamedQuantity, nearest
@@ -42,7 +43,9 @@ _DIFFERENCE = mpmath.mpf(10) ** -20
 StartValues: TypeAlias = Mapping[str, float | Sequence[float]]
 
 
-def initial_state_from_values(system: System, values: StartValues) -> tuple[mpmath.mpf, ...]:
+def initial_state_from_values(
+    system: System, values: StartValues, velocities: Collection[sp.Symbol] = ()
+) -> tuple[mpmath.mpf, ...]:
     """The state of a system, lifted to space if it has a motion, by named values.
 
     Parameters
@@ -51,6 +54,8 @@ def initial_state_from_values(system: System, values: StartValues) -> tuple[mpma
     values : mapping of str to number or numbers
         Every variable of the state; those of the lift may be left out.  A vector that the
         relations make a unit vector is normalised.  Definitions may be given besides, as a check.
+    velocities : collection of Symbol
+        Variables that are moved to meet a relation in which they occur, all others held.
 
     Returns
     -------
@@ -71,7 +76,7 @@ def initial_state_from_values(system: System, values: StartValues) -> tuple[mpma
         known = _checked_values(system, values)
         _complete(lifted, known)
         state = [x for name in lifted.state for x in known[str(name)]]
-        point = _on_relations(lifted, state)
+        point = _on_relations(lifted, state, velocities)
         _check_given_definitions(lifted, point, claims)
         return tuple(point)
 
@@ -240,14 +245,16 @@ def _numerical_function(
     return values
 
 
-def _on_relations(lifted: System, state: list[mpmath.mpf]) -> list[mpmath.mpf]:
+def _on_relations(
+    lifted: System, state: list[mpmath.mpf], velocities: Collection[sp.Symbol]
+) -> list[mpmath.mpf]:
     """The nearest state on the relations; an InputError if it is far away."""
     if not lifted.relations:
         return state
     residual = _numerical_function(
         lifted, [to_components(relation) for relation in lifted.relations]
     )
-    near = _newton(residual, state)
+    near = _nearest(lifted, state, velocities)
     defects = residual(state)
     if near is not None and _distance(near, state) <= SLACK * (1 + max(map(abs, state))):
         return near
@@ -261,17 +268,59 @@ def _on_relations(lifted: System, state: list[mpmath.mpf]) -> list[mpmath.mpf]:
     raise InputError(message)
 
 
-def _newton(
-    residual: Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]], state: Sequence[mpmath.mpf]
+def _nearest(
+    lifted: System, state: Sequence[mpmath.mpf], velocities: Collection[sp.Symbol]
 ) -> list[mpmath.mpf] | None:
-    """The point near `state` where all residuals vanish, if Newton's method finds one."""
+    """A state on the relations: places put on their own relations first, then velocities.
+
+    Places move, and the time with them, only where places alone violate a relation, or where no
+    velocities at the given places are admissible.
+    """
+    relations = [to_components(relation) for relation in lifted.relations]
+    of_velocities = [r for r in relations if lifted.expand(r).free_symbols & {*velocities}]
+    of_places = [r for r in relations if r not in of_velocities]
+    names = lifted.symbols
+    fast = [i for i, s in enumerate(names) if s in velocities]
+    places = [i for i, s in enumerate(names) if s not in velocities and s != TIME]
+    every = range(len(names))
+    point = _first(lifted, of_places, state, (places, every))
+    return point and (
+        _first(lifted, of_velocities, point, (fast,)) or _first(lifted, relations, state, (every,))
+    )
+
+
+def _first(
+    lifted: System,
+    relations: Sequence[sp.Expr],
+    state: Sequence[mpmath.mpf],
+    choices: Iterable[Sequence[int]],
+) -> list[mpmath.mpf] | None:
+    """A state on relations, the variables being moved that are the first to suffice."""
+    if not relations:
+        return list(state)
+    residual = _numerical_function(lifted, relations)
+    tries = (_newton(residual, state, indices) for indices in choices)
+    return next((point for point in tries if point is not None), None)
+
+
+def _newton(
+    residual: Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]],
+    state: Sequence[mpmath.mpf],
+    indices: Sequence[int],
+) -> list[mpmath.mpf] | None:
+    """The point near `state` where all residuals vanish, if Newton's method finds one.
+
+    Only the variables with some indices move.
+    """
     point = list(state)
     for _ in range(_STEPS):
         defects = residual(point)
         if max(map(abs, defects)) < mpmath.mpf(10) ** (8 - DIGITS):
             return point
+        if not indices:
+            return None
         columns = []
-        for index in range(len(point)):
+        for index in indices:
             moved = list(point)
             moved[index] += _DIFFERENCE
             pairs = zip(residual(moved), defects, strict=True)
@@ -280,7 +329,7 @@ def _newton(
             return None  # a state so large that doubles do not hold its slopes
         # redundant relations (an attitude tied to a unit vector) make the rows dependent
         inverse = np.linalg.pinv(np.array(columns).T, rcond=1e-9)
-        for index, row in enumerate(inverse):
+        for index, row in zip(indices, inverse, strict=True):
             point[index] -= sum(float(a) * x for a, x in zip(row, defects, strict=True))
     return None
 

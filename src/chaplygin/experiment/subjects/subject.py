@@ -9,12 +9,13 @@ of the user's (`described_system.py`), a body with friction (`contact_subject.py
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, ClassVar, TypeAlias
 
 import mpmath
 import numpy as np
+import sympy as sp
 
 from ...core.arrays import FloatArray
 from ...core.system import System
@@ -142,6 +143,11 @@ class Subject:
         return () if self.body is None else tuple(f"body.{words}" for words in self.body.remarks)
 
     @property
+    def velocities(self) -> Collection[sp.Symbol]:
+        """Variables of the state that a start which violates a relation should change first."""
+        return ()
+
+    @property
     def directions(self) -> set[str]:
         """Names of the start values that are made unit vectors."""
         return unit_vectors(self.system)
@@ -159,7 +165,7 @@ class Subject:
         InputError
             If the start is not admissible.
         """
-        return initial_state_from_values(self.system, self.start_values)
+        return initial_state_from_values(self.system, self.start_values, self.velocities)
 
     def trajectory(
         self,
@@ -296,6 +302,11 @@ class BodySubject(Subject):
         if self.from_catalogue and super().remarks:
             return ("the centre of mass lies outside the body",)
         return super().remarks
+
+    @property
+    def velocities(self) -> Collection[sp.Symbol]:
+        """Variables of the state that a start which violates a relation should change first."""
+        return ()
 
     @property
     def directions(self) -> set[str]:

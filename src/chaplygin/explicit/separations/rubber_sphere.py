@@ -33,7 +33,7 @@ from ...catalogue.ball_on_sphere import rubber_ball_ratio
 from ...catalogue.fixed_point import veselova
 from ...core.system import System
 from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
-from ..change_of_symbols import in_symbols_of
+from ..genus_two.change_of_symbols import in_symbols_of
 from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 from .veselova import veselova as without_field

@@ -15,7 +15,6 @@ appears at once too, under a provisional name first.
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import shutil
 import warnings
@@ -31,6 +30,7 @@ from ...core.arrays import BoolArray
 from ...core.source_digest import computation_digest
 from ...errors import InputError
 from ...formulas.digest import digest, field_digests
+from ...partial_files import partial_folder, write_lock
 from .chunks import chunk_path, damaged_blocks, flush, write_chunk_table
 from .task import Arrays, IncompleteError, Task
 
@@ -126,11 +126,24 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
             if _is_empty(folder):
                 _create(task, folder)
             group = _group(folder)
-            stack.enter_context(_lock(folder, patient=False))
+            stack.enter_context(write_lock(folder))
             store = _resumed_store(task, folder, group)
         except OSError as problem:
             raise InputError(f"{folder} cannot be written: {_reason(problem)}") from problem
         yield store
+
+
+def remove_store(folder: Path) -> None:
+    """Remove a store that nobody is writing.
+
+    Raises
+    ------
+    InputError
+        If it is none of ours, or is being written.
+    """
+    with write_lock(folder):
+        read_store(folder).close()
+        shutil.rmtree(folder)
 
 
 def read_store(folder: str | Path) -> xr.Dataset:
@@ -168,15 +181,14 @@ def _create(task: Task, folder: Path) -> None:
     """An empty store under a provisional name, then under its own."""
     if not folder.parent.is_dir():
         raise InputError(f"{folder} cannot be written: there is no folder {folder.parent}")
-    provisional = folder.with_name(f".{folder.name}.begun")
-    with _lock(provisional, patient=True):
-        shutil.rmtree(provisional, ignore_errors=True)
+    with partial_folder(folder.parent) as provisional:
+        _write_layout(task, provisional)
         try:
+            provisional.replace(folder)
+        except OSError:
+            # another process may have been as far at the same moment
             if _is_empty(folder):
-                _write_layout(task, provisional)
-                provisional.replace(folder)
-        finally:
-            shutil.rmtree(provisional, ignore_errors=True)
+                raise
 
 
 def _is_empty(folder: Path) -> bool:
@@ -309,35 +321,6 @@ def _marks(folder: Path, group: zarr.Group) -> BoolArray:
 def _notes(group: zarr.Group) -> Mapping[str, Any]:
     """The attributes of the marks: format, blocks, task and program of a store."""
     return group[MARKS].attrs
-
-
-@contextmanager
-def _lock(folder: Path, *, patient: bool) -> Iterator[None]:
-    """Lock a store against other writers; the lock ends with the process, however that ends.
-
-    The lock is a file beside the store, which is deleted while it is still locked: who waits for
-    a deleted file starts over with a new one.
-
-    Raises
-    ------
-    InputError
-        If another process has it and is not waited for.
-    """
-    import filelock
-
-    place = folder.resolve().with_name(f".{folder.name}.lock")
-    # filelock waits where nothing can be written; this says why not
-    place.touch()
-    try:
-        with filelock.FileLock(place, timeout=-1 if patient else 0):
-            try:
-                yield
-            finally:
-                # Windows does not delete a file that is open
-                with contextlib.suppress(OSError):
-                    place.unlink()
-    except filelock.Timeout as problem:
-        raise InputError(f"{folder} is being written by another process: wait for it") from problem
 
 
 def _resumed_store(task: Task, folder: Path, group: zarr.Group) -> Store:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Protocol, TypeAlias, TypeVar
 
+from ...errors import InputError
 from .ir_writer import IRWriter
 
 #: The name of one vector register, or of two that hold one number of twice the digits.
@@ -89,6 +90,18 @@ class Arithmetic(Protocol[V]):
         ...
 
 
+def _nearest_double(value: Fraction) -> float:
+    """The double nearest to a constant of a formula; InputError beyond all doubles."""
+    try:
+        return float(value)
+    except OverflowError:
+        size = len(str(abs(round(value)))) - 1
+        raise InputError(
+            f"a formula contains a number of about 1e{size}; the largest that can be computed "
+            "with is 1.8e308"
+        ) from None
+
+
 class Double:
     """Numbers of 53 bits: one register."""
 
@@ -99,7 +112,7 @@ class Double:
 
     def number(self, value: Fraction) -> str:
         """A constant, rounded."""
-        return self.writer.constant(float(value))
+        return self.writer.constant(_nearest_double(value))
 
     def load(self, base: str, index: str | int) -> str:
         """An element of an array of vectors."""
@@ -218,7 +231,7 @@ class Pair:
 
     def number(self, value: Fraction) -> Registers:
         """A constant, rounded."""
-        high = float(value)
+        high = _nearest_double(value)
         return self.writer.constant(high), self.writer.constant(float(value - Fraction(high)))
 
     def load(self, base: str, index: str | int) -> Registers:

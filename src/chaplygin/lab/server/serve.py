@@ -1,4 +1,4 @@
-"""Starting a laboratory, on this machine alone, until Ctrl-C."""
+"""Starting a laboratory, on this machine alone, until Ctrl-C or SIGTERM."""
 
 from __future__ import annotations
 
@@ -8,10 +8,8 @@ import errno
 import http.client
 import os
 import secrets
-import signal
 import socket
 from collections.abc import Callable, Iterator
-from types import FrameType
 
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol
@@ -34,6 +32,9 @@ SAVING_TIMEOUT = 60.0
 #: Connections at most; more are told to come again.
 CONNECTIONS = 256
 
+#: Connections at most that wait for a request; of more, those that have waited longest are closed.
+IDLE_CONNECTIONS = 64
+
 
 class _Server(uvicorn.Server):
     """A server that leaves signals to the command line."""
@@ -50,6 +51,7 @@ class _Connection(H11Protocol):
     """
 
     _unread: asyncio.TimerHandle | None = None
+    _since = 0.0
 
     def pause_writing(self) -> None:
         """Wait until more has been read, but not for ever."""
@@ -65,7 +67,18 @@ class _Connection(H11Protocol):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Begin to watch it."""
         super().connection_made(transport)
+        self._since = self.loop.time()
         self._watch()
+        idle = [
+            other
+            for other in self.connections
+            if isinstance(other, _Connection)
+            and other._is_idle()
+            and not other.transport.is_closing()
+        ]
+        if len(idle) > IDLE_CONNECTIONS:
+            # first those from which no request has ever come
+            min(idle, key=lambda other: (other.cycle is not None, other._since)).transport.close()
 
     def _watch(self) -> None:
         self.loop.call_later(MESSAGE_TIMEOUT, self._close_if_idle, self._is_idle(), self.cycle)
@@ -118,13 +131,9 @@ def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None])
         timeout_graceful_shutdown=0,
         h11_max_incomplete_event_size=16 * 1024,
     )
-    before = signal.signal(signal.SIGTERM, _end)
-    try:
-        with listening:
-            announce(f"http://{HOST}:{place}{laboratory.base}")
-            asyncio.run(_serve(_Server(config), listening, [pool, savers]))
-    finally:
-        signal.signal(signal.SIGTERM, before)
+    with listening:
+        announce(f"http://{HOST}:{place}{laboratory.base}")
+        asyncio.run(_serve(_Server(config), listening, [pool, savers]))
 
 
 async def _serve(server: _Server, listening: socket.socket, pools: list[Pool]) -> None:
@@ -134,11 +143,6 @@ async def _serve(server: _Server, listening: socket.socket, pools: list[Pool]) -
         # before the loop waits for threads, which wait for workers
         for pool in pools:
             pool.close()
-
-
-def _end(number: int, frame: FrameType | None) -> None:
-    """End in order where another process asks for it."""
-    raise SystemExit(128 + number)
 
 
 def listen(port: int) -> socket.socket:

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import os
-import signal
 import sys
-import threading
 from collections.abc import AsyncGenerator, Callable, Iterator
 from dataclasses import dataclass, field
-from multiprocessing import get_context, parent_process
+from multiprocessing import get_context
 from multiprocessing.context import SpawnProcess
 from typing import TypeAlias
+
+from ...child_processes import follow_parent, signals_blocked
 
 if sys.platform == "win32":
     from multiprocessing.connection import PipeConnection as Connection
@@ -155,7 +154,8 @@ class Pool:
         context = get_context("spawn")
         ours, theirs = context.Pipe()
         process = context.Process(target=work, args=(theirs, self.answer), daemon=True)
-        process.start()
+        with signals_blocked():
+            process.start()
         theirs.close()
         worker = _Worker(process, ours)
         self._all.add(worker)
@@ -181,20 +181,10 @@ def _hear(task: asyncio.Task[Message | None]) -> None:
 
 def work(pipe: Connection, answer: Answer) -> None:
     """Compute answers until the other end of the pipe is closed; what a worker runs."""
-    # Ctrl-C reaches all processes of a terminal; the one that serves ends the others
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    follow_parent()
     with contextlib.suppress(EOFError, OSError):
         while True:
             task = pipe.recv()
             for message in answer(task):
                 pipe.send(message)
             pipe.send(None)
-
-
-def _end_with_parent() -> None:
-    """Leave nothing running when the process that serves is gone, however it ended."""
-    parent = parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)

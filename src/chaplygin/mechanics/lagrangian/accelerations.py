@@ -16,6 +16,28 @@ from .ldl import Factorisation, product
 
 
 @dataclass(frozen=True)
+class LinearEquations:
+    """The equations A u̇ = h + Cᵀλ, C u̇ = b of the free velocities u, as they are solved.
+
+    Attributes
+    ----------
+    mass, slopes : tuple of rows
+        A, and C of those constraints that give no velocity.
+    force, drift, multipliers : tuple of Expr
+        h, b and λ.
+    constraints : tuple of Expr
+        What these constraints say vanishes.
+    """
+
+    mass: tuple[tuple[sp.Expr, ...], ...]
+    force: tuple[sp.Expr, ...]
+    drift: tuple[sp.Expr, ...]
+    slopes: tuple[tuple[sp.Expr, ...], ...]
+    multipliers: tuple[sp.Expr, ...]
+    constraints: tuple[sp.Expr, ...]
+
+
+@dataclass(frozen=True)
 class Accelerations:
     """Accelerations and multipliers.
 
@@ -25,10 +47,13 @@ class Accelerations:
         ẇ of the free velocities.
     multipliers : tuple of (Symbol, Expr)
         λ_μ in the order of the constraints, those of the positions last.
+    equations : LinearEquations
+        What the rates solve.
     """
 
     rates: Mapping[sp.Symbol, sp.Expr]
     multipliers: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    equations: LinearEquations
 
 
 @with_working_precision
@@ -74,7 +99,19 @@ def accelerations(parts: Balance) -> Accelerations:
     ]
     b = [tape.name(tape.short(-tape.along(parts.time, parts.constraints[i]))) for i in left]
     rates, lambdas = _with_multipliers(parts, mass, force, C, b)
-    return _numbered_names(parts, rates, dict(zip(left, lambdas, strict=True)), AZ, h)
+    solved = LinearEquations(
+        tuple(map(tuple, mass)),
+        tuple(force),
+        tuple(b),
+        tuple(map(tuple, C)),
+        tuple(lambdas),
+        tuple(parts.constraints[i] for i in left),
+    )
+    return Accelerations(
+        {w[s]: rate for s, rate in zip(parts.free, rates, strict=True)},
+        _all_multipliers(parts, rates, dict(zip(left, lambdas, strict=True)), AZ, h),
+        solved,
+    )
 
 
 def _with_multipliers(
@@ -154,13 +191,13 @@ def _refuse_singular(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> None:
         )
 
 
-def _numbered_names(
+def _all_multipliers(
     parts: Balance,
     rates: Sequence[sp.Expr],
     names: Mapping[int, sp.Expr],
     inertia: Sequence[Sequence[sp.Expr]],
     force: Sequence[sp.Expr],
-) -> Accelerations:
+) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     """The multipliers of all constraints, including those solved for a velocity."""
     tape, w = parts.tape, parts.mechanism.frame.w
     symbols = parts.multipliers
@@ -176,7 +213,4 @@ def _numbered_names(
         others = [parts.slopes[other][i] * symbols[other] for other in (*names, *needs[index])]
         total = product(inertia[i], rates) - force[i] - sp.Add(*others)
         values[index] = tape.short(total / parts.slopes[index][i])
-    return Accelerations(
-        {w[s]: rate for s, rate in zip(parts.free, rates, strict=True)},
-        tuple((symbols[i], values[i]) for i in sorted(values)),
-    )
+    return tuple((symbols[i], values[i]) for i in sorted(values))

@@ -33,6 +33,7 @@ from .assembly import Balance, balance
 from .definitions import name_definitions
 from .energy import EnergyTheorem, energy_theorem
 from .mechanism import TIME, Mechanism
+from .power import power_theorem
 from .units import momentum_units, multiplier_units
 
 
@@ -43,7 +44,7 @@ class DerivedEquations:
     Attributes
     ----------
     parts : Balance
-    solution : Solution
+    solution : Accelerations
     energy : EnergyTheorem
     """
 
@@ -137,6 +138,11 @@ def equations(mechanism: Mechanism) -> System:
     observables = tuple(replace(o, value=names(o.value)) for o in observables)
     here = tuple(o for o in observables if not _depends(parts, [o.value], irrelevant))
     timed = _depends(parts, _driving(derived), (TIME,))
+    theorem = (
+        None
+        if derived.energy.failures
+        else power_theorem(parts, derived.solution, names, relations)
+    )
     if not (relevant or rates or timed):
         raise InputError(
             f"{mechanism.name}: the constraints leave nothing free to move, and no place matters"
@@ -170,6 +176,7 @@ def equations(mechanism: Mechanism) -> System:
         else None,
         source=mechanism.source or "(1.9)",
         summary=" ".join(filter(None, (mechanism.summary, *_energy_warning(derived.energy)))),
+        theorems=() if theorem is None else (theorem,),
     )
 
 

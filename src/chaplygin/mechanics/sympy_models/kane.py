@@ -12,13 +12,12 @@ which is Kane's method in another order.  Every intermediate result has a name.
 from __future__ import annotations
 
 import random
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import mpmath
 import sympy as sp
-from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
 from ...core.system import Observable, System
@@ -36,6 +35,7 @@ from ..lagrangian.generic_points import (
 )
 from ..lagrangian.ldl import Factorisation, product
 from ..lagrangian.mechanism import TIME, Frame, Mechanism
+from .auxiliary import auxiliary_reactions
 from .names import Defaults, Inputs, NameTranslation, name_translation
 
 
@@ -74,7 +74,8 @@ class Kane:
     constraints : tuple of Expr
         B u + b.
     reactions : tuple of (Symbol, Expr)
-        Forces that auxiliary speeds determine; they may contain `accelerations`.
+        Forces that auxiliary speeds determine; they may contain `accelerations` and multipliers
+        ``lambda_1``, ….
     accelerations : tuple of Symbol
         Stand for u̇ in the reactions.
     """
@@ -125,6 +126,7 @@ class Kane:
             for s, value, f in zip(labels, multipliers, self.constraints, strict=True)
         ]
         moving = dict(zip(self.accelerations, accelerations, strict=True))
+        moving |= dict(zip(labels, multipliers, strict=True))
         observables += [
             Observable(str(s), value.xreplace(moving), f"reaction {s}")
             for s, value in self.reactions
@@ -155,6 +157,12 @@ class Kane:
         InputError
             If speeds and coordinates do not correspond.
         """
+        if self.reactions:
+            names = ", ".join(str(s) for s, _ in self.reactions)
+            raise InputError(
+                f"{self.name}: auxiliary speeds bring out {names}, which a mechanism does not "
+                "record; take the model as a System"
+            )
         still = dict.fromkeys(self.speeds, sp.S.Zero)
         drifting = [q for q, r in zip(self.coordinates, self.rates, strict=True) if r.subs(still)]
         if len(self.speeds) != len(self.coordinates) or drifting:
@@ -327,14 +335,20 @@ def kane(
     kinetic = sum(body.kinetic_energy(model._inertial) for body in bodies)
     kinetic = sp.sympify(kinetic).xreplace(kinematics).xreplace(zero)
     slopes = model._k_nh.tolist() if len(model._k_nh) else []
-    constraints = list(model._k_nh * sp.Matrix(u) + model._f_nh) if slopes else []
-    reactions = {} if slopes else _reactions(free, absent, [*q, *u], inputs)
+    whole = list(model._k_nh * sp.Matrix(u) + model._f_nh) if slopes else []
+    constraints = [f.xreplace(absent) for f in whole]
+    multipliers = [sp.Function(f"lambda_{i + 1}")(dynamicsymbols._t) for i in range(len(whole))]
+    # what the reactions of the constraints do where an auxiliary speed moves
+    work = [
+        sp.Add(*(x * sp.diff(f, s) for x, f in zip(multipliers, whole, strict=True))) for s in extra
+    ]
+    reactions = auxiliary_reactions(name, free, absent, work, [*q, *u], inputs)
     formulas = [
         *(*mass, *active, *bare, kinetic, *constraints, *model._f_h, *kinematics.values()),
         *reactions.values(),
     ]
     accelerations = {s.diff(dynamicsymbols._t): real_symbol(f"{s.func}dot") for s in u}
-    plain = {**kinematics, **accelerations}
+    plain = {**kinematics, **accelerations, **{x: _multiplier(x) for x in multipliers}}
     words = name_translation(name, formulas, [*q, *u], plain, parameters, inputs)
     return Kane(
         name=name,
@@ -355,22 +369,9 @@ def kane(
     )
 
 
-def _reactions(
-    free: KanesMethod, absent: Mapping[sp.Expr, int], moving: Sequence[sp.Expr], inputs: Inputs
-) -> dict[sp.Expr, sp.Expr]:
-    """Unknown forces of the loads by the equations of the auxiliary speeds."""
-    if not absent:
-        return {}
-    laws = free.auxiliary_eqs.xreplace(dict(absent))
-    prescribed = {str(getattr(key, "func", key)) for key in inputs}
-    unknown = sorted(
-        {f for f in laws.atoms(AppliedUndef) if f not in moving and str(f.func) not in prescribed},
-        key=str,
-    )
-    if len(unknown) != len(laws):
-        return {}
-    matrix, right = sp.linear_eq_to_matrix(list(laws), unknown)
-    return dict(zip(unknown, matrix.LUsolve(right), strict=True))
+def _multiplier(function: sp.Expr) -> sp.Symbol:
+    """The symbol of a multiplier in the reactions."""
+    return real_symbol(str(function.func))
 
 
 def _with_constraint_inertia(

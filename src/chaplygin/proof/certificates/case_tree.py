@@ -63,7 +63,10 @@ class Cases:
         chain, contradiction = self.chains.chain(equations, nonzero)
         if contradiction is not None:
             return self._empty(contradiction, equations)
-        divisions = [self.chains.division(poly, chain) for poly in self.numerators]
+        divisions = [
+            self.chains.with_conjugate(self.chains.division(poly, chain), chain, nonzero)
+            for poly in self.numerators
+        ]
         exact = not any(division.rest for division in divisions)
         doubtful = list(self._doubtful(divisions, nonzero))
         if exact and not doubtful:

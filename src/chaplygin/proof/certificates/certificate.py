@@ -11,26 +11,30 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from typing import Any
 
 from ...arguments import arguments_checked
 from ...check import FORMAT, BadInputError, CheckError, check
 from ...check.certificate_points import point_of_level
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
 from ...check.claim.formulas import name, parse_condition
+from ...check.claim.power import IDENTITIES
 from ...core.laws import Law
 from ...core.system import System
-from ...formulas.errors import NoRealValueError, OutOfReachError
+from ...formulas.errors import OutOfReachError
 from ...formulas.number_fields import ball_precision
 from ..claim_text import Text, claim_text
 from ..fields.budget import EFFORT, Budget
 from ..fields.quotient_ring import Poly
 from ..fields.unreduced_fields import UnreducedField, UnreducedFormal
-from ..level.alternatives import alternatives
+from ..level.alternatives import alternatives, ranges_of_parameters
 from ..level.level_set import LevelSet
 from ..level.polynomial_problems import polynomial_problems
-from ..prover import prove, theorem_of
+from ..power_theorem import PowerTheorem
+from ..prover import prove
 from ..random_test import trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
+from ..theorems import identities_of, rates_text, theorem_of
 from ..verdict import Verdict
 from ..witness_points import witness_point
 from .identities import ExclusionOf, proof_text
@@ -74,10 +78,16 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
     verdict = prove(system, law, effort=effort)
     if verdict.decision == "undecided":
         return verdict
+    ranges = ranges_of_parameters(system)
+    if len(ranges) > 1:
+        return _in_ranges(verdict, [prove_with_certificate(r, law, effort) for r in ranges])
     theorem = theorem_of(system, law)
     try:
-        own = effort if theorem is None else effort // BESIDE_THEOREM
-        certificate = _certificate(system, law, verdict, own)
+        if isinstance(theorem, PowerTheorem):
+            certificate = _by_power(system, law, theorem, verdict, effort)
+        else:
+            own = effort if theorem is None else effort // BESIDE_THEOREM
+            certificate = _certificate(system, law, verdict, own)
         check(certificate)
     except OutOfReachError as reason:
         verdict = replace(verdict, no_certificate=str(reason))
@@ -89,10 +99,23 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         return verdict
     parts = [
         prove_with_certificate(whole, identity, effort).certificate
-        for whole in theorem.identities()
+        for whole in identities_of(theorem, system, law)
         for identity in whole.laws
     ]
     return replace(verdict, identities=tuple(p for p in parts if p is not None))
+
+
+def _in_ranges(verdict: Verdict, each: list[Verdict]) -> Verdict:
+    """A verdict with the certificates of its law in each range of the parameters."""
+    if verdict.decision == "refuted":
+        failed = next((one for one in each if one.decision == "refuted"), verdict)
+        return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
+    return replace(
+        verdict,
+        no_certificate="; ".join(one.no_certificate for one in each if one.no_certificate),
+        identities=tuple(one.certificate for one in each if one.certificate is not None),
+        in_ranges=True,
+    )
 
 
 def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Text:
@@ -107,6 +130,37 @@ def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Tex
         sample = _sample(system, law, read)
     content["sample"] = sample
     return content | {"proofs": _proofs(system, law, read, sample, verdict, Budget(effort=effort))}
+
+
+def _by_power(
+    system: System, law: Law, theorem: PowerTheorem, verdict: Verdict, effort: int
+) -> Text:
+    """The certificate of an integral that the theorem on energy proves, or else its own."""
+    wholes = identities_of(theorem, system, law) if verdict else ()
+    parts = [prove_with_certificate(whole, whole.laws[0], effort) for whole in wholes]
+    if not parts or not all(parts):
+        return _certificate(system, law, verdict, effort)
+    certificates = [_certificate_of(part) for part in parts]
+    claim = claim_text(system, law)
+    with ball_precision():
+        sample = _sample(system, law, read_claim(claim, "the claim"))
+    return {
+        "format": FORMAT,
+        "verdict": "proven",
+        "claim": claim,
+        "sample": sample,
+        "rates": rates_text(theorem, system),
+        "identities": {
+            word: {"sample": part["sample"], "proofs": part["proofs"]}
+            for word, part in zip(IDENTITIES, certificates, strict=True)
+        },
+    }
+
+
+def _certificate_of(identity: Verdict) -> Mapping[str, Any]:
+    if identity.certificate is None:
+        raise OutOfReachError(f"{identity.law}: {identity.no_certificate}")
+    return identity.certificate
 
 
 def _witness(verdict: Verdict) -> Text:
@@ -174,11 +228,13 @@ def _proofs(
         return ProofSetting(kind, read, law, level, point, budget, signs)
 
     first = setting_for(UnreducedField, {})
+    if first.void:
+        raise OutOfReachError("the law is not defined with the signs of its sample point")
     if not first.field.decisions:
         return [proof_text(first, excluding_condition, with_decisions=False)]
     with contextlib.suppress(OutOfReachError):
         formal = setting_for(UnreducedFormal, {})
-        if not formal.field.decisions:
+        if not formal.void and not formal.field.decisions:
             return [proof_text(formal, excluding_condition, with_decisions=False)]
     return _by_signs(first, setting_for, excluding_condition)
 
@@ -197,12 +253,10 @@ def _by_signs(
         runs += 1
         if runs > MOST_RUNS:
             raise OutOfReachError(f"its roots have signs in more than {MOST_RUNS} ways")
-        try:
-            setting = setting_for(UnreducedField, signs)
-        except (NoRealValueError, ZeroDivisionError):
-            continue
+        setting = setting_for(UnreducedField, signs)
         # where the law needs a sign, the check finds that a condition asks for it
         with contextlib.suppress(OutOfReachError):
-            proofs.append(proof_text(setting, excluding_condition, with_decisions=True))
+            if not setting.void:
+                proofs.append(proof_text(setting, excluding_condition, with_decisions=True))
         waiting += flipped_decisions(setting.field, size)
     return proofs

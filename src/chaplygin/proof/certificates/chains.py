@@ -10,6 +10,7 @@ from flint import fmpq_mpoly_ctx
 from ...formulas.errors import OutOfReachError
 from ..fields.budget import Budget
 from ..fields.quotient_ring import Poly, initial_of
+from ..fields.root_field import MOST_TERMS_OF_CONJUGATES
 from .groebner import Multiples
 from .sign_reasons import Reasons, monic
 
@@ -168,6 +169,34 @@ class Chains:
                     part = quotient * m
                     by[i] = by[i] + part if i in by else part
         return Division(tuple(multipliers), by, poly)
+
+    def with_conjugate(
+        self, division: Division, chain: Sequence[Step], nonzero: Sequence[Poly]
+    ) -> Division:
+        """A division without rest, where the rest times a conjugate that is not zero has none.
+
+        The conjugate has the other sign of a generator, whose square the equations may give.
+        """
+        rest, gens = division.rest, self.ring.gens()
+        if not rest or len(rest) > MOST_TERMS_OF_CONJUGATES:
+            return division
+        for place in variables(rest):
+            if rest.degrees()[place] != 1:
+                continue
+            conjugate = rest.compose(*(-g if i == place else g for i, g in enumerate(gens)))
+            if not self.is_nonzero(conjugate, nonzero):
+                continue
+            further = self.division(rest * conjugate, chain)
+            if not further.rest:
+                factor = conjugate
+                for multiplier in further.multipliers:
+                    factor = factor * multiplier
+                by = {i: m * factor for i, m in division.by.items()}
+                for i, m in further.by.items():
+                    by[i] = by[i] + m if i in by else m
+                multipliers = (*division.multipliers, conjugate, *further.multipliers)
+                return Division(multipliers, by, further.rest)
+        return division
 
     def is_nonzero(self, poly: Poly, nonzero: Sequence[Poly]) -> bool:
         """Whether no factor of a polynomial vanishes at a node."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from ...core.formula_text import short_text
 from ..claim_text import Text
 from ..fields.quotient_ring import Element, Poly
 from .case_tree import Cases
@@ -51,15 +52,15 @@ def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bo
     return {
         "ring": list(setting.ring),
         "auxiliary": [[name, meaning_text(setting, m)] for name, m in field.record.items()],
-        "settled": [[str(s), str(value)] for s, value in level.fixed_parameters.items()],
+        "settled": [[str(s), short_text(value)] for s, value in level.fixed_parameters.items()],
         "exchanged": [
-            [str(e.name), str(e.factor), str(e.parameter), str(e.rest)]
+            [str(e.name), str(e.factor), str(e.parameter), short_text(e.rest)]
             for e in level.swapped_generators
         ],
         "inverted": [
             [[str(s) for s in i.name], [str(s) for s in i.of]] for i in level.exchanged_inverses
         ],
-        "zeros": [str(zero) for zero in level.zeros],
+        "zeros": [short_text(zero) for zero in level.zeros],
         "signs": [[setting.terms(poly), sign] for poly, sign in assumed],
         "equations": [text for _, text in sources],
         "divisors": [

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from ...core.formula_text import short_text
 from ...formulas.errors import OutOfReachError
 from ..claim_text import Text
-from ..fields.function_field import FINENESS
 from ..fields.quotient_ring import Element, Poly
+from ..fields.root_field import FINENESS
 from ..fields.unreduced_fields import Meaning
 from ..level.triangular_set import numerator
 from .chains import Chains
@@ -33,7 +34,45 @@ def equation_sources(setting: ProofSetting) -> list[tuple[Poly, Text]]:
             ]
             source = f"circle {' '.join(both)}"
         sources.append((poly, {"poly": setting.terms(poly), "from": source}))
-    return _with_equal_values(setting, sources)
+    return _with_equal_arguments(setting, _with_equal_values(setting, sources))
+
+
+#: Known functions that take each value once.
+ONE_TO_ONE = ("exp", "log", "asin", "atan")
+
+
+def _with_equal_arguments(
+    setting: ProofSetting, equations: list[tuple[Poly, Text]]
+) -> list[tuple[Poly, Text]]:
+    """Equations, and those of arguments that are equal where values of a function are.
+
+    Where q · (f(a) − f(b)) vanishes for a one-to-one function f, so does q · (a − b).
+    """
+    field = setting.field
+    values = [(name, m) for name, m in field.record.items() if m.name in ONE_TO_ONE]
+    pairs = [(f"argument {n}", field.generators[n] - 1, m.of[0]) for n, m in values]
+    pairs = [pair for pair, (_, m) in zip(pairs, values, strict=True) if m.name == "exp"]
+    for number, (name, meaning) in enumerate(values):
+        for other, theirs in values[:number]:
+            if meaning.agrees(theirs):
+                difference = field.generators[name] - field.generators[other]
+                source = f"argument {name} {other}"
+                pairs.append((source, difference, meaning.of[0] - theirs.of[0]))
+    sources = list(equations)
+    for source, difference, argument in pairs:
+        for number, (equation, _) in enumerate(equations):
+            quotient, rest = divmod(equation, difference)
+            if equation and not rest:
+                poly = quotient * numerator(field, argument)
+                text: Text = {
+                    "poly": setting.terms(poly),
+                    "from": source,
+                    "equation": number,
+                    "quotient": setting.terms(quotient),
+                }
+                sources.append((poly, text))
+                break
+    return sources
 
 
 def _with_equal_values(
@@ -95,7 +134,7 @@ def meaning_text(setting: ProofSetting, meaning: Meaning) -> Text:
         return {
             "kind": "power",
             "of": setting.terms(meaning.of[0].poly),
-            "exponent": str(meaning.exponent),
+            "exponent": short_text(meaning.exponent),
             "fineness": FINENESS,
         }
     if meaning.kind in ("sin", "cos"):

@@ -9,8 +9,9 @@ from flint import fmpq
 
 from ...check.claim.claim import Claim as CheckedClaim
 from ...check.claim.formulas import Formula
+from ...core.formula_text import short_text
 from ...core.laws import Law, Reduction, Separation
-from ...formulas.errors import NeedMoreGeneratorsError
+from ...formulas.errors import NeedMoreGeneratorsError, NoRealValueError
 from ..claim_text import Terms, powers_text, terms_text
 from ..domain import divisors, sympy_formula
 from ..fields.budget import Budget
@@ -18,6 +19,7 @@ from ..fields.quotient_ring import Element, Poly
 from ..fields.unreduced_fields import UnreducedField
 from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
+from ..level.trigonometric import angle_parts
 from ..random_test import all_residuals
 from ..residuals import in_words
 from .sign_reasons import monic
@@ -49,13 +51,18 @@ class ProofSetting:
         signs: Mapping[str, int],
     ) -> None:
         spare = 8
+        #: Whether the law is defined nowhere with these signs.
+        self.void = False
         while True:
             self.field = kind([str(s) for s in level.generators], spare, sample, budget, signs)
+            self.field.angle_parts = angle_parts(level.system, law)
             try:
                 self._fill(claim, law, level)
             except NeedMoreGeneratorsError:
                 spare *= 2
                 continue
+            except (NoRealValueError, ZeroDivisionError):
+                self.void = True
             break
         self.level, self.sample = level, sample
 
@@ -67,7 +74,7 @@ class ProofSetting:
         for condition in level.conditions:
             value = field.zero if condition in level.zeros else evaluate.value(condition)
             if value.poly:
-                self.conditions.append((str(condition), value))
+                self.conditions.append((short_text(condition), value))
         polys = [numerator(field, value) for _, value in self.conditions]
         field.signs = level.signs_with(field, polys)
         self.residuals = [

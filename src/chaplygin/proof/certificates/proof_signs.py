@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 from flint import fmpq
 
+from ...core.formula_text import short_text
 from ...formulas.errors import NeedMoreGeneratorsError, OutOfReachError
 from ..claim_text import Terms, Text, admissible, guards
 from ..fields.function_field import FunctionField
@@ -15,7 +16,7 @@ from ..fields.quotient_ring import Poly
 from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
 from .proof_setting import ProofSetting
-from .sign_reasons import Reasons, Sum, monic
+from .sign_reasons import InOneVariable, Reasons, Sum, monic
 
 
 @dataclass(frozen=True)
@@ -43,6 +44,9 @@ def sign_reasons(
         reasons.learn(poly, sign)
     _force(reasons, entries)
     _root_signs(setting, reasons)
+    for entry in entries:
+        for poly, _ in entry.factors if entry.positive else ():
+            reasons.sign(poly)
     return reasons, entries
 
 
@@ -54,11 +58,11 @@ def _reasons(setting: ProofSetting, equations: Sequence[Poly]) -> Reasons:
             strict = isinstance(relation, sp.Gt | sp.Lt)
             poly = _polynomial(level, field, relation.gts - relation.lts)
             if poly is not None:
-                facts.append((poly, str(relation), strict))
+                facts.append((poly, short_text(relation), strict))
     for formula in guards(level.system):
         poly = _polynomial(level, field, formula)
         if poly is not None:
-            facts.append((poly, str(formula), True))
+            facts.append((poly, short_text(formula), True))
     reasons = Reasons(field.ring, facts, equations)
     for name, meaning in field.record.items():
         positive = meaning.kind in ("root", "power", "pi") or meaning.name == "exp"
@@ -117,7 +121,7 @@ def _force(reasons: Reasons, entries: Sequence[FactoredDivisor]) -> None:
 
 def _root_signs(setting: ProofSetting, reasons: Reasons) -> None:
     for meaning in setting.field.record.values():
-        if meaning.kind in ("root", "power"):
+        if meaning.kind in ("root", "power") or meaning.name == "log":
             reasons.sign(meaning.of[0].poly)
 
 
@@ -130,13 +134,20 @@ def positive_texts(setting: ProofSetting, reasons: Reasons, size: int) -> list[T
     return [*facts, *(_sum_text(setting, term, size) for term in reasons.sums)]
 
 
-def _sum_text(setting: ProofSetting, own: Sum, size: int) -> Text:
+def _sum_text(setting: ProofSetting, own: Sum | InOneVariable, size: int) -> Text:
+    if isinstance(own, InOneVariable):
+        return {
+            "poly": setting.terms(own.poly),
+            "strict": True,
+            "from": "one variable",
+            "facts": [setting.terms(fact) for fact in own.facts],
+        }
     quotients: list[Terms] = [[] for _ in range(size)]
     for number, ratio in own.multiples:
         quotients[number] = setting.terms(setting.field.ring.constant(ratio))
     return {
         "poly": setting.terms(own.poly),
-        "strict": True,
+        "strict": own.strict,
         "from": "sum",
         "terms": [
             [setting.powers(term.weights), str(term.constant), [setting.terms(term.base)]]

@@ -7,13 +7,21 @@ multiples of equations.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from flint import fmpq, fmpq_mpoly_ctx
 
+from ..fields.positive_forms import (
+    completed_squares,
+    in_one_variable,
+    less_a_multiple,
+    meets,
+    only_variable,
+    signs_in_one_variable,
+)
 from ..fields.quotient_ring import Poly
-from ..fields.signs import MANY, completed_squares
+from ..fields.signs import MANY
 
 Powers = tuple[tuple[Poly, int], ...]
 
@@ -35,11 +43,23 @@ class Term:
 
 @dataclass(frozen=True)
 class Sum:
-    """A positive polynomial as a sum of terms, plus factors times equations by their number."""
+    """A positive polynomial as a sum of terms, plus factors times equations by their number.
+
+    A sum that is not strict may be zero.
+    """
 
     poly: Poly
     terms: tuple[Term, ...]
     multiples: tuple[tuple[int, fmpq], ...] = ()
+    strict: bool = True
+
+
+@dataclass(frozen=True)
+class InOneVariable:
+    """A polynomial that is positive wherever others in the same variable are, strictly or not."""
+
+    poly: Poly
+    facts: tuple[Poly, ...]
 
 
 @dataclass
@@ -66,7 +86,7 @@ class Reasons:
     #: Strict signs by key, once they are known.
     known_signs: dict[str, int] = field(default_factory=dict)
     #: Sums that show them, in the order in which they were found.
-    sums: list[Sum] = field(default_factory=list)
+    sums: list[Sum | InOneVariable] = field(default_factory=list)
     _open: set[str] = field(default_factory=set)
     _unknown: set[str] = field(default_factory=set)
 
@@ -85,7 +105,13 @@ class Reasons:
         """Whether a polynomial does not vanish where the law is defined."""
         if poly.is_constant():
             return bool(poly)
-        return monic(poly)[0] in self.nonzero or bool(self.sign(poly))
+        key = monic(poly)[0]
+        if key in self.nonzero or self.sign(poly):
+            return True
+        divides = any(strict and not divmod(fact, poly)[1] for fact, _, strict in self.facts)
+        if divides or (only_variable(poly) is not None and self._in_one_variable(poly**2)):
+            self.nonzero.add(key)
+        return key in self.nonzero
 
     def sign(self, poly: Poly) -> int:
         """The strict sign of a polynomial; 0 if it is not known."""
@@ -101,11 +127,12 @@ class Reasons:
             total = self._sum_of(poly)
         finally:
             self._open.discard(key)
-        if total is None:
+        if total is not None:
+            self.sums.append(total)
+            self.known_signs[key] = monic(total.poly)[1]
+        elif not (self._in_one_variable(poly) or self._in_one_variable(-poly)):
             self._unknown.add(key)
             return 0
-        self.sums.append(total)
-        self.known_signs[key] = monic(total.poly)[1]
         return self.known_signs[key] * lead
 
     def _sum_of(self, poly: Poly) -> Sum | None:
@@ -121,8 +148,68 @@ class Reasons:
             return product
         for signed in (poly, -poly):
             whole = self._by_facts(signed) or self._by_equations(signed) or self._by_squares(signed)
+            whole = whole or self._by_multiples(signed)
             if whole is not None:
                 return whole
+        return None
+
+    def _in_one_variable(self, poly: Poly) -> bool:
+        """Whether other polynomials in its only variable make a polynomial positive."""
+        position, key = only_variable(poly), str(poly)
+        if position is None or key in self._unknown:
+            return False
+        parts, one = [], self.ring.constant(1)
+        for fact, _, strict in self.facts:
+            parts += self._part(Term(((fact, 1),), fmpq(1), one), position, strict)
+        for number, equation in enumerate(self.equations):
+            for ratio in (fmpq(1), fmpq(-1)):
+                parts += self._part((number, ratio * equation), position, False)
+        facts = [(in_one_variable(part.poly, position), part.strict) for part in parts]
+        if signs_in_one_variable(in_one_variable(poly, position), facts) != {1}:
+            self._unknown.add(key)
+            return False
+        self.sums += [part for part in parts if part not in self.sums]
+        self.sums.append(InOneVariable(poly, tuple(part.poly for part in parts)))
+        self.learn(poly, 1)
+        return True
+
+    def _part(self, of: Term | tuple[int, Poly], position: int, strict: bool) -> list[Sum]:
+        """The terms of something positive in one variable alone, if all others are not positive."""
+        whole = of.weights[0][0] if isinstance(of, Term) else of[1]
+        own = {
+            exponents: number
+            for exponents, number in whole.to_dict().items()
+            if not any(n for i, n in enumerate(exponents) if i != position)
+        }
+        part = self.ring.from_dict(own)
+        others = self._by_terms(part - whole, strict=False)
+        if others is None or not int(part.degrees()[position]):
+            return []
+        if isinstance(of, Term):
+            return [Sum(part, (of, *others), (), strict)]
+        ratio = whole.leading_coefficient() / self.equations[of[0]].leading_coefficient()
+        return [Sum(part, others, ((of[0], ratio),), False)]
+
+    def _by_multiples(self, poly: Poly) -> Sum | None:
+        """A multiple of a fact or an equation, and squares."""
+        one = self.ring.constant(1)
+        open_parts = list(self._open_parts(poly))
+        known: list[tuple[Poly, int | None, bool]] = [(f, None, s) for f, _, s in self.facts]
+        known += [(equation, number, False) for number, equation in enumerate(self.equations)]
+        for other, number, strict in known:
+            if not meets(poly, other):
+                continue
+            for signed, left in open_parts:
+                form = less_a_multiple(left, other, self.ring, number is not None)
+                if form is None:
+                    continue
+                ratio, squares = form
+                terms = (*signed, *(Term((), weight, base) for weight, base in squares))
+                if not (strict or any(self._is_positive(term) for term in terms)):
+                    continue
+                if number is not None:
+                    return Sum(poly, terms, ((number, ratio),))
+                return Sum(poly, (Term(((other, 1),), ratio, one), *terms))
         return None
 
     def _by_terms(self, poly: Poly, strict: bool = True) -> tuple[Term, ...] | None:
@@ -137,10 +224,12 @@ class Reasons:
                     continue
                 generator = self.ring.gen(i)
                 sign = self.known_signs.get(monic(generator)[0], 0)
+                if not sign and not strict:
+                    sign = self._weak_sign(generator)
                 if sign:
                     weights.append((generator if sign > 0 else -generator, exponent))
                     number = number if sign > 0 or exponent % 2 == 0 else -number
-                elif exponent % 2 == 0 and self.is_nonzero(generator):
+                elif strict and exponent % 2 == 0 and self.is_nonzero(generator):
                     weights.append((generator, exponent))
                 elif exponent % 2 == 0:
                     base = base * generator ** (exponent // 2)
@@ -151,6 +240,11 @@ class Reasons:
             certain = certain or base.is_constant()
             terms.append(Term(tuple(weights), number, base))
         return tuple(terms) if certain else None
+
+    def _weak_sign(self, generator: Poly) -> int:
+        """The sign of a generator that is zero at most besides, by a fact."""
+        key = monic(generator)[0]
+        return next((monic(fact)[1] for fact, _, _ in self.facts if monic(fact)[0] == key), 0)
 
     def _by_factors(self, poly: Poly) -> Sum | None:
         content, parts = poly.factor()
@@ -193,7 +287,7 @@ class Reasons:
 
     def _by_squares(self, poly: Poly) -> Sum | None:
         terms = self.squares(poly)
-        if terms is None or not any(term.base.is_constant() for term in terms):
+        if terms is None or not any(map(self._is_positive, terms)):
             return None
         return Sum(poly, terms)
 
@@ -202,12 +296,32 @@ class Reasons:
         terms = self._by_terms(poly, strict=False)
         if terms is not None:
             return terms
-        if not poly or poly.total_degree() != 2:
-            return None
-        forms = completed_squares(poly, self.ring)
-        if forms is None:
-            return None
-        return tuple(Term((), weight, base) for weight, base in forms)
+        for signed, left in self._open_parts(poly):
+            squares = completed_squares(left, self.ring)
+            if squares is not None:
+                return (*signed, *(Term((), weight, base) for weight, base in squares))
+        return None
+
+    def _is_positive(self, term: Term) -> bool:
+        """Whether a term is not only not negative."""
+        return term.base.is_constant() and all(self.is_nonzero(part) for part, _ in term.weights)
+
+    def _open_parts(self, poly: Poly) -> Iterator[tuple[list[Term], Poly]]:
+        """A polynomial, and it less the terms that are positive by signs of generators.
+
+        Each with the terms that were left out.
+        """
+        yield [], poly
+        signed: list[Term] = []
+        left = {}
+        for exponents, number in poly.to_dict().items():
+            own = self.ring.from_dict({exponents: number})
+            terms = self._by_terms(own, strict=False) if any(n % 2 for n in exponents) else None
+            signed += terms or ()
+            if terms is None:
+                left[exponents] = number
+        if 0 < len(left) < len(poly):
+            yield signed, self.ring.from_dict(left)
 
 
 def _constant(poly: Poly) -> fmpq:

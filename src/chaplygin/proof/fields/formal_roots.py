@@ -14,8 +14,9 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from .function_field import FINENESS, FunctionField, power_of_zero
+from .function_field import FunctionField
 from .quotient_ring import Element
+from .root_field import FINENESS, power_of_zero
 
 
 class FormalRoots(FunctionField):
@@ -43,6 +44,12 @@ class FormalRoots(FunctionField):
                 return super().power(element, exponents, value)
             result = result * known ** int(exponent.p)
         return result
+
+    def logarithm(self, element: Element) -> Element:
+        """The logarithm of an element as a whole."""
+        if self.vanishes(element):
+            raise ZeroDivisionError
+        return self.function_value("log", [element])
 
     def _root_or_power(self, element: Element, theta: sp.Expr, degree: int) -> Element:
         """The root of a degree, or the power θ/FINENESS where θ is no number."""

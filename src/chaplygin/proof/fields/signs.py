@@ -1,17 +1,26 @@
 """Signs of polynomials on the domain of a system.
 
 Known are the signs of parameters and of other quantities that the system declares (admissible
-sets, guards, assumptions of symbols), and what follows from them term by term.
+sets, guards, assumptions of symbols), and what follows from them term by term or in one of the ways
+of :mod:`.positive_forms`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import IntEnum
 
 from flint import fmpq, fmpq_mpoly_ctx
 
+from .positive_forms import (
+    completed_squares,
+    in_one_variable,
+    less_a_multiple,
+    meets,
+    only_variable,
+    signs_in_one_variable,
+)
 from .quotient_ring import Poly
 
 MANY = 400
@@ -57,6 +66,10 @@ class Signs:
     nonzero: Sequence[Poly] = ()
     conditions: Sequence[Poly] = ()
 
+    def with_condition(self, poly: Poly) -> Signs:
+        """The signs where one more polynomial vanishes."""
+        return replace(self, conditions=(*self.conditions, poly))
+
     def with_positive(self, name: str) -> Signs:
         """The signs, with one more positive generator."""
         return replace(self, symbol_signs={**self.symbol_signs, name: Sign.POSITIVE})
@@ -77,10 +90,14 @@ class Signs:
         """Whether a polynomial is certainly not zero."""
         if abs(self.of(poly)) == Sign.POSITIVE:
             return True
-        return self._said_nonzero(poly)
+        signs = self._in_one_variable(poly)
+        return self._said_nonzero(poly) or (bool(signs) and 0 not in signs)
 
     def _said_nonzero(self, poly: Poly) -> bool:
-        return any(_ratio(poly, fact) is not None for fact in self.nonzero)
+        products = [fact for fact, sign in self.facts if abs(sign) == Sign.POSITIVE]
+        if any(_ratio(poly, fact) is not None for fact in self.nonzero):
+            return True
+        return bool(poly) and any(not divmod(fact, poly)[1] for fact in products)
 
     def _of_power(self, poly: Poly, power: int) -> Sign:
         sign = self._of_one(poly)
@@ -97,12 +114,17 @@ class Signs:
         terms = [self._term(exponents, number) for exponents, number in poly.to_dict().items()]
         if all(sign > 0 for sign, _ in terms) or all(sign < 0 for sign, _ in terms):
             return [base for _, base in terms]
-        return self._linear_squares(poly)
+        for signed in (poly, -poly):
+            squares = completed_squares(signed, self.ring)
+            if squares is not None:
+                return [base for _, base in squares]
+        return None
 
     def _of_one(self, poly: Poly) -> Sign:
         sign = self._by_terms(poly)
         if sign is Sign.UNKNOWN and len(poly) <= MANY:
             sign = self._by_facts(poly) or self._by_conditions(poly) or self._by_squares(poly)
+            sign = sign or self._by_multiples(poly) or _common(self._in_one_variable(poly))
         return sign
 
     def _by_terms(self, poly: Poly) -> Sign:
@@ -162,25 +184,82 @@ class Signs:
 
     def _by_squares(self, poly: Poly) -> Sign:
         for sign in (Sign.POSITIVE, Sign.NEGATIVE):
-            bases = self._linear_squares(poly if sign > 0 else -poly, definite=True)
-            if bases is not None:
-                strict = any(base.is_constant() for base in bases)
-                return sign if strict else Sign(sign // 2)
+            for strict, left in self._open_parts(poly, sign):
+                squares = completed_squares(left, self.ring)
+                if squares is not None:
+                    positive = strict or any(base.is_constant() for _, base in squares)
+                    return sign if positive else Sign(sign // 2)
         return Sign.UNKNOWN
 
-    def _linear_squares(self, poly: Poly, definite: bool = False) -> list[Poly] | None:
-        """Linear forms whose squares, with positive weights, add up to a quadratic polynomial."""
-        if not poly or poly.total_degree() != 2:
-            return None
-        for signed in (poly,) if definite else (poly, -poly):
-            forms = completed_squares(signed, self.ring)
-            if forms is not None:
-                return [base for _, base in forms]
-        return None
+    def _open_parts(self, poly: Poly, sign: Sign) -> Iterator[tuple[bool, Poly]]:
+        """± a polynomial, and ± it less the terms that are positive by signs of generators.
+
+        Each with whether something strictly positive was left out.
+        """
+        yield False, poly if sign > 0 else -poly
+        strict, left = False, {}
+        for exponents, number in poly.to_dict().items():
+            known, base = self._term(exponents, number)
+            if known.times(sign) <= 0 or not any(n % 2 for n in exponents):
+                left[exponents] = number if sign > 0 else -number
+            else:
+                strict = strict or base.is_constant()
+        if 0 < len(left) < len(poly):
+            yield strict, self.ring.from_dict(left)
+
+    def _by_multiples(self, poly: Poly) -> Sign:
+        """The sign by a multiple of a fact or a condition, and squares."""
+        known = [(fact, sign) for fact, sign in self.facts]
+        known += [(condition, Sign.UNKNOWN) for condition in self.conditions]
+        for other, sign in known:
+            if not meets(poly, other):
+                continue
+            signed = -other if sign < 0 else other
+            for own in (Sign.POSITIVE, Sign.NEGATIVE):
+                for positive, left in self._open_parts(poly, own):
+                    form = less_a_multiple(left, signed, self.ring, either_sign=not sign)
+                    if form is not None:
+                        strict = any(base.is_constant() for _, base in form[1])
+                        strict = strict or positive or abs(sign) == Sign.POSITIVE
+                        return own if strict else Sign(own // 2)
+        return Sign.UNKNOWN
+
+    def _in_one_variable(self, poly: Poly) -> frozenset[int]:
+        """The signs of a polynomial in one variable, by what the facts say of it."""
+        position = only_variable(poly)
+        if position is None:
+            return frozenset()
+        facts = []
+        known = [(fact if sign > 0 else -fact, abs(sign)) for fact, sign in self.facts]
+        known += [(signed, 1) for c in self.conditions for signed in (c, -c)]
+        for fact, strength in known:
+            part = self.part_in_one_variable(fact, position)
+            if part is not None:
+                facts.append((in_one_variable(part, position), strength == Sign.POSITIVE))
+        return signs_in_one_variable(in_one_variable(poly, position), facts)
+
+    def part_in_one_variable(self, poly: Poly, position: int) -> Poly | None:
+        """The terms in one variable alone, if all others are negative or zero."""
+        own = {}
+        for exponents, number in poly.to_dict().items():
+            if not any(n for i, n in enumerate(exponents) if i != position):
+                own[exponents] = number
+            elif self._term(exponents, number)[0] >= 0:
+                return None
+        part = self.ring.from_dict(own)
+        return part if int(part.degrees()[position]) else None
 
 
 def _number(value: fmpq) -> Sign:
     return Sign(2 * ((value > 0) - (value < 0)))
+
+
+def _common(signs: frozenset[int]) -> Sign:
+    """The sign that covers all those that a quantity takes."""
+    if not signs or {1, -1} <= signs or signs == {0}:
+        return Sign.UNKNOWN
+    sign = max(signs, key=abs)
+    return Sign(sign if 0 in signs else 2 * sign)
 
 
 def _sum(signs: Iterable[Sign]) -> Sign:
@@ -206,34 +285,3 @@ def _ratio(poly: Poly, other: Poly) -> fmpq | None:
         return None
     ratio = poly.leading_coefficient() / other.leading_coefficient()
     return ratio if poly == ratio * other else None
-
-
-def completed_squares(poly: Poly, ring: fmpq_mpoly_ctx) -> list[tuple[fmpq, Poly]] | None:
-    """Weights and linear forms whose weighted squares add up to a quadratic polynomial.
-
-    Squares are completed one variable after the other; None unless all weights are positive.
-    The last form is 1 where a positive number remains.
-    """
-    forms: list[tuple[fmpq, Poly]] = []
-    remainder = poly
-    for index in range(ring.nvars()):
-        if not remainder or not int(remainder.degrees()[index]):
-            continue
-        parts: dict[int, dict[tuple[int, ...], fmpq]] = {1: {}, 2: {}}
-        for exponents, number in remainder.to_dict().items():
-            power = int(exponents[index])
-            if power:
-                lower = tuple(0 if i == index else int(e) for i, e in enumerate(exponents))
-                parts[power][lower] = number
-        square = ring.from_dict(parts[2]) if parts[2] else ring.constant(0)
-        if not square or not square.is_constant() or not square.leading_coefficient() > 0:
-            return None
-        weight = square.leading_coefficient()
-        base = ring.gen(index) + ring.from_dict(parts[1]) / (2 * weight)
-        forms.append((weight, base))
-        remainder = remainder - weight * base * base
-    if remainder:
-        if not remainder.leading_coefficient() > 0:
-            return None
-        forms.append((remainder.leading_coefficient(), ring.constant(1)))
-    return forms

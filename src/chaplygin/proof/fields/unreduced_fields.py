@@ -13,8 +13,9 @@ from typing import Any, TypeVar
 import sympy as sp
 
 from .formal_roots import FormalRoots
-from .function_field import FunctionField, Key
+from .function_field import FunctionField
 from .quotient_ring import Element, Poly
+from .root_field import Key
 
 T = TypeVar("T")
 

@@ -1,24 +1,36 @@
-"""Conditions with functions that are products: one alternative for each factor.
+"""Alternatives of a law: ranges of its parameters, and factors of conditions with functions.
 
-A condition such as y sin x = 0 or f(x) y = 0 says that one of its factors vanishes.  Conditions
-that are polynomials are decomposed exactly, see :mod:`chaplygin.proof.level.components`.
+What is asked of parameters may leave them several ranges, such as a < −1 or a > 1: a law holds if
+it holds in each.  A condition such as y sin x = 0 or f(x) y = 0 says that one of its factors
+vanishes.  Conditions that are polynomials are decomposed exactly, see
+:mod:`chaplygin.proof.level.components`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from itertools import product
+from itertools import islice, product
 
 import sympy as sp
 
-from ...core.laws import Law, Measure
-from ...core.system import System
+from ...core.laws import Identity, Integral, Law, Measure
+from ...core.named_formulas import expand
+from ...core.system import Parameter, System
 from ...core.vectors import to_components
 from ...formulas.errors import OutOfReachError
+from ..fields.signs import Sign
+from .level_set import LevelSet
+
+#: Laws that say of the points of a level alone what holds there, not of the conditions.
+POINTWISE = (Identity, Integral)
+
+ONE_TO_ONE = (sp.exp, sp.log, sp.sinh, sp.tanh, sp.asin, sp.acos, sp.atan)
 
 MOST = 32
 """Alternatives that are followed."""
+_SIMPLE = tuple(sp.Rational(s * n, 2) for n in (2, 4, 6, 1, 8, 20, 0, 200) for s in (1, -1))
+"""Numbers that are tried as defaults."""
 
 
 @dataclass(frozen=True)
@@ -38,15 +50,61 @@ class Alternative:
     defining_factors: tuple[sp.Expr, ...] = ()
 
 
+def ranges_of_parameters(system: System) -> tuple[System, ...]:
+    """The system with parameters in each of the ranges that are admissible.
+
+    Together the ranges are all that is admissible; in each, only conjunctions are asked.
+    """
+    asked = [sp.sympify(c) for p in system.parameters for c in p.admissible]
+    if not any(condition.has(sp.Or, sp.Not, sp.Xor) for condition in asked):
+        return (system,)
+    ranges = sp.Or.make_args(sp.to_dnf(sp.And(*asked), simplify=False))
+    return tuple(replace(system, parameters=_within(system.parameters, each)) for each in ranges)
+
+
+def _within(parameters: tuple[Parameter, ...], range_: sp.Basic) -> tuple[Parameter, ...]:
+    """The parameters with a conjunction of conditions, and with defaults that meet it.
+
+    A default that does not is replaced by a simple number; where none of a few does it stays.
+    """
+    asked = sp.And.make_args(range_)
+    defaults = {p.symbol: sp.Rational(repr(float(p.default))) for p in parameters}
+    wrong = sorted(
+        {s for c in asked if c.xreplace(defaults) != sp.true for s in c.free_symbols}, key=str
+    )
+    for values in islice(product(_SIMPLE, repeat=len(wrong)), len(_SIMPLE) ** 2):
+        tried = {**defaults, **dict(zip(wrong, values, strict=True))}
+        if all(c.xreplace(tried) == sp.true for c in asked):
+            defaults = tried
+            break
+    first, *others = (
+        replace(p, default=float(defaults[p.symbol]), admissible=()) for p in parameters
+    )
+    return (replace(first, admissible=asked), *others)
+
+
 def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
-    """The parts of the level of a law that its conditions with functions distinguish."""
-    conditions = [to_components(c) for c in (*system.relations, *law.on)]
+    """The parts of the domain and of the level of a law that are decided one by one."""
+    parts = [_of_factors(each, law) for each in ranges_of_parameters(system)]
+    return tuple(alternative for part in parts for alternative in part)
+
+
+def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
+    steps = dict(system.scalar_definitions)
+    conditions = [_in_sight(to_components(c), steps) for c in (*system.relations, *law.on)]
     factors = [_factors(condition) for condition in conditions]
-    if all(len(choices) == 1 for choices in factors):
+    changed = False
+    if isinstance(law, POINTWISE):
+        arguments = [tuple(map(_of_equal_arguments, choices)) for choices in factors]
+        changed = arguments != factors
+        factors = arguments
+    if not changed and all(len(choices) == 1 for choices in factors):
         return (Alternative(system, law),)
+    if isinstance(law, POINTWISE):
+        factors = [_that_may_vanish(system, choices) for choices in factors]
     split = len(system.relations)
     parts = []
-    for choice in _first(product(*factors)):
+    for choice in _few(product(*factors)):
         there = replace(law, on=choice[split:], as_printed=None)
         if isinstance(there, Measure):
             there = _among(there, conditions, choice)
@@ -70,18 +128,49 @@ def _among(law: Measure, conditions: list[sp.Expr], choice: tuple[sp.Expr, ...])
     return replace(law, density=(*law.density, *more))
 
 
-def _first(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ...]]:
+def _of_equal_arguments(condition: sp.Expr) -> sp.Expr:
+    """The condition f(a) = f(b) of a one-to-one function as a = b; any other as it is."""
+    constant, terms = condition.as_coeff_add()
+    if len(terms) == 1 and constant != 0 and isinstance(-terms[0] / constant, sp.exp):
+        return (-terms[0] / constant).args[0]
+    if constant != 0 or len(terms) != 2:
+        return condition
+    (number, first), (other, second) = (term.as_coeff_Mul() for term in terms)
+    if isinstance(first, ONE_TO_ONE) and first.func == second.func and number == -other:
+        return first.args[0] - second.args[0]
+    return condition
+
+
+def _that_may_vanish(system: System, choices: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
+    """The factors whose signs on the domain leave it open; all of them if none is left."""
+    if len(choices) == 1:
+        return choices
+    domain = LevelSet(replace(system, relations=(), laws=()))
+    return tuple(f for f in choices if abs(domain.sign(f)) < Sign.POSITIVE) or choices
+
+
+def _few(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ...]]:
     for number, choice in enumerate(choices):
         if number == MOST:
             raise OutOfReachError(f"the level falls into more than {MOST} parts")
         yield choice
 
 
+def _in_sight(condition: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """A condition without names that hide functions; a polynomial as it is stated."""
+    written = expand(condition, steps)
+    return written if _holds_functions(written) else condition
+
+
+def _holds_functions(condition: sp.Expr) -> bool:
+    """Whether a condition holds functions or roots."""
+    functions = condition.atoms(sp.Function, sp.Derivative, sp.Subs)
+    return bool(functions) or any(not p.exp.is_Integer for p in condition.atoms(sp.Pow))
+
+
 def _factors(condition: sp.Expr) -> tuple[sp.Expr, ...]:
     """The factors of a condition with functions; a polynomial condition itself."""
-    functions = condition.atoms(sp.Function, sp.Derivative, sp.Subs)
-    roots = any(not power.exp.is_Integer for power in condition.atoms(sp.Pow))
-    if not functions and not roots:
+    if not _holds_functions(condition):
         return (condition,)
     # functions and roots are symbols here: they are factored with, not into
     names = {

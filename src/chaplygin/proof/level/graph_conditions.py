@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from itertools import islice, permutations
 from typing import Any
 
 import sympy as sp
@@ -28,6 +29,9 @@ from .triangular_set import numerator
 
 #: Laws that speak of functions on the phase space alone, or of its volume.
 KINDS = (Identity, Integral, Isomorphism, Measure, Reduction)
+
+MOST_ORDERS = 24
+"""Orders in which conditions are tried."""
 
 
 @dataclass(frozen=True)
@@ -60,20 +64,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     if not isinstance(law, KINDS):
         return None
     steps = dict(system.scalar_definitions)
-    gone: dict[sp.Symbol, sp.Expr] = {}
-    factors: list[sp.Expr] = []
-    left: list[sp.Expr] = []
-    for condition in (*system.relations, *law.on):
-        formula = to_components(condition)
-        choice = None
-        if not _polynomial(expand(formula, steps), tame):
-            choice = _linear(formula, [s for s in system.symbols if s not in gone], steps, gone)
-        if choice is None:
-            left.append(formula)
-            continue
-        symbol, value, factor = choice
-        gone[symbol] = value
-        factors.append(factor)
+    gone, factors, left = _choices(system, law, steps, tame)
     if not gone:
         return None
     rates = dict(zip(system.symbols, system.rates, strict=True))
@@ -95,6 +86,37 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     consistency = Identity("the conditions are kept", agreement)
     excluded = _excluded_factors(system, (*system.relations, *law.on), factors)
     return Graph(reduced, replace(law, **changed), consistency, excluded)
+
+
+def _choices(
+    system: System, law: Law, steps: Mapping[sp.Symbol, sp.Expr], tame: tuple[type, ...]
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr], list[sp.Expr]]:
+    """Variables with their values, the factors of these, and the conditions that are left.
+
+    One condition may take a variable that another needs: where the order of the file leaves
+    conditions with functions, other orders are tried.
+    """
+    conditions = [to_components(c) for c in (*system.relations, *law.on)]
+    wild = [i for i, c in enumerate(conditions) if not _polynomial(expand(c, steps), tame)]
+    best: tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr], set[int]] | None = None
+    for order in islice(permutations(wild), MOST_ORDERS):
+        gone: dict[sp.Symbol, sp.Expr] = {}
+        factors: list[sp.Expr] = []
+        taken: set[int] = set()
+        for index in order:
+            free = [s for s in system.symbols if s not in gone]
+            choice = _linear(conditions[index], free, steps, gone)
+            if choice is not None:
+                symbol, value, factor = choice
+                gone[symbol] = value
+                factors.append(factor)
+                taken.add(index)
+        if best is None or len(taken) > len(best[2]):
+            best = gone, factors, taken
+        if len(taken) == len(wild):
+            break
+    gone, factors, taken = best or ({}, [], set())
+    return gone, factors, [c for i, c in enumerate(conditions) if i not in taken]
 
 
 def _excluded_factors(
@@ -149,15 +171,30 @@ def _linear(
 ) -> tuple[sp.Symbol, sp.Expr, sp.Expr] | None:
     """A variable in which a condition is linear, its value, and its factor."""
     known = {**steps, **expressions}
+    reached = expand(formula, steps).free_symbols
     for symbol in reversed(list(symbols)):
-        if symbol not in formula.free_symbols:
+        if symbol not in reached:
             continue
-        factor = sp.diff(formula, symbol)
-        remainder = formula.xreplace({symbol: sp.S.Zero})
+        # names that do not hide the variable stay
+        written = expand(formula, _names_that_hide(symbol, steps))
+        factor = sp.diff(written, symbol)
+        remainder = written.xreplace({symbol: sp.S.Zero})
         slope = expand(factor, known)
         if slope != 0 and symbol not in slope.free_symbols | expand(remainder, known).free_symbols:
             return symbol, -remainder / factor, factor
     return None
+
+
+def _names_that_hide(
+    symbol: sp.Symbol, steps: Mapping[sp.Symbol, sp.Expr]
+) -> dict[sp.Symbol, sp.Expr]:
+    """The definitions in which a symbol occurs, itself or through others."""
+    hiding: dict[sp.Symbol, sp.Expr] = {}
+    # each definition stands after those that it uses
+    for name, value in steps.items():
+        if value.free_symbols & {symbol, *hiding}:
+            hiding[name] = value
+    return hiding
 
 
 def _in_order(steps: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:

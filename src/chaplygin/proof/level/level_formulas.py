@@ -154,7 +154,13 @@ class LevelFormulas:
         """The relations of the system and the level, or the equations of a component."""
         if self.equations is not None:
             return self.equations
-        return tuple(to_components(c) for c in (*self.system.relations, *self.on))
+        return tuple(self._in_sight(to_components(c)) for c in (*self.system.relations, *self.on))
+
+    def _in_sight(self, condition: sp.Expr) -> sp.Expr:
+        """A condition that is a mere name, as the formula that the name stands for."""
+        while condition in self._definitions:
+            condition = self._definitions[condition]
+        return condition
 
     @cached_property
     def moving(self) -> tuple[sp.Expr, ...]:
@@ -162,6 +168,18 @@ class LevelFormulas:
         state = set(self.system.symbols)
         conditions = self.parent if self.inner and self.parent else self.conditions
         expanded = (self.expand(c) for c in conditions)
+        return tuple(c for c in expanded if c.free_symbols & state)
+
+    @cached_property
+    def volume_conditions(self) -> tuple[sp.Expr, ...]:
+        """The relations and the level as they are written, where they involve the state.
+
+        The volume that they cut out is that of these formulas, not of the equations of a
+        component: by g F = 0 it is 1/|g| times that by F = 0.
+        """
+        state = set(self.system.symbols)
+        written = (to_components(c) for c in (*self.system.relations, *self.on))
+        expanded = (self.expand(c) for c in written)
         return tuple(c for c in expanded if c.free_symbols & state)
 
     @cached_property

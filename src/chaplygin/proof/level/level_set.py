@@ -177,10 +177,7 @@ class LevelSet(LevelFractions):
             field = self.numbers(values, rational)
             evaluate = self.evaluator(field)
             try:
-                return all(
-                    _certain(relation, evaluate.value(relation.lhs - relation.rhs))
-                    for relation in self.requirements
-                )
+                return all(certain(condition, evaluate) for condition in self.requirements)
             except NotExactError:
                 continue
             except (ZeroDivisionError, OutOfReachError):
@@ -239,7 +236,16 @@ def _as_formula(poly: Poly, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
     )
 
 
-def _certain(relation: sp.Basic, difference: fmpq | arb) -> bool:
+def certain(condition: sp.Basic, evaluate: Evaluator) -> bool:
+    """Whether a condition certainly holds at a point, whose field the evaluator has."""
+    if isinstance(condition, sp.Or):
+        return any(certain(part, evaluate) for part in condition.args)
+    if isinstance(condition, sp.And):
+        return all(certain(part, evaluate) for part in condition.args)
+    return _holds(condition, evaluate.value(condition.lhs - condition.rhs))
+
+
+def _holds(relation: sp.Basic, difference: fmpq | arb) -> bool:
     """Whether a relation certainly holds, by the difference of its sides."""
     exact = isinstance(difference, fmpq)
     if isinstance(relation, sp.Ne):

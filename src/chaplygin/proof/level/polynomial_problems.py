@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
@@ -33,6 +35,24 @@ class Claim:
     excluded_zeros: tuple[sp.Expr, ...] = ()
     circles: tuple[tuple[sp.Symbol, sp.Symbol, sp.Symbol, sp.Expr], ...] = ()
     expressions: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+
+    def original(self, formula: sp.Expr) -> sp.Expr:
+        """A formula in the variables of the system, with the functions of its angles."""
+        return formula.xreplace(self._functions)
+
+    def original_words(self, words: str) -> str:
+        """A text about the claim, with the functions of angles in place of their names."""
+        for symbol, function in self._functions.items():
+            words = re.sub(rf"\b{symbol}\b", str(function), words)
+        return words
+
+    @cached_property
+    def _functions(self) -> dict[sp.Symbol, sp.Expr]:
+        return {
+            symbol: function(unit * angle)
+            for angle, sine, cosine, unit in self.circles
+            for symbol, function in ((sine, sp.sin), (cosine, sp.cos))
+        }
 
 
 def polynomial_problems(system: System, law: Law) -> tuple[Claim, ...]:

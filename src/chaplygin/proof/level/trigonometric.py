@@ -20,7 +20,7 @@ from ...core.named_formulas import expand
 from ...core.system import Parameter, System, flat_pairs
 from ...core.vectors import real_symbol, to_components
 from ...formulas.errors import OutOfReachError
-from ...formulas.jets import MOST_MULTIPLES
+from ...formulas.jets import MOST_MULTIPLES, angle_terms
 
 
 @dataclass(frozen=True)
@@ -211,6 +211,22 @@ def formulas_of(value: object) -> list[sp.Expr]:
         parts = [getattr(value, f.name) for f in fields(value) if f.name not in skip]
         return [*pushed, *(f for part in parts for f in formulas_of(part))]
     return []
+
+
+def angle_parts(system: System, law: Law) -> dict[sp.Expr, int]:
+    """Into how many parts an angle is to be divided whose multiples a law and its system hold.
+
+    Sines and cosines of x and x/2 are polynomials in those of x/2, so that x has two parts.
+    """
+    formulas = [*system.rates, *(value for _, value in system.scalar_definitions)]
+    formulas += [*system.relations, *law.on, *formulas_of(law)]
+    parts: dict[sp.Expr, int] = {}
+    for formula in formulas:
+        for node in to_components(formula).atoms(TrigonometricFunction):
+            for number, angle in angle_terms(node):
+                if number.is_Rational:
+                    parts[angle] = int(sp.ilcm(parts.get(angle, 1), number.q))
+    return {angle: count for angle, count in parts.items() if count > 1}
 
 
 def _rates_on_circle(

@@ -3,43 +3,28 @@
 from __future__ import annotations
 
 import random
-import sys
-from collections.abc import Iterator
 from fractions import Fraction
-from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 
-ROOT = Path(__file__).parents[2]
-
-
-@pytest.fixture(scope="module")
-def lifted_bracket() -> Iterator[ModuleType]:
-    sys.path.insert(0, str(ROOT / "examples"))
-    try:
-        import lifted_bracket
-
-        yield lifted_bracket
-    finally:
-        sys.path.remove(str(ROOT / "examples"))
+from chaplygin.borisov_mamaev.open_problems import lifted_bracket
 
 
 @pytest.mark.parametrize("name", ["Chaplygin ball, D = 1", "three equal supporting balls"])
-def test_only_isotropic_supports_lift(lifted_bracket: ModuleType, name: str) -> None:
+def test_only_isotropic_supports_lift(name: str) -> None:
     weights = lifted_bracket.WEIGHTS[name]
     assert lifted_bracket.lifts(lifted_bracket.MOMENTS, weights) == (len(set(weights)) == 1)
 
 
-def test_a_body_with_unequal_supports_is_refuted(lifted_bracket: ModuleType) -> None:
+def test_a_body_with_unequal_supports_is_refuted() -> None:
     rng = random.Random(12)
     moments = [Fraction(rng.randint(10, 20), 10) for _ in range(3)]
     weights = [Fraction(rng.randint(1, 9), 10), Fraction(1), Fraction(rng.randint(0, 9), 10)]
     assert not lifted_bracket.lifts(moments, weights)
 
 
-def test_the_equations_are_those_of_the_proof(lifted_bracket: ModuleType) -> None:
+def test_the_equations_are_those_of_the_proof() -> None:
     """(M, ω)Θ − (Θ, ω)M − w×ω = Pω×ω, the right-hand side without a derivative."""
     weights = (Fraction(1, 2), Fraction(1, 3), Fraction(1))
     moments = lifted_bracket.MOMENTS

@@ -8,10 +8,10 @@ from typing import Any
 
 import sympy as sp
 
-from ..core.named_formulas import definition_values
-from ..core.system import System, flat_pairs
-from ..core.vectors import constant, real_symbol, to_components
-from .genus_two.separation import SeparatedSystem
+from ...core.named_formulas import definition_values
+from ...core.system import System, flat_pairs
+from ...core.vectors import constant, real_symbol, to_components
+from .separation import SeparatedSystem
 
 
 def in_symbols_of(

@@ -1,0 +1,70 @@
+"""Processes that compute for another one, and end with it however it ends."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from multiprocessing import parent_process
+from multiprocessing.process import BaseProcess
+
+#: Seconds in which a process may remove what it is writing, before it is killed.
+LAST_SECONDS = 2.0
+
+
+def follow_parent() -> None:
+    """In a new process: leave Ctrl-C to the parent, and end when it ends or asks for it.
+
+    Ctrl-C reaches all processes of a terminal.  SIGTERM and the end of the parent raise SystemExit,
+    so that what is being written is removed; what does not end by that is killed.
+    """
+    # a copy of a process would tell the original of its own signals
+    signal.set_wakeup_fd(-1)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
+    if sys.platform != "win32":
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT, signal.SIGTERM})
+    threading.Thread(target=_watch_parent, daemon=True).start()
+
+
+def _watch_parent() -> None:
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        if sys.platform != "win32":
+            os.kill(os.getpid(), signal.SIGTERM)
+            time.sleep(LAST_SECONDS)
+        os._exit(1)
+
+
+@contextmanager
+def signals_blocked() -> Iterator[None]:
+    """A block in which processes are made: no signal reaches them before `follow_parent`.
+
+    Windows has nothing of the kind.
+    """
+    if sys.platform == "win32":
+        yield
+    else:
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
+        try:
+            yield
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def end_processes(processes: Iterable[BaseProcess], seconds: float = LAST_SECONDS) -> None:
+    """Ask processes to end, and kill those that have not after some seconds."""
+    asked = list(processes)
+    for process in asked:
+        process.terminate()
+    deadline = time.monotonic() + seconds
+    for process in asked:
+        process.join(max(0.0, deadline - time.monotonic()))
+        if process.is_alive():
+            process.kill()
+            process.join()
