@@ -9,6 +9,7 @@ from hypothesis import example, given, settings, strategies as st
 
 from chaplygin.errors import InputError, RunError
 from chaplygin.parsing import FUNCTIONS, MAX_LENGTH, nearest, parse
+from chaplygin.parsing.grammar import OF_TWO
 
 NAMES = {name: sympy.Symbol(name, real=True) for name in ("x", "y", "z", "gamma_3", "a")}
 X, Y, Z = NAMES["x"], NAMES["y"], NAMES["z"]
@@ -43,18 +44,23 @@ def test_reads_formulas_exactly(text: str, value: sympy.Expr) -> None:
     assert parse(text, NAMES) == value
 
 
-@pytest.mark.parametrize("name", sorted(set(FUNCTIONS) - {"atan2"}))
+@pytest.mark.parametrize("name", sorted(set(FUNCTIONS) - OF_TWO))
 def test_every_function_of_one_argument(name: str) -> None:
     value = parse(f"{name}(x/3)", NAMES)
     assert value == FUNCTIONS[name](X / 3)
     assert value.free_symbols == {X}
 
 
+@pytest.mark.parametrize("name", sorted(OF_TWO))
+def test_every_function_of_two_arguments(name: str) -> None:
+    assert parse(f"{name}(x/3, y)", NAMES) == FUNCTIONS[name](X / 3, Y)
+
+
 @pytest.mark.parametrize(
     ("text", "message", "caret"),
     [
         ("gama_3**2 + 1", "unknown name 'gama_3', did you mean 'gamma_3'?", 0),
-        ("x + open", "unknown name 'open'; allowed: x, y, z, gamma_3, a, acos", 4),
+        ("x + open", "unknown name 'open'; allowed: x, y, z, gamma_3, a, abs, acos", 4),
         ("__import__(1)", "unknown name '__import__'", 0),
         ("x^2", "a power is written **", 1),
         ("x = 1", "write a formula, not an equation", 2),
@@ -177,7 +183,7 @@ def _formulas() -> st.SearchStrategy[str]:
             st.tuples(inner, st.sampled_from(["+", "-", "*", "/", "**"]), inner).map(
                 lambda parts: "({}{}{})".format(*parts)
             ),
-            st.tuples(st.sampled_from(sorted(set(FUNCTIONS) - {"atan2"})), inner).map(
+            st.tuples(st.sampled_from(sorted(set(FUNCTIONS) - OF_TWO)), inner).map(
                 lambda parts: "{}({})".format(*parts)
             ),
             inner.map(lambda part: f"-{part}"),

@@ -22,9 +22,13 @@ FUNCTIONS: Mapping[str, Callable[..., sympy.Expr]] = MappingProxyType(
         "tanh": sympy.tanh,
         "exp": sympy.exp,
         "log": sympy.log,
+        "abs": sympy.Abs,
+        "sign": sympy.sign,
+        "max": sympy.Max,
+        "min": sympy.Min,
     }
 )
-"""Functions that a formula may call; each takes one argument, ``atan2`` takes two."""
+"""Functions that a formula may call; each takes one argument, some take two."""
 
 CONSTANTS: Mapping[str, sympy.Expr] = MappingProxyType({"pi": sympy.pi})
 """Names that mean a number in every formula."""

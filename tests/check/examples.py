@@ -353,10 +353,10 @@ def _place(text: str, ring: list[str]) -> dict[str, object]:
 
 
 def power() -> Certificate:
-    """A density with a symbolic exponent, and a power with the same."""
+    """A density with a symbolic exponent, and a power with the same, of what is positive."""
     ring = ["aux0", "x", "n"]
     claim = {
-        "system": system({"x": "x**(n + 1)"}, parameters=["n"]),
+        "system": system({"x": "x**(n + 1)"}, parameters=["n"], guards=["x"]),
         "law": law("Measure", density=[["x", "-n - 1"]]),
     }
     made = proof(
@@ -365,6 +365,7 @@ def power() -> Certificate:
             ["aux0", {"kind": "power", "of": poly("x", ring), "exponent": "n", "fineness": 4}]
         ],
         divisors=[divisor("x", [("x", 1)], ring)],
+        positive=[{"poly": poly("x", ring), "strict": True, "from": "x"}],
         residuals=[residual("0", [], ring)],
         tree=zero(identity(0, [], ring)),
     )

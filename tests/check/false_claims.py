@@ -16,7 +16,7 @@ from typing import Any
 from check.corrupted import Path, put
 
 #: Names that mean something else in formulas.
-TAKEN = ("pi", "E", "sin", "exp", "sqrt", "Rate", "Derivative", "nan")
+TAKEN = ("pi", "sin", "exp", "sqrt", "Rate", "Derivative", "nan")
 
 #: Exponents of ten of the smallest changes.
 SMALL = (3, 50, 195, 200, 400, 1000, 3000)

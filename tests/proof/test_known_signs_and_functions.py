@@ -18,6 +18,7 @@ x, y, z, a, b = (real_symbol(name) for name in ("x", "y", "z", "a", "b"))
 NUMBER_E = sp.exp(1)
 SPHERE = x**2 + y**2 + z**2 - 1
 BALL = 1 - x**2 - y**2
+QUARTIC = x**4 - 2 * x**2 + 2
 
 
 def still(*admissible, guards=(), relations=(), state=(x, y, z), default=0.5) -> System:
@@ -56,6 +57,21 @@ TRUE = {
     "a quartic under a root": (still(), of_square(x**4 - 2 * x**2 + 2), ()),
     "an interval": (still(a > 0, a < 1), of_square(a**3 - 2 * a + 2), ()),
     "a weak sign": (still(a >= 0), of_square(1 + a), ()),
+    "an absolute value and a parameter": (still(a**2 < 1), sp.sqrt((1 - a) ** 2) - 1 + a, ()),
+    "an absolute value in a ball": (still(guards=(BALL,)), sp.Abs(2 - x) - 2 + x, ()),
+    "an absolute value of a sine": (still(), sp.Abs(2 + sp.sin(x)) - 2 - sp.sin(x), ()),
+    "an absolute value of a quartic": (still(), sp.Abs(QUARTIC) - QUARTIC, ()),
+    "a sign in a ball": (still(guards=(BALL,)), sp.sign(x - 2) + 1, ()),
+    "a power in a ball": (
+        still(a > 0, guards=(BALL,)),
+        sp.expand((x - 2) ** 2) ** a - (2 - x) ** (2 * a),
+        (),
+    ),
+    "a logarithm that is real where a base is positive": (
+        still(a > 0),
+        sp.log(x - 1) * (sp.expand((x - 1) ** 2) ** a - (x - 1) ** (2 * a)),
+        (),
+    ),
     # functions
     "a half sphere": (still(guards=(z,), relations=(SPHERE,)), z - sp.sqrt(BALL), ()),
     "a root of two": (still(a > 0), a - sp.sqrt(2), (a**2 - 2,)),

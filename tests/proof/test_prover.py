@@ -134,7 +134,6 @@ WRONG = {
 }
 
 FAR = {
-    "an absolute value": (Integral("law", sp.Abs(M_1)), "an absolute value"),
     "a function that is not known": (Integral("law", sp.erf(M_1)), "erf"),
     "an exponent that moves": (Integral("law", (1 + M_1**2) ** M_2), "exponent"),
 }

@@ -130,6 +130,13 @@ class ExactValues:
             sine, cosine = self._circle(node.parts[0], value_of)
             return sine if word == "sin" else cosine
         arguments = tuple(map(value_of, node.parts))
+        if word in ("Abs", "sign"):
+            inner = self._value(node.parts[0])
+            if not inner != 0:
+                raise UndefinedError("an absolute value at zero")
+            side = self.ring.constant(1 if inner > 0 else -1)
+            above, below = arguments[0] if word == "Abs" else (one, one)
+            return side * above, below
         if word == "exp":
             for function, _, inner, own in self._values:
                 if function == "log" and self._same(own, arguments[0]):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import fields
 
@@ -104,4 +105,6 @@ def _formula_text(formula: Formula) -> str:
     for part in sp.preorder_traversal(value):
         if not isinstance(part, _WRITABLE) and part not in _CONSTANTS:
             raise InputError(f"{type(part).__name__} in {formula} cannot be written to a file")
-    return str(sp.sstr(with_exact_decimals(value)))
+    words = str(sp.sstr(with_exact_decimals(value)))
+    # some names of SymPy are others in a file
+    return re.sub(r"\b(Abs|Max|Min)\(", lambda match: match.group().lower(), words)

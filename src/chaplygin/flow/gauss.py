@@ -7,7 +7,7 @@ rounding errors of every method in doubles add up to a hundred times more.
 from __future__ import annotations
 
 import ctypes
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Literal
 
@@ -37,6 +37,7 @@ from .kernel.projection_terms import projection_terms
 from .kernel.tableaux import gauss
 from .machine_code import jit as native
 from .machine_code.double_double_conversion import as_pairs, parameter_pairs
+from .sign_branches import sign_branches
 from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
 #: Stages, and what the highest coefficient of the rates over a step may be, relative to the state.
@@ -209,7 +210,8 @@ def gauss_integrator(
     Raises
     ------
     InputError
-        If the digits are neither, or a formula has a function that machine code does not know.
+        If the digits are neither, if a rate has an absolute value or a sign of what moves, or a
+        function that machine code does not know.
 
     Examples
     --------
@@ -227,6 +229,11 @@ def gauss_integrator(
     """
     if digits not in _METHODS:
         raise InputError(f"digits = {digits}: single motions are computed to 16 or to 30 digits")
+    if sign_branches(replace(system, guards=())) is not None:
+        raise InputError(
+            f"{system.name}: collocation takes smooth equations alone, not absolute values or "
+            "signs; integrate with method 'taylor'"
+        )
     point = reduced_rows(system, as_float_array("start", start)[np.newaxis])[0]
     if point.shape != (len(system.symbols),):
         order = ", ".join(map(str, system.symbols))

@@ -6,6 +6,7 @@ import itertools
 import math
 import time as clock
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Literal
 
 import sympy as sp
@@ -16,7 +17,8 @@ from ..core.system import System
 from ..errors import InputError, InterruptionError, RunError
 from .gauss_trajectory import collocate
 from .initial_states import whole_start
-from .taylor.compiled_system import compile_system
+from .sign_branches import sign_branches
+from .taylor.compiled_system import SignedOutputs, compile_system
 from .taylor.working_numbers import Direction, Precision, WorkingNumber, number_type
 from .taylor_run import RunLog, StoppedError, TaylorRun, decimal_text
 from .trajectory import Statistics, Trajectory
@@ -71,7 +73,8 @@ def integrate(
     progress : callable, optional
         Called with the fraction done.
     method : ``"taylor"`` or ``"gauss"``
-        Taylor series of any tolerance, or Gauss–Legendre collocation with all digits of a double
+        Taylor series of any tolerance, with steps that end where the argument of an absolute value
+        or a sign is zero; or Gauss–Legendre collocation with all digits of a double
         (30 digits at precision "quad"), some ten times faster; see
         :func:`chaplygin.flow.gauss_trajectory.collocate`.  The second always holds the integrals
         and has no tolerance, time limit or continuous trajectory.
@@ -131,6 +134,12 @@ def integrate(
         tolerance = DEFAULT_TOLERANCE[precision]
     code = compile_system(system, tolerance, precision, direction)
     lifted = system.lifted() if system.reconstruction else system
+    branches = sign_branches(lifted)
+    if branches is not None:
+        own = compile_system(branches.system, tolerance, precision, direction)
+        guards = own.variable_guards
+        signed = SignedOutputs(own.outputs, branches.arguments)
+        code = replace(code, series=own.series, variable_guards=guards, signed=signed)
     run = TaylorRun(lifted, len(system.symbols), code, kind, values, precision)
     run.begin(start, moments[0], keep_integrals)
     began = clock.perf_counter()

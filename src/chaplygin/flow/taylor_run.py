@@ -16,6 +16,7 @@ from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
 from .cost import Pace
+from .sign_branches import RunningSigns
 from .taylor.compiled_system import CompiledSystem
 from .taylor.projection import Projector
 from .taylor.working_numbers import Precision, WorkingArray, WorkingNumber
@@ -95,6 +96,7 @@ class TaylorRun:
         self.quadratures = _quadratures(system)
         self.sums = np.array([kind(0)] * len(self.quadratures), dtype=kind)
         self.remainder = self.sums.copy()
+        self.signs = RunningSigns(code.signed, self.parameters, self.stepper.parameters)
         self.first_guards: WorkingArray = np.empty(0)
         self.good: tuple[WorkingNumber, WorkingArray] = (kind(0), np.empty(0))
 
@@ -119,6 +121,7 @@ class TaylorRun:
             self.projectors = (self._with_integrals(self.stepper.state), *self.projectors[1:])
         self._require_numbers(self._with_quadratures(self.stepper.state))
         self.first_guards = self._guards(self.stepper.state)
+        self.signs.set(self.stepper.state)
         self._scale_events(self.stepper.state)
         for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if not float(value) > 0 and not guard.lift_off:
@@ -129,7 +132,7 @@ class TaylorRun:
         """Set the factors of the events: powers of two, which scale large guards to one."""
         if not self.code.variable_guards:
             return
-        first = np.array([float(x) for x in self.first_guards])
+        first = np.array([float(x) for x in self._guards(state)])
         sizes = np.abs(first)
         # a guard may be small just where the motion starts: one eighth more of each variable tells
         for i, value in enumerate(state):
@@ -137,9 +140,11 @@ class TaylorRun:
             varied[i] = value * 9 / 8
             change = 8 * np.abs([float(x) for x in self._guards(varied)] - first)
             sizes = np.fmax(sizes, np.where(np.isfinite(change), change, 0.0))
-        exponents = np.maximum(np.frexp(sizes[list(self.code.variable_guards)])[1], 0)
-        factors = np.ldexp(1.0, -exponents)
-        self.stepper.parameters[len(self.parameters) :] = [self.kind(x) for x in factors]
+        own = [i for i in self.code.variable_guards if i < len(sizes)]
+        factors = np.ones(len(self.code.variable_guards))
+        factors[: len(own)] = np.ldexp(1.0, -np.maximum(np.frexp(sizes[own])[1], 0))
+        first_factor = len(self.parameters) + self.signs.count
+        self.stepper.parameters[first_factor:] = [self.kind(x) for x in factors]
 
     def _require_numbers(self, state: WorkingArray) -> None:
         """Refuse a start at which a recorded quantity is not a finite number.
@@ -250,8 +255,14 @@ class TaylorRun:
             ):
                 self._record(log, moments[index], stepper.state_at(moments[index]))
                 index += 1
-            if step.event is not None:
+            changing = self._sign_of(step.event)
+            if changing is not None:
+                self.signs.turn(changing)
+            elif step.event is not None:
                 watched = self._record_event(step.event, now, log, on_liftoff)
+            wrong = self.signs.wrong(stepper.state, changing)
+            if wrong:
+                raise StoppedError(wrong)
             log.corrections += self.project(stepper.state)
             self._extract_quadratures()
             self.good = (now, self._with_quadratures(stepper.state))
@@ -267,6 +278,11 @@ class TaylorRun:
                 elif clock.perf_counter() - began > time_limit:
                     raise StoppedError(f"the time limit of {time_limit:g} s was reached")
                 yield float(now - moments[0]) / length
+
+    def _sign_of(self, event: int | None) -> int | None:
+        """The number of the sign that an event turns around, if it does."""
+        own = -1 if event is None else self.code.variable_guards[event] - len(self.first_guards)
+        return own if own >= 0 else None
 
     def _is_pressed(self, now: WorkingNumber, log: RunLog, on_liftoff: str) -> bool:
         """Record a normal force negative at the start; return whether to begin."""

@@ -101,3 +101,10 @@ def numerator_and_denominator(product: sp.Mul) -> tuple[list[sp.Expr], list[sp.E
     ]
     factors = list(zip(product.args, divided, strict=True))
     return [f for f, below in factors if not below], [1 / f for f, below in factors if below]
+
+
+def with_absolute_values(formula: sp.Max | sp.Min) -> sp.Expr:
+    """A maximum or minimum by absolute values: max(a, b) = (a + b + |a - b|)/2."""
+    sign = 1 if isinstance(formula, sp.Max) else -1
+    arguments = sorted(formula.args, key=sp.default_sort_key)
+    return reduce(lambda a, b: (a + b + sign * sp.Abs(a - b)) / 2, arguments)

@@ -16,7 +16,7 @@ import sympy as sp
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
-from .evaluation import Evaluation, N, numerator_and_denominator
+from .evaluation import Evaluation, N, numerator_and_denominator, with_absolute_values
 
 #: Functions of one variable that the machine code knows, by SymPy's name for them.
 FUNCTIONS: Mapping[Any, str] = {
@@ -379,6 +379,8 @@ class Reader(Evaluation[Term]):
         return graph.call("exp", self._visit(exponent) * log)
 
     def _function(self, formula: sp.Expr) -> Term:
+        if isinstance(formula, sp.Max | sp.Min):
+            return self._visit(with_absolute_values(formula))
         name = "atan2" if formula.func is sp.atan2 else FUNCTIONS.get(formula.func)
         if name is None:
             raise InputError(f"{formula}: the machine code has no function {formula.func.__name__}")

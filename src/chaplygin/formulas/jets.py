@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 from ..core.laws import Rate
 from ..parsing.exact_decimals import exact_number
 from .errors import OutOfReachError, UnknownSymbolError
-from .evaluation import Evaluation
+from .evaluation import Evaluation, with_absolute_values
 from .number_fields import Element
 
 #: Multiples of an angle whose sine is written in the sine and cosine of the angle.
@@ -294,6 +294,8 @@ class Evaluator(Evaluation[Jet]):
             return self(_as_ratio(formula))
         if isinstance(formula, sp.sinh | sp.cosh | sp.tanh):
             return self(formula.rewrite(sp.exp))
+        if isinstance(formula, sp.Max | sp.Min):
+            return self(with_absolute_values(formula))
         if isinstance(formula, sp.acos):
             return self(sp.pi / 2 - sp.asin(formula.args[0]))
         if not (formula.args and formula.is_Function):
@@ -309,13 +311,16 @@ class Evaluator(Evaluation[Jet]):
             angle = upper.through(field.function_value("atan2", values), lower.value / square)
             return angle + lower.through(field.zero, field.zero - upper.value / square)
         x = values[0]
+        if isinstance(formula, sp.Abs | sp.sign):
+            # |x| = √(x²) has the derivative x/|x|, which is the sign of x; zeros are left aside
+            size = field.root(x * x, 2)
+            sign = x / size
+            return inner[0].through(size, sign) if isinstance(formula, sp.Abs) else Jet(sign, {})
         if isinstance(formula, sp.atan):
             return inner[0].through(field.function_value("atan", values), one / (one + x * x))
         if isinstance(formula, sp.asin):
             root = field.root(one - x * x, 2)
             return inner[0].through(field.function_value("asin", values), one / root)
-        if isinstance(formula, sp.Abs):
-            raise OutOfReachError("an absolute value; write it with a square root")
         raise OutOfReachError(
             f"the formula {formula} is of a kind ({type(formula).__name__}) unknown here"
         )

@@ -20,6 +20,9 @@ from .errors import NotExactError
 #: An element of the field in use; no static type has the arithmetic of all of them.
 Element: TypeAlias = Any
 
+#: Rational numbers are raised to no power with a larger numerator or denominator.
+LARGEST_EXPONENT = 10_000
+
 #: Digits (binary) carried by balls.
 PRECISION = 320
 
@@ -79,7 +82,7 @@ class Rationals:
 
     def root(self, element: fmpq, degree: int) -> fmpq:
         """The positive root."""
-        if element == 0 and degree > 1:
+        if degree > 1 and element <= 0:
             raise ZeroDivisionError
         return exact_root(element, degree)
 
@@ -90,7 +93,9 @@ class Rationals:
         raise NotExactError
 
     def as_rational(self, element: fmpq) -> fmpq:
-        """The number itself."""
+        """The number itself; NotExactError where it is too large for an exponent."""
+        if max(abs(element.p), element.q) > LARGEST_EXPONENT:
+            raise NotExactError
         return element
 
     def circle(self, angle: fmpq) -> NoReturn:

@@ -35,6 +35,7 @@ REAL = (
     "atan",
     "atan2",
     "Abs",
+    "sign",
     "Pow",
 )
 
@@ -85,6 +86,8 @@ class BallArithmetic:
             return arb.pi()
         if name == "Abs":
             return abs(arguments[0])
+        if name == "sign":
+            return arguments[0].sgn()
         if name == "Pow":
             return arguments[0] ** arguments[1]
         return getattr(type(arguments[0]), name)(*arguments)

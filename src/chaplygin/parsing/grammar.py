@@ -6,6 +6,8 @@ import sympy
 
 from .. import formula_words
 
+OF_TWO = frozenset({"atan2", "max", "min"})
+
 FUNCTIONS, CONSTANTS = formula_words.FUNCTIONS, formula_words.CONSTANTS
 
 RESERVED_WORDS = formula_words.RESERVED_WORDS

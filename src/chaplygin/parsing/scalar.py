@@ -20,6 +20,7 @@ from .grammar import (
     MAX_DIGITS,
     MAX_EXPONENT,
     MAX_ROOT,
+    OF_TWO,
 )
 from .syntax import TOO_DEEP, Source, chain
 
@@ -144,7 +145,7 @@ class Scalars:
             return self.products[name](node, depth)
         if name not in FUNCTIONS or name in self.names:
             raise self.error("only functions can be called", node)
-        wanted = 2 if name == "atan2" else 1
+        wanted = 2 if name in OF_TWO else 1
         if len(node.args) != wanted or node.keywords:
             raise self.error(f"{name} takes {wanted} argument{'s' * (wanted - 1)}", node)
         arguments = [self.read(argument, depth + 1) for argument in node.args]

@@ -37,19 +37,14 @@ from .level.level_formulas import EmptyLevelSetError
 from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim, polynomial_problems
 from .level.positivity_conditions import positive_formulas, sign_determining_bases
-from .level.sample_points import moderate_number, number_near_default
 from .level.target_conditions import is_admissible_target, open_conditions
-from .random_test import Trial, is_nowhere, point_of_reversed_time, trials
+from .random_test import FURTHER, Trial, is_nowhere, point_of_reversed_time, trials
 from .rank import DIMENSION
 from .remarks import remark
 from .residuals import conditions_are_independent
 from .symbolic_proof import Proof, proof
 from .verdict import Verdict
 from .witness_points import Witness, point_shown, witness, witness_point
-
-FURTHER = (number_near_default,) * 6 + (moderate_number,) * 40
-"""Points tried where a remainder is left, before a law is called undecided."""
-
 
 NOTHING = Proof(0)
 NOWHERE = "no point was found at which the density is real"

@@ -16,7 +16,12 @@ from ..formulas.number_fields import Balls, Rationals
 from .fields.field import Field, FieldElement
 from .level.level_set import Draw, LevelSet
 from .level.positivity_conditions import unmet_conditions
-from .level.sample_points import moderate_number, number_near_default, number_of_any_magnitude
+from .level.sample_points import (
+    moderate_number,
+    number_near_default,
+    number_of_any_magnitude,
+    small_number,
+)
 from .level.target_conditions import is_admissible_target
 from .rank import rank_defect
 from .residuals import (
@@ -30,6 +35,10 @@ from .residuals import (
 ATTEMPTS = 400
 """Points looked at, for one inside the domain at which the law is defined."""
 SEED = 20080830
+FIRST = (number_near_default,) * 2 + (moderate_number,) * 4
+"""Points at which a law is tried first."""
+FURTHER = (number_near_default,) * 6 + (moderate_number,) * 40 + (small_number,) * 30
+"""Points tried where a remainder is left, before a law is called undecided."""
 
 
 @dataclass(frozen=True)
@@ -63,14 +72,7 @@ def all_residuals(law: Law, level: LevelSet, field: Field) -> Residuals:
 def trials(
     law: Law,
     level: LevelSet,
-    draws: Sequence[Draw] = (
-        number_near_default,
-        number_near_default,
-        moderate_number,
-        moderate_number,
-        moderate_number,
-        moderate_number,
-    ),
+    draws: Sequence[Draw] = FIRST,
 ) -> Iterator[Trial]:
     """A law at random points of the domain; fewer than asked for where there are not enough.
 
@@ -83,13 +85,14 @@ def trials(
     """
     generator = random.Random(SEED)
     compute = partial(_trial_at, law, level)
+    in_vain: set[Draw] = set()
     for draw in draws:
-        trial = _first(compute, level, generator, draw) or _first(
-            compute, level, generator, number_of_any_magnitude
-        )
-        if trial is None:
-            return
-        yield trial
+        for kind in (draw, number_of_any_magnitude):
+            trial = None if kind in in_vain else _first(compute, level, generator, kind)
+            if trial is not None:
+                yield trial
+                break
+            in_vain.add(kind)
 
 
 def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:

@@ -31,6 +31,7 @@ from .residuals import in_words
 
 MOST_RUNS = 48
 """Choices of signs that are followed."""
+NEGATIVE_BASE = "the base of a power with a symbolic exponent is negative"
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,7 @@ def proof(
     is_attained : bool
         Whether the law is known to have the rank it claims.
     """
-    first = _run(FunctionField, law, level, sample, budget, {})
+    first = _first_run(law, level, sample, budget)
     if first.failure:
         return Proof(first.residuals, failure=first.failure)
     if not (is_attained or first.void):
@@ -113,6 +114,21 @@ def proof(
         return Proof(0)
     conditions = tuple(first.words[key] for key in first.words if key in failed)
     return Proof(proven[0].residuals, conditions)
+
+
+def _first_run(
+    law: Law, level: LevelSet, sample: Mapping[str, float] | None, budget: Budget
+) -> _Run:
+    """A run for the signs at the sample; for others where a base would be negative."""
+    first = _run(FunctionField, law, level, sample, budget, {})
+    waiting = flipped_decisions(first.field, 0) if first.field.has_negative_base else []
+    for signs, size, _ in waiting:
+        run = _run(FunctionField, law, level, sample, budget, signs)
+        if not (run.failure or run.void):
+            return run
+        if len(waiting) < MOST_RUNS:
+            waiting += flipped_decisions(run.field, size)
+    return first
 
 
 def flipped_decisions(field: FunctionField, size: int) -> list[tuple[dict[str, int], int, str]]:
@@ -160,10 +176,10 @@ def _run(
 def _zero_residuals(law: Law, level: LevelSet, field: FunctionField) -> tuple[int, str]:
     count = 0
     for name, residual in all_residuals(law, level, field):
-        if not field.vanishes(cast(Element, residual)):
+        if not field.has_negative_base and not field.vanishes(cast(Element, residual)):
             return count, (
                 f"{in_words(name)} vanishes at the points tried, but does not reduce to zero: a "
                 f"polynomial of {len(cast(Element, residual).poly):,} terms remains"
             )
         count += 1
-    return count, ""
+    return count, NEGATIVE_BASE if field.has_negative_base else ""

@@ -79,7 +79,7 @@ def test_a_separation_has_one():
 
 
 def test_what_is_undecided_has_no_certificate():
-    verdict = prove_with_certificate(TOP, FAR["an absolute value"][0])
+    verdict = prove_with_certificate(TOP, FAR["an exponent that moves"][0])
     assert verdict.decision == "undecided"
     assert verdict.certificate is None
     assert verdict.no_certificate == ""

@@ -110,6 +110,8 @@ def _system(
             omega: cross(ndot, n) / k,
         },
         field=field,
+        # between the moments of inertia, and so positive: powers are taken of ξη
+        guards=tuple(Guard(str(z), z, f"the coordinate {z} vanishes") for z in (xi, eta)),
     )
 
 
@@ -238,7 +240,9 @@ def build(p: Numbers) -> System:
         -cubic(xi) * cubic(eta),
         "the normal reaches a plane of symmetry, where the coordinates end",
     )
-    return replace(system, parameters=rubber_ball_on_e3.parameters(p), guards=(guard,))
+    return replace(
+        system, parameters=rubber_ball_on_e3.parameters(p), guards=(*system.guards, guard)
+    )
 
 
 ENTRIES = (

@@ -1,7 +1,12 @@
 """The domain of a law: the divisors of its formulas, and their radicands.
 
-A law says nothing where a divisor vanishes, or where something under a root, in a power that is no
-whole number or in a logarithm is not positive.
+A law says nothing where a divisor vanishes, where the argument of an absolute value or a sign
+vanishes, or where something under a root, in a power that is no whole number or in a logarithm is
+not positive.
+
+A power whose exponent is no number as it is written, b^a, is meant where b is positive and, for
+whole a, where b is negative.  So nothing may be taken for granted but that b is not zero; what is
+proved with b > 0 holds where that is known or is a condition of the verdict.
 """
 
 from __future__ import annotations
@@ -30,7 +35,9 @@ class Domain:
     nonzero : tuple of (side, formula)
         Do not vanish; the side is ``"own"`` or ``"target"``.
     positive : tuple of (side, formula, exponent)
-        Are positive; the exponent of the power that asks for it, or None if it is no number.
+        Are positive; the exponent of the power that asks for it.
+    bases : tuple of (side, formula)
+        Bases of powers whose exponents are no numbers; they do not vanish, but may be negative.
     logarithms : tuple of (side, formula)
         Are positive, too.
     gram : bool
@@ -39,15 +46,16 @@ class Domain:
 
     claim: Claim
     nonzero: tuple[tuple[str, Formula], ...]
-    positive: tuple[tuple[str, Formula, Fraction | None], ...]
+    positive: tuple[tuple[str, Formula, Fraction], ...]
+    bases: tuple[tuple[str, Formula], ...]
     logarithms: tuple[tuple[str, Formula], ...]
     gram: bool
 
     @property
     def formulas(self) -> list[tuple[str, Formula]]:
-        """Everything: what does not vanish, what is positive, what stands in logarithms."""
+        """Everything: divisors, radicands, arguments of logarithms, bases of symbolic powers."""
         positive = [(where, formula) for where, formula, _ in self.positive]
-        return [*self.nonzero, *positive, *self.logarithms]
+        return [*self.nonzero, *positive, *self.logarithms, *self.bases]
 
     def places(self, point: Point) -> dict[str, Point]:
         """The point, and its image, at which formulas of either side are evaluated."""
@@ -62,7 +70,8 @@ class Domain:
         Raises
         ------
         UndefinedError
-            If it is not certainly so.
+            If it is not certainly so, or has a power there of a base that is not positive and an
+            exponent that is no number.
         """
         places = self.places(point)
         values = [places[where](formula) for where, formula in self.formulas]
@@ -89,7 +98,7 @@ def domain(claim: Claim, parameter_formulas: Mapping[str, Formula]) -> Domain:
     base = [*system.rates, *claim.conditions, *law.formulas()]
     needed = system.reach(base, law.quantities)
     formulas = [*base, *(f for word, f in known.items() if word in needed)]
-    collector.collect("own", formulas, {**known, **parameter_formulas})
+    collector.collect("own", formulas, known, parameter_formulas)
     if law.kind == "Measure":
         for density, _ in law.pairs["density"]:
             collector.nonzero_factors("own", density)
@@ -99,12 +108,14 @@ def domain(claim: Claim, parameter_formulas: Mapping[str, Formula]) -> Domain:
         needed = target.reach(base)
         formulas = [*base, *(f for word, f in target.definitions.items() if word in needed)]
         constants = constant_values(claim, {**known, **parameter_formulas})
-        collector.collect("target", formulas, {**target.definitions, **constants})
+        own = {**target.definitions, **constant_values(claim, known)}
+        collector.collect("target", formulas, own, constants)
     gram = law.kind == "Measure" and bool(claim.moving)
     return Domain(
         claim,
         tuple(collector.nonzero),
         tuple(collector.positive),
+        tuple(collector.bases),
         tuple(collector.logarithms),
         gram,
     )
@@ -129,17 +140,27 @@ class _Collector:
 
     def __init__(self) -> None:
         self.nonzero: dict[tuple[str, Formula], None] = {}
-        self.positive: dict[tuple[str, Formula, Fraction | None], None] = {}
+        self.positive: dict[tuple[str, Formula, Fraction], None] = {}
+        self.bases: dict[tuple[str, Formula], None] = {}
         self.logarithms: dict[tuple[str, Formula], None] = {}
 
     def collect(
-        self, where: str, formulas: Iterable[Formula], definitions: Mapping[str, Formula]
+        self,
+        where: str,
+        formulas: Iterable[Formula],
+        own_definitions: Mapping[str, Formula],
+        parameter_formulas: Mapping[str, Formula],
     ) -> None:
+        definitions = {**own_definitions, **parameter_formulas}
         for node in walk(formulas):
             if node.kind == "power":
                 base, exponent = node.parts
                 value = exact_value(exponent, definitions)
-                if value is None or value.denominator != 1:
+                if exact_value(exponent, own_definitions) is None:
+                    self.nonzero[where, base] = None
+                if value is None:
+                    self.bases[where, base] = None
+                elif value.denominator != 1:
                     self.positive[where, base, value] = None
                 elif value < 0:
                     self.nonzero_factors(where, base)
@@ -155,7 +176,7 @@ class _Collector:
         first = parts[0]
         if word == "sqrt":
             self.positive[where, first, HALF] = None
-        elif word == "Abs":
+        elif word in ("Abs", "sign"):
             self.positive[where, power(first, number(2)), HALF] = None
         elif word == "log":
             self.logarithms[where, first] = None

@@ -20,7 +20,7 @@ FUNCTIONS = {
     **dict.fromkeys(
         ("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp", "log"), 1
     ),
-    **dict.fromkeys(("asin", "acos", "atan", "sqrt", "Abs", "Rate"), 1),
+    **dict.fromkeys(("asin", "acos", "atan", "sqrt", "Abs", "sign", "Rate"), 1),
     "atan2": 2,
 }
 
@@ -305,6 +305,8 @@ class _Reader:
         while self._take(","):
             arguments.append(self.sum())
         self._expect(")")
+        if word in ("Max", "Min"):
+            return _extreme(word, arguments)
         if word not in FUNCTIONS:
             return function(word, [0] * len(arguments), arguments)
         if len(arguments) != FUNCTIONS[word]:
@@ -362,6 +364,16 @@ class _Reader:
         if self.tokens[start] == ("sign", "("):
             return self._list()
         return [self.sum()]
+
+
+def _extreme(word: str, parts: list[Formula]) -> Formula:
+    """A maximum or minimum by absolute values: max(a, b) = (a + b + |a - b|)/2."""
+    result, sign = parts[0], Fraction(1 if word == "Max" else -1)
+    for part in parts[1:]:
+        size = call("Abs", [_difference(result, part)])
+        whole = total((result, part, product((number(sign), size))))
+        result = product((number(Fraction(1, 2)), whole))
+    return result
 
 
 def _negative(part: Formula) -> Formula:

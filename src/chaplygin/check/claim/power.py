@@ -68,7 +68,7 @@ def _divisors(of: Domain) -> set[object]:
         for side, f in of.nonzero
         if not (f.kind == "product" or (f.kind == "power" and f.parts[1].kind == "number"))
     }
-    return {*nonzero, *of.positive, *of.logarithms}
+    return {*nonzero, *of.positive, *of.bases, *of.logarithms}
 
 
 class _LinearRates:

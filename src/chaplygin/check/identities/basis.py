@@ -76,7 +76,7 @@ def read_basis(
     certain = Signs()
     knowledge = _Knowledge(data, matches, what)
     knowledge.extend(certain)
-    radicands = tuple(e for e in matches.radicands if e is not None)
+    radicands = tuple(matches.radicands)
     signs = certain.copy()
     for poly, sign in generators.signs:
         signs.learn(poly, sign)
@@ -88,7 +88,7 @@ def read_basis(
     for poly, _ in generators.signs:
         if monic(poly)[0] not in nonzero:
             raise CheckError(f"{what} assumes the sign of something that may vanish")
-    known = [entry for entry in matches.radicands if entry is not None]
+    known = matches.radicands
     check_roots(generators, signs, nonzero, known, what)
     check_functions(comparisons, nonzero, signs, what)
     for item in knowledge.positives:
@@ -129,7 +129,7 @@ class _Knowledge:
             learned = len(left) < len(waiting)
             waiting = left
             found = self.matches.extend() or self._learn_symbols(signs)
-            radicands = [entry for entry in self.matches.radicands if entry is not None]
+            radicands = self.matches.radicands
             nonzero = self.nonzero(signs)
             polys, usable = self.equations.polys, self.equations.usable(signs)
             self._open = settle(signs, radicands, self._derived, nonzero, polys, usable)
@@ -139,7 +139,7 @@ class _Knowledge:
     def nonzero(self, signs: Signs) -> frozenset[str]:
         """Keys of what is known not to vanish."""
         generators = self.matches.generators
-        radicands = [entry for entry in self.matches.radicands if entry is not None]
+        radicands = self.matches.radicands
         # a formal root is that of a radicand of the law, divided by what does not vanish
         names = [
             a.name

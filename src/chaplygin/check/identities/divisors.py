@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 
 from ..claim.domain import GRAM
 from ..claim.errors import CheckError
 from ..claim.formulas import Formula, parse
+from ..claim.jets import Number
 from ..claim.json_data import as_list, choice, field, mapping, only, rational, text
 from ..claim.polynomials import Powers, monic
 from ..claim.residuals import gram_determinants
@@ -70,58 +72,60 @@ class Matches:
         self, generators: Generators, entries: Sequence[Entry], comparisons: Comparisons
     ) -> None:
         self.generators, self.entries, self.comparisons = generators, entries, comparisons
-        domain = generators.domain
         self._values = [comparisons.product(e.content, e.powers) for e in entries]
         for entry, values in zip(entries, self._values, strict=True):
             comparisons.add_product(values, entry.content, entry.powers)
         self._left = [*range(len(entries))]
-        self._first = len(domain.nonzero)
+        self._of_domain: dict[int, list[Number] | None] = {}
         #: Entries that are divisors or radicands of the law.
         self.of_law: list[Entry] = []
-        #: The entry of each radicand and each argument of a logarithm.
-        self.radicands: list[Entry | None] = [None] * (len(domain.formulas) - self._first)
+
+    @property
+    def radicands(self) -> list[Entry]:
+        """The entries that are radicands or arguments of logarithms, and so positive."""
+        domain = self.generators.domain
+        first, count = len(domain.nonzero), len(domain.positive) + len(domain.logarithms)
+        places = range(first, first + count)
+        positive = [self._of_domain[i] for i in places if i in self._of_domain]
+        pairs = zip(self.entries, self._values, strict=True)
+        return [entry for entry, values in pairs if entry in self.of_law and values in positive]
 
     def extend(self) -> bool:
         """Find more of them; whether any was found."""
+        before = len(self._left), len(self._of_domain)
+        for i, (where, formula) in enumerate(self.generators.domain.formulas):
+            if i not in self._of_domain:
+                with suppress(UnknownRootError):
+                    self._of_domain[i] = self.comparisons.formula(formula, where)
         left, self._left = self._left, []
         for number in left:
             try:
                 self._match(self.entries[number], self._values[number])
             except UnknownRootError:
                 self._left.append(number)
-        return len(self._left) < len(left)
+        return (len(self._left), len(self._of_domain)) != before
 
     def require_all(self) -> None:
         """Every entry was found; CheckError where one was not."""
         for number in self._left:
             self._match(self.entries[number], self._values[number])
 
-    def _match(self, entry: Entry, values: Sequence[object]) -> None:
+    def _match(self, entry: Entry, values: list[Number]) -> None:
         if entry.formula is not None:
             stated = self.comparisons.formula(entry.formula, entry.where)
             if stated is None:
                 raise CheckError(f"{entry.label} is not defined")
             if stated != values:
                 raise CheckError(f"{entry.label}: its factors do not make the formula")
-        unknown, alike_any = None, False
-        for i, (where, formula) in enumerate(self.generators.domain.formulas):
-            try:
-                alike = self.comparisons.formula(formula, where) == values
-            except UnknownRootError as error:
-                unknown = error
-                continue
-            if alike:
-                alike_any = True
-                if i >= self._first:
-                    self.radicands[i - self._first] = entry
-        alike_any = alike_any or (self.generators.domain.gram and self._is_volume(values))
-        if unknown is not None and not alike_any:
-            raise unknown
-        if not alike_any:
+        domain = self.generators.domain
+        alike = values in self._of_domain.values() or (domain.gram and self._is_volume(values))
+        if not alike and len(self._of_domain) < len(domain.formulas):
+            raise UnknownRootError(f"{entry.label} is nothing by which the law is seen to divide")
+        if not alike:
             raise CheckError(f"{entry.label} is nothing by which the law divides")
         self.of_law.append(entry)
 
-    def _is_volume(self, values: Sequence[object]) -> bool:
+    def _is_volume(self, values: list[Number]) -> bool:
         points = [s.point for s in self.comparisons.samples]
         rows = [gram_determinants(self.generators.claim, point) for point in points]
         return any(list(column) == values for column in zip(*rows, strict=True))

@@ -141,7 +141,7 @@ class PositiveSum:
         total = self.ring.constant(0)
         for quotient, equation in zip(self.quotients, equations, strict=True):
             total = total + quotient * equation
-        certain = True
+        certain = {i for i, quotient in enumerate(self.quotients) if quotient} <= usable
         strict = not self.strict or (not self.poly.is_constant() and monic(self.poly)[0] in nonzero)
         for weights, number, base in self.terms:
             positive = base.is_constant() and not base.is_zero()

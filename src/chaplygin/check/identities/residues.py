@@ -301,6 +301,8 @@ class Residues(GeneratorFunctions):
                 return self._symbolic_power(symbol.of[0][0], exponent)
         for content, powers in self.products.get(a, ()):
             try:
+                if self._sign(content, powers) <= 0:
+                    continue
                 result = self._symbolic_power(self.ring.constant(content), exponent)
                 for poly, power in powers:
                     result = result * self._symbolic_power(poly, exponent * power)
@@ -308,6 +310,20 @@ class Residues(GeneratorFunctions):
                 continue
             return result
         raise UnknownRootError("a power of the law is none of factors with known signs")
+
+    def _sign(self, content: Fraction, powers: Powers) -> int:
+        """The sign of a product, also where a factor is ±that of a root or a power of the proof."""
+        sign = 1 if content > 0 else -1
+        for poly, power in powers:
+            sign *= self._sign_of_factor(poly) ** (power % 2)
+        return sign
+
+    def _sign_of_factor(self, poly: Poly) -> int:
+        for symbol in (*(s for s, *_ in self._powers), *(s for s, _ in self._roots)):
+            ratio = _ratio(symbol.of[0][0], poly)
+            if ratio is not None:
+                return 1 if ratio > 0 else -1
+        return self.signs.of(poly)
 
     def _symbolic_power(self, poly: Poly, exponent: Number) -> Number:
         """|f|^exponent as a product of powers of |f| that the proof has."""

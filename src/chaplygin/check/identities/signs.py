@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from flint import fmpq
 
@@ -31,11 +31,14 @@ def covers(proofs: Sequence[Basis], conditions: Sequence[Condition]) -> bool:
     if len(keys) > MANY:
         raise CheckError(f"the proofs assume the signs of more than {MANY} polynomials")
     known, products = _certain_signs(proofs, conditions, set(keys))
+    excluded = _contradictions(keys)
     for pattern in product((1, -1), repeat=len(keys)):
         signs = dict(zip(keys, pattern, strict=True))
         if any(signs[key] != sign for key, sign in known):
             continue
         if any(_sign(content, factors, signs) < 0 for content, factors in products):
+            continue
+        if any(signs[one] == s and signs[other] == t for one, s, other, t in excluded):
             continue
         if not any(all(signs[k] == s for k, s in some.items()) for some in assumed):
             return False
@@ -46,6 +49,47 @@ def _sign(content: int, factors: Sequence[Key], signs: Mapping[Key, int]) -> int
     for key in factors:
         content *= signs[key]
     return content
+
+
+def _contradictions(keys: Sequence[Key]) -> list[tuple[Key, int, Key, int]]:
+    """Pairs of signs of which one excludes the other.
+
+    A sum of the two polynomials with these signs and a positive factor has then no terms but even
+    powers with negative factors.
+    """
+    terms = [dict(_terms_of(key)) for key in keys]
+    pairs = []
+    for i, first in enumerate(terms):
+        for j in range(i):
+            for s, t in product((1, -1), repeat=2):
+                if _contradict(first, s, terms[j], t):
+                    pairs.append((keys[i], s, keys[j], t))
+    return pairs
+
+
+def _terms_of(key: Any) -> Iterator[tuple[object, fmpq]]:
+    for powers, number in key:
+        yield powers, fmpq(*map(int, number.split("/")))
+
+
+def _contradict(
+    first: Mapping[object, fmpq], s: int, second: Mapping[object, fmpq], t: int
+) -> bool:
+    for powers in first.keys() & second.keys():
+        ratio = -s * first[powers] / (t * second[powers])
+        if not ratio > 0:
+            continue
+        total = {
+            p: s * first.get(p, fmpq(0)) + t * ratio * second.get(p, fmpq(0))
+            for p in first.keys() | second.keys()
+        }
+        if all(c == 0 or (c < 0 and _is_even(p)) for p, c in total.items()):
+            return True
+    return False
+
+
+def _is_even(powers: Any) -> bool:
+    return all(exponent % 2 == 0 for _, exponent in powers)
 
 
 def _assumed_signs(basis: Basis) -> Iterator[tuple[Key, int]]:

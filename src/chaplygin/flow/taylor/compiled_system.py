@@ -71,6 +71,21 @@ class StateSeries(Protocol):
 
 
 @dataclass(frozen=True)
+class SignedOutputs:
+    """The compiled outputs of a system without corners, of which the last are its σu.
+
+    Attributes
+    ----------
+    outputs : callable
+        From states and parameters, with the signs.
+    arguments : tuple of sympy.Expr
+    """
+
+    outputs: Callable[[WorkingArray, WorkingArray], WorkingArray]
+    arguments: tuple[sp.Expr, ...]
+
+
+@dataclass(frozen=True)
 class CompiledSystem:
     """Native code for one system at one tolerance and precision.
 
@@ -92,6 +107,10 @@ class CompiledSystem:
         Guards that can change during a motion; others are the same in every state.
     from_cache : bool
         Whether the code came from the cache.
+    signed : SignedOutputs, optional
+        If the equations have absolute values or signs; the series are then those of the system
+        without corners, with the signs as parameters after its own, and events after those of the
+        guards are changes of signs.
     """
 
     series: StateSeries
@@ -101,6 +120,7 @@ class CompiledSystem:
     laws: Callable[[], tuple[Block, ...]]
     variable_guards: tuple[int, ...]
     from_cache: bool = False
+    signed: SignedOutputs | None = None
 
 
 @dataclass(frozen=True)
@@ -275,9 +295,10 @@ class _Plan:
             double,
             series=HeyokaSeries(code.integrator),
             outputs=wide["outputs"],
+            core=blocks.get("core", ()),
+            lift=blocks.get("lift", ()),
             laws=laws,
             from_cache=from_cache,
-            **blocks,
         )
 
 

@@ -9,7 +9,7 @@ shares no code with this; every certificate passes its check before it is handed
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -17,6 +17,7 @@ from ...arguments import arguments_checked
 from ...check import FORMAT, BadInputError, CheckError, check
 from ...check.certificate_points import point_of_level
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
+from ...check.claim.errors import UndefinedError
 from ...check.claim.formulas import name, parse_condition
 from ...check.claim.power import IDENTITIES
 from ...core.laws import Law
@@ -32,7 +33,7 @@ from ..level.level_set import LevelSet
 from ..level.polynomial_problems import polynomial_problems
 from ..power_theorem import PowerTheorem
 from ..prover import prove
-from ..random_test import trials
+from ..random_test import FIRST, FURTHER, trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
 from ..theorems import identities_of, rates_text, theorem_of
 from ..verdict import Verdict
@@ -127,7 +128,7 @@ def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Tex
         content["conditions"] = list(_condition_texts(verdict))
     read = read_claim(claim, "the claim")
     with ball_precision():
-        sample = _sample(system, law, read)
+        sample = _sample(system, law, read, verdict.formulas)
     content["sample"] = sample
     return content | {"proofs": _proofs(system, law, read, sample, verdict, Budget(effort=effort))}
 
@@ -143,7 +144,7 @@ def _by_power(
     certificates = [_certificate_of(part) for part in parts]
     claim = claim_text(system, law)
     with ball_precision():
-        sample = _sample(system, law, read_claim(claim, "the claim"))
+        sample = _sample(system, law, read_claim(claim, "the claim"), ())
     return {
         "format": FORMAT,
         "verdict": "proven",
@@ -184,25 +185,26 @@ def _condition_texts(verdict: Verdict) -> tuple[str, ...]:
     return verdict.formulas
 
 
-def _sample(system: System, law: Law, read: CheckedClaim) -> Text:
-    """A point of the level at which the law is defined, as a certificate gives it."""
+def _sample(system: System, law: Law, read: CheckedClaim, conditions: Sequence[str]) -> Text:
+    """A point of the level at which the law is defined and conditions hold, as text."""
     for alternative in alternatives(system, law):
         claim = polynomial_problems(alternative.system, alternative.law)[-1]
         for level in LevelSet(claim.system, claim.law.on).components:
             points = replace(level, inner=True) if level.parent else level
-            for trial in trials(claim.law, points):
+            for trial in trials(claim.law, points, FURTHER if conditions else FIRST):
                 point = None if trial.witness else witness_point(claim, points, trial.values)
-                if point is not None and _is_located(read, point):
+                if point is not None and _is_located(read, point, conditions):
                     return point
     raise OutOfReachError("no point of its level was found with coordinates that can be written")
 
 
-def _is_located(read: CheckedClaim, point: Text) -> bool:
+def _is_located(read: CheckedClaim, point: Text, conditions: Sequence[str]) -> bool:
     try:
-        point_of_level(read, point)
-    except CheckError:
+        numbers = point_of_level(read, point)
+        stated = [parse_condition(words, "a condition")[0] for words in conditions]
+        return all(numbers(f) > 0 if sign == ">" else numbers(f) != 0 for f, sign in stated)
+    except (CheckError, UndefinedError):
         return False
-    return True
 
 
 def _proofs(
@@ -228,9 +230,9 @@ def _proofs(
         return ProofSetting(kind, read, law, level, point, budget, signs)
 
     first = setting_for(UnreducedField, {})
-    if first.void:
-        raise OutOfReachError("the law is not defined with the signs of its sample point")
     if not first.field.decisions:
+        if first.void:
+            raise OutOfReachError("the law is not defined with the signs of its sample point")
         return [proof_text(first, excluding_condition, with_decisions=False)]
     with contextlib.suppress(OutOfReachError):
         formal = setting_for(UnreducedFormal, {})
@@ -245,7 +247,9 @@ def _by_signs(
     excluding_condition: ExclusionOf,
 ) -> list[Text]:
     """A proof for every choice of signs for which the law is defined and holds."""
-    proofs = [proof_text(first, excluding_condition, with_decisions=True)]
+    proofs = []
+    if not first.void:
+        proofs.append(proof_text(first, excluding_condition, with_decisions=True))
     waiting = flipped_decisions(first.field, 0)
     runs = 1
     while waiting:

@@ -51,13 +51,15 @@ class ProofSetting:
         signs: Mapping[str, int],
     ) -> None:
         spare = 8
-        #: Whether the law is defined nowhere with these signs.
+        #: Whether nothing is proved with these signs: the law is defined nowhere, or has a power
+        #: of a negative base.
         self.void = False
         while True:
             self.field = kind([str(s) for s in level.generators], spare, sample, budget, signs)
             self.field.angle_parts = angle_parts(level.system, law)
             try:
                 self._fill(claim, law, level)
+                self.void = self.field.has_negative_base
             except NeedMoreGeneratorsError:
                 spare *= 2
                 continue

@@ -68,6 +68,7 @@ def _reasons(setting: ProofSetting, equations: Sequence[Poly]) -> Reasons:
         positive = meaning.kind in ("root", "power", "pi") or meaning.name == "exp"
         if positive:
             reasons.learn(field.generators[name], 1)
+        if positive or meaning.kind == "formal root":
             reasons.nonzero.add(monic(field.generators[name])[0])
     for inversion in level.exchanged_inverses:
         a, b, c, d, e, f = (field.generators[str(s)] for s in inversion.name)
@@ -143,8 +144,8 @@ def _sum_text(setting: ProofSetting, own: Sum | InOneVariable, size: int) -> Tex
             "facts": [setting.terms(fact) for fact in own.facts],
         }
     quotients: list[Terms] = [[] for _ in range(size)]
-    for number, ratio in own.multiples:
-        quotients[number] = setting.terms(setting.field.ring.constant(ratio))
+    for number, share in own.multiples:
+        quotients[number] = setting.terms(share)
     return {
         "poly": setting.terms(own.poly),
         "strict": own.strict,

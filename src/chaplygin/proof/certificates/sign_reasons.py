@@ -21,7 +21,7 @@ from ..fields.positive_forms import (
     signs_in_one_variable,
 )
 from ..fields.quotient_ring import Poly
-from ..fields.signs import MANY
+from ..fields.signs import MANY, multiples
 
 Powers = tuple[tuple[Poly, int], ...]
 
@@ -50,7 +50,7 @@ class Sum:
 
     poly: Poly
     terms: tuple[Term, ...]
-    multiples: tuple[tuple[int, fmpq], ...] = ()
+    multiples: tuple[tuple[int, Poly], ...] = ()
     strict: bool = True
 
 
@@ -151,6 +151,10 @@ class Reasons:
             whole = whole or self._by_multiples(signed)
             if whole is not None:
                 return whole
+        if key in self.nonzero:
+            for signed in (poly, -poly):
+                if (terms := self.squares(signed)) is not None:
+                    return Sum(signed, terms)
         return None
 
     def _in_one_variable(self, poly: Poly) -> bool:
@@ -188,7 +192,7 @@ class Reasons:
         if isinstance(of, Term):
             return [Sum(part, (of, *others), (), strict)]
         ratio = whole.leading_coefficient() / self.equations[of[0]].leading_coefficient()
-        return [Sum(part, others, ((of[0], ratio),), False)]
+        return [Sum(part, others, ((of[0], self.ring.constant(ratio)),), False)]
 
     def _by_multiples(self, poly: Poly) -> Sum | None:
         """A multiple of a fact or an equation, and squares."""
@@ -208,7 +212,7 @@ class Reasons:
                 if not (strict or any(self._is_positive(term) for term in terms)):
                     continue
                 if number is not None:
-                    return Sum(poly, terms, ((number, ratio),))
+                    return Sum(poly, terms, ((number, self.ring.constant(ratio)),))
                 return Sum(poly, (Term(((other, 1),), ratio, one), *terms))
         return None
 
@@ -275,14 +279,12 @@ class Reasons:
         return None
 
     def _by_equations(self, poly: Poly) -> Sum | None:
-        constant = _constant(poly)
+        strict = monic(poly)[0] not in self.nonzero
         for number, equation in enumerate(self.equations):
-            own = _constant(equation)
-            if constant != 0 and own != 0:
-                ratio = constant / own
-                terms = self._by_terms(poly - ratio * equation)
+            for share in multiples(poly, equation):
+                terms = self._by_terms(poly - share * equation, strict)
                 if terms is not None:
-                    return Sum(poly, terms, ((number, ratio),))
+                    return Sum(poly, terms, ((number, share),))
         return None
 
     def _by_squares(self, poly: Poly) -> Sum | None:
@@ -322,8 +324,3 @@ class Reasons:
                 left[exponents] = number
         if 0 < len(left) < len(poly):
             yield signed, self.ring.from_dict(left)
-
-
-def _constant(poly: Poly) -> fmpq:
-    zero = (0,) * poly.context().nvars()
-    return poly[zero] if zero in poly else fmpq(0)

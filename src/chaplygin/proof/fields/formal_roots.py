@@ -1,4 +1,4 @@
-"""Roots and powers that are not split: what is proved with them needs no sign of a factor.
+"""Roots that are not split: what is proved with them needs no sign of a factor.
 
 With u = c ∏ f^e a root r = u^(1/q) is ∏ f^(e // q) times a quantity whose q-th power is
 c ∏ f^(e mod q).  Whatever the signs of the factors f are, such a quantity exists; for an even q
@@ -16,7 +16,7 @@ from flint import fmpq
 
 from .function_field import FunctionField
 from .quotient_ring import Element
-from .root_field import FINENESS, power_of_zero
+from .root_field import power_of_zero
 
 
 class FormalRoots(FunctionField):
@@ -24,7 +24,7 @@ class FormalRoots(FunctionField):
 
     def __init__(self, *arguments: Any) -> None:
         super().__init__(*arguments)
-        self._formal: list[tuple[Element, tuple[sp.Expr, int], Element]] = []
+        self._formal: list[tuple[Element, int, Element]] = []
 
     def power(
         self,
@@ -32,18 +32,14 @@ class FormalRoots(FunctionField):
         exponents: Iterable[tuple[sp.Expr, sp.Rational]],
         value: Element | None,
     ) -> Element:
-        """The product of powers, without splitting the base."""
+        """The product of powers; the base is not split where all exponents are numbers."""
         exponents = tuple(exponents)
         if self.vanishes(element):
             raise power_of_zero(exponents)
-        result = self.one
-        for theta, number in exponents:
-            exponent = sp.Rational(number) * (1 if theta == 1 else FINENESS)
-            known = self._root_or_power(element, theta, 1 if theta != 1 else int(exponent.q))
-            if theta != 1 and exponent.q != 1:
-                return super().power(element, exponents, value)
-            result = result * known ** int(exponent.p)
-        return result
+        if any(theta != 1 for theta, _ in exponents):
+            return super().power(element, exponents, value)
+        exponent = sum((sp.Rational(number) for _, number in exponents), sp.S.Zero)
+        return self._formal_root(element, int(exponent.q)) ** int(exponent.p)
 
     def logarithm(self, element: Element) -> Element:
         """The logarithm of an element as a whole."""
@@ -51,21 +47,15 @@ class FormalRoots(FunctionField):
             raise ZeroDivisionError
         return self.function_value("log", [element])
 
-    def _root_or_power(self, element: Element, theta: sp.Expr, degree: int) -> Element:
-        """The root of a degree, or the power θ/FINENESS where θ is no number."""
-        if theta == 1 and degree == 1:
+    def _formal_root(self, element: Element, degree: int) -> Element:
+        if degree == 1:
             return element
-        for known, key, value in self._formal:
-            if key == (theta, degree) and self.vanishes(known - element):
+        for known, known_degree, value in self._formal:
+            if known_degree == degree and self.vanishes(known - element):
                 return value
-        value = self._new_root(element, degree) if theta == 1 else self._new_power(element, theta)
-        self._formal.append((element, (theta, degree), value))
+        value = self._new_root(element, degree)
+        self._formal.append((element, degree, value))
         return value
-
-    def _new_power(self, element: Element, theta: sp.Expr) -> Element:
-        key = ("formal power", len(self._formal))
-        words = f"({element.poly})^({theta}/{FINENESS})"
-        return Element(self, self._new(key, words, lambda: 1.0, positive=True), {})
 
     def _new_root(self, element: Element, degree: int) -> Element:
         content, parts = self.factorisation(self.reduce(element.poly))

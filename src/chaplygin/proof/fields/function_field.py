@@ -14,7 +14,7 @@ import sympy as sp
 from flint import fmpq
 
 from .quotient_ring import Element, Poly
-from .root_field import RootField
+from .root_field import LOGARITHM, RootField
 
 #: Ratios of arguments that make one exponential a power of another.
 MULTIPLES = tuple(
@@ -22,10 +22,6 @@ MULTIPLES = tuple(
     for above, below in ((1, 1), (2, 1), (3, 1), (4, 1), (1, 2), (3, 2), (1, 3), (1, 4))
     for sign in (1, -1)
 )
-
-
-#: Stands for the exponent of a power whose derivative by it, at zero, is a logarithm.
-LOGARITHM = sp.Dummy("logarithm")
 
 
 class FunctionField(RootField):

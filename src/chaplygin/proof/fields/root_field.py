@@ -16,6 +16,7 @@ from flint import fmpq
 from ...formulas.errors import NeedMoreGeneratorsError, NoRealValueError, OutOfReachError
 from .budget import Budget
 from .quotient_ring import Element, Poly, QuotientRing
+from .sign_choices import contradict
 from .signs import Sign, Signs
 
 #: The meaning of an auxiliary generator: a word, and what sets it apart.
@@ -24,8 +25,12 @@ Key: TypeAlias = tuple[Any, ...]
 #: Polynomials of more terms are not multiplied by conjugates.
 MOST_TERMS_OF_CONJUGATES = 12
 
-#: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator.
+#: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator, with θ a
+#: multiple of a symbol.
 FINENESS = 4
+
+#: Stands for the exponent of a power whose derivative by it, at zero, is a logarithm.
+LOGARITHM = sp.Dummy("logarithm")
 
 
 def power_of_zero(exponents: Iterable[tuple[sp.Expr, sp.Rational]]) -> Exception:
@@ -36,6 +41,10 @@ def power_of_zero(exponents: Iterable[tuple[sp.Expr, sp.Rational]]) -> Exception
     if any(theta == 1 and number < 0 for theta, number in exponents):
         return ZeroDivisionError()
     return OutOfReachError("a root is taken of what vanishes here, where it has no derivative")
+
+
+class _NegativeBaseError(Exception):
+    """A negative base with a symbolic exponent, for the signs that are taken."""
 
 
 class RootField(QuotientRing):
@@ -73,12 +82,16 @@ class RootField(QuotientRing):
         self.signs = Signs(self.ring, {})
         #: Signs of factors under roots that nothing known tells, as they were taken.
         self.decisions: dict[str, tuple[Poly, int]] = {}
+        #: Whether a negative base has been raised to a symbolic exponent.
+        self.has_negative_base = False
         self._choices = dict(choices or {})
         self._implied_signs: dict[str, int] = {}
         #: A root raised to its degree: content, factors with powers; and the degree.
         self._root_of: dict[int, tuple[fmpq, tuple[tuple[int, int], ...], int]] = {}
         self._roots: dict[str, tuple[Poly, int]] = {}
         self._auxiliary: dict[Key, Poly] = {}
+        #: Multiples of symbols in exponents that take their place.
+        self._exponent_units: dict[sp.Expr, sp.Rational] = {}
 
     def _new(
         self, key: Key, meaning: str, value: Callable[[], float], positive: bool = False
@@ -167,40 +180,48 @@ class RootField(QuotientRing):
     def _positive_parts(
         self, element: Element, exponents: Sequence[tuple[sp.Expr, sp.Rational]]
     ) -> tuple[fmpq, list[tuple[Poly, int]]]:
-        """Content and factors with powers of what is raised to a power, all of them positive.
+        """Content and factors with powers of the base of a power, all of them positive.
 
-        What is raised is positive itself wherever the power is real and smooth.
+        Where exponents are numbers, the base is positive wherever the power is real and smooth; so
+        is the argument of a logarithm.  With a symbolic exponent, which may be a whole number, the
+        base may be negative: that it is positive is decided then, like the signs of its factors.
         """
         content, parts = self.factorisation(self.reduce(element.poly))
         total: dict[int, int] = dict(element.powers)
         for number, power in parts:
             total[number] = total.get(number, 0) + power
-        signed = []
-        overall = 1 if content > 0 else -1
-        odd: Poly | None = None
+        is_number = all(theta == 1 for theta, _ in exponents)
+        is_positive = is_number or all(theta in (1, LOGARITHM) for theta, _ in exponents)
+        signed, overall = [], 1 if content > 0 else -1
+        odd: tuple[Poly, int] | None = None
         for number, power in total.items():
             poly = self.factors[number]
             if not power:
                 continue
-            if all(
-                theta == 1 and (sp.Rational(n) * power / 2).is_Integer for theta, n in exponents
-            ):
+            if is_number and all((sp.Rational(n) * power / 2).is_Integer for _, n in exponents):
                 signed.append((poly, power))
                 continue
             sign = self._known_sign(poly)
             if not sign and power % 2 and odd is None:
                 # its sign will follow from those of the others
-                odd = poly
-            sign = sign or (1 if odd is poly else self._decision(poly))
+                odd = poly, power
+                continue
+            sign = sign or self._decision(poly, 0 if is_positive else 1)
             if power % 2:
                 overall *= sign
             signed.append((poly if sign > 0 else -poly, power))
-        if overall < 0:
-            if odd is None:
-                raise NoRealValueError
-            signed = [(-poly if poly is odd else poly, power) for poly, power in signed]
         if odd is not None:
-            self._implied_signs[str(odd)] = overall
+            poly, power = odd
+            if is_positive:
+                sign = self._implied_signs[str(poly)] = overall
+                if self._is_contradicted(poly, sign):
+                    raise NoRealValueError
+            else:
+                sign = self._decision(poly, overall)
+            overall *= sign
+            signed.append((poly if sign > 0 else -poly, power))
+        if overall < 0:
+            raise NoRealValueError if is_positive else _NegativeBaseError
         return abs(content), signed
 
     def _known_sign(self, poly: Poly) -> int:
@@ -213,12 +234,20 @@ class RootField(QuotientRing):
         sign = self.signs.of(poly)
         return 0 if sign is Sign.UNKNOWN else (1 if sign > 0 else -1)
 
-    def _decision(self, poly: Poly) -> int:
+    def _decision(self, poly: Poly, default: int = 0) -> int:
         """The sign that is taken for a factor, here and wherever it stands under a root."""
         key = str(poly)
-        sign = self._choices.get(key) or (-1 if self.at_sample(poly) < 0 else 1)
+        sign = self._choices.get(key) or default or (-1 if self.at_sample(poly) < 0 else 1)
+        if self._is_contradicted(poly, sign):
+            if key in self._choices or self._is_contradicted(poly, -sign):
+                raise NoRealValueError
+            sign = -sign
         self.decisions[key] = poly, sign
         return sign
+
+    def _is_contradicted(self, poly: Poly, sign: int) -> bool:
+        """Whether a factor cannot have a sign by those that were taken before."""
+        return any(contradict(poly * sign, known * own) for known, own in self.decisions.values())
 
     def root(self, element: Element, degree: int) -> Element:
         """The root that is positive at the sample point."""
@@ -236,7 +265,13 @@ class RootField(QuotientRing):
         exponents = tuple(exponents)
         if self.vanishes(element):
             raise power_of_zero(exponents)
-        content, parts = self._positive_parts(element, exponents)
+        try:
+            content, parts = self._positive_parts(element, exponents)
+        except _NegativeBaseError:
+            # roots that follow may show that the law is not defined for these signs
+            self.has_negative_base = True
+            key = ("negative base", len(self._auxiliary))
+            return Element(self, self._new(key, "a power of a negative base", lambda: 0.7), {})
         bases: list[tuple[Poly, int]] = [*parts]
         for prime, power in sp.factorrat(sp.Rational(int(content.p), int(content.q))).items():
             if prime != 1:
@@ -264,11 +299,15 @@ class RootField(QuotientRing):
             result = self.integer_power(Element(self, base, {}), int(whole))
             part = exponent - whole
             return result * self._root(base, int(part.q)) ** int(part.p) if part else result
-        fine = exponent * FINENESS
+        # the first exponent says which part of θ takes its place, as units may ask for
+        is_multiple = (exponent * FINENESS).is_Integer
+        unit = self._exponent_units.setdefault(theta, sp.S.One if is_multiple else abs(exponent))
+        fine = exponent / unit * FINENESS
         if fine.q != 1:
             raise OutOfReachError(
-                f"the exponent {exponent}·{theta} is not a multiple of 1/{FINENESS}"
+                f"the exponent {exponent}·{theta} is not a multiple of {unit / FINENESS}·{theta}"
             )
+        theta = theta * unit
         value = self.at_sample(base)
         symbol = self._new(
             ("power", str(base), theta),

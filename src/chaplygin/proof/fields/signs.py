@@ -155,29 +155,21 @@ class Signs:
     def _by_facts(self, poly: Poly) -> Sign:
         """A fact times a term of known sign, and further terms of the same sign."""
         for fact, sign in self.facts:
-            long = len(fact) * len(poly) > MANY
-            for exponents, number in fact.to_dict().items():
-                for own, coefficient in poly.to_dict().items():
-                    powers = tuple(o - e for o, e in zip(own, exponents, strict=True))
-                    if min(powers, default=0) < 0 or (any(powers) and long):
-                        continue
-                    share = self.ring.from_dict({powers: coefficient / number})
-                    part = sign.times(self._by_terms(share))
-                    if not part:
-                        continue
-                    remainder = poly - share * fact
-                    whole = _sum([part, self._by_terms(remainder)]) if remainder else part
-                    if whole:
-                        return whole
+            for share in multiples(poly, fact):
+                part = sign.times(self._by_terms(share))
+                if not part:
+                    continue
+                remainder = poly - share * fact
+                whole = _sum([part, self._by_terms(remainder)]) if remainder else part
+                if whole:
+                    return whole
         return Sign.UNKNOWN
 
     def _by_conditions(self, poly: Poly) -> Sign:
-        """The sign after a multiple of a condition has taken the constant away."""
-        constant = _constant(poly)
+        """The sign after a multiple of a condition by a term has taken one term away."""
         for condition in self.conditions:
-            own = _constant(condition)
-            if constant != 0 and own != 0:
-                sign = self._by_terms(poly - (constant / own) * condition)
+            for share in multiples(poly, condition):
+                sign = self._by_terms(poly - share * condition)
                 if sign:
                     return sign
         return Sign.UNKNOWN
@@ -274,9 +266,18 @@ def _sum(signs: Iterable[Sign]) -> Sign:
     return Sign.UNKNOWN
 
 
-def _constant(poly: Poly) -> fmpq:
-    zero = (0,) * poly.context().nvars()
-    return poly[zero] if zero in poly else fmpq(0)
+def multiples(poly: Poly, other: Poly) -> Iterator[Poly]:
+    """Terms by which one polynomial has a term of another; of many terms, numbers alone."""
+    long = len(other) * len(poly) > MANY
+    seen = set()
+    for exponents, number in other.to_dict().items():
+        for own, coefficient in poly.to_dict().items():
+            powers = tuple(o - e for o, e in zip(own, exponents, strict=True))
+            key = powers, str(coefficient / number)
+            if min(powers, default=0) < 0 or (any(powers) and long) or key in seen:
+                continue
+            seen.add(key)
+            yield poly.context().from_dict({powers: coefficient / number})
 
 
 def _ratio(poly: Poly, other: Poly) -> fmpq | None:

@@ -152,13 +152,4 @@ class UnreducedFormal(UnreducedField, FormalRoots):
     def _meaning_of(self, key: Key) -> Meaning:
         if key[0] == "formal root":
             return next(m for m in reversed(self._pending) if m.kind == "formal root")
-        if key[0] == "formal power":
-            (power,) = (m for m in self._pending[-1:] if m.kind == "power")
-            return power
         return super()._meaning_of(key)
-
-    def _new_power(self, element: Element, theta: sp.Expr) -> Element:
-        meaning = Meaning("power", (element,), exponent=theta)
-        return self._with_meaning(
-            meaning, lambda: super(UnreducedFormal, self)._new_power(element, theta)
-        )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Mapping
 from fractions import Fraction
@@ -43,6 +44,19 @@ def moderate_number(
     if not both_signs:
         value *= generator.choice([-1, 1])
     return fmpq(value.numerator, value.denominator)
+
+
+def small_number(default: float | None, generator: random.Random, both_signs: bool = False) -> fmpq:
+    """A random half of a small whole number, in units of 1 or of a power of ten near the default.
+
+    A parameter in an exponent makes that a whole number often, so that bases may be negative.  The
+    signs are those of `moderate_number`.
+    """
+    sign = -1 if default and default < 0 else 1
+    if not both_signs:
+        sign = generator.choice([-1, 1])
+    power = generator.choice([0, round(math.log10(abs(default)))]) if default else 0
+    return fmpq(sign * generator.randint(1, 6), 2) * fmpq(10) ** power
 
 
 def number_of_any_magnitude(
