@@ -131,10 +131,10 @@ class ExactValues:
             return sine if word == "sin" else cosine
         arguments = tuple(map(value_of, node.parts))
         if word in ("Abs", "sign"):
-            inner = self._value(node.parts[0])
-            if not inner != 0:
+            ball = self._value(node.parts[0])
+            if not ball != 0:
                 raise UndefinedError("an absolute value at zero")
-            side = self.ring.constant(1 if inner > 0 else -1)
+            side = self.ring.constant(1 if ball > 0 else -1)
             above, below = arguments[0] if word == "Abs" else (one, one)
             return side * above, below
         if word == "exp":

@@ -7,8 +7,8 @@ from fractions import Fraction
 
 from ..claim.errors import CheckError
 from ..claim.jets import Number
+from ..modular.small_relations import LARGEST
 from .generator_functions import Auxiliary, GeneratorFunctions
-from .small_relations import LARGEST
 
 #: The binary logarithm of the largest bound.
 MANY = 4000

@@ -11,11 +11,11 @@ from ..claim.formulas import Formula, walk
 from ..claim.jets import Number, inverse
 from ..claim.polynomials import Poly, Powers
 from ..claim.residuals import gram_determinants, residuals
+from ..modular.prime_field import PrimeField
 from .bounds import Bounds
 from .case_tree import Signs
 from .error_bound import of_polynomial, prime_bits
 from .generators import Generators, Sample
-from .prime_field import PrimeField
 from .residues import Residues
 
 #: Random points: at one, what is equal is compared; whether a ratio is constant needs another.

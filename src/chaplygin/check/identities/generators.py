@@ -22,8 +22,8 @@ from ..claim.evaluate import Point
 from ..claim.formulas import CONSTANTS, Formula, name
 from ..claim.jets import Number, add, inverse, multiply
 from ..claim.polynomials import Poly, Ring
+from ..modular.prime_field import PrimeField
 from .generator_functions import Auxiliary, GeneratorFunctions
-from .prime_field import PrimeField
 from .residues import Residues
 
 #: Ways in which all roots may be chosen.

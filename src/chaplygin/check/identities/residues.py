@@ -31,10 +31,10 @@ from ..claim.errors import CheckError
 from ..claim.functions import HALF
 from ..claim.jets import Number, inverse
 from ..claim.polynomials import Poly, Powers, Ring, monic
+from ..modular.prime_field import PrimeField
+from ..modular.small_relations import relation
 from .case_tree import Signs
 from .generator_functions import Auxiliary, GeneratorFunctions
-from .prime_field import PrimeField
-from .small_relations import relation
 
 #: A product of powers with a positive number before it.
 Product = tuple[Fraction, Powers]
