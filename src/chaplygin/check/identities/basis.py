@@ -120,21 +120,21 @@ class _Knowledge:
         """Learn all signs that follow, and find the divisors that are known by them."""
         self.matches.comparisons.set_signs(signs)
         waiting = [*self.positives]
-        while True:
-            reasons = [
-                learn_positive(i, self.matches.comparisons, signs, self.what) for i in waiting
+        changed = True
+        while changed:
+            before = len(waiting), len(self._open), signs.count
+            pairs = [
+                (item, learn_positive(item, self.matches.comparisons, signs, self.what))
+                for item in waiting
             ]
-            left = [i for i, reason in zip(waiting, reasons, strict=True) if reason is not None]
-            self._reasons = [reason for reason in reasons if reason is not None]
-            learned = len(left) < len(waiting)
-            waiting = left
-            found = self.matches.extend() or self._learn_symbols(signs)
-            radicands = self.matches.radicands
-            nonzero = self.nonzero(signs)
+            self._reasons = [reason for _, reason in pairs if reason is not None]
+            waiting = [item for item, reason in pairs if reason is not None]
+            found = self.matches.extend()
+            self._learn_symbols(signs)
+            radicands, nonzero = self.matches.radicands, self.nonzero(signs)
             polys, usable = self.equations.polys, self.equations.usable(signs)
             self._open = settle(signs, radicands, self._derived, nonzero, polys, usable)
-            if not (found or learned):
-                return
+            changed = found or before != (len(waiting), len(self._open), signs.count)
 
     def nonzero(self, signs: Signs) -> frozenset[str]:
         """Keys of what is known not to vanish."""
@@ -152,20 +152,16 @@ class _Knowledge:
         factors = nonzero_factors(generators, self.matches.of_law, names)
         return factors | factors_of(signs, self.polys)
 
-    def _learn_symbols(self, signs: Signs) -> bool:
-        """Learn which roots, powers and exponentials are positive; whether any is.
+    def _learn_symbols(self, signs: Signs) -> None:
+        """Learn which roots, powers and exponentials are positive.
 
         A root has a real value only where what stands under it is positive.
         """
-        learned = False
         for auxiliary in self.matches.generators.auxiliary:
-            symbol = self.matches.generators.ring.generator(auxiliary.name)
             rooted = auxiliary.kind in ("root", "power")
             real = not rooted or signs.of(auxiliary.of[0][0]) > 0
-            if auxiliary.positive and real and not signs.of(symbol):
-                signs.learn(symbol, 1)
-                learned = True
-        return learned
+            if auxiliary.positive and real:
+                signs.learn(self.matches.generators.ring.generator(auxiliary.name), 1)
 
     def require_all(self) -> None:
         """Nothing is left open; CheckError otherwise."""

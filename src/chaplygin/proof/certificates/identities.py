@@ -9,7 +9,7 @@ from ..claim_text import Text
 from ..fields.quotient_ring import Element, Poly
 from .case_tree import Cases
 from .chains import Chains
-from .proof_equations import equation_sources, meaning_text
+from .proof_equations import equation_sources, meaning_text, signed_equations
 from .proof_setting import ProofSetting
 from .proof_signs import positive_texts, sign_reasons
 
@@ -34,7 +34,7 @@ def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bo
     sources = equation_sources(setting)
     polys = [poly for poly, _ in sources]
     assumed = list(field.decisions.values()) if with_decisions else []
-    reasons, entries = sign_reasons(setting, polys, assumed)
+    reasons, entries = sign_reasons(setting, signed_equations(sources), assumed)
     numerators = [field.reduce(value.poly) for _, value in _whole(setting)]
     for _, value in _whole(setting):
         for number, power in value.powers.items():
