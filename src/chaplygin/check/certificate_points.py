@@ -19,8 +19,9 @@ from .claim.claim import Claim, ClaimedSystem
 from .claim.domain import domain
 from .claim.errors import CheckError, UndefinedError
 from .claim.evaluate import Point
-from .claim.formulas import CONSTANTS, Formula, names_in, number, parse
+from .claim.formulas import CONSTANTS, Formula, names_in, number
 from .claim.json_data import as_list, field, integer, mapping, only, rational, text
+from .claim.parsing import parse
 from .claim.polynomials import Poly, Ring
 from .claim.real_functions import RealFunctions, ball
 from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals, target_point

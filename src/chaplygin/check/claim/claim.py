@@ -10,10 +10,11 @@ from typing import Any
 
 from .errors import CheckError
 from .evaluate import Point
-from .formulas import CONSTANTS, FUNCTIONS, Formula, names_in, parse, parse_alternatives
+from .formulas import CONSTANTS, FUNCTIONS, Formula, names_in
 from .functions import Functions
 from .jets import Number
 from .json_data import as_list, field, integer, items, mapping, only, text
+from .parsing import parse, parse_alternatives
 
 _NAME = re.compile(r"[^\W\d]\w*")
 

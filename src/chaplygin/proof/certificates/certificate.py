@@ -18,7 +18,8 @@ from ...check import FORMAT, BadInputError, CheckError, check
 from ...check.certificate_points import point_of_level
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
 from ...check.claim.errors import UndefinedError
-from ...check.claim.formulas import name, parse_condition
+from ...check.claim.formulas import name
+from ...check.claim.parsing import parse_condition
 from ...check.claim.power import IDENTITIES
 from ...core.laws import Law
 from ...core.system import System
