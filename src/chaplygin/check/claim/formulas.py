@@ -136,7 +136,9 @@ def parse(text: object, what: str) -> Formula:
 
 def parse_condition(text: object, what: str) -> list[tuple[Formula, str]]:
     """Read a condition on parameters: formulas with ``>``, ``>=``, ``=`` or ``!=`` (to zero)."""
-    return _Reader(text, what).condition()
+    if len(found := parse_alternatives(text, what)) > 1:
+        raise CheckError(f"{what} is {text}, one of several conditions; a single one is needed")
+    return found[0]
 
 
 def parse_alternatives(text: object, what: str) -> list[list[tuple[Formula, str]]]:
@@ -191,11 +193,6 @@ class _Reader:
         return formula
 
     # --- conditions ----------------------------------------------------------------------------
-
-    def condition(self) -> list[tuple[Formula, str]]:
-        relations = self._conjunction()
-        self._end()
-        return relations
 
     def alternatives(self) -> list[list[tuple[Formula, str]]]:
         found = [self._conjunction()]
