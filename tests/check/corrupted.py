@@ -86,11 +86,9 @@ SETS = (
     "divisors",
     "guards",
     "identities",
-    "numbers",
     "parameters",
     "positive",
     "proofs",
-    "region",
     "signs",
 )
 

@@ -96,31 +96,6 @@ def product_of_two() -> Certificate:
     return proven(claim, made, sample={"x": "0", "y": "2"})
 
 
-def branches() -> Certificate:
-    """The same by proofs for the two branches of the level."""
-    ring = ["x", "y"]
-    whole = product_of_two()
-    parts = [
-        proof(
-            ring,
-            region=[word],
-            equations=[equation(word, ring)],
-            residuals=[residual("0", [], ring), residual("x*y", [], ring)],
-            tree=zero(identity(0, ["0"], ring), identity(1, [other], ring)),
-        )
-        for word, other in (("x", "y"), ("y", "x"))
-    ]
-    cover = proof(
-        ring,
-        equations=[equation("x**2*y**2", ring)],
-        tree={
-            **whole["proofs"][0]["tree"],
-            "children": [{"case": "proof", "numbers": [i]} for i in (0, 1)],
-        },
-    )
-    return proven(whole["claim"], *parts, cover=cover, sample=whole["sample"])
-
-
 def root() -> Certificate:
     """√(x²(1 + y²))/x stays constant: for x > 0 and for x < 0."""
     ring = ["aux0", "x", "y"]
@@ -502,117 +477,6 @@ def symmetry() -> Certificate:
     return proven(claim, made, sample={"x": "1", "y": "-1"})
 
 
-def angle() -> Certificate:
-    """A pendulum on the level of its energy, in sine and cosine of half the angle."""
-    old = system({"q": "p", "p": "-sin(q)"})
-    new = system({"s": "p*c/2", "c": "-p*s/2", "p": "-2*s*c"}, relations=["c**2 + s**2 - 1"])
-    claim = {
-        "system": old,
-        "law": law("Identity", ["p**2/2 - cos(q)"], value=["p**2 - 2*cos(q)"]),
-    }
-    changed = {
-        "system": new,
-        "law": law("Identity", ["p**2/2 - 1 + 2*s**2"], value=["p**2 - 2*c**2 + 2*s**2"]),
-    }
-    ring = ["s", "c", "p"]
-    made = proof(
-        ring,
-        claim=changed,
-        substitution=[["circle", "q", "s", "c", "1/2"]],
-        equations=[
-            equation("c**2 + s**2 - 1", ring),
-            equation("p**2/2 - 1 + 2*s**2", ring),
-        ],
-        residuals=[
-            residual("0", [], ring),
-            residual("0", [], ring),
-            residual("p**2 - 2*c**2 + 2*s**2", [], ring),
-        ],
-        tree=zero(
-            identity(0, ["0", "0"], ring),
-            identity(1, ["0", "0"], ring),
-            identity(2, ["-2", "2"], ring),
-        ),
-    )
-    return proven(
-        claim,
-        made,
-        sample={"q": "0", "p": _root([["1", [0, 2]], ["-2", []]], ["p"], "1.41421356", "1e-8")},
-    )
-
-
-def _pendulum(old: Any, new: Any, count: int) -> Certificate:
-    """A law of a pendulum in the sine and cosine of its angle, where all residuals are zero."""
-    claim = {"system": system({"q": "p", "p": "-sin(q)"}), "law": old}
-    changed = {
-        "system": system({"s": "p*c", "c": "-p*s", "p": "-s"}, relations=["c**2 + s**2 - 1"]),
-        "law": new,
-    }
-    ring = ["s", "c", "p"]
-    made = proof(
-        ring,
-        claim=changed,
-        substitution=[["circle", "q", "s", "c", "1"]],
-        residuals=[residual("0", [], ring)] * count,
-        tree=zero(*(identity(i, [], ring) for i in range(count))),
-    )
-    return proven(claim, made, sample={"q": "1", "p": "2"})
-
-
-def angular_bracket() -> Certificate:
-    """The canonical bracket of a pendulum."""
-
-    def bracketed(matrix: Any, hamiltonian: str) -> Any:
-        return law(
-            "ConformallyHamiltonian",
-            multiplier="1",
-            hamiltonian=hamiltonian,
-            structure={"matrix": matrix, "casimirs": [], "rank": 2},
-        )
-
-    old = bracketed([["0", "1"], ["-1", "0"]], "p**2/2 - cos(q)")
-    new = [["0", "0", "c"], ["0", "0", "-s"], ["-c", "s", "0"]]
-    return _pendulum(old, bracketed(new, "p**2/2 - c"), 1 + 6 + 3 + 1 + 3)
-
-
-def angular_symmetry() -> Certificate:
-    """Every field commutes with itself."""
-    old = law("Symmetry", field=[["q", "p"], ["p", "-sin(q)"]])
-    new = law("Symmetry", field=[["s", "p*c"], ["c", "-p*s"], ["p", "-s"]])
-    return _pendulum(old, new, 1 + 1 + 3)
-
-
-def expressed() -> Certificate:
-    """z = f(x) with z' = f'(x) x': the volume, with z expressed."""
-    old = system(
-        {"x": "y", "y": "0", "z": "y*Derivative(f(x), x)"},
-        parameters=["a"],
-        relations=["a*z - a*f(x)"],
-    )
-    new = system({"x": "y", "y": "0"}, parameters=["a"], definitions=[["z", "f(x)"]])
-    ring = ["x", "y", "a"]
-    change = [["graph", "z", "f(x)"]]
-    claim = {"system": old, "law": law("Measure", density=[["a*y", "2"]])}
-    own = proof(
-        ring,
-        claim={"system": new, "law": law("Measure", density=[["a*y", "2"], ["a", "-1"]])},
-        substitution=change,
-        residuals=[residual("0", [], ring)],
-        tree=zero(identity(0, [], ring)),
-    )
-    kept = proof(
-        ring,
-        claim={
-            "system": new,
-            "law": law("Identity", value=["Rate(z) - y*Derivative(f(x), x)"]),
-        },
-        substitution=change,
-        residuals=[residual("0", [], ring)],
-        tree=zero(identity(0, [], ring)),
-    )
-    return proven(claim, kept, own, sample={"x": "1", "y": "2", "a": "3", "z": {"formula": "f(x)"}})
-
-
 def rational_witness() -> Certificate:
     """x²/y is no integral."""
     x, y, a = Fraction(1, 2), Fraction(-3), Fraction(5, 7)
@@ -659,7 +523,6 @@ ALL = [
     oscillator,
     area,
     product_of_two,
-    branches,
     root,
     squares,
     vanishing,
@@ -675,10 +538,6 @@ ALL = [
     carried,
     reduced,
     symmetry,
-    angle,
-    angular_bracket,
-    angular_symmetry,
-    expressed,
     rational_witness,
     algebraic_witness,
 ]

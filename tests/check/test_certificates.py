@@ -41,7 +41,7 @@ def test_a_root_without_its_sign_is_noticed() -> None:
     certificate = examples.root()
     for proof in certificate["proofs"]:
         proof["signs"] = []
-    with pytest.raises(CheckError, match="leaves open the sign of a factor under a root"):
+    with pytest.raises(CheckError, match="a root of the law is none of factors with known signs"):
         check(certificate)
 
 
@@ -82,23 +82,6 @@ def test_an_isomorphism_must_not_lose_dimensions() -> None:
     law = certificate["claim"]["law"]
     law["map"] = [["X", "0*x"], ["V", "0*v"]]
     with pytest.raises(CheckError, match="rank is not as the law says"):
-        check(certificate)
-
-
-def test_an_expressed_variable_needs_its_own_proof() -> None:
-    certificate = examples.expressed()
-    del certificate["proofs"][0]
-    with pytest.raises(CheckError, match="leave open"):
-        check(certificate)
-
-
-def test_an_expressed_variable_loses_no_points() -> None:
-    """Where a vanishes, a z = a f(x) says nothing of z."""
-    certificate = examples.expressed()
-    certificate["claim"]["law"]["density"] = [["y", "2"]]
-    law = certificate["proofs"][1]["claim"]["law"]
-    law["density"] = [["y", "2"], ["a", "-1"]]
-    with pytest.raises(CheckError, match="divides by what the system does not"):
         check(certificate)
 
 
@@ -149,7 +132,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     wrong.write_text(json.dumps(certificate))
     no.write_text('{"format": 1, "format": 2}')
     assert main([str(good)]) == 0
-    assert capsys.readouterr().out == f"{good}: checks\n"
+    assert capsys.readouterr().out.startswith(f"{good}: checks; a false one would pass with")
     assert main([str(good), str(wrong)]) == 1
     out = capsys.readouterr().out
     assert "wrong.json: does not check: proof 0: residual 0 is not that of the law" in out
@@ -172,6 +155,6 @@ def test_it_runs_without_sympy_and_the_rest(tmp_path: Path) -> None:
         "print('\\n'.join(m for m in sys.modules if 'sympy' in m or 'chaplygin' in m))\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    loaded = done.stdout.split()[2:]
+    loaded = done.stdout.splitlines()[1:]
     allowed = re.compile(r"chaplygin(\._version|\.displays|\.check(\..*)?)?")
     assert all(allowed.fullmatch(module) for module in loaded), loaded

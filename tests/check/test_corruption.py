@@ -26,11 +26,6 @@ VALID: dict[str, tuple[str, ...]] = {
     "oscillator": (r"claim\.law\.value one more", r".*ring.*", TIMES_NOTHING, POINT),
     "area": (r"claim\.law\.value one more", r".*ring\.[678] .*", r"sample\.(x|J_\d|m) .*"),
     "product_of_two": (r"claim.*state.* exchanged", r".*ring.*", r"sample\.y .*"),
-    "branches": (
-        r"claim.*state.* exchanged",
-        r"sample\.y .*",
-        r"cover\.tree\.factors\.\d\.0\.0\.0 negated",
-    ),
     # the rate of x does not matter, since √(x² …)/x does not depend on it but for its sign; what
     # stands below a residual that vanishes identically does not either
     "root": (
@@ -121,21 +116,6 @@ VALID: dict[str, tuple[str, ...]] = {
         r"claim\.law\.field.* (exchanged|replaced by a list)",
         r".*ring.*",
         r"sample.* negated",
-    ),
-    "angle": (r"sample\.p\.root\.near negated",),
-    "angular_bracket": (r".*ring.*", TIMES_NOTHING, POINT),
-    "angular_symmetry": (
-        r".*field\.. exchanged",
-        r".*ring.*",
-        TIMES_NOTHING,
-        POINT,
-    ),
-    "expressed": (
-        r".*ring.*",
-        r".*definitions\.0\.1 one more",
-        r".*density\.1\.0 negated",
-        TIMES_NOTHING,
-        POINT,
     ),
     "rational_witness": (r"claim\.system\.guards.*", r"claim\.law\.value one more"),
     # another motion and other roots, for which the residual is the same

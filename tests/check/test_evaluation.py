@@ -11,8 +11,7 @@ from flint import arb, ctx
 from chaplygin.check.claim.errors import UndefinedError
 from chaplygin.check.claim.evaluate import Point
 from chaplygin.check.claim.formulas import parse
-from chaplygin.check.claim.jets import ball
-from chaplygin.check.claim.unspecified_functions import Functions
+from chaplygin.check.claim.real_functions import RealFunctions, ball
 
 x, y = sp.symbols("x y")
 POINT = {"x": Fraction(3, 7), "y": Fraction(-2, 5)}
@@ -32,7 +31,7 @@ FORMULAS = [
 def place() -> Point:
     values = {word: ball(value) for word, value in POINT.items()}
     rates = {"x": parse("y*x", "it"), "y": parse("-x + y**2", "it")}
-    return Point(values, {"d": parse("x*y", "it")}, rates, Functions("it"))
+    return Point(values, {"d": parse("x*y", "it")}, rates, RealFunctions("it"))
 
 
 def expected(formula: sp.Expr) -> arb:
@@ -89,10 +88,10 @@ def test_what_is_undefined(text: str) -> None:
 
 
 def test_settled_exponents_are_whole_numbers() -> None:
-    here = Point({"y": arb(-2)}, {}, {}, Functions("it"), {"k": parse("3", "it")})
+    here = Point({"y": arb(-2)}, {}, {}, RealFunctions("it"), {"k": parse("3", "it")})
     assert here(parse("y**(k - 1)", "it")) == 4
 
 
 def test_long_chains_of_definitions() -> None:
     chain = {f"d{i}": parse(f"d{i - 1} + 1" if i else "x", "it") for i in range(3000)}
-    assert Point({"x": arb(1)}, chain, {}, Functions("it"))(parse("d2999", "it")) == 3000
+    assert Point({"x": arb(1)}, chain, {}, RealFunctions("it"))(parse("d2999", "it")) == 3000

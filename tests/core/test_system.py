@@ -137,6 +137,22 @@ def test_a_name_that_is_no_word_is_refused(name: str) -> None:
         replace(system, field=(*system.field, (sp.Symbol(name, real=True), sp.S.Zero)))
 
 
+@pytest.mark.parametrize("name", ["pi", "sin", "sqrt", "atan2"])
+@pytest.mark.parametrize("role", ["state", "parameter", "definition"])
+def test_a_name_that_means_a_number_or_a_function_is_refused(name: str, role: str) -> None:
+    symbol, x = real_symbol(name), real_symbol("x")
+    more: dict[str, object] = {}
+    field = {x: sp.Integer(0)}
+    if role == "state":
+        field[symbol] = sp.Integer(0)
+    elif role == "parameter":
+        more["parameters"] = (Parameter(symbol, "a number", 3.0),)
+    else:
+        more["definitions"] = {symbol: sp.Integer(3)}
+    with pytest.raises(InputError, match=f"{name} is a number or a function in every formula"):
+        System("o", "O", field, **more)
+
+
 def test_a_vector_has_a_name_of_its_own() -> None:
     with pytest.raises(InputError, match="top: s stands for two things"):
         replace(top(), field={M: cross(M, omega), gamma: cross(gamma, omega), Vector("s"): M})

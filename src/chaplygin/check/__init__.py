@@ -9,8 +9,9 @@ On the command line::
 
     python -m chaplygin.check FILE…
 
-The relation of polynomials to formulas is tested at random points (see
-:mod:`chaplygin.check.identities.proof`); everything else is computed exactly.
+That polynomials are those of the formulas is tested modulo a random prime, with a probability of an
+error below 2^−100 (see :mod:`chaplygin.check.identities.residues` and
+:mod:`chaplygin.check.identities.error_bound`); everything else is computed exactly.
 """
 
 from __future__ import annotations

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NoReturn
 
 from .certificate import check
 from .claim.errors import BadInputError, CheckError
+from .identities.error_bound import SECURITY
 
 USAGE = "usage: python -m chaplygin.check FILE [FILE ...]"
 
@@ -51,7 +52,10 @@ def _exit_status(certificate: object, label: str) -> int:
     except CheckError as error:
         print(f"{label}: does not check: {error}")
         return 1
-    print(f"{label}: checks")
+    assert isinstance(certificate, Mapping)
+    exact = certificate["verdict"] == "refuted"
+    odds = "" if exact else f"; a false one would pass with a probability below 2^-{SECURITY}"
+    print(f"{label}: checks{odds}")
     return 0
 
 

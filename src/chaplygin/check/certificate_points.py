@@ -1,9 +1,8 @@
 """Checks of the points in certificates: counterexamples and sample points.
 
 Coordinates are rational numbers, roots of triangular polynomials that change their sign, or values
-of formulas.  That a condition holds at a point is shown exactly where it is a rational function of
-rational and algebraic coordinates; otherwise a ball around its value must contain zero and be
-narrower than 1e-50.
+of formulas.  That a condition holds at a point is shown exactly (see :mod:`.exact_values`); balls
+show what is positive or is not zero.
 """
 
 from __future__ import annotations
@@ -12,6 +11,7 @@ import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 
 from flint import arb, ctx, fmpq
 
@@ -19,17 +19,15 @@ from .claim.claim import Claim, ClaimedSystem
 from .claim.domain import domain
 from .claim.errors import CheckError, UndefinedError
 from .claim.evaluate import Point
-from .claim.formulas import Formula, names_in, number, parse
-from .claim.jets import ball
+from .claim.formulas import CONSTANTS, Formula, names_in, number, parse
 from .claim.json_data import as_list, field, integer, mapping, only, rational, text
 from .claim.polynomials import Poly, Ring
-from .claim.quotients import quotient
+from .claim.real_functions import RealFunctions, ball
 from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals, target_point
-from .claim.unspecified_functions import Functions
+from .exact_values import ExactValues
 from .identities.proof import Condition
 
 PRECISION = 1200
-NARROW = 50
 #: Halvings of an interval until a polynomial is steep in it.
 BISECTIONS = 300
 #: Steps of Newton's method, each of which nearly doubles the number of digits.
@@ -121,11 +119,12 @@ class _StatedPoint:
         self.claim = claim
         self.system = claim.system
         # another point, other values: they may be small where a root asks for it
-        self.functions = Functions(json.dumps(data, sort_keys=True))
+        self.functions = RealFunctions(json.dumps(data, sort_keys=True))
         self.balls: dict[str, arb] = {}
         self.rationals: dict[str, Fraction] = {}
-        self.chain: list[tuple[str, Poly]] = []
-        self.ring = Ring(self.system.symbols)
+        self.chain: list[tuple[str, dict[tuple[int, ...], fmpq]]] = []
+        self._formulas: dict[str, Formula] = {}
+        self._zeros = tuple(c for c in claim.conditions if c.kind == "function")
         zeros = [c for c in claim.conditions if c.kind == "function"]
         for word, value in mapping(data, "the point").items():
             if word not in self.system.symbols:
@@ -161,9 +160,10 @@ class _StatedPoint:
         only(data, what, "root", "formula")
         if set(data) == {"formula"}:
             formula = parse(data["formula"], what)
-            if not names_in([formula]) <= {*self.balls, *self.system.definitions, "pi"}:
+            if not names_in([formula]) <= {*self.balls, *self.system.definitions, *CONSTANTS}:
                 raise CheckError(f"{what} uses what is not known before it")
             self.balls[word] = self._partial_point()(formula)
+            self._formulas[word] = formula
         elif set(data) == {"root"}:
             self._read_root(word, mapping(data["root"], what), what)
         else:
@@ -185,14 +185,14 @@ class _StatedPoint:
         if radius <= 0:
             raise CheckError(f"{what} has a radius that is not positive")
         self.balls[word] = _root(poly, small, word, self.balls, middle, radius, what)
-        table = {n: self.ring.index[n] for n in names}
-        terms = {}
+        table = {n: self.system.symbols.index(n) for n in names}
+        terms: dict[tuple[int, ...], fmpq] = {}
         for exponents, coefficient in poly.to_dict().items():
-            spread = [0] * len(self.ring.names)
+            spread = [0] * len(self.system.symbols)
             for name, exponent in zip(names, exponents, strict=True):
                 spread[table[name]] = int(exponent)
             terms[tuple(spread)] = coefficient
-        self.chain.append((word, self.ring.context.from_dict(terms)))
+        self.chain.append((word, terms))
 
     # --- what must hold ------------------------------------------------------------------------
 
@@ -212,7 +212,7 @@ class _StatedPoint:
                 raise CheckError("a guard is not positive at the point")
         settled = {word: number(value) for word, value in self.rationals.items()}
         try:
-            domain(self.claim, settled).values(self.evaluate)
+            domain(self.claim, settled).require(self.evaluate)
         except UndefinedError:
             raise CheckError("the law is not certainly defined at the point") from None
         if self.claim.law.target is not None:
@@ -223,9 +223,10 @@ class _StatedPoint:
         there = target_point(self.claim, self.evaluate)
 
         def holds(formula: Formula, sign: str) -> bool:
-            value = there(formula)
-            known = {">": value > 0, ">=": not value < 0, "!=": not value.contains(0)}
-            return bool(known.get(sign, value.contains(0)))
+            exact = there.exact(formula)
+            value = there(formula) if exact is None else exact
+            known = {">": value > 0, ">=": value >= 0, "!=": value != 0}
+            return bool(known.get(sign, exact == 0))
 
         for options in ((target.admissible,), *target.either):
             if not any(all(holds(*part) for part in option) for option in options):
@@ -239,67 +240,25 @@ class _StatedPoint:
             return bool(value != 0)
         return bool(sign == ">=" and value >= 0) or self._vanishes(formula)
 
+    @cached_property
+    def _exact(self) -> ExactValues:
+        formulas = {**self.system.definitions, **self._formulas}
+        return ExactValues(
+            self.system.symbols,
+            self.rationals,
+            self.chain,
+            formulas,
+            self.evaluate,
+            self.balls,
+            self._zeros,
+        )
+
     def _vanishes(self, formula: Formula) -> bool:
-        ring = self.ring
-
-        def value_of(word: str) -> tuple[Poly, Poly] | None:
-            if word in self.rationals:
-                return ring.constant(self.rationals[word]), ring.constant(1)
-            if any(word == main for main, _ in self.chain):
-                return ring.generator(word), ring.constant(1)
-            return None
-
-        definitions = {
-            **self.system.definitions,
-            **{word: number(value) for word, value in self.rationals.items()},
-        }
+        """Whether a formula is exactly zero at the point."""
         try:
-            above, below = quotient(formula, ring, value_of, definitions)
+            return self._exact.vanishes(formula)
         except UndefinedError:
-            value = self.evaluate(formula)
-            return bool(value.contains(0) and value.rad() < arb(10) ** -NARROW)
-        if not self._value(below) != 0:
-            raise CheckError("a condition of the level is not defined at the point")
-        for word, poly in reversed(self.chain):
-            above = self._remainder(above, self._with_rationals(poly), word)
-        return bool(above.is_zero())
-
-    def _value(self, poly: Poly) -> arb:
-        return self.ring.value(poly, [self.balls[n] for n in self.ring.names])
-
-    def _with_rationals(self, poly: Poly) -> Poly:
-        table = {
-            word: fmpq(value.numerator, value.denominator) for word, value in self.rationals.items()
-        }
-        value: Poly = poly.subs({w: v for w, v in table.items() if w in self.ring.index})
-        return value
-
-    def _remainder(self, poly: Poly, divisor: Poly, word: str) -> Poly:
-        """Remainder of a division in one variable, times powers of the divisor's first factor."""
-        position = self.ring.index[word]
-        degree = _degree(divisor, position)
-        lead = _coefficient(self.ring, divisor, position, degree)
-        if degree < 1 or not self._value(lead) != 0:
-            raise CheckError(f"the polynomial whose root {word} is has no certain degree")
-        variable = self.ring.generator(word)
-        while not poly.is_zero() and (height := _degree(poly, position)) >= degree:
-            top = _coefficient(self.ring, poly, position, height)
-            poly = lead * poly - top * variable ** (height - degree) * divisor
-        return poly
-
-
-def _degree(poly: Poly, position: int) -> int:
-    return int(poly.degrees()[position]) if not poly.is_zero() else -1
-
-
-def _coefficient(ring: Ring, poly: Poly, position: int, degree: int) -> Poly:
-    terms = {}
-    for exponents, coefficient in poly.to_dict().items():
-        if exponents[position] == degree:
-            lower = list(map(int, exponents))
-            lower[position] = 0
-            terms[tuple(lower)] = coefficient
-    return ring.context.from_dict(terms)
+            return False
 
 
 def _root(
@@ -314,7 +273,9 @@ def _root(
     """A ball around a root in an interval at whose ends a polynomial has different signs."""
 
     def value(at: arb, of: Poly = poly) -> arb:
-        return ring.value(of, [at if n == word else balls[n] for n in ring.names])
+        values = [at if n == word else balls[n] for n in ring.names]
+        result: arb = ring.value(of, values, RealFunctions(""))
+        return result
 
     def sign(at: Fraction) -> int:
         here = value(ball(at))

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TypeAlias
 
 import sympy as sp
 
+from ..errors import InputError
+from ..formula_words import RESERVED_WORDS
 from .vectors import to_components
 
 #: Named quantities (symbols, vectors, tensors) with a formula for each.
@@ -16,6 +19,32 @@ Pairs: TypeAlias = tuple[tuple[sp.Basic, sp.Basic], ...]
 def as_pairs(formulas: Mapping[sp.Basic, sp.Basic] | Iterable[tuple[sp.Basic, sp.Basic]]) -> Pairs:
     """Formulas by name as pairs; a mapping gives its items."""
     return tuple(formulas.items()) if isinstance(formulas, Mapping) else tuple(formulas)
+
+
+def require_names(owner: str, names: Iterable[object]) -> None:
+    """Names of quantities of a system are words, each is free, and none stands twice.
+
+    Raises
+    ------
+    InputError
+        If one is not: what is wrong with it.
+    """
+    for name, count in Counter(map(str, names)).items():
+        if not name.isidentifier():
+            raise InputError(
+                f"{owner}: {name!r} is no name for a state variable, a definition or a "
+                "parameter; a name is a letter followed by letters, digits and underscores"
+            )
+        if name in RESERVED_WORDS:
+            raise InputError(
+                f"{owner}: {name} is a number or a function in every formula, and no name for a "
+                "state variable, a definition or a parameter; choose another"
+            )
+        if count > 1:
+            raise InputError(
+                f"{owner}: {name} stands for two things; each state variable, definition "
+                "and parameter needs a name of its own"
+            )
 
 
 def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:

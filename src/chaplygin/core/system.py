@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -15,7 +14,7 @@ from ..arguments import Conditions, Formula, NamedFormulas, arguments_checked
 from ..errors import InputError, require_label, require_visible
 from .display import Displayed
 from .laws import Integral, Law
-from .named_formulas import Pairs, as_pairs, expand, needed_steps
+from .named_formulas import Pairs, as_pairs, expand, needed_steps, require_names
 from .vectors import Diagonal, Symmetric, Vector, to_components
 
 Name: TypeAlias = Vector | sp.Symbol
@@ -337,17 +336,7 @@ class System(Displayed):
         moved = flat(name for name, _ in self.reconstruction.field) if self.reconstruction else ()
         whole = [n for n, _ in (*self.field, *self.definitions) if not isinstance(n, sp.Symbol)]
         # whatever is proved, recorded or printed later knows them by their names alone
-        for name, count in Counter(map(str, (*names, *moved, *whole))).items():
-            if not name.isidentifier():
-                raise InputError(
-                    f"{self.name}: {name!r} is no name for a state variable, a definition or a "
-                    "parameter; a name is a letter followed by letters, digits and underscores"
-                )
-            if count > 1:
-                raise InputError(
-                    f"{self.name}: {name} stands for two things; each state variable, definition "
-                    "and parameter needs a name of its own"
-                )
+        require_names(self.name, (*names, *moved, *whole))
         known = {p.symbol for p in self.parameters} | set(self.symbols)
         for symbol, value in self.scalar_definitions:
             self._require(value, known, f"the definition of {symbol}")

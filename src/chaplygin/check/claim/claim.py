@@ -10,15 +10,15 @@ from typing import Any
 
 from .errors import CheckError
 from .evaluate import Point
-from .formulas import Formula, names_in, parse, parse_alternatives
+from .formulas import CONSTANTS, FUNCTIONS, Formula, names_in, parse, parse_alternatives
+from .functions import Functions
 from .jets import Number
 from .json_data import as_list, field, integer, items, mapping, only, text
-from .unspecified_functions import Functions
 
 _NAME = re.compile(r"[^\W\d]\w*")
 
-#: Names that formulas use otherwise.
-_RESERVED_NAMES = {"Derivative", "Subs", "Ne", "Eq"}
+#: Names that formulas use otherwise, and those that a reader takes for something else.
+_RESERVED_NAMES = {*CONSTANTS, *FUNCTIONS, "Derivative", "Subs", "Ne", "Eq", "oo", "zoo", "nan"}
 
 
 @dataclass(frozen=True)
@@ -128,6 +128,15 @@ class Claim:
         """The formulas that vanish where the law is claimed."""
         return (*self.system.relations, *self.law.on)
 
+    @property
+    def formulas(self) -> list[Formula]:
+        """All formulas of system, law and target."""
+        formulas = self.law.formulas()
+        for system in (self.system, self.law.target):
+            if system is not None:
+                formulas += [*system.rates, *system.definitions.values(), *system.relations]
+        return [*formulas, *self.law.several.get("onto", ())]
+
     @cached_property
     def moving(self) -> tuple[Formula, ...]:
         """The conditions that involve the state."""
@@ -141,8 +150,10 @@ def _formulas(data: object, what: str) -> tuple[Formula, ...]:
 
 def _name(data: object, what: str) -> str:
     word = text(data, what)
-    if _NAME.fullmatch(word) is None or word in _RESERVED_NAMES:
+    if _NAME.fullmatch(word) is None:
         raise CheckError(f"{what} is {word!r}, which is no name")
+    if word in _RESERVED_NAMES:
+        raise CheckError(f"{what} is {word!r}, a name that means something else in formulas")
     return word
 
 
@@ -168,7 +179,7 @@ def _distinct(words: Iterable[str], what: str) -> None:
 
 
 def _require(formulas: Iterable[Formula], names: set[str], what: str) -> None:
-    strange = sorted(names_in(formulas) - names - {"pi"})
+    strange = sorted(names_in(formulas) - names - {*CONSTANTS})
     if strange:
         raise CheckError(f"{what} uses {strange[0]}, which is unknown")
 

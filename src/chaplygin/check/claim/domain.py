@@ -15,16 +15,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import arb
-
 from .claim import Claim
 from .errors import UndefinedError
 from .evaluate import Point, exact_value
 from .formulas import Formula, call, number, power, product, total, walk
-from .jets import Number
+from .functions import HALF
 from .residuals import gram_determinants, target_point
-
-HALF = Fraction(1, 2)
 
 #: Stands for the determinant whose vanishing means that the conditions cut out no volume.
 GRAM = "the volume of the conditions"
@@ -55,29 +51,37 @@ class Domain:
     logarithms: tuple[tuple[str, Formula], ...]
     gram: bool
 
-    def values(self, point: Point) -> tuple[list[arb], list[arb], list[arb], list[arb]]:
-        """Values of divisors, radicands, arguments of logarithms and bases of symbolic powers.
+    @property
+    def formulas(self) -> list[tuple[str, Formula]]:
+        """Everything: divisors, radicands, arguments of logarithms, bases of symbolic powers."""
+        positive = [(where, formula) for where, formula, _ in self.positive]
+        return [*self.nonzero, *positive, *self.logarithms, *self.bases]
+
+    def places(self, point: Point) -> dict[str, Point]:
+        """The point, and its image, at which formulas of either side are evaluated."""
+        places = {"own": point.with_definitions(self.claim.law.quantities)}
+        if self.claim.law.target is not None:
+            places["target"] = target_point(self.claim, point)
+        return places
+
+    def require(self, point: Point) -> None:
+        """The law is defined at a point in real balls.
 
         Raises
         ------
         UndefinedError
-            If the law is not certainly defined at the point, or has a power there of a base that
-            is not positive and an exponent that is no number.
+            If it is not certainly so, or has a power there of a base that is not positive and an
+            exponent that is no number.
         """
-        points = {"own": point.with_definitions(self.claim.law.quantities)}
-        if self.claim.law.target is not None:
-            points["target"] = target_point(self.claim, point)
-        nonzero: list[Number] = [points[where](f) for where, f in self.nonzero]
+        places = self.places(point)
+        values = [places[where](formula) for where, formula in self.formulas]
+        nonzero = values[: len(self.nonzero)]
         if self.gram:
             nonzero += gram_determinants(self.claim, point)
-        positive = [points[where](f) for where, f, _ in self.positive]
-        logarithms = [points[where](f) for where, f in self.logarithms]
         if any(value.contains(0) for value in nonzero):
             raise UndefinedError("a divisor may vanish")
-        bases = [points[where](f) for where, f in self.bases]
-        if not all(value > 0 for value in [*positive, *bases, *logarithms]):
+        if not all(value > 0 for value in values[len(self.nonzero) :]):
             raise UndefinedError("what stands under a root may not be positive")
-        return nonzero, positive, logarithms, bases
 
 
 def domain(claim: Claim, parameter_formulas: Mapping[str, Formula]) -> Domain:

@@ -5,25 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
-from flint import arb
-
 from .errors import CheckError
-from .formulas import Formula, names_in
-from .jets import (
-    Jet,
-    Number,
-    add,
-    apply,
-    arctangent,
-    ball,
-    general_power,
-    integer_power,
-    inverse,
-    multiply,
-    rational_power,
-    slopes_of,
-)
-from .unspecified_functions import Functions
+from .formulas import CONSTANTS, Formula, names_in
+from .functions import HALF, Functions
+from .jets import Jet, Number, add, integer_power, inverse, multiply, slopes_of
 
 
 class Point:
@@ -38,7 +23,7 @@ class Point:
     rates : mapping of name to formula
         Time derivatives of the symbols that move.
     functions : Functions
-        Values of unspecified functions.
+        Values of functions, in numbers of one kind.
     parameter_formulas : mapping of name to formula
         Parameters that have a formula in others, which may make an exponent a number.
     level : int
@@ -87,7 +72,9 @@ class Point:
         """The point with partial derivatives by symbols, numbered."""
         values = dict(self.values)
         for i, word in enumerate(words):
-            values[word] = Jet(self.level + 1, values[word], {i: arb(1)})
+            values[word] = Jet(
+                self.level + 1, values[word], {i: self.functions.number(Fraction(1))}
+            )
         return self._above(values)
 
     def _above(self, values: Mapping[str, Number]) -> Point:
@@ -135,7 +122,7 @@ class Point:
     def _fresh_value(self, formula: Formula) -> Number:
         kind, parts = formula.kind, formula.parts
         if kind == "number":
-            return ball(formula.word)
+            return self.functions.number(formula.word)
         if kind == "name":
             return self._symbol_value(formula.word)
         if kind == "sum":
@@ -152,7 +139,7 @@ class Point:
             return self._power(*parts)
         if kind == "function":
             word, orders = formula.word
-            return self.functions.value(word, orders, [self(part) for part in parts])
+            return self.functions.unspecified(word, orders, [self(part) for part in parts])
         return self._known_function(formula.word, parts)
 
     def _symbol_value(self, word: str) -> Number:
@@ -160,8 +147,8 @@ class Point:
             return self.values[word]
         if word in self.definitions:
             return self(self.definitions[word])
-        if word == "pi":
-            return arb.pi()
+        if word in CONSTANTS:
+            return self.functions.constant(word)
         raise CheckError(f"the symbol {word} is unknown")
 
     def exact(self, formula: Formula) -> Fraction | None:
@@ -171,27 +158,28 @@ class Point:
     def _power(self, base: Formula, exponent: Formula) -> Number:
         value = self.exact(exponent)
         if value is None:
-            return general_power(self(base), self(exponent))
+            return self.functions.general_power(self(base), self(exponent))
         if value.denominator == 1:
             if abs(value) > 10_000:
                 raise CheckError(f"the exponent {value} is too large")
             return integer_power(self(base), int(value))
-        return rational_power(self(base), value)
+        return self.functions.rational_power(self(base), value)
 
     def _known_function(self, word: str, parts: tuple[Formula, ...]) -> Number:
+        functions = self.functions
         if word == "Rate":
             there = self.moving()
-            return slopes_of(there(parts[0]), there.level).get(0, arb(0))
+            return slopes_of(there(parts[0]), there.level).get(0, functions.number(Fraction(0)))
         if word == "sqrt":
-            return rational_power(self(parts[0]), Fraction(1, 2))
+            return functions.rational_power(self(parts[0]), HALF)
         if word == "atan2":
-            return arctangent(self(parts[0]), self(parts[1]))
+            return functions.arctangent(self(parts[0]), self(parts[1]))
         inner = self(parts[0])
-        if word in ("tan", "cot", "sec", "csc", "tanh"):
+        if word in _RATIOS:
             above, below = _RATIOS[word]
-            upper = arb(1) if above is None else apply(above, inner)
-            return multiply(upper, inverse(apply(below, inner)))
-        return apply(word, inner)
+            lower = inverse(functions.value(below, inner))
+            return lower if above is None else multiply(functions.value(above, inner), lower)
+        return functions.value(word, inner)
 
 
 _RATIOS: dict[str, tuple[str | None, str]] = {

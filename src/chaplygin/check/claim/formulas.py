@@ -24,6 +24,9 @@ FUNCTIONS = {
     "atan2": 2,
 }
 
+#: Names of numbers.  The number e is ``exp(1)``, so that E may be a name.
+CONSTANTS = ("pi",)
+
 #: Formulas may be nested in brackets as deep as this.
 DEPTH = 120
 LENGTH = 5_000_000

@@ -6,14 +6,16 @@ polynomial above and a list of ``[polynomial, power]`` below.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
-from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from .errors import CheckError
-from .jets import inverse
+from .functions import Functions
+from .jets import Number, inverse
 from .json_data import as_list, field, integer, items, mapping, only, rational
 
 Poly: TypeAlias = fmpq_mpoly
@@ -101,28 +103,51 @@ class Ring:
             result = result * poly**power
         return result
 
-    def value(self, poly: Poly, values: Sequence[arb]) -> arb:
-        """The value of a polynomial at balls, one for each generator."""
-        known: dict[tuple[int, int], arb] = {}
-        total = arb(0)
-        for exponents, coefficient in poly.to_dict().items():
-            term = arb(coefficient)
-            for i, exponent in enumerate(exponents):
-                if exponent:
-                    key = (i, int(exponent))
-                    if key not in known:
-                        known[key] = values[i] ** int(exponent)
-                    term = term * known[key]
-            total = total + term
-        return total
+    def value(self, poly: Poly, values: Sequence[Number], functions: Functions) -> Number:
+        """The value of a polynomial at numbers, one for each generator."""
+        return self.values(poly, [(values, functions)])[0]
 
-    def value_of_powers(self, powers: Powers, values: Sequence[arb]) -> arb:
+    def values(
+        self, poly: Poly, points: Sequence[tuple[Sequence[Number], Functions]]
+    ) -> list[Number]:
+        """The values of a polynomial at several points."""
+        terms = [
+            (coefficient, [(i, int(n)) for i, n in enumerate(exponents) if n])
+            for exponents, coefficient in poly.to_dict().items()
+        ]
+        below = math.lcm(1, *{int(coefficient.q) for coefficient, _ in terms})
+        whole = [(int(c.p) * (below // int(c.q)), powers) for c, powers in terms]
+        return [_value(whole, below, values, functions) for values, functions in points]
+
+    def value_of_powers(
+        self, powers: Powers, values: Sequence[Number], functions: Functions
+    ) -> Number:
         """The value of a product of powers."""
-        result = arb(1)
+        result = functions.number(Fraction(1))
         for poly, power in powers:
-            base = self.value(poly, values)
+            base = self.value(poly, values, functions)
             result = result * (base**power if power > 0 else inverse(base) ** -power)
         return result
+
+
+def _value(
+    terms: Sequence[tuple[int, list[tuple[int, int]]]],
+    below: int,
+    values: Sequence[Number],
+    functions: Functions,
+) -> Number:
+    """Σ number · ∏ valueᵢ^power, divided by a number."""
+    known: dict[tuple[int, int], Number] = {}
+    one = functions.number(Fraction(1))
+    total = functions.number(Fraction(0))
+    for number, powers in terms:
+        term = one
+        for key in powers:
+            if key not in known:
+                known[key] = values[key[0]] ** key[1]
+            term = term * known[key]
+        total = total + number * term
+    return total if below == 1 else total / functions.number(Fraction(below))
 
 
 def monic(poly: Poly) -> tuple[str, int]:

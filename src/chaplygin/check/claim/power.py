@@ -22,7 +22,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from .claim import Claim, read_claim
 from .domain import Domain, domain
 from .errors import CheckError
-from .formulas import names_in, parse
+from .formulas import CONSTANTS, names_in, parse
 from .json_data import as_list, field, integer, items, mapping, only, text
 
 FIELDS = (
@@ -31,8 +31,6 @@ FIELDS = (
 )  # fmt: skip
 #: The names of the two claims.
 IDENTITIES = ("power", "solution")
-#: Names that formulas use as numbers.
-_NUMBERS = {"pi", "E"}
 _LARGEST_DEGREE = 100
 
 Texts = Sequence[str]
@@ -193,7 +191,7 @@ class _LinearRates:
     def _free(values: Texts, definitions: Iterable[tuple[str, str]], names: set[str]) -> list[str]:
         """Names that stand for nothing names: the identity holds for any value of them."""
         texts = [*values, *(formula for _, formula in definitions)]
-        return sorted(names_in(parse(t, "a formula") for t in texts) - names - _NUMBERS)
+        return sorted(names_in(parse(t, "a formula") for t in texts) - names - {*CONSTANTS})
 
     def _identity(
         self,

@@ -20,6 +20,7 @@ def quotient(
     ring: Ring,
     symbol_value: Callable[[str], Quotient | None],
     definitions: Mapping[str, Formula],
+    other_value: Callable[[Formula, Callable[[Formula], Quotient]], Quotient] | None = None,
 ) -> Quotient:
     """Numerator and denominator of a rational formula.
 
@@ -27,6 +28,8 @@ def quotient(
     ----------
     symbol_value : callable
         The value of a symbol, or None if it is not known in the ring.
+    other_value : callable, optional
+        The value of a root or a function, for which it may ask for those of other formulas.
 
     Raises
     ------
@@ -68,12 +71,17 @@ def quotient(
             return above, below
         if node.kind == "power":
             return power_of(node)
-        raise UndefinedError("the formula is not rational")
+        return irrational(node)
+
+    def irrational(node: Formula) -> Quotient:
+        if other_value is None:
+            raise UndefinedError("the formula is not rational")
+        return other_value(node, value_of)
 
     def power_of(node: Formula) -> Quotient:
         exponent = exact_value(node.parts[1], definitions)
         if exponent is None or exponent.denominator != 1 or abs(exponent) > 200:
-            raise UndefinedError("the formula is not rational")
+            return irrational(node)
         above, below = value_of(node.parts[0])
         if exponent < 0:
             above, below = below, above

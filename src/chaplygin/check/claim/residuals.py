@@ -12,6 +12,7 @@ the conditions come first.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from itertools import combinations
 
 from flint import arb
@@ -20,13 +21,12 @@ from .claim import Claim
 from .errors import CheckError, UndefinedError
 from .evaluate import Point
 from .formulas import Formula, call, name, number
+from .functions import Functions
 from .jets import Number, add, inverse, multiply
 from .separation import parts
 
 #: Residuals of one law.
 MANY = 20_000
-
-MINUS = arb(-1)
 
 
 def residuals(claim: Claim, point: Point) -> list[Number]:
@@ -43,18 +43,20 @@ def each_residual(claim: Claim, point: Point) -> Iterator[Number]:
     """The residuals of a claim, computed one after the other."""
     for condition in claim.moving:
         yield point(call("Rate", [condition]))
-    yield from _KINDS[claim.law.kind](claim, point)
+    for value in _KINDS[claim.law.kind](claim, point):
+        # a sum of nothing is a plain zero
+        yield add(value, point.functions.number(Fraction(0)))
 
 
 def _sum(parts: Sequence[Number]) -> Number:
-    result: Number = arb(0)
+    result: Number = 0
     for part in parts:
         result = add(result, part)
     return result
 
 
 def _minus(a: Number, b: Number) -> Number:
-    return add(a, multiply(MINUS, b))
+    return add(a, multiply(-1, b))
 
 
 def _integral(claim: Claim, point: Point) -> Iterator[Number]:
@@ -80,7 +82,7 @@ def _measure(claim: Claim, point: Point) -> Iterator[Number]:
     system = claim.system
     partial = point.partial(system.state)
     rates = [point(rate) for rate in system.rates]
-    total = _sum([partial.slopes(r).get(i, arb(0)) for i, r in enumerate(system.rates)])
+    total = _sum([partial.slopes(r).get(i, 0) for i, r in enumerate(system.rates)])
     for base, exponent in claim.law.pairs["density"]:
         along = _sum([multiply(s, rates[i]) for i, s in partial.slopes(base).items()])
         part = multiply(point(exponent), multiply(along, inverse(point(base))))
@@ -95,19 +97,16 @@ def _transverse(claim: Claim, partial: Point) -> Number:
     """
     normals = _normals(claim, partial)
     drifts = [partial.slopes(call("Rate", [c])) for c in claim.moving]
-    if not any(_is_certain(slope) for drift in drifts for slope in drift.values()):
-        return arb(0)
+    functions = partial.functions
+    if not any(functions.is_nonzero(slope) for drift in drifts for slope in drift.values()):
+        return 0
     gram = [[_dot(a, b) for b in normals] for a in normals]
     right = [[_dot(drift, normal) for normal in normals] for drift in drifts]
     size = len(normals)
     # Gram is symmetric: its columns times C^T are `right` transposed
-    solution = _solution(gram, [[right[j][i] for j in range(size)] for i in range(size)])
+    columns = [[right[j][i] for j in range(size)] for i in range(size)]
+    solution = _solution(gram, columns, functions)
     return _sum([solution[i][i] for i in range(size)])
-
-
-def _is_certain(number: arb) -> bool:
-    """Whether a number is certainly not zero."""
-    return not number.contains(0)
 
 
 def _normals(claim: Claim, partial: Point) -> list[Mapping[int, Number]]:
@@ -118,16 +117,16 @@ def _dot(a: Mapping[int, Number], b: Mapping[int, Number]) -> Number:
     return _sum([multiply(slope, b[i]) for i, slope in a.items() if i in b])
 
 
-def gram_determinants(claim: Claim, point: Point) -> list[arb]:
+def gram_determinants(claim: Claim, point: Point) -> list[Number]:
     """The leading minors of the Gram matrix of the conditions.
 
     Where the last is not zero, the conditions are independent, and so all of them are positive.
     """
     normals = _normals(claim, point.partial(claim.system.state))
     rows = [[_dot(a, b) for b in normals] for a in normals]
-    determinants: list[arb] = []
+    determinants: list[Number] = []
     for i in range(len(rows)):
-        if not _is_certain(rows[i][i]):
+        if not point.functions.is_nonzero(rows[i][i]):
             raise UndefinedError("the conditions are dependent")
         determinants.append(multiply(determinants[-1], rows[i][i]) if determinants else rows[i][i])
         for j in range(i + 1, len(rows)):
@@ -136,14 +135,15 @@ def gram_determinants(claim: Claim, point: Point) -> list[arb]:
     return determinants
 
 
-def _solution(matrix: Sequence[Sequence[arb]], right: Sequence[Sequence[arb]]) -> list[list[arb]]:
+def _solution(
+    matrix: Sequence[Sequence[Number]], right: Sequence[Sequence[Number]], functions: Functions
+) -> list[list[Number]]:
+    """The solution of linear equations; no minor of the positive matrix vanishes."""
     rows = [[*a, *b] for a, b in zip(matrix, right, strict=True)]
     size = len(rows)
     for i in range(size):
-        pivot = max(range(i, size), key=lambda j: rows[j][i].abs_lower())
-        if not _is_certain(rows[pivot][i]):
+        if not functions.is_nonzero(rows[i][i]):
             raise UndefinedError("the conditions are dependent")
-        rows[i], rows[pivot] = rows[pivot], rows[i]
         rows[i] = [x / rows[i][i] for x in rows[i]]
         for j in range(size):
             if j != i:
@@ -160,7 +160,7 @@ def _symmetry(claim: Claim, point: Point) -> Iterator[Number]:
     partial = point.partial(system.state)
     components = dict(claim.law.pairs["field"])
     rates = [point(rate) for rate in system.rates]
-    push = [point(components[word]) if word in components else arb(0) for word in system.state]
+    push = [point(components[word]) if word in components else 0 for word in system.state]
 
     def along(slopes: Mapping[int, Number], field: Sequence[Number]) -> Number:
         return _sum([multiply(slope, field[i]) for i, slope in slopes.items()])
@@ -203,9 +203,9 @@ def _brackets(values: Sequence[Sequence[Number]], slopes: Mapping[int, Number]) 
 
 def _pfaffian(matrix: Sequence[Sequence[Number]], rows: tuple[int, ...]) -> Number:
     if not rows:
-        return arb(1)
+        return 1
     first, *others = rows
-    total: Number = arb(0)
+    total: Number = 0
     for position, other in enumerate(others):
         remaining = tuple(n for n in others if n != other)
         part = multiply(matrix[first][other], _pfaffian(matrix, remaining))
@@ -310,7 +310,7 @@ def _rank(rows: list[list[arb]]) -> int:
         if rank == len(rows):
             break
         best = max(range(rank, len(rows)), key=lambda i: rows[i][column].abs_lower())
-        if not _is_certain(rows[best][column]):
+        if rows[best][column].contains(0):
             continue
         rows[rank], rows[best] = rows[best], rows[rank]
         head = rows[rank]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..claim.errors import CheckError
@@ -10,21 +10,19 @@ from ..claim.formulas import Formula
 from ..claim.json_data import as_list, field, mapping
 from ..claim.polynomials import Poly, monic
 from .case_tree import Signs
-from .divisors import Entry, nonzero_factors, read_divisors
-from .equations import read_equations
-from .generators import POINTS, Generators, Sample
+from .comparisons import Comparisons
+from .divisors import Entry, Matches, nonzero_factors, read_divisors
+from .equations import Equations
+from .generators import Generators
 from .positivity import (
+    Derived,
     check_radicand_positive,
     factors_of,
     learn_positive,
-    positive_factors,
     read_derived,
     settle,
 )
-from .roots import check_bases, check_functions, check_radicands, check_roots, has_formal_roots
-
-#: Points at which roots are compared of which the sign is not said.
-FORMAL = 10
+from .roots import check_functions, check_roots, is_radicand
 
 
 @dataclass(frozen=True)
@@ -42,11 +40,11 @@ class Basis:
     certain : Signs
         Signs that are known without assuming any.
     radicands : tuple of Entry
-        Are positive where the law is defined.
+        Are positive where the law is defined, whatever signs are assumed.
     """
 
     generators: Generators
-    samples: list[Sample]
+    comparisons: Comparisons
     equations: tuple[Poly, ...]
     nonzero: frozenset[str]
     signs: Signs
@@ -57,49 +55,118 @@ class Basis:
 def read_basis(
     data: Mapping[str, object],
     generators: Generators,
-    region: Sequence[Formula],
+    formulas: Iterable[Formula],
+    seed: str,
     what: str,
 ) -> Basis:
-    """Equations, divisors and signs of a proof, compared with the claim at random points.
+    """Equations, divisors and signs of a proof, compared with the claim.
 
-    All roots of the law must be those of factors with known signs: on others a formula may be
-    another polynomial than at the points that happened to be drawn.
+    Parameters
+    ----------
+    formulas : iterable of formulas
+        Will be compared later.
     """
-    ring = generators.ring
-    count = FORMAL if has_formal_roots(generators) else POINTS
-    samples = generators.samples(count, positive_factors(data, ring, what))
-    entries, matched, bases = read_divisors(data, generators, samples, what)
-    nonzero = nonzero_factors(generators, entries)
+    system = generators.claim.system
+    entries = read_divisors(data, generators, what)
+    stated = [*system.guards, *generators.claim.conditions, *(f for f, _ in system.admissible)]
+    comparisons = Comparisons(
+        generators, seed, [(e.content, e.powers) for e in entries], [*formulas, *stated]
+    )
+    matches = Matches(generators, entries, comparisons)
     certain = Signs()
-    for auxiliary in generators.auxiliary:
-        if auxiliary.positive:
-            certain.learn(generators.ring.generator(auxiliary.name), 1)
-    positives = as_list(field(data, "positive", what), f"what is positive in {what}")
-    for item in positives:
-        learn_positive(item, generators, samples, certain, what)
+    knowledge = _Knowledge(data, matches, what)
+    knowledge.extend(certain)
+    radicands = tuple(matches.radicands)
     signs = certain.copy()
     for poly, sign in generators.signs:
-        if not poly.is_constant() and monic(poly)[0] not in nonzero:
-            raise CheckError(f"{what} assumes the sign of something that may vanish")
         signs.learn(poly, sign)
-    radicands = tuple(entries[i] for i in matched if i is not None)
-    derived = read_derived(positives, generators, what)
-    written = [
-        ring.read(field(mapping(item, what), "poly", what), what)
-        for item in as_list(field(data, "equations", what), what)
-    ]
-    polys = [ring.read(field(mapping(item, what), "poly", what), what) for item in positives]
-    nonzero |= factors_of(certain, polys)
-    settle(certain, radicands, derived, nonzero, written)
-    left = settle(signs, radicands, derived, nonzero, written)
-    nonzero |= factors_of(signs, polys)
-    if left:
-        raise CheckError(f"what is positive in {what}: a sum is not")
-    check_roots(generators, signs, nonzero, entries, matched, what)
-    check_radicands(generators, signs, entries, matched, what)
-    check_bases(signs, entries, bases, what)
-    check_functions(generators, samples, nonzero, signs, what)
-    for item in positives:
+    knowledge.extend(signs)
+    knowledge.require_all()
+    for sample in comparisons.samples:
+        sample.require_definitions()
+    nonzero = knowledge.nonzero(signs)
+    for poly, _ in generators.signs:
+        if monic(poly)[0] not in nonzero:
+            raise CheckError(f"{what} assumes the sign of something that may vanish")
+    known = matches.radicands
+    check_roots(generators, signs, nonzero, known, what)
+    check_functions(comparisons, nonzero, signs, what)
+    for item in knowledge.positives:
         check_radicand_positive(mapping(item, what), generators, signs, what)
-    equations = read_equations(data, generators, samples, region, nonzero, signs, what)
-    return Basis(generators, samples, equations, nonzero, signs, certain, radicands)
+    equations = knowledge.equations.verify(nonzero, signs)
+    return Basis(generators, comparisons, equations, nonzero, signs, certain, radicands)
+
+
+class _Knowledge:
+    """Signs and divisors, each of which may help to know more of the other.
+
+    A formula with a root is known once the signs of what stands under the root are; these may
+    follow from what is positive, such as another radicand.
+    """
+
+    def __init__(self, data: Mapping[str, object], matches: Matches, what: str) -> None:
+        self.matches, self.what = matches, what
+        generators = matches.generators
+        self.positives = as_list(field(data, "positive", what), f"what is positive in {what}")
+        ring = generators.ring
+        stated = [mapping(item, what) for item in self.positives]
+        self.polys = [ring.read(field(item, "poly", what), what) for item in stated]
+        self._derived = read_derived(self.positives, generators, what)
+        self.equations = Equations(data, matches.comparisons, what)
+        self._reasons: Sequence[CheckError] = ()
+        self._open: list[Derived] = []
+
+    def extend(self, signs: Signs) -> None:
+        """Learn all signs that follow, and find the divisors that are known by them."""
+        self.matches.comparisons.set_signs(signs)
+        waiting = [*self.positives]
+        changed = True
+        while changed:
+            before = len(waiting), len(self._open), signs.count
+            pairs = [
+                (item, learn_positive(item, self.matches.comparisons, signs, self.what))
+                for item in waiting
+            ]
+            self._reasons = [reason for _, reason in pairs if reason is not None]
+            waiting = [item for item, reason in pairs if reason is not None]
+            found = self.matches.extend()
+            self._learn_symbols(signs)
+            radicands, nonzero = self.matches.radicands, self.nonzero(signs)
+            polys, usable = self.equations.polys, self.equations.usable(signs)
+            self._open = settle(signs, radicands, self._derived, nonzero, polys, usable)
+            changed = found or before != (len(waiting), len(self._open), signs.count)
+
+    def nonzero(self, signs: Signs) -> frozenset[str]:
+        """Keys of what is known not to vanish."""
+        generators = self.matches.generators
+        radicands = self.matches.radicands
+        # a formal root is that of a radicand of the law, divided by what does not vanish
+        names = [
+            a.name
+            for a in generators.roots
+            if a.kind == "formal root" and is_radicand(a, radicands)
+        ]
+        names += [
+            a.name for a in generators.auxiliary if signs.of(generators.ring.generator(a.name))
+        ]
+        factors = nonzero_factors(generators, self.matches.of_law, names)
+        return factors | factors_of(signs, self.polys)
+
+    def _learn_symbols(self, signs: Signs) -> None:
+        """Learn which roots, powers and exponentials are positive.
+
+        A root has a real value only where what stands under it is positive.
+        """
+        for auxiliary in self.matches.generators.auxiliary:
+            rooted = auxiliary.kind in ("root", "power")
+            real = not rooted or signs.of(auxiliary.of[0][0]) > 0
+            if auxiliary.positive and real:
+                signs.learn(self.matches.generators.ring.generator(auxiliary.name), 1)
+
+    def require_all(self) -> None:
+        """Nothing is left open; CheckError otherwise."""
+        for reason in self._reasons:
+            raise reason
+        self.matches.require_all()
+        if self._open:
+            raise CheckError(f"what is positive in {self.what}: a sum is not")

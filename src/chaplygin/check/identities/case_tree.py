@@ -37,6 +37,11 @@ class Signs:
         signs._not_negative = set(self._not_negative)
         return signs
 
+    @property
+    def count(self) -> tuple[int, int]:
+        """How many signs are known, and how many of them strictly."""
+        return len(self._not_negative), sum(strict for _, strict in self._signs.values())
+
     def learn(self, poly: Poly, sign: int, strict: bool = True) -> None:
         """sign · poly is positive, or at least not negative."""
         key, lead = monic(poly)

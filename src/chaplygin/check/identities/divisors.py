@@ -2,51 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
-
-from flint import arb, fmpq
+from fractions import Fraction
 
 from ..claim.domain import GRAM
-from ..claim.errors import CheckError, UndefinedError
+from ..claim.errors import CheckError
 from ..claim.formulas import Formula, parse
 from ..claim.jets import Number
 from ..claim.json_data import as_list, choice, field, mapping, only, rational, text
 from ..claim.polynomials import Powers, monic
-from ..claim.residuals import target_point
-from .accuracy import InaccurateError, agree
-from .generators import Generators, Sample
+from ..claim.residuals import gram_determinants
+from .comparisons import Comparisons
+from .generators import Generators
+from .residues import UnknownRootError
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A formula as a product: content · ∏ factor^power."""
+    """A formula as a product: content · ∏ factor^power.
 
-    content: int
+    Attributes
+    ----------
+    formula : Formula or None
+        None for the volume of the conditions.
+    where : str
+        On which side of an isomorphism it stands.
+    """
+
+    label: str
+    content: Fraction
     powers: Powers
-
-
-def _value_at(generators: Generators, sample: Sample, where: str, formula: Formula) -> Number:
-    if where == "target":
-        return target_point(generators.claim, sample.point)(formula)
-    return sample.point.with_definitions(generators.claim.law.quantities)(formula)
+    formula: Formula | None
+    where: str
 
 
 def read_divisors(
-    data: Mapping[str, object], generators: Generators, samples: list[Sample], what: str
-) -> tuple[list[Entry], list[int | None], list[int | None]]:
-    """Divisors as products, and the numbers of the entries of radicands and of bases.
-
-    Radicands are followed by arguments of logarithms; bases are those of symbolic powers.
-    """
+    data: Mapping[str, object], generators: Generators, what: str
+) -> tuple[Entry, ...]:
+    """The divisors and radicands that a proof states as products."""
+    entries = []
     ring = generators.ring
-    size = len(samples)
-    known = [[s.nonzero[i] for s in samples] for i in range(len(samples[0].nonzero))]
-    roots = [[s.positive[i] for s in samples] for i in range(len(samples[0].positive))]
-    logs = [[s.logarithms[i] for s in samples] for i in range(len(samples[0].logarithms))]
-    bases = [[s.bases[i] for s in samples] for i in range(len(samples[0].bases))]
-    entries: list[Entry] = []
-    matched: list[int | None] = [None] * (len(roots) + len(logs) + len(bases))
     for number, data_of_one in enumerate(as_list(field(data, "divisors", what), what)):
         label = f"divisor {number} of {what}"
         item = mapping(data_of_one, label)
@@ -55,42 +52,90 @@ def read_divisors(
         content = rational(field(item, "content", label), label)
         if not content:
             raise CheckError(f"{label} is zero")
-        factor = arb(fmpq(content.numerator, content.denominator))
-        values = []
-        for sample in samples:
-            try:
-                values.append(factor * ring.value_of_powers(powers, sample.values))
-            except UndefinedError:
-                raise InaccurateError from None
         shown = text(field(item, "formula", label), label)
         where = choice(item.get("where", "own"), label, "own", "target")
         if where == "target" and generators.claim.law.target is None:
             raise CheckError(f"{label} is one of a target that there is not")
-        if shown != GRAM:
-            formula = parse(shown, label)
+        formula = None if shown == GRAM else parse(shown, label)
+        entries.append(Entry(label, content, powers, formula, where))
+    return tuple(entries)
+
+
+class Matches:
+    """Which divisors and radicands of the law are products that a proof states.
+
+    Formulas with roots can be compared once the signs of the factors of these roots are known;
+    what is found before stays valid.
+    """
+
+    def __init__(
+        self, generators: Generators, entries: Sequence[Entry], comparisons: Comparisons
+    ) -> None:
+        self.generators, self.entries, self.comparisons = generators, entries, comparisons
+        self._values = [comparisons.product(e.content, e.powers) for e in entries]
+        for entry, values in zip(entries, self._values, strict=True):
+            comparisons.add_product(values, entry.content, entry.powers)
+        self._left = [*range(len(entries))]
+        self._of_domain: dict[int, list[Number] | None] = {}
+        #: Entries that are divisors or radicands of the law.
+        self.of_law: list[Entry] = []
+
+    @property
+    def radicands(self) -> list[Entry]:
+        """The entries that are radicands or arguments of logarithms, and so positive."""
+        domain = self.generators.domain
+        first, count = len(domain.nonzero), len(domain.positive) + len(domain.logarithms)
+        places = range(first, first + count)
+        positive = [self._of_domain[i] for i in places if i in self._of_domain]
+        pairs = zip(self.entries, self._values, strict=True)
+        return [entry for entry, values in pairs if entry in self.of_law and values in positive]
+
+    def extend(self) -> bool:
+        """Find more of them; whether any was found."""
+        before = len(self._left), len(self._of_domain)
+        for i, (where, formula) in enumerate(self.generators.domain.formulas):
+            if i not in self._of_domain:
+                with suppress(UnknownRootError):
+                    self._of_domain[i] = self.comparisons.formula(formula, where)
+        left, self._left = self._left, []
+        for number in left:
             try:
-                stated = [_value_at(generators, sample, where, formula) for sample in samples]
-            except UndefinedError:
-                raise CheckError(f"{label} is not defined") from None
-            if not agree(values, stated):
-                raise CheckError(f"{label}: its factors do not make {shown}")
-        all_known = [*roots, *logs, *bases]
-        here = [i for i, known_values in enumerate(all_known) if agree(values, known_values)]
-        if not here and not any(agree(values, known_values) for known_values in known):
-            raise CheckError(f"{label} is nothing by which the law divides")
-        for i in here:
-            matched[i] = len(entries)
-        entries.append(Entry(1 if content > 0 else -1, powers))
-    assert size
-    sure = len(roots) + len(logs)
-    return entries, matched[:sure], matched[sure:]
+                self._match(self.entries[number], self._values[number])
+            except UnknownRootError:
+                self._left.append(number)
+        return (len(self._left), len(self._of_domain)) != before
+
+    def require_all(self) -> None:
+        """Every entry was found; CheckError where one was not."""
+        for number in self._left:
+            self._match(self.entries[number], self._values[number])
+
+    def _match(self, entry: Entry, values: list[Number]) -> None:
+        if entry.formula is not None:
+            stated = self.comparisons.formula(entry.formula, entry.where)
+            if stated is None:
+                raise CheckError(f"{entry.label} is not defined")
+            if stated != values:
+                raise CheckError(f"{entry.label}: its factors do not make the formula")
+        domain = self.generators.domain
+        alike = values in self._of_domain.values() or (domain.gram and self._is_volume(values))
+        if not alike and len(self._of_domain) < len(domain.formulas):
+            raise UnknownRootError(f"{entry.label} is nothing by which the law is seen to divide")
+        if not alike:
+            raise CheckError(f"{entry.label} is nothing by which the law divides")
+        self.of_law.append(entry)
+
+    def _is_volume(self, values: list[Number]) -> bool:
+        points = [s.point for s in self.comparisons.samples]
+        rows = [gram_determinants(self.generators.claim, point) for point in points]
+        return any(list(column) == values for column in zip(*rows, strict=True))
 
 
-def nonzero_factors(generators: Generators, entries: Sequence[Entry]) -> frozenset[str]:
-    """Keys of factors that do not vanish, where those in denominators are known not to."""
-    # a formal root is that of a radicand of the law, divided by what does not vanish
-    roots = [a.name for a in generators.auxiliary if a.positive or a.kind == "formal root"]
-    keys = {monic(generators.ring.generator(name))[0] for name in roots}
+def nonzero_factors(
+    generators: Generators, entries: Sequence[Entry], symbols: Iterable[str]
+) -> frozenset[str]:
+    """Keys of factors that do not vanish, where symbols and those in denominators do not."""
+    keys = {monic(generators.ring.generator(name))[0] for name in symbols}
     for names, _ in generators.inverses:
         # the inverse of a matrix is one that has an inverse
         a, b, c, d, e, f = (generators.ring.generator(word) for word in names)

@@ -4,79 +4,94 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..claim.errors import CheckError, UndefinedError
+from ..claim.errors import CheckError
 from ..claim.formulas import Formula, parse
 from ..claim.json_data import as_list, field, integer, items, mapping, only, text
 from ..claim.polynomials import Poly, Powers, Ring, monic
-from .accuracy import agree
 from .case_tree import Signs
-from .generators import Auxiliary, Generators, Sample
+from .comparisons import Comparisons
+from .generator_functions import Auxiliary
+from .generators import Generators
+from .residues import UnknownRootError
 
 #: Known functions that take each value once.
 ONE_TO_ONE = ("exp", "log", "asin", "acos", "atan")
 
 
-def read_equations(
-    data: Mapping[str, object],
-    generators: Generators,
-    samples: list[Sample],
-    region: Sequence[Formula],
-    nonzero: frozenset[str],
-    signs: Signs,
-    what: str,
-) -> tuple[Poly, ...]:
-    """The polynomials that vanish on the level, each with what it comes from checked."""
-    polys: list[Poly] = []
-    ring = generators.ring
-    for number, data_of_one in enumerate(as_list(field(data, "equations", what), what)):
-        label = f"equation {number} of {what}"
-        item = mapping(data_of_one, label)
-        only(item, label, "poly", "from", "denominator", "quotients", "equation", "quotient")
-        poly = ring.read(field(item, "poly", label), label)
-        source = text(field(item, "from", label), label)
-        words = source.split(" ")
-        if words[0] == "root" and len(words) == 2:
-            _check_root(poly, words[1], generators, label)
-        elif words[0] in ("one", "same") and len(words) == 3 - (words[0] == "one"):
-            _check_equal_values(
-                poly, words[1:], field(item, "quotients", label), polys, generators, label
-            )
-        elif words[0] == "argument" and len(words) in (2, 3):
-            _check_equal_arguments(poly, words[1:], item, polys, generators, label)
-        elif words[0] == "circle" and len(words) == 3:
-            _check_circle(poly, words[1:], generators, label)
-        else:
-            powers = ring.powers(item.get("denominator", []), label, negative=True)
-            for factor, _ in powers:
-                key = None if factor.is_constant() else monic(factor)[0]
-                if key is not None and key not in nonzero and not signs.of(factor):
-                    raise CheckError(f"{label} multiplies by something that may vanish")
-            _check_condition(poly, powers, parse(source, label), generators, samples, region, label)
-        polys.append(poly)
-    return tuple(polys)
+class Equations:
+    """The polynomials that vanish on the level, each with what it comes from."""
+
+    def __init__(self, data: Mapping[str, object], comparisons: Comparisons, what: str) -> None:
+        self.comparisons = comparisons
+        self.polys: list[Poly] = []
+        self._items: list[tuple[Mapping[str, object], str, list[str], str]] = []
+        for number, data_of_one in enumerate(as_list(field(data, "equations", what), what)):
+            label = f"equation {number} of {what}"
+            item = mapping(data_of_one, label)
+            only(item, label, "poly", "from", "denominator", "quotients", "equation", "quotient")
+            self.polys.append(comparisons.generators.ring.read(field(item, "poly", label), label))
+            source = text(field(item, "from", label), label)
+            self._items.append((item, source, source.split(" "), label))
+
+    def usable(self, signs: Signs) -> set[int]:
+        """The numbers of equations that hold by what is known, whatever else a proof assumes."""
+        ring = self.comparisons.generators.ring
+        numbers = set()
+        for number, (_, source, words, label) in enumerate(self._items):
+            if words[0] in ("one", "same", "argument"):
+                continue
+            if words[0] == "root" and len(words) == 2:
+                known = words[1] in ring.index and bool(signs.of(ring.generator(words[1])))
+            elif words[0] == "circle" and len(words) == 3:
+                known = True
+            else:
+                known = self._is_known(parse(source, label))
+            if known:
+                numbers.add(number)
+        return numbers
+
+    def _is_known(self, formula: Formula) -> bool:
+        try:
+            return self.comparisons.formula(formula) is not None
+        except UnknownRootError:
+            return False
+
+    def verify(self, nonzero: frozenset[str], signs: Signs) -> tuple[Poly, ...]:
+        """The polynomials; CheckError where one does not come from what it is said to."""
+        generators = self.comparisons.generators
+        ring = generators.ring
+        for number, (item, source, words, label) in enumerate(self._items):
+            poly = self.polys[number]
+            if words[0] == "root" and len(words) == 2:
+                _check_root(poly, words[1], generators, label)
+            elif words[0] in ("one", "same") and len(words) == 3 - (words[0] == "one"):
+                quotients = field(item, "quotients", label)
+                known = self.polys[:number]
+                _check_equal_values(poly, words[1:], quotients, known, generators, label)
+            elif words[0] == "argument" and len(words) in (2, 3):
+                known = self.polys[:number]
+                _check_equal_arguments(poly, words[1:], item, known, generators, label)
+            elif words[0] == "circle" and len(words) == 3:
+                _check_circle(poly, words[1:], generators, label)
+            else:
+                powers = ring.powers(item.get("denominator", []), label, negative=True)
+                for factor, _ in powers:
+                    key = None if factor.is_constant() else monic(factor)[0]
+                    if key is not None and key not in nonzero and not signs.of(factor):
+                        raise CheckError(f"{label} multiplies by something that may vanish")
+                _check_condition(poly, powers, parse(source, label), self.comparisons, label)
+        return tuple(self.polys)
 
 
 def _check_condition(
-    poly: Poly,
-    powers: Powers,
-    formula: Formula,
-    generators: Generators,
-    samples: list[Sample],
-    region: Sequence[Formula],
-    label: str,
+    poly: Poly, powers: Powers, formula: Formula, comparisons: Comparisons, label: str
 ) -> None:
-    if formula not in (*generators.claim.conditions, *region):
+    if formula not in comparisons.generators.claim.conditions:
         raise CheckError(f"{label} comes from no condition")
-    try:
-        stated = [sample.point(formula) for sample in samples]
-        values = [
-            generators.ring.value(poly, sample.values)
-            / generators.ring.value_of_powers(powers, sample.values)
-            for sample in samples
-        ]
-    except UndefinedError:
-        raise CheckError(f"{label} is not defined") from None
-    if not agree(stated, values):
+    stated = comparisons.formula(formula)
+    if stated is None:
+        raise CheckError(f"{label} is not defined")
+    if stated != comparisons.fraction(poly, powers):
         raise CheckError(f"{label} is not the condition from which it comes")
 
 

@@ -2,58 +2,32 @@
 
 Generators are state variables, parameters and definitions that take the place of a parameter;
 auxiliary symbols are roots, powers and function values of them.  At a random point of the
-generators everything else has a value, so that formulas and polynomials can be compared.
+generators everything else has a value, so that formulas and polynomials can be compared (see
+:mod:`.residues`).
 """
 
 from __future__ import annotations
 
-import random
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-
-from flint import arb, fmpq
+from functools import cached_property, partial
+from itertools import product
 
 from ..claim.claim import Claim
 from ..claim.domain import Domain
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.evaluate import Point
-from ..claim.formulas import Formula, name
-from ..claim.jets import Number, add, apply, arctangent, inverse, multiply
-from ..claim.polynomials import Poly, Powers, Ring
-from ..claim.unspecified_functions import Functions
+from ..claim.formulas import CONSTANTS, Formula, name
+from ..claim.jets import Number, add, inverse, multiply
+from ..claim.polynomials import Poly, Ring
+from ..modular.prime_field import PrimeField
+from .generator_functions import Auxiliary, GeneratorFunctions
+from .residues import Residues
 
-#: Random points at which formulas and polynomials are compared.
-POINTS = 4
-ATTEMPTS = 1200
-
-
-@dataclass(frozen=True)
-class Auxiliary:
-    """The meaning of an auxiliary symbol.
-
-    A *formal root* is the root of inner · ∏ whole^(power · degree), divided by ∏ whole^power.  Its
-    power is `inner`, which holds whatever signs the factors have; its own sign is not said.
-    """
-
-    name: str
-    kind: str
-    word: str
-    number: int
-    orders: tuple[int, ...]
-    exponent: Formula | None
-    of: tuple[tuple[Poly, Powers], ...]
-    whole: Powers
-
-    @property
-    def positive(self) -> bool:
-        """Whether it is positive wherever it is defined."""
-        return self.kind in ("root", "power", "pi") or self.word == "exp"
-
-    @property
-    def radicand(self) -> tuple[Poly, Powers]:
-        """The radicand in the law; of a formal root, with the factors taken out."""
-        return self.of[0][0], [(poly, power * self.number) for poly, power in self.whole]
+#: Ways in which all roots may be chosen.
+CHOICES = 4096
 
 
 @dataclass(frozen=True)
@@ -63,18 +37,6 @@ class Exchange:
     name: str
     factor: Fraction
     rest: Formula
-
-
-@dataclass(frozen=True)
-class Sample:
-    """A random point."""
-
-    values: list[arb]
-    point: Point
-    nonzero: list[arb]
-    positive: list[arb]
-    logarithms: list[arb]
-    bases: list[arb]
 
 
 @dataclass(frozen=True)
@@ -90,7 +52,6 @@ class Generators:
     inverses: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]
     zeros: tuple[Formula, ...]
     signs: tuple[tuple[Poly, int], ...]
-    near: Mapping[str, Fraction]
 
     @property
     def plain(self) -> tuple[str, ...]:
@@ -98,106 +59,165 @@ class Generators:
         gone = {a.name for a in self.auxiliary}
         return tuple(n for n in self.ring.names if n not in gone)
 
-    def samples(self, count: int = POINTS, positive: Sequence[Poly] = ()) -> list[Sample]:
-        """Random points at which everything is defined, and some polynomials are positive.
+    @property
+    def roots(self) -> tuple[Auxiliary, ...]:
+        """The auxiliary symbols that are roots."""
+        return tuple(a for a in self.auxiliary if a.kind in ("root", "formal root"))
+
+    def samples(self, field: PrimeField, count: int, attempts: int) -> list[list[Sample]] | None:
+        """Random points, each with all choices of the roots that matter; None if too few are found.
 
         Raises
         ------
         CheckError
-            If too few were found.
+            If the roots may be chosen in too many ways.
         """
-        samples: list[Sample] = []
-        generator = random.Random(str(self.ring.names))
-        for attempt in range(ATTEMPTS):
+        choices = [range(root.number) for root in self.roots]
+        if self._has_independent_roots(field):
+            choices = [range(1) for _ in self.roots]
+        if math.prod(map(len, choices)) > CHOICES:
+            raise CheckError(f"the roots of a proof may be chosen in more than {CHOICES} ways")
+        drawn: list[list[Sample]] = []
+        for attempt in range(attempts):
             try:
-                samples.append(self._sample(generator, attempt, positive))
+                drawn.append(
+                    [
+                        self.sample(Residues(field, self.ring, f"{attempt}", choice))
+                        for choice in product(*choices)
+                    ]
+                )
             except UndefinedError:
                 continue
-            if len(samples) == count:
-                return samples
-        raise CheckError(
-            "no random points were found at which the law is defined and roots and signs are as "
-            "the proof says"
-        )
+            if len(drawn) == count:
+                return drawn
+        return None
 
-    def _sample(self, generator: random.Random, attempt: int, positive: Sequence[Poly]) -> Sample:
-        functions = Functions(f"{attempt}")
-        drawn = {word: self._random_value(word, generator, attempt) for word in self.plain}
+    def _has_independent_roots(self, field: PrimeField) -> bool:
+        """Whether the roots are square roots that certainly generate a field.
+
+        They do if no product of some radicands is a square (Kummer theory).  A product that is one
+        would be a square at every point modulo every prime; the radicands for which this is so at
+        some points form a space over 𝔽₂, which is seen to be zero when it is.
+        """
+        names = {root.name for root in self.roots}
+        plain = [
+            root.number == 2
+            and not names
+            & {n for n, d in zip(self.ring.names, root.of[0][0].degrees(), strict=True) if d}
+            for root in self.roots
+        ]
+        if not all(plain):
+            return False
+        rows: dict[int, int] = {}
+        for number in range(8 * len(names) + 8):
+            functions = Residues(field, self.ring, f"character {number}", ())
+            functions.characters = []
+            try:
+                self.sample(functions)
+            except UndefinedError:
+                continue
+            row = sum(1 << i for i, square in enumerate(functions.characters) if not square)
+            while row and (top := row.bit_length()) in rows:
+                row ^= rows[top]
+            if row:
+                rows[row.bit_length()] = row
+        return len(rows) == len(names)
+
+    def sample(self, functions: GeneratorFunctions) -> Sample:
+        """The point at which the generators have the values that functions give them."""
+        drawn = {word: functions.free(f"generator {word}") for word in self.plain}
         solver = _Solver(self, drawn, functions)
-        values: list[arb] = [arb(0)] * len(self.ring.names)
+        values = functions.values
         for word, value in drawn.items():
             values[self.ring.index[word]] = value
-        for zero in self.zeros:
-            word, orders = zero.word
-            functions.settle(word, orders, [solver(part) for part in zero.parts], arb(0))
+        zero = functions.number(Fraction(0))
+        for formula in self.zeros:
+            word, orders = formula.word
+            functions.settle(word, orders, [solver(part) for part in formula.parts], zero)
         for auxiliary in self.auxiliary:
             index = self.ring.index[auxiliary.name]
             values[index] = self._auxiliary(auxiliary, values, solver, functions)
-        for poly, sign in (*self.signs, *((poly, 1) for poly in positive)):
-            if not self.ring.value(poly, values) * sign > 0:
-                raise UndefinedError("a sign is not as assumed")
-        known = {word: solver(name(word)) for word in self.claim.system.symbols}
-        point = self.claim.system.point(known, functions, self.settled_formulas)
-        for word in self.plain:
-            defined = word in self.claim.system.definitions
-            if defined and not point(name(word)).overlaps(drawn[word]):
-                raise CheckError(f"the generator {word} does not agree with its definition")
-        return Sample(values, point, *self.domain.values(point))
-
-    def _random_value(self, word: str, generator: random.Random, attempt: int) -> arb:
-        mode = attempt % 4
-        fine = generator.randint(-(2**22), 2**22)
-        if mode == 2 and word in self.near:
-            middle = self.near[word]
-            value = arb(fmpq(round(middle * 2**24), 2**24)) * (1 + arb(fine) / 2**27)
-            return value if middle else arb(fine) / 2**24
-        if mode == 1:
-            return 1 + arb(fine) * 3 / 2**24
-        return arb(fine) / 2 ** (21 if mode == 0 else 19)
+        return Sample(self, values, functions, solver)
 
     def _auxiliary(
-        self, auxiliary: Auxiliary, values: list[arb], solver: Point, functions: Functions
+        self,
+        auxiliary: Auxiliary,
+        values: list[Number],
+        solver: Point,
+        functions: GeneratorFunctions,
     ) -> Number:
         ring = self.ring
-        inner = [
-            ring.value(above, values) * inverse(ring.value_of_powers(below, values))
-            if below
-            else ring.value(above, values)
+        inner = tuple(
+            ring.value(above, values, functions)
+            * inverse(ring.value_of_powers(below, values, functions))
             for above, below in auxiliary.of
-        ]
+        )
         if auxiliary.kind == "pi":
-            return arb.pi()
+            return functions.constant("pi")
         if auxiliary.kind == "function":
-            return functions.value(auxiliary.word, auxiliary.orders, inner)
-        if auxiliary.kind == "known" and auxiliary.word == "atan2":
-            return arctangent(inner[0], inner[1])
-        if auxiliary.kind == "known" or auxiliary.kind in ("sin", "cos"):
-            return apply(auxiliary.word, inner[0])
-        if auxiliary.kind == "formal root":
-            above, whole = auxiliary.radicand
-            radicand = ring.value(above, values) * ring.value_of_powers(whole, values)
-            if not radicand > 0:
-                raise UndefinedError("a root of what is not positive")
-            return radicand.root(auxiliary.number) * inverse(
-                ring.value_of_powers(auxiliary.whole, values)
-            )
-        if not inner[0] > 0:
-            raise UndefinedError("a root of what is not positive")
-        if auxiliary.kind == "root":
-            return inner[0].root(auxiliary.number)
-        assert auxiliary.exponent is not None
-        return (inner[0].log() * solver(auxiliary.exponent) / auxiliary.number).exp()
+            return functions.plain_unspecified(auxiliary.word, auxiliary.orders, inner)
+        if auxiliary.kind in ("root", "formal root"):
+            whole = ring.value_of_powers(auxiliary.whole, values, functions)
+            return functions.new_root(auxiliary, inner[0], whole)
+        if auxiliary.kind == "power":
+            assert auxiliary.exponent is not None
+            return functions.new_power(auxiliary, inner[0], partial(solver, auxiliary.exponent))
+        if auxiliary.word == "log" and auxiliary.of[0][0].is_constant() and not auxiliary.of[0][1]:
+            functions.logarithms_of_numbers.append(auxiliary)
+        return functions.plain_value(auxiliary.word, inner)
+
+
+@dataclass(frozen=True)
+class Sample:
+    """A point: the values of the generators, and of formulas.
+
+    Attributes
+    ----------
+    solver : Point
+        Gives the value of every symbol that the generators determine.
+    """
+
+    generators: Generators
+    values: list[Number]
+    functions: GeneratorFunctions
+    solver: Point
+
+    @cached_property
+    def point(self) -> Point:
+        """The point in state and parameters, at which formulas have derivatives.
+
+        Raises
+        ------
+        UnknownRootError
+            If a parameter is given by a root of which the factors have no signs yet.
+        """
+        system = self.generators.claim.system
+        known = {word: self.solver(name(word)) for word in system.symbols}
+        return system.point(known, self.functions, self.generators.settled_formulas)
+
+    @cached_property
+    def places(self) -> Mapping[str, Point]:
+        """The point and its image, as :meth:`..claim.domain.Domain.places`."""
+        return self.generators.domain.places(self.point)
+
+    def require_definitions(self) -> None:
+        """Generators that are definitions have the values that these say."""
+        for word in self.generators.plain:
+            defined = word in self.generators.claim.system.definitions
+            value = self.values[self.generators.ring.index[word]]
+            if defined and self.point(name(word)) != value:
+                raise CheckError(f"the generator {word} does not agree with its definition")
 
 
 class _Solver(Point):
     """A point given by its generators: state and parameters there."""
 
     def __init__(
-        self, generators: Generators, sample: Mapping[str, arb], functions: Functions
+        self, generators: Generators, sample: Mapping[str, Number], functions: GeneratorFunctions
     ) -> None:
-        super().__init__(
-            sample, generators.claim.system.definitions, {}, functions, generators.settled_formulas
-        )
+        system = generators.claim.system
+        rates = dict(zip(system.state, system.rates, strict=True))
+        super().__init__(sample, system.definitions, rates, functions, generators.settled_formulas)
         self._generators = generators
         self._parameters = generators.exchanges
         self._open: set[str] = set()
@@ -222,13 +242,13 @@ class _Solver(Point):
             return _inverse_entry([self._symbol_value(n) for n in names], number)
         if word in self._parameters:
             change = self._parameters[word]
-            difference = add(self._symbol_value(change.name), multiply(arb(-1), self(change.rest)))
-            return difference / arb(fmpq(change.factor.numerator, change.factor.denominator))
+            difference = add(self._symbol_value(change.name), multiply(-1, self(change.rest)))
+            return difference / self.functions.number(change.factor)
         if word in self._generators.settled_formulas:
             return self(self._generators.settled_formulas[word])
         if word in self.definitions:
             return self(self.definitions[word])
-        if word == "pi":
+        if word in CONSTANTS:
             return super()._symbol_value(word)
         raise CheckError(f"the generators do not say what {word} is")
 

@@ -2,53 +2,54 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 from typing import TypeAlias
 
-from flint import arb, fmpq
+from flint import fmpq
 
 from ..claim.claim import Claim
-from ..claim.errors import CheckError, UndefinedError
+from ..claim.errors import CheckError
 from ..claim.formulas import Formula, parse, parse_condition
 from ..claim.json_data import as_list, field, items, mapping, only, rational, text
-from ..claim.polynomials import Poly, Ring, monic
-from .accuracy import agree
+from ..claim.polynomials import Poly, monic
 from .case_tree import Signs
+from .comparisons import Comparisons
 from .divisors import Entry
-from .generators import Generators, Sample
+from .generators import Generators
 from .one_variable import is_positive_where
+from .residues import UnknownRootError
 
 #: Reasons that rest on other signs, with the fields that they have beside a polynomial.
 DERIVED = {"sum": ("terms", "quotients"), "one variable": ("facts",)}
 
 
 def learn_positive(
-    item: object, generators: Generators, samples: list[Sample], signs: Signs, what: str
-) -> None:
-    """Something positive that a guard or a condition on parameters says."""
+    item: object, comparisons: Comparisons, signs: Signs, what: str
+) -> CheckError | None:
+    """Learn what is positive by a guard or a condition on parameters; why it is not, if so."""
     label = f"what is positive in {what}"
     item = mapping(item, label)
     more = DERIVED.get(str(item.get("from")), ())
     only(item, label, "poly", "strict", "from", *more)
+    generators = comparisons.generators
     poly = generators.ring.read(field(item, "poly", label), label)
     strict = field(item, "strict", label)
     source = text(field(item, "from", label), label)
     if not isinstance(strict, bool):
         raise CheckError(f"{label} has a field 'strict' that is neither true nor false")
     if source in DERIVED or source.startswith("radicand "):
-        return
-    values = [generators.ring.value(poly, sample.values) for sample in samples]
+        return None
     for formula, sign in _positive_formulas(source, generators.claim, label):
         if strict and sign != ">":
             continue
         try:
-            ratio = common_ratio(values, [sample.point(formula) for sample in samples])
-        except UndefinedError:
-            continue
+            ratio = comparisons.ratio(poly, formula)
+        except UnknownRootError as error:
+            return error
         if ratio is not None and ratio > 0:
             signs.learn(poly, 1, strict)
-            return
-    raise CheckError(f"{label}: {source} does not say so")
+            return None
+    return CheckError(f"{label}: {source} does not say so")
 
 
 def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Formula, str]]:
@@ -61,14 +62,6 @@ def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Form
         stated = [(parse(source, label), ">")]
         known = [(guard, ">") for guard in system.guards]
     return [pair for pair in stated if pair in known]
-
-
-def common_ratio(first: Sequence[arb], second: Sequence[arb]) -> arb | None:
-    """The number by which two lists of numbers differ, or None if there is none."""
-    if any(b.contains(0) for b in second):
-        return None
-    ratios = [a / b for a, b in zip(first, second, strict=True)]
-    return ratios[0] if agree(ratios[:1] * len(ratios), ratios) and ratios[0] != 0 else None
 
 
 def check_radicand_positive(
@@ -99,7 +92,7 @@ def _force(signs: Signs, radicands: Sequence[Entry]) -> None:
             odd = [p for p, n in entry.powers if n % 2 and not p.is_constant()]
             unknown = [p for p in odd if not signs.of(p)]
             if len(unknown) == 1:
-                others = entry.content
+                others = 1 if entry.content > 0 else -1
                 for poly, power in entry.powers:
                     if power % 2 and poly is not unknown[0]:
                         others *= signs.of(poly)
@@ -134,8 +127,13 @@ class PositiveSum:
             ring.read(q, label) for q in as_list(field(data, "quotients", label), label)
         ]
 
-    def holds(self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly]) -> bool:
-        """Whether the signs of the terms are known; CheckError where the sum is another."""
+    def holds(
+        self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly], usable: Set[int]
+    ) -> bool:
+        """Whether the signs of the terms are known; CheckError where the sum is another.
+
+        Of the equations only those with numbers in `usable` are known to hold.
+        """
         if len(self.quotients) != len(equations):
             raise CheckError(
                 f"{self.label}: a sum has not as many quotients as there are equations"
@@ -143,7 +141,7 @@ class PositiveSum:
         total = self.ring.constant(0)
         for quotient, equation in zip(self.quotients, equations, strict=True):
             total = total + quotient * equation
-        certain = True
+        certain = {i for i, quotient in enumerate(self.quotients) if quotient} <= usable
         strict = not self.strict or (not self.poly.is_constant() and monic(self.poly)[0] in nonzero)
         for weights, number, base in self.terms:
             positive = base.is_constant() and not base.is_zero()
@@ -172,7 +170,9 @@ class PositiveInOneVariable:
         if field(data, "strict", label) is not True:
             raise CheckError(f"{label}: what is positive in one variable is so strictly")
 
-    def holds(self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly]) -> bool:
+    def holds(
+        self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly], usable: Set[int]
+    ) -> bool:
         """Whether the others are known to be positive, and make it positive."""
         if not all(map(signs.is_not_negative, self.facts)):
             return False
@@ -196,19 +196,6 @@ def read_derived(data: object, generators: Generators, what: str) -> list[Derive
     ]
 
 
-def positive_factors(data: Mapping[str, object], ring: Ring, what: str) -> list[Poly]:
-    """What is said to be positive and is a factor of a divisor or radicand.
-
-    A root of its square is itself only where it is positive, so that formulas are compared there.
-    """
-    divisors = as_list(field(data, "divisors", what), what)
-    factors = [field(mapping(item, what), "factors", what) for item in divisors]
-    keys = {monic(p)[0] for f in factors for p, _ in ring.powers(f, what, negative=True)}
-    positive = as_list(field(data, "positive", what), what)
-    polys = [ring.read(field(mapping(item, what), "poly", what), what) for item in positive]
-    return [poly for poly in polys if not poly.is_constant() and monic(poly)[0] in keys]
-
-
 def factors_of(signs: Signs, polys: Iterable[Poly]) -> frozenset[str]:
     """Keys of the factors of polynomials that are known to be strictly positive or negative."""
     strict = [poly for poly in polys if not poly.is_constant() and signs.of(poly)]
@@ -221,6 +208,7 @@ def settle(
     sums: Sequence[Derived],
     nonzero: frozenset[str],
     equations: Sequence[Poly],
+    usable: Set[int],
 ) -> list[Derived]:
     """Learn what sums and radicands say; the sums of which the terms are not known."""
     _force(signs, radicands)
@@ -229,7 +217,7 @@ def settle(
     while changed:
         changed = False
         for item in list(left):
-            if item.holds(signs, nonzero, equations):
+            if item.holds(signs, nonzero, equations, usable):
                 signs.learn(item.poly, 1, item.strict)
                 left.remove(item)
                 changed = True

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from fractions import Fraction
 
 from ..claim.claim import Claim
 from ..claim.domain import domain
@@ -13,7 +12,8 @@ from ..claim.formulas import Formula, parse
 from ..claim.json_data import as_list, choice, field, integer, items, mapping, only, rational, text
 from ..claim.polynomials import Poly, Ring
 from ..claim.quotients import quotient
-from .generators import Auxiliary, Exchange, Generators
+from .generator_functions import Auxiliary
+from .generators import Exchange, Generators
 
 FIELDS = (
     "ring",
@@ -23,7 +23,6 @@ FIELDS = (
     "inverted",
     "zeros",
     "signs",
-    "near",
     "equations",
     "divisors",
     "positive",
@@ -53,7 +52,6 @@ def read_generators(data: Mapping[str, object], claim: Claim, what: str) -> Gene
         inverses=_read_inverted(data.get("inverted", []), claim, what),
         zeros=_read_zeros(data.get("zeros", []), claim, what),
         signs=_read_signs(data.get("signs", []), ring, what),
-        near=_read_near(data.get("near", {}), ring, what),
     )
     system = claim.system
     gone = {*settled, *exchanged}
@@ -234,15 +232,3 @@ def _read_signs(data: object, ring: Ring, what: str) -> tuple[tuple[Poly, int], 
             raise CheckError(f"a sign of {what} is that of a number")
         signs.append((factor, choice(sign, f"a sign of {what}", 1, -1)))
     return tuple(signs)
-
-
-def _read_near(data: object, ring: Ring, what: str) -> dict[str, Fraction]:
-    point = {}
-    for word, value in mapping(data, f"the point near which {what} is tried").items():
-        try:
-            point[word] = Fraction(text(value, word))
-        except (ValueError, ZeroDivisionError):
-            raise CheckError(f"{what} is tried near {word} = {value!r}, no number") from None
-        if word not in ring.index or abs(point[word]) > 10**30:
-            raise CheckError(f"{what} is tried near a value of {word!r} without a meaning")
-    return point

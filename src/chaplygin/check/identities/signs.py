@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from functools import partial
 from itertools import product
 from typing import Any, TypeAlias
 
@@ -11,7 +10,6 @@ from flint import fmpq
 
 from ..claim.errors import CheckError
 from ..claim.polynomials import Poly
-from .accuracy import with_precision
 from .basis import Basis
 from .generators import Generators
 from .proof import Condition, same
@@ -115,11 +113,11 @@ def _certain_signs(
                 known.append((key, certain * lead))
             for condition in conditions:
                 if condition.positive:
-                    sign = with_precision(partial(same, basis, poly, condition.formula))
-                    if sign is not None:
+                    sign = same(basis, poly, condition.formula)
+                    if sign:
                         known.append((key, sign * lead))
         for entry in basis.radicands:
-            content, factors = entry.content, []
+            content, factors = 1 if entry.content > 0 else -1, []
             for poly, power in entry.powers:
                 if power % 2 == 0:
                     continue

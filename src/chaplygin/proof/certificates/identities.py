@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from fractions import Fraction
 
 from ...core.formula_text import short_text
 from ..claim_text import Text
 from ..fields.quotient_ring import Element, Poly
 from .case_tree import Cases
 from .chains import Chains
-from .proof_equations import equation_sources, meaning_text
+from .proof_equations import equation_sources, meaning_text, signed_equations
 from .proof_setting import ProofSetting
 from .proof_signs import positive_texts, sign_reasons
 
@@ -35,7 +34,7 @@ def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bo
     sources = equation_sources(setting)
     polys = [poly for poly, _ in sources]
     assumed = list(field.decisions.values()) if with_decisions else []
-    reasons, entries = sign_reasons(setting, polys, assumed)
+    reasons, entries = sign_reasons(setting, signed_equations(sources), assumed)
     numerators = [field.reduce(value.poly) for _, value in _whole(setting)]
     for _, value in _whole(setting):
         for number, power in value.powers.items():
@@ -63,7 +62,6 @@ def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bo
         ],
         "zeros": [short_text(zero) for zero in level.zeros],
         "signs": [[setting.terms(poly), sign] for poly, sign in assumed],
-        "near": _point_text(setting),
         "equations": [text for _, text in sources],
         "divisors": [
             {
@@ -100,13 +98,4 @@ def _residual(setting: ProofSetting, what: str, value: Element) -> Text:
         "what": what,
         "numerator": setting.terms(setting.field.reduce(value.poly)),
         "denominator": setting.powers(below),
-    }
-
-
-def _point_text(setting: ProofSetting) -> dict[str, str]:
-    plain = setting.ring[len(setting.field.record) :]
-    return {
-        name: str(Fraction(repr(float(setting.sample[name]))).limit_denominator(10**6))
-        for name in plain
-        if name in setting.sample and abs(setting.sample[name]) < 1e20
     }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...core.formula_text import short_text
 from ...formulas.errors import OutOfReachError
 from ..claim_text import Text
@@ -35,6 +37,16 @@ def equation_sources(setting: ProofSetting) -> list[tuple[Poly, Text]]:
             source = f"circle {' '.join(both)}"
         sources.append((poly, {"poly": setting.terms(poly), "from": source}))
     return _with_equal_arguments(setting, _with_equal_values(setting, sources))
+
+
+def signed_equations(sources: Sequence[tuple[Poly, Text]]) -> dict[int, Poly]:
+    """The equations by their numbers that hold wherever the law is defined, whatever the signs."""
+    words = ("root", "one", "same", "argument")
+    return {
+        number: poly
+        for number, (poly, text) in enumerate(sources)
+        if str(text["from"]).split(" ")[0] not in words
+    }
 
 
 #: Known functions that take each value once.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -31,7 +31,7 @@ class FactoredDivisor:
 
 
 def sign_reasons(
-    setting: ProofSetting, equations: Sequence[Poly], assumptions: Sequence[tuple[Poly, int]]
+    setting: ProofSetting, equations: Mapping[int, Poly], assumptions: Sequence[tuple[Poly, int]]
 ) -> tuple[Reasons, list[FactoredDivisor]]:
     """Signs known on the domain, from the divisors and those assumed; and the divisors."""
     reasons = _reasons(setting, equations)
@@ -50,7 +50,7 @@ def sign_reasons(
     return reasons, entries
 
 
-def _reasons(setting: ProofSetting, equations: Sequence[Poly]) -> Reasons:
+def _reasons(setting: ProofSetting, equations: Mapping[int, Poly]) -> Reasons:
     facts = []
     level, field = setting.level, setting.field
     for relation in admissible(level.system):

@@ -7,7 +7,7 @@ multiples of equations.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from flint import fmpq, fmpq_mpoly_ctx
@@ -70,8 +70,9 @@ class Reasons:
     ----------
     facts : list of (polynomial, str, bool)
         Positive (strictly or not), and the reason.
-    equations : sequence of polynomials
-        Vanish.
+    equations : mapping of number to polynomial
+        Vanish, whatever signs are to be found: the equation of a root, which is real only where
+        its radicand is not negative, is none of them.
     nonzero : set of str
         Keys of polynomials that do not vanish where the law is defined.
     divisors : list of polynomials
@@ -80,7 +81,7 @@ class Reasons:
 
     ring: fmpq_mpoly_ctx
     facts: list[tuple[Poly, str, bool]]
-    equations: Sequence[Poly] = ()
+    equations: Mapping[int, Poly] = field(default_factory=dict)
     nonzero: set[str] = field(default_factory=set)
     divisors: list[Poly] = field(default_factory=list)
     #: Strict signs by key, once they are known.
@@ -165,7 +166,7 @@ class Reasons:
         parts, one = [], self.ring.constant(1)
         for fact, _, strict in self.facts:
             parts += self._part(Term(((fact, 1),), fmpq(1), one), position, strict)
-        for number, equation in enumerate(self.equations):
+        for number, equation in self.equations.items():
             for ratio in (fmpq(1), fmpq(-1)):
                 parts += self._part((number, ratio * equation), position, False)
         facts = [(in_one_variable(part.poly, position), part.strict) for part in parts]
@@ -199,7 +200,7 @@ class Reasons:
         one = self.ring.constant(1)
         open_parts = list(self._open_parts(poly))
         known: list[tuple[Poly, int | None, bool]] = [(f, None, s) for f, _, s in self.facts]
-        known += [(equation, number, False) for number, equation in enumerate(self.equations)]
+        known += [(equation, number, False) for number, equation in self.equations.items()]
         for other, number, strict in known:
             if not meets(poly, other):
                 continue
@@ -280,7 +281,7 @@ class Reasons:
 
     def _by_equations(self, poly: Poly) -> Sum | None:
         strict = monic(poly)[0] not in self.nonzero
-        for number, equation in enumerate(self.equations):
+        for number, equation in self.equations.items():
             for share in multiples(poly, equation):
                 terms = self._by_terms(poly - share * equation, strict)
                 if terms is not None:

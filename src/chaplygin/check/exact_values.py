@@ -1,0 +1,302 @@
+"""Exact values at a point with algebraic and other coordinates.
+
+Every root of a number and every other function value is a generator of its own: a root satisfies
+its equation, sines and cosines of arc tangents are rational, and those of quarters of a turn are
+numbers.  What vanishes by these rules does vanish at the point; what does not may still do so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from itertools import chain
+
+from flint import arb, fmpq
+
+from .claim.errors import UndefinedError
+from .claim.evaluate import exact_value
+from .claim.formulas import CONSTANTS, Formula, call, number
+from .claim.functions import HALF
+from .claim.polynomials import Poly, Ring
+from .claim.quotients import Quotient, quotient
+
+#: Roots and values of functions in the conditions at one point.
+MOST = 40
+
+#: Multiples of an angle whose sine is known by that of the angle.
+MULTIPLES = 24
+
+
+class ExactValues:
+    """Formulas at a point as quotients of polynomials in its coordinates and in function values.
+
+    Parameters
+    ----------
+    symbols : sequence of str
+    rationals : mapping of name to number
+        Coordinates that are rational.
+    algebraic : sequence of (name, Poly)
+        Those that are roots of polynomials in earlier ones, with these polynomials, over `symbols`.
+    formulas : mapping of name to formula
+        Definitions, and coordinates that are given by formulas.
+    value : callable
+        The ball of a formula.
+    balls : mapping of str to ball
+        All coordinates.
+    zeros : sequence of formulas
+        Values of unspecified functions that are zero at the point.
+    """
+
+    def __init__(
+        self,
+        symbols: Sequence[str],
+        rationals: Mapping[str, Fraction],
+        algebraic: Sequence[tuple[str, Mapping[tuple[int, ...], fmpq]]],
+        formulas: Mapping[str, Formula],
+        value: Callable[[Formula], arb],
+        balls: Mapping[str, arb],
+        zeros: Sequence[Formula],
+    ) -> None:
+        self._symbols = tuple(symbols)
+        self.ring = Ring([*symbols, *(f"#{i}" for i in range(MOST))])
+        self._rationals, self._value, self._zeros = rationals, value, zeros
+        self._formulas = {**formulas, **{w: number(v) for w, v in rationals.items()}}
+        self._balls: dict[str, arb] = dict(balls)
+        self._values: list[tuple[str, object, tuple[Quotient, ...], Quotient]] = []
+        #: Generators with the polynomials whose roots they are, in order.
+        self._chain: list[tuple[str, Poly]] = []
+        for word, terms in algebraic:
+            self._chain.append((word, self._polynomial(terms)))
+        self._algebraic = {word for word, _ in algebraic}
+        self._count = 0
+
+    def _polynomial(self, terms: Mapping[tuple[int, ...], fmpq]) -> Poly:
+        """A polynomial over the symbols, with the rational coordinates in it."""
+        spread = {(*exponents, *[0] * MOST): c for exponents, c in terms.items()}
+        poly = self.ring.context.from_dict(spread)
+        for word, value in self._rationals.items():
+            images = [self.ring.generator(n) for n in self.ring.names]
+            images[self.ring.index[word]] = self.ring.constant(value)
+            if poly.degrees()[self.ring.index[word]] > 0:
+                poly = poly.compose(*images)
+        return poly
+
+    def vanishes(self, formula: Formula) -> bool:
+        """Whether a formula is zero at the point, as far as the rules show.
+
+        Raises
+        ------
+        UndefinedError
+            If it has no value there.
+        """
+        above, below = self._quotient(formula)
+        if not self._ball(below) != 0:
+            raise UndefinedError("a formula has no certain value at the point")
+        return self._is_zero(above)
+
+    def _quotient(self, formula: Formula) -> Quotient:
+        return quotient(
+            formula, self.ring, self._symbol_value, self._formulas, self._function_value
+        )
+
+    def _symbol_value(self, word: str) -> Quotient | None:
+        one = self.ring.constant(1)
+        if word in self._rationals:
+            return self.ring.constant(self._rationals[word]), one
+        if word in self._algebraic:
+            return self.ring.generator(word), one
+        return self._new("constant", word, (), number(0)) if word in CONSTANTS else None
+
+    # --- roots and functions ---------------------------------------------------------------------
+
+    def _function_value(self, node: Formula, value_of: Callable[[Formula], Quotient]) -> Quotient:
+        one = self.ring.constant(1)
+        if node.kind == "power":
+            exponent = exact_value(node.parts[1], self._formulas)
+            if exponent is None or exponent.denominator == 1:
+                raise UndefinedError("the exponent is no number")
+            return self._root(value_of(node.parts[0]), node, exponent)
+        if node.kind == "function":
+            arguments = tuple(map(value_of, node.parts))
+            for zero in self._zeros:
+                theirs = [self._quotient(part) for part in zero.parts]
+                if zero.word == node.word and all(map(self._same, arguments, theirs)):
+                    return self.ring.constant(0), one
+            return self._new("function", node.word, arguments, node)
+        word = node.word
+        if word == "sqrt":
+            return self._root(value_of(node.parts[0]), node, HALF)
+        if word in ("sin", "cos"):
+            sine, cosine = self._circle(node.parts[0], value_of)
+            return sine if word == "sin" else cosine
+        arguments = tuple(map(value_of, node.parts))
+        if word in ("Abs", "sign"):
+            ball = self._value(node.parts[0])
+            if not ball != 0:
+                raise UndefinedError("an absolute value at zero")
+            side = self.ring.constant(1 if ball > 0 else -1)
+            above, below = arguments[0] if word == "Abs" else (one, one)
+            return side * above, below
+        if word == "exp":
+            for function, _, inner, own in self._values:
+                if function == "log" and self._same(own, arguments[0]):
+                    return inner[0]
+            if self._is_zero(arguments[0][0]):
+                return one, one
+        if word == "Rate":
+            raise UndefinedError("a rate is no value at a point")
+        return self._new(word, None, arguments, node)
+
+    def _new(
+        self, word: str, more: object, arguments: tuple[Quotient, ...], node: Formula
+    ) -> Quotient:
+        """A generator that is the same for equal arguments."""
+        for function, other, theirs, value in self._values:
+            if (function, other) == (word, more) and all(map(self._same, arguments, theirs)):
+                return value
+        value = self._generator(node if word != "constant" else None)
+        self._values.append((word, more, arguments, value))
+        return value
+
+    def _generator(self, node: Formula | None) -> Quotient:
+        if self._count == MOST:
+            raise UndefinedError("there are too many functions at the point")
+        name = f"#{self._count}"
+        self._count += 1
+        self._balls[name] = arb.pi() if node is None else self._value(node)
+        return self.ring.generator(name), self.ring.constant(1)
+
+    def _root(self, of: Quotient, node: Formula, exponent: Fraction) -> Quotient:
+        degree = exponent.denominator
+        key = "root", degree
+        found = [
+            value
+            for word, other, theirs, value in self._values
+            if (word, other) == key and self._same(of, theirs[0])
+        ]
+        if found:
+            value = found[0]
+        else:
+            base = node.parts[0]
+            value = self._generator(None)
+            name = f"#{self._count - 1}"
+            self._balls[name] = self._value(base).root(degree)
+            self._chain.append((name, value[0] ** degree * of[1] - of[0]))
+            self._values.append((*key, (of,), value))
+        power = value[0] ** abs(exponent.numerator)
+        one = self.ring.constant(1)
+        return (power, one) if exponent > 0 else (one, power)
+
+    def _circle(
+        self, angle: Formula, value_of: Callable[[Formula], Quotient]
+    ) -> tuple[Quotient, Quotient]:
+        """Sine and cosine: by addition theorems, from arc tangents and quarters of a turn."""
+        while angle.kind == "name" and angle.word in self._formulas:
+            angle = self._formulas[angle.word]
+        zero, one = self.ring.constant(0), self.ring.constant(1)
+        if angle.kind == "sum":
+            sine: Quotient = (zero, one)
+            cosine: Quotient = (one, one)
+            for part in angle.parts:
+                sine, cosine = _sum_of_angles(sine, cosine, *self._circle(part, value_of))
+            return sine, cosine
+        argument = value_of(angle)
+        if self._is_zero(argument[0]):
+            return (zero, one), (one, one)
+        for word, more, inner, value in list(self._values):
+            if word == "atan2":
+                y, x = inner
+                square = _sum(_product(y, y), _product(x, x))
+                pieces = (y, x) if self._same(square, (one, one)) else None
+                share = Fraction(1)
+            elif (word, more) == ("constant", "pi"):
+                pieces, share = ((one, one), (zero, one)), HALF
+            else:
+                continue
+            times = self._multiple(argument, value, share)
+            if pieces and times:
+                return _multiple_angle(pieces[0], pieces[1], times, (zero, one), (one, one))
+        sine = self._new("sin", None, (argument,), call("sin", [angle]))
+        cosine = self._new("cos", None, (argument,), call("cos", [angle]))
+        return sine, cosine
+
+    def _multiple(self, argument: Quotient, value: Quotient, share: Fraction) -> int | None:
+        for times in chain.from_iterable((n, -n) for n in range(1, MULTIPLES + 1)):
+            factor = self.ring.constant(times * share)
+            if self._same(argument, (factor * value[0], value[1])):
+                return times
+        return None
+
+    # --- equality ------------------------------------------------------------------------------
+
+    def _same(self, first: Quotient, second: Quotient) -> bool:
+        return self._is_zero(first[0] * second[1] - second[0] * first[1])
+
+    def _is_zero(self, poly: Poly) -> bool:
+        for word, own in reversed(self._chain):
+            poly = self._remainder(poly, own, word)
+        return bool(poly.is_zero())
+
+    def _ball(self, poly: Poly) -> arb:
+        total = arb(0)
+        for exponents, coefficient in poly.to_dict().items():
+            term = arb(coefficient)
+            for name, exponent in zip(self.ring.names, exponents, strict=True):
+                if exponent:
+                    term = term * self._balls[name] ** int(exponent)
+            total = total + term
+        return total
+
+    def _remainder(self, poly: Poly, divisor: Poly, word: str) -> Poly:
+        """Remainder of a division in one variable, times powers of the divisor's first factor."""
+        position = self.ring.index[word]
+        degree = _degree(divisor, position)
+        lead = _coefficient(self.ring, divisor, position, degree)
+        if degree < 1 or not self._ball(lead) != 0:
+            raise UndefinedError(f"the polynomial whose root {word} is has no certain degree")
+        variable = self.ring.generator(word)
+        while not poly.is_zero() and (height := _degree(poly, position)) >= degree:
+            top = _coefficient(self.ring, poly, position, height)
+            poly = lead * poly - top * variable ** (height - degree) * divisor
+        return poly
+
+
+def _product(first: Quotient, second: Quotient) -> Quotient:
+    return first[0] * second[0], first[1] * second[1]
+
+
+def _sum(first: Quotient, second: Quotient) -> Quotient:
+    return first[0] * second[1] + second[0] * first[1], first[1] * second[1]
+
+
+def _sum_of_angles(
+    sine: Quotient, cosine: Quotient, s: Quotient, c: Quotient
+) -> tuple[Quotient, Quotient]:
+    minus = (-s[0], s[1])
+    return (
+        _sum(_product(sine, c), _product(cosine, s)),
+        _sum(_product(cosine, c), _product(sine, minus)),
+    )
+
+
+def _multiple_angle(
+    s: Quotient, c: Quotient, times: int, sine: Quotient, cosine: Quotient
+) -> tuple[Quotient, Quotient]:
+    turn = s if times > 0 else (-s[0], s[1])
+    for _ in range(abs(times)):
+        sine, cosine = _sum_of_angles(sine, cosine, turn, c)
+    return sine, cosine
+
+
+def _degree(poly: Poly, position: int) -> int:
+    return int(poly.degrees()[position]) if not poly.is_zero() else -1
+
+
+def _coefficient(ring: Ring, poly: Poly, position: int, degree: int) -> Poly:
+    terms = {}
+    for exponents, coefficient in poly.to_dict().items():
+        if exponents[position] == degree:
+            lower = list(map(int, exponents))
+            lower[position] = 0
+            terms[tuple(lower)] = coefficient
+    return ring.context.from_dict(terms)

@@ -1,0 +1,72 @@
+"""Functions at a point that is given by the generators of a proof."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from ..claim.formulas import Formula
+from ..claim.functions import Functions
+from ..claim.jets import Number
+from ..claim.polynomials import Poly, Powers
+
+
+@dataclass(frozen=True)
+class Auxiliary:
+    """The meaning of an auxiliary symbol.
+
+    A *formal root* is the root of inner · ∏ whole^(power · degree), divided by ∏ whole^power.  Its
+    power is `inner`, which holds whatever signs the factors have; its own sign is not said.
+    """
+
+    name: str
+    kind: str
+    word: str
+    number: int
+    orders: tuple[int, ...]
+    exponent: Formula | None
+    of: tuple[tuple[Poly, Powers], ...]
+    whole: Powers
+
+    @property
+    def positive(self) -> bool:
+        """Whether it is positive wherever it is defined."""
+        return self.kind in ("root", "power", "pi") or self.word == "exp"
+
+    @property
+    def radicand(self) -> tuple[Poly, Powers]:
+        """The radicand in the law; of a formal root, with the factors taken out."""
+        return self.of[0][0], [(poly, power * self.number) for poly, power in self.whole]
+
+
+class GeneratorFunctions(Functions):
+    """Functions whose values are those of generators.
+
+    Attributes
+    ----------
+    values : list of numbers
+        Of the generators of a ring.
+    logarithms_of_numbers : list of Auxiliary
+    """
+
+    values: list[Number]
+    logarithms_of_numbers: list[Auxiliary]
+
+    @abstractmethod
+    def free(self, word: str) -> Number:
+        """The value of something of which nothing is known."""
+
+    @abstractmethod
+    def settle(
+        self, word: str, orders: Sequence[int], arguments: Sequence[Number], value: Number
+    ) -> None:
+        """Give a value of an unspecified function that is not free."""
+
+    @abstractmethod
+    def new_root(self, symbol: Auxiliary, radicand: Number, whole: Number) -> Number:
+        """The value of a root or a formal root, of which `whole` is taken out."""
+
+    @abstractmethod
+    def new_power(self, symbol: Auxiliary, base: Number, exponent: Callable[[], Number]) -> Number:
+        """The value of a symbolic power."""

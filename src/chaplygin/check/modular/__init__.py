@@ -1,0 +1,1 @@
+"""Arithmetic modulo a random prime: its field, and small relations between residues."""

@@ -1,0 +1,94 @@
+"""A prime field with its random elements and its roots."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from fractions import Fraction
+
+from flint import fmpz, fmpz_mod, fmpz_mod_ctx
+
+from ..claim.errors import CheckError, UndefinedError
+from ..claim.jets import Number
+
+#: Candidates for a prime; one in about 500 is one.
+CANDIDATES = 1_000_000
+
+
+class PrimeField:
+    """The residues modulo a random prime p ≡ 1 modulo the degrees of roots.
+
+    Everything random is taken from SHAKE-256 of the seed, so that a verdict can be repeated.
+
+    Parameters
+    ----------
+    seed : str
+    bits : int
+        Of the prime.
+    degrees : iterable of int
+        Of roots; their least common multiple is n, and p = 1 + n c with c prime to n.
+    """
+
+    def __init__(self, seed: str, bits: int, degrees: list[int]) -> None:
+        self._seed, self._bits = seed, bits
+        self._order = math.lcm(2, *degrees)
+        for number in range(CANDIDATES):
+            cofactor = self._number(f"prime {number}") % 2**bits // self._order
+            modulus = 1 + self._order * cofactor
+            if (
+                modulus >> (bits - 1)
+                and math.gcd(cofactor, self._order) == 1
+                and fmpz(modulus).is_probable_prime()
+                and fmpz(modulus).is_prime()
+            ):
+                break
+        else:
+            raise CheckError("no prime was found")
+        self.modulus, self._cofactor = modulus, cofactor
+        self._context = fmpz_mod_ctx(modulus)
+        self._unit = self._root_of_unity()
+
+    def _number(self, word: str) -> int:
+        """A whole number below 2^(bits + 128)."""
+        digest = hashlib.shake_256(f"{self._seed} {word}".encode()).digest((self._bits + 135) // 8)
+        return int.from_bytes(digest, "big")
+
+    def random(self, word: str) -> Number:
+        """An element that is the same for the same word."""
+        return self._context(self._number(word))
+
+    def number(self, value: Fraction) -> Number:
+        """A rational number; UndefinedError where its denominator is zero."""
+        if value.denominator == 1:
+            return self._context(value.numerator)
+        below = self._context(value.denominator)
+        if below == 0:
+            raise UndefinedError("a division by zero")
+        return self._context(value.numerator) / below
+
+    def _root_of_unity(self) -> Number:
+        """An element of the order n."""
+        primes = [
+            q for q in range(2, self._order + 1) if self._order % q == 0 and fmpz(q).is_prime()
+        ]
+        for number in range(CANDIDATES):
+            unit = self.random(f"unit {number}") ** self._cofactor
+            if all(unit ** (self._order // q) != 1 for q in primes):
+                return unit
+        raise CheckError("no root of unity was found")
+
+    def is_square(self, element: fmpz_mod) -> bool:
+        """Whether an element is a square; UndefinedError at zero."""
+        if element == 0:
+            raise UndefinedError("zero is taken for an element with an inverse")
+        return bool(element ** ((self.modulus - 1) // 2) == 1)
+
+    def root(self, element: fmpz_mod, degree: int, which: int) -> Number:
+        """One of the roots of an element that is an n-th power; UndefinedError where it is none.
+
+        The n-th powers are the group of order c, in which every root is a power.
+        """
+        if element**self._cofactor != 1:
+            raise UndefinedError("a root of what is no power")
+        first = element ** pow(degree, -1, self._cofactor)
+        return first * self._unit ** (which * (self._order // degree))

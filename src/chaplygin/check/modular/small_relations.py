@@ -1,0 +1,46 @@
+"""Relations with small whole coefficients between residues."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from flint import fmpz_mat
+
+from ..claim.jets import Number
+
+#: The largest coefficient.
+LARGEST = 64
+
+
+def relation(target: Number, basis: Sequence[Number], modulus: int) -> list[int] | None:
+    """Small whole numbers k with target = Σ k · basis, or None where none are found.
+
+    The vectors of the lattice of all relations that are short are found by the algorithm of
+    Lenstra, Lenstra and Lovász; what is found is tested.
+    """
+    size = len(basis)
+    for sign in (1, -1):
+        for i, element in enumerate(basis):
+            if target == sign * element:
+                return [sign * (i == j) for j in range(size)]
+    if target == 0:
+        return [0] * size
+    if not size:
+        return None
+    weight = 2**20
+    column = [*(int(b) for b in basis), int(target), modulus]
+    rows = [
+        [*(int(i == j) for j in range(size + 1)), weight * entry]
+        for i, entry in enumerate(column[:-1])
+    ]
+    rows.append([*[0] * (size + 1), weight * modulus])
+    for row in fmpz_mat(rows).lll().tolist():
+        numbers = [int(n) for n in row]
+        if abs(numbers[size]) != 1 or numbers[-1]:
+            continue
+        found = [-numbers[size] * n for n in numbers[:size]]
+        if max(map(abs, found), default=0) <= LARGEST and target == sum(
+            (n * b for n, b in zip(found, basis, strict=True)), 0
+        ):
+            return found
+    return None
