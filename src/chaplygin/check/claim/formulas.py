@@ -361,18 +361,14 @@ class _Reader:
         start = self.at
         variables = self._list()
         self._expect(",")
-        points = self._points(start, len(variables))
+        # a list in brackets if the variables stand in one
+        bracketed = self.tokens[start] == ("sign", "(")
+        points = self._list() if bracketed else [self.sum()]
         self._take(",")
         self._expect(")")
         if any(v.kind != "name" for v in variables) or len(points) != len(variables):
             raise self._wrong("substitutes for something that is no name")
         return substitution(inner, {v.word: p for v, p in zip(variables, points, strict=True)})
-
-    def _points(self, start: int, count: int) -> list[Formula]:
-        """Places after the variables: a bracketed list if the variables stand in one."""
-        if self.tokens[start] == ("sign", "("):
-            return self._list()
-        return [self.sum()]
 
 
 def _extreme(word: str, parts: list[Formula]) -> Formula:
