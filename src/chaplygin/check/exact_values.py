@@ -138,11 +138,7 @@ class ExactValues:
             above, below = arguments[0] if word == "Abs" else (one, one)
             return side * above, below
         if word == "exp":
-            for function, _, inner, own in self._values:
-                if function == "log" and self._same(own, arguments[0]):
-                    return inner[0]
-            if self._is_zero(arguments[0][0]):
-                return one, one
+            return self._exponential(node.parts[0], value_of)
         if word == "Rate":
             raise UndefinedError("a rate is no value at a point")
         return self._new(word, None, arguments, node)
@@ -187,12 +183,38 @@ class ExactValues:
         one = self.ring.constant(1)
         return (power, one) if exponent > 0 else (one, power)
 
+    def _exponential(self, exponent: Formula, value_of: Callable[[Formula], Quotient]) -> Quotient:
+        """The exponential of a sum of multiples of logarithms and of exponents met before."""
+        exponent = self._resolved(exponent)
+        one = self.ring.constant(1)
+        if exponent.kind == "sum":
+            result: Quotient = (one, one)
+            for part in exponent.parts:
+                result = _product(result, self._exponential(part, value_of))
+            return result
+        argument = value_of(exponent)
+        if self._is_zero(argument[0]):
+            return one, one
+        for function, _, inner, own in list(self._values):
+            if function in ("log", "exp"):
+                base, power = (inner[0], own) if function == "log" else (own, inner[0])
+                times = self._multiple(argument, power, Fraction(1))
+                if times is not None:
+                    above, below = base if times > 0 else (base[1], base[0])
+                    return above ** abs(times), below ** abs(times)
+        return self._new("exp", None, (argument,), call("exp", [exponent]))
+
+    def _resolved(self, formula: Formula) -> Formula:
+        """A formula with its name replaced by what it stands for."""
+        while formula.kind == "name" and formula.word in self._formulas:
+            formula = self._formulas[formula.word]
+        return formula
+
     def _circle(
         self, angle: Formula, value_of: Callable[[Formula], Quotient]
     ) -> tuple[Quotient, Quotient]:
         """Sine and cosine: by addition theorems, from arc tangents and quarters of a turn."""
-        while angle.kind == "name" and angle.word in self._formulas:
-            angle = self._formulas[angle.word]
+        angle = self._resolved(angle)
         zero, one = self.ring.constant(0), self.ring.constant(1)
         if angle.kind == "sum":
             sine: Quotient = (zero, one)

@@ -95,7 +95,8 @@ def domain(claim: Claim, parameter_formulas: Mapping[str, Formula]) -> Domain:
     system, law = claim.system, claim.law
     collector = _Collector()
     known = {**system.definitions, **law.quantities}
-    base = [*system.rates, *claim.conditions, *law.formulas()]
+    # where a guard is positive it has a value
+    base = [*system.rates, *claim.conditions, *system.guards, *law.formulas()]
     needed = system.reach(base, law.quantities)
     formulas = [*base, *(f for word, f in known.items() if word in needed)]
     collector.collect("own", formulas, known, parameter_formulas)
