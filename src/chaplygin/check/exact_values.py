@@ -126,9 +126,16 @@ class ExactValues:
         word = node.word
         if word == "sqrt":
             return self._root(value_of(node.parts[0]), node, HALF)
-        if word in ("sin", "cos"):
+        if word in ("sin", "cos", "tan", "cot", "sec", "csc"):
             sine, cosine = self._circle(node.parts[0], value_of)
-            return sine if word == "sin" else cosine
+            return {
+                "sin": sine,
+                "cos": cosine,
+                "tan": _product(sine, cosine[::-1]),
+                "cot": _product(cosine, sine[::-1]),
+                "sec": cosine[::-1],
+                "csc": sine[::-1],
+            }[word]
         arguments = tuple(map(value_of, node.parts))
         if word in ("Abs", "sign"):
             ball = self._value(node.parts[0])
