@@ -215,7 +215,7 @@ def overflows(
     system: System,
     formulas: Sequence[Quantity],
     states: npt.ArrayLike,
-    parameters: Parameters = None,
+    parameters: Parameters | None = None,
 ) -> BoolArray:
     """Whether an intermediate result of formulas is larger than every double, at states (n, size).
 
@@ -249,7 +249,7 @@ def _at_states(
     system: System,
     formulas: Sequence[Quantity],
     states: npt.ArrayLike,
-    parameters: Parameters,
+    parameters: Parameters | None,
 ) -> tuple[list[Term], FloatArray, FloatArray]:
     """Formulas as terms, states as an array, and parameters as rows that fit it."""
     points = as_float_array("states", states)
