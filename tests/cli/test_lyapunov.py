@@ -62,7 +62,8 @@ def test_nothing_left(ask: Ask) -> None:
 def test_motions_that_come_to_rest(ask: Ask) -> None:
     code, out, _ = ask("chaplygin-sleigh")
     assert code == 0
-    assert "λ1             -0.382" in out
+    assert "λ5             -0.382" in out
+    assert "All exponents but the trivial ones are negative" in out
     assert "No exponent is made trivial by flow on this motion" in out
 
 

@@ -73,7 +73,10 @@ def _kind(spectrum: Spectrum) -> Iterator[str]:
             "time shows (observed)"
         )
     elif spectrum.halves_agree and spectrum.exponents[0].value < -spectrum.exponents[0].error:
-        yield "all exponents are negative: a periodic or steady motion attracts this one (observed)"
+        yield (
+            "all exponents but the trivial ones are negative: a periodic or steady motion attracts "
+            "this one (observed)"
+        )
 
 
 def _volumes(spectrum: Spectrum) -> Iterator[str]:
