@@ -227,7 +227,7 @@ def overflows(
     """
     terms, points, rows = _at_states(system, formulas, states, parameters)
     order = _in_order(tuple(terms))
-    known = _known(order, points, rows)
+    known = _values_by_term(order, points, rows)
     found = np.zeros(points.shape[:-1], dtype=bool)
     for node in order:
         if node.kind in _OVERFLOWING:
@@ -275,14 +275,14 @@ def _in_order(terms: tuple[Term, ...]) -> tuple[Term, ...]:
 
 def numbers(terms: Sequence[Term], states: FloatArray, parameters: FloatArray) -> FloatArray:
     """Terms at states (..., size) with parameters (..., parameters): (..., terms)."""
-    known = _known(_in_order(tuple(terms)), states, parameters)
+    known = _values_by_term(_in_order(tuple(terms)), states, parameters)
     result = np.empty((*states.shape[:-1], len(terms)))
     for i, term in enumerate(terms):
         result[..., i] = known[id(term)]
     return result
 
 
-def _known(
+def _values_by_term(
     order: tuple[Term, ...], states: FloatArray, parameters: FloatArray
 ) -> dict[int, FloatArray | np.float64]:
     """The values of terms in order, by their identity."""
