@@ -26,7 +26,7 @@ from chaplygin.explicit.rigorous import rigorous_motion
 from chaplygin.explicit.rigorous.affine import Affine
 from chaplygin.explicit.rigorous.analyticity_strip import least, lines_of, strip_bound
 from chaplygin.explicit.rigorous.branch_formula import Branch, LeavesBranchError, direction
-from chaplygin.explicit.rigorous.quadrature import RigorousQuadrature, quadratures
+from chaplygin.explicit.rigorous.quadrature import RigorousQuadrature, _reflection, _symmetry, _values_on_grid, quadratures
 from chaplygin.explicit.rigorous.theta import Numerators, numerators_at
 from chaplygin.explicit.separations.bruns import veselova_in_bruns_field
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
@@ -138,6 +138,7 @@ def test_parities_are_read_off_the_formulas() -> None:
     dx = nuprime.symbols[0]
     formulas = [x * y, sp.sqrt(x**2 + y**2), x**3 / y**2, x + y, x * dx + 1, sp.sqrt(x + 2)]
     assert Branch(formulas, {}).parities([-1, 1, 1]) == [-1, 1, -1, 0, 1, 0]
+    assert Branch([x * dx, y * dx], {}).parities([-1, 1, 1], [1, -1, -1]) == [-1, 1]
 
 
 # --- theta functions -----------------------------------------------------------------------
@@ -146,15 +147,15 @@ def test_parities_are_read_off_the_formulas() -> None:
 def test_numerators_are_theta_functions(motion: SeparatedMotion) -> None:
     torus, Y = motion.torus, motion.torus.lattice.Y
     with ctx.workprec(120):
-        points = Numerators(torus, (0, 0)).real(lines_of((3, 5), (1, 1)))
+        N, _ = Numerators(torus, (0, 0)).real(lines_of((3, 5), (1, 1)))
         matrix = acb_mat([[acb(0, Y[i, j]) for j in (0, 1)] for i in (0, 1)])
-        for place, (N, _) in enumerate(points):
-            j, k = divmod(place, 5)
+        for j, k in np.ndindex(3, 5):
             values = matrix.theta(acb_mat([[arb(j) / 3], [arb(k) / 5]])).entries()
-            for n, c, theta in zip(N, torus.factors, torus.thetas, strict=True):
+            for own, c, theta in zip(N, torus.factors, torus.thetas, strict=True):
                 (a, b), (e, f) = ((x % 2, y % 2) for x, y in theta.characteristic)
                 known = c * values[8 * a + 4 * b + 2 * e + f].real
                 # characteristics are classes modulo 2, up to the sign
+                n = own[j, k]
                 assert n.overlaps(known) or n.overlaps(-known)
                 assert n.rad() < 1e-30
 
@@ -223,6 +224,27 @@ def test_next_to_a_separatrix_there_are_no_bounds() -> None:
 
 
 # --- quadratures ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("place", [None, 0, 1, 2])
+def test_values_by_reflection_are_those_of_the_formulas(
+    motion: SeparatedMotion, place: int | None
+) -> None:
+    """Of the clock and of components of ν and ν′, which change their sign with the periods."""
+    torus = motion.torus
+    with ctx.workprec(120):
+        branch = clock(motion)
+        if place is not None:
+            branch = Branch([nu.symbols[place], nuprime.symbols[place]], {})
+        periods, shifts = _symmetry(torus, branch)
+        assert all(_reflection(torus, branch))
+        lines = lines_of((5, 7), periods)
+        grids = _values_on_grid(torus, branch, lines, shifts)
+        N, rate = Numerators(torus, (0, 0)).real(lines)
+        for j, k in np.ndindex(5, 7):
+            known = branch.at(*direction([x[j, k] for x in N], [x[j, k] for x in rate]))
+            assert all(grid[j, k].overlaps(x) for grid, x in zip(grids, known, strict=True))
+            assert all(grid[j, k].rad() < 1e-25 for grid in grids)
 
 
 @pytest.mark.slow

@@ -26,6 +26,9 @@ BITS = 64
 _BOXES, _MOST = (64, 128, 256), 256**2
 #: Half-widths between which the strip is looked for.
 _WIDEST, _NARROWEST = 0.6, 0.001
+#: The strip is looked for on one box in so many in each direction, and made narrower by this factor
+#: as long as it is not proven on all.
+_STRIDE, _SHRINK = 4, 1.05
 _CLOSE = "start: too close to a separatrix for error bounds"
 
 
@@ -60,9 +63,10 @@ def _values(
     heights: Sequence[float],
     periods: Sequence[int],
     boxes: int,
+    stride: int = 1,
 ) -> list[Affine]:
-    """The formulas on boxes that cover the torus Im v = heights."""
-    counts = [boxes * period for period in periods]
+    """The formulas on boxes that cover the torus Im v = heights, or on every so many-th alone."""
+    counts = [boxes * period // stride for period in periods]
     half = 0.5 / boxes
     with np.errstate(all="ignore"):
         N, rate = Numerators(torus, heights).boxes(lines_of(counts, periods), (half, half))
@@ -80,10 +84,19 @@ def _bounds(
 
 
 def _holds(
-    torus: InvariantTorus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
+    torus: InvariantTorus,
+    branch: Branch,
+    half: Sequence[float],
+    periods: Sequence[int],
+    boxes: int,
+    stride: int = 1,
 ) -> bool:
-    """Whether so many boxes prove the formulas analytic in the strip."""
-    return bool(np.all(np.isfinite(_bounds(torus, branch, half, periods, boxes))))
+    """Whether the formulas exist on all boxes; with the stride 1 they are analytic in the strip."""
+    return all(
+        bool(np.all(np.isfinite(value.size)))
+        for heights in (half, (half[0], -half[1]))
+        for value in _values(torus, branch, heights, periods, boxes, stride)
+    )
 
 
 def _sizes(periods: Sequence[int]) -> list[int]:
@@ -92,6 +105,8 @@ def _sizes(periods: Sequence[int]) -> list[int]:
 
 def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -> Strip:
     """A strip on which formulas are proven analytic, nearly as wide as it can be.
+
+    It is looked for on a sample of the boxes and proven on all of them.
 
     Parameters
     ----------
@@ -106,8 +121,8 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
         If there is none of reasonable width: the motion is next to a separatrix.
     """
 
-    def is_proven(half: tuple[float, float]) -> bool:
-        return _holds(torus, branch, half, periods, boxes)
+    def is_likely(half: tuple[float, float]) -> bool:
+        return _holds(torus, branch, half, periods, boxes, _STRIDE)
 
     with ctx.workprec(BITS):
         narrow = (_NARROWEST, _NARROWEST)
@@ -117,14 +132,17 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
         low, high = _NARROWEST, _WIDEST
         while high / low > 1.1:
             middle = (low * high) ** 0.5
-            low, high = (middle, high) if is_proven((middle, middle)) else (low, middle)
+            low, high = (middle, high) if is_likely((middle, middle)) else (low, middle)
         half = (low, low)
         for stretch in (1.6, 1.6, 1.25, 1.25):
             for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
-                half = wider if max(wider) < _WIDEST and is_proven(wider) else half
-        real = _values(torus, branch, (0.0, 0.0), periods, boxes)
-        sizes = (float(np.abs(value.middle).max()) for value in real)
+                half = wider if max(wider) < _WIDEST and is_likely(wider) else half
         bounds = _bounds(torus, branch, half, periods, boxes)
+        while not np.all(np.isfinite(bounds)):
+            half = (max(half[0] / _SHRINK, _NARROWEST), max(half[1] / _SHRINK, _NARROWEST))
+            bounds = _bounds(torus, branch, half, periods, boxes)
+        real = _values(torus, branch, (0.0, 0.0), periods, boxes, _STRIDE)
+        sizes = (float(np.abs(value.middle).max()) for value in real)
         return Strip(half, bounds, tuple(size or 1.0 for size in sizes))
 
 
