@@ -22,11 +22,18 @@ from chaplygin.explicit.genus_two.separated_motion import (
 )
 from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 from chaplygin.explicit.genus_two_solution import solve_on_torus
-from chaplygin.explicit.rigorous import rigorous_motion
+from chaplygin.explicit.rigorous import analyticity_strip, rigorous_motion
 from chaplygin.explicit.rigorous.affine import Affine
 from chaplygin.explicit.rigorous.analyticity_strip import least, lines_of, strip_bound
 from chaplygin.explicit.rigorous.branch_formula import Branch, LeavesBranchError, direction
-from chaplygin.explicit.rigorous.quadrature import RigorousQuadrature, _reflection, _symmetry, _values_on_grid, quadratures
+from chaplygin.explicit.rigorous.quadrature import (
+    RigorousQuadrature,
+    _fourier_coefficients,
+    _reflection,
+    _symmetry,
+    _values_on_grid,
+    quadratures,
+)
 from chaplygin.explicit.rigorous.theta import Numerators, numerators_at
 from chaplygin.explicit.separations.bruns import veselova_in_bruns_field
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
@@ -207,6 +214,22 @@ def test_strip_bound_holds_inside(motion: SeparatedMotion) -> None:
             assert np.abs(values.middle).max() < strip.bounds[0]
 
 
+def test_strip_that_a_sample_allows_is_proven_on_all_boxes(
+    motion: SeparatedMotion, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    torus, branch = motion.torus, clock(motion)
+    branch.learn(*direction(*numerators_at(torus, arb(0))))
+    widths = analyticity_strip._widths
+
+    def too_wide(*arguments: Any) -> tuple[float, float]:
+        return widths(*arguments) if arguments[-1] == 1 else (0.59, 0.59)
+
+    monkeypatch.setattr(analyticity_strip, "_widths", too_wide)
+    found = strip_bound(torus, branch, (1, 1))
+    assert max(found.half) < 0.59
+    assert np.all(np.isfinite(found.bounds))
+
+
 @pytest.mark.slow
 def test_least_is_below_all_values(motion: SeparatedMotion, quadrature: RigorousQuadrature) -> None:
     bound = least(motion.torus, quadrature.branch, (1, 1))
@@ -227,7 +250,7 @@ def test_next_to_a_separatrix_there_are_no_bounds() -> None:
 
 
 @pytest.mark.parametrize("place", [None, 0, 1, 2])
-def test_values_by_reflection_are_those_of_the_formulas(
+def test_values_by_reflection_and_their_coefficients_are_those_of_the_formulas(
     motion: SeparatedMotion, place: int | None
 ) -> None:
     """Of the clock and of components of ν and ν′, which change their sign with the periods."""
@@ -245,6 +268,21 @@ def test_values_by_reflection_are_those_of_the_formulas(
             known = branch.at(*direction([x[j, k] for x in N], [x[j, k] for x in rate]))
             assert all(grid[j, k].overlaps(x) for grid, x in zip(grids, known, strict=True))
             assert all(grid[j, k].rad() < 1e-25 for grid in grids)
+        for grid, shift in zip(grids, shifts, strict=True):
+            table = _fourier_coefficients(grid, lines, shift)
+            one, two = (
+                [Fraction(2 * i + own, 2) for i in range(-(count // 2), count // 2 + 1)]
+                for count, own in zip((5, 7), shift, strict=True)
+            )
+            for j, k in np.ndindex(5, 7):
+                left, right = (
+                    [acb(arb(2 * int(x * 2) * place) / (2 * count)).exp_pi_i() for x in numbers]
+                    for numbers, place, count in ((one, j, 5), (two, k, 7))
+                )
+                value = (acb_mat([left]) * table * acb_mat([[x] for x in right]))[0, 0]
+                assert value.real.overlaps(grid[j, k])
+                assert value.imag.contains(0)
+                assert value.real.rad() < 1e-25
 
 
 @pytest.mark.slow

@@ -26,9 +26,8 @@ BITS = 64
 _BOXES, _MOST = (64, 128, 256), 256**2
 #: Half-widths between which the strip is looked for.
 _WIDEST, _NARROWEST = 0.6, 0.001
-#: The strip is looked for on one box in so many in each direction, and made narrower by this factor
-#: as long as it is not proven on all.
-_STRIDE, _SHRINK = 4, 1.05
+#: The strip is looked for on one box in so many in each direction first.
+_STRIDE = 4
 _CLOSE = "start: too close to a separatrix for error bounds"
 
 
@@ -80,10 +79,13 @@ def _bounds(
     tori = [
         _values(torus, branch, heights, periods, boxes) for heights in (half, (half[0], -half[1]))
     ]
-    return tuple(float(max(one.size.max(), two.size.max())) for one, two in zip(*tori, strict=True))
+    # unlike max, maximum keeps what is not a number
+    return tuple(
+        float(np.maximum(one.size.max(), two.size.max())) for one, two in zip(*tori, strict=True)
+    )
 
 
-def _holds(
+def _exist(
     torus: InvariantTorus,
     branch: Branch,
     half: Sequence[float],
@@ -91,7 +93,7 @@ def _holds(
     boxes: int,
     stride: int = 1,
 ) -> bool:
-    """Whether the formulas exist on all boxes; with the stride 1 they are analytic in the strip."""
+    """Whether the formulas surely exist on all boxes, or on a sample of them."""
     return all(
         bool(np.all(np.isfinite(value.size)))
         for heights in (half, (half[0], -half[1]))
@@ -106,7 +108,8 @@ def _sizes(periods: Sequence[int]) -> list[int]:
 def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -> Strip:
     """A strip on which formulas are proven analytic, nearly as wide as it can be.
 
-    It is looked for on a sample of the boxes and proven on all of them.
+    It is looked for on a sample of the boxes and proven on all of them; where that fails it is
+    looked for on all.
 
     Parameters
     ----------
@@ -120,30 +123,38 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
     InputError
         If there is none of reasonable width: the motion is next to a separatrix.
     """
-
-    def is_likely(half: tuple[float, float]) -> bool:
-        return _holds(torus, branch, half, periods, boxes, _STRIDE)
-
     with ctx.workprec(BITS):
         narrow = (_NARROWEST, _NARROWEST)
-        boxes = next((n for n in _sizes(periods) if _holds(torus, branch, narrow, periods, n)), 0)
+        boxes = next((n for n in _sizes(periods) if _exist(torus, branch, narrow, periods, n)), 0)
         if boxes == 0:
             raise InputError(_CLOSE)
-        low, high = _NARROWEST, _WIDEST
-        while high / low > 1.1:
-            middle = (low * high) ** 0.5
-            low, high = (middle, high) if is_likely((middle, middle)) else (low, middle)
-        half = (low, low)
-        for stretch in (1.6, 1.6, 1.25, 1.25):
-            for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
-                half = wider if max(wider) < _WIDEST and is_likely(wider) else half
-        bounds = _bounds(torus, branch, half, periods, boxes)
-        while not np.all(np.isfinite(bounds)):
-            half = (max(half[0] / _SHRINK, _NARROWEST), max(half[1] / _SHRINK, _NARROWEST))
+        for stride in (_STRIDE, 1):
+            half = _widths(torus, branch, periods, boxes, stride)
             bounds = _bounds(torus, branch, half, periods, boxes)
-        real = _values(torus, branch, (0.0, 0.0), periods, boxes, _STRIDE)
+            if np.all(np.isfinite(bounds)):
+                break
+        real = _values(torus, branch, (0.0, 0.0), periods, boxes)
         sizes = (float(np.abs(value.middle).max()) for value in real)
         return Strip(half, bounds, tuple(size or 1.0 for size in sizes))
+
+
+def _widths(
+    torus: InvariantTorus, branch: Branch, periods: Sequence[int], boxes: int, stride: int
+) -> tuple[float, float]:
+    """Half-widths that the boxes, or a sample of them, allow, nearly as large as can be."""
+
+    def exist(half: tuple[float, float]) -> bool:
+        return _exist(torus, branch, half, periods, boxes, stride)
+
+    low, high = _NARROWEST, _WIDEST
+    while high / low > 1.1:
+        middle = (low * high) ** 0.5
+        low, high = (middle, high) if exist((middle, middle)) else (low, middle)
+    half = (low, low)
+    for stretch in (1.6, 1.6, 1.25, 1.25):
+        for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
+            half = wider if max(wider) < _WIDEST and exist(wider) else half
+    return half
 
 
 def least(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -> float:

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from flint import arb
 
 from ...formulas.balls import Values
 from ...formulas.straight_line_program import BallArithmetic, Steps, StraightLineProgram

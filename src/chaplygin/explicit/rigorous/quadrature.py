@@ -226,7 +226,7 @@ def quadratures(
         strip = strip_bound(torus, branch, periods)
         rates = [2 * pi * r / p for r, p in zip(strip.half, periods, strict=True)]
         steepest = max(m / size for m, size in zip(strip.bounds, strip.sizes, strict=True))
-        wanted = digits * log(10) + log(1 + turns) + log(1 + steepest) + 5
+        wanted = digits * log(10) + log(1 + turns) + log(1 + steepest) + 7
         wanted -= sum(min(0.0, log(rate)) for rate in rates)
         halves = [ceil(wanted / rate) for rate in rates]
         counts = [2 * half + 1 for half in halves]
@@ -281,9 +281,7 @@ def _values_on_grid(
     first, second = lines
     rows = first.count // 2 + 1 if all(signs) else first.count
     N, rate = Numerators(torus, (0, 0)).real((Line(first.first, first.step, rows), second))
-    parts = [
-        branch.at(*direction([x[j] for x in N], [x[j] for x in rate])) for j in range(rows)
-    ]
+    parts = [branch.at(*direction([x[j] for x in N], [x[j] for x in rate])) for j in range(rows)]
     grids = []
     for place, (sign, shift) in enumerate(zip(signs, shifts, strict=True)):
         # a constant is a function on the torus too
@@ -307,10 +305,11 @@ def _fourier_coefficients(
         [acb(-arb(half * k) / line.count).exp_pi_i() for k in range(line.count)]
         for line, half in zip(lines, shift, strict=True)
     ]
-    rows = [
-        acb.dft([turns[0][j] * turns[1][k] * values[j, k] for k in range(m)]) for j in range(n)
-    ]
-    columns = [acb.dft([row[k] for row in rows]) for k in range(m)]
+    rows = [acb.dft([turns[0][j] * turns[1][k] * values[j, k] for k in range(m)]) for j in range(n)]
+    # the values are real: opposite wave numbers (k_j + shift_j/2)/p_j have conjugate coefficients
+    columns = [acb.dft([row[k] for row in rows]) for k in range(m // 2 + 1)]
+    opposite = [columns[(-k - shift[1]) % m] for k in range(m // 2 + 1, m)]
+    columns += [[own[(-j - shift[0]) % n].conjugate() for j in range(n)] for own in opposite]
     size = n * m
     return acb_mat(
         [
