@@ -27,6 +27,17 @@ MOST = 40
 MULTIPLES = 24
 
 
+#: Sine and cosine, by their places in a pair: what stands above and below.
+_CIRCULAR: dict[str, tuple[int | None, int | None]] = {
+    "sin": (0, None),
+    "cos": (1, None),
+    "tan": (0, 1),
+    "cot": (1, 0),
+    "sec": (None, 1),
+    "csc": (None, 0),
+}
+
+
 class ExactValues:
     """Formulas at a point as quotients of polynomials in its coordinates and in function values.
 
@@ -115,7 +126,7 @@ class ExactValues:
             exponent = exact_value(node.parts[1], self._formulas)
             if exponent is None or exponent.denominator == 1:
                 raise UndefinedError("the exponent is no number")
-            return self._root(value_of(node.parts[0]), node, exponent)
+            return self._root(value_of(node.parts[0]), exponent)
         if node.kind == "function":
             arguments = tuple(map(value_of, node.parts))
             for zero in self._zeros:
@@ -125,17 +136,11 @@ class ExactValues:
             return self._new("function", node.word, arguments, node)
         word = node.word
         if word == "sqrt":
-            return self._root(value_of(node.parts[0]), node, HALF)
-        if word in ("sin", "cos", "tan", "cot", "sec", "csc"):
-            sine, cosine = self._circle(node.parts[0], value_of)
-            return {
-                "sin": sine,
-                "cos": cosine,
-                "tan": _product(sine, cosine[::-1]),
-                "cot": _product(cosine, sine[::-1]),
-                "sec": cosine[::-1],
-                "csc": sine[::-1],
-            }[word]
+            return self._root(value_of(node.parts[0]), HALF)
+        if word in _CIRCULAR:
+            return self._ratio(_CIRCULAR[word], self._circle(node.parts[0], value_of))
+        if word in ("sinh", "cosh", "tanh"):
+            return self._ratio(_CIRCULAR[word[:-1]], self._hyperbola(node.parts[0], value_of))
         arguments = tuple(map(value_of, node.parts))
         if word in ("Abs", "sign"):
             ball = self._value(node.parts[0])
@@ -169,7 +174,7 @@ class ExactValues:
         self._balls[name] = arb.pi() if node is None else self._value(node)
         return self.ring.generator(name), self.ring.constant(1)
 
-    def _root(self, of: Quotient, node: Formula, exponent: Fraction) -> Quotient:
+    def _root(self, of: Quotient, exponent: Fraction) -> Quotient:
         degree = exponent.denominator
         key = "root", degree
         found = [
@@ -180,15 +185,32 @@ class ExactValues:
         if found:
             value = found[0]
         else:
-            base = node.parts[0]
             value = self._generator(None)
             name = f"#{self._count - 1}"
-            self._balls[name] = self._value(base).root(degree)
+            self._balls[name] = (self._ball(of[0]) / self._ball(of[1])).root(degree)
             self._chain.append((name, value[0] ** degree * of[1] - of[0]))
             self._values.append((*key, (of,), value))
         power = value[0] ** abs(exponent.numerator)
         one = self.ring.constant(1)
         return (power, one) if exponent > 0 else (one, power)
+
+    def _ratio(
+        self, places: tuple[int | None, int | None], pair: tuple[Quotient, Quotient]
+    ) -> Quotient:
+        """One of a pair over another, where None stands for 1."""
+        one = self.ring.constant(1)
+        above, below = ((one, one) if place is None else pair[place] for place in places)
+        if self._is_zero(below[0]):
+            raise UndefinedError("a division by zero")
+        return above[0] * below[1], above[1] * below[0]
+
+    def _hyperbola(
+        self, exponent: Formula, value_of: Callable[[Formula], Quotient]
+    ) -> tuple[Quotient, Quotient]:
+        """Hyperbolic sine and cosine."""
+        above, below = self._exponential(exponent, value_of)
+        double = 2 * above * below
+        return (above**2 - below**2, double), (above**2 + below**2, double)
 
     def _exponential(self, exponent: Formula, value_of: Callable[[Formula], Quotient]) -> Quotient:
         """The exponential of a sum of multiples of logarithms and of exponents met before."""
@@ -232,22 +254,32 @@ class ExactValues:
         argument = value_of(angle)
         if self._is_zero(argument[0]):
             return (zero, one), (one, one)
-        for word, more, inner, value in list(self._values):
-            if word == "atan2":
-                y, x = inner
-                square = _sum(_product(y, y), _product(x, x))
-                pieces = (y, x) if self._same(square, (one, one)) else None
-                share = Fraction(1)
-            elif (word, more) == ("constant", "pi"):
+        for word, _, inner, value in list(self._values):
+            if word == "constant":
                 pieces, share = ((one, one), (zero, one)), HALF
+            elif word in ("atan2", "asin", "acos", "atan"):
+                pieces, share = self._of_inverse(word, inner), Fraction(1)
             else:
                 continue
             times = self._multiple(argument, value, share)
-            if pieces and times:
+            if times:
                 return _multiple_angle(pieces[0], pieces[1], times, (zero, one), (one, one))
         sine = self._new("sin", None, (argument,), call("sin", [angle]))
         cosine = self._new("cos", None, (argument,), call("cos", [angle]))
         return sine, cosine
+
+    def _of_inverse(self, word: str, inner: tuple[Quotient, ...]) -> tuple[Quotient, Quotient]:
+        """Sine and cosine of an inverse function."""
+        one: Quotient = (self.ring.constant(1), self.ring.constant(1))
+        u = inner[0]
+        square = _product(u, u)
+        if word in ("asin", "acos"):
+            other = self._root(_sum(one, (-square[0], square[1])), HALF)
+            return (u, other) if word == "asin" else (other, u)
+        x = inner[1] if word == "atan2" else one
+        whole = _sum(square, _product(x, x))
+        below = one if self._same(whole, one) else self._root(whole, -HALF)
+        return _product(u, below), _product(x, below)
 
     def _multiple(self, argument: Quotient, value: Quotient, share: Fraction) -> int | None:
         for times in chain.from_iterable((n, -n) for n in range(1, MULTIPLES + 1)):

@@ -84,11 +84,15 @@ class PrimeField:
         return bool(element ** ((self.modulus - 1) // 2) == 1)
 
     def root(self, element: fmpz_mod, degree: int, which: int) -> Number:
-        """One of the roots of an element that is an n-th power; UndefinedError where it is none.
+        """One of the roots of an element; UndefinedError where it is none of the powers used.
 
-        The n-th powers are the group of order c, in which every root is a power.
+        Let p − 1 = s t where t is prime to the degree and all primes of s divide it.  The s-th
+        powers are the group of order t, in which every root is a power.
         """
-        if element**self._cofactor != 1:
+        order = self.modulus - 1
+        while (common := math.gcd(order, degree)) > 1:
+            order //= common
+        if element**order != 1:
             raise UndefinedError("a root of what is no power")
-        first = element ** pow(degree, -1, self._cofactor)
+        first = element ** pow(degree, -1, order)
         return first * self._unit ** (which * (self._order // degree))
