@@ -86,7 +86,7 @@ class PrimeField:
     def root(self, element: fmpz_mod, degree: int, which: int) -> Number:
         """One of the roots of an element; UndefinedError where it is none of the powers used.
 
-        Let p − 1 = s t where t is prime to the degree and all primes of s divide it.  The s-th powers
+        Let p − 1 = s t, t prime to the degree and all primes of s dividing it.  The s-th powers
         are the group of order t, in which every root is a power.
         """
         order = self.modulus - 1
