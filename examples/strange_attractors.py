@@ -37,7 +37,7 @@ from chaplygin import (
     sample_level,
 )
 from chaplygin.analysis.lyapunov import Spectrum
-from chaplygin.analysis.lyapunov.report import remarks
+from chaplygin.analysis.lyapunov.record import remarks
 from chaplygin.analysis.orbits import Reversor
 from chaplygin.flow import project_to_level
 from chaplygin.formulas import Formulas

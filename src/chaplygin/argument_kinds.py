@@ -128,6 +128,20 @@ def are_parameters(value: Any) -> bool:
     )
 
 
+def are_conditions(value: Any) -> bool:
+    """Whether these are relations, or made of some by and, or, not."""
+    return isinstance(value, tuple | list) and all(map(_is_condition, value))
+
+
+def _is_condition(value: Any) -> bool:
+    from sympy.core.relational import Relational
+    from sympy.logic.boolalg import BooleanAtom, BooleanFunction
+
+    if isinstance(value, BooleanFunction):
+        return all(map(_is_condition, value.args))
+    return isinstance(value, bool | Relational | BooleanAtom)
+
+
 def is_formula(value: Any) -> bool:
     """Whether it is an expression, a matrix of these, or a number."""
     if "sympy" in sys.modules:

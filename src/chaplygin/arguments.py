@@ -33,6 +33,7 @@ from typing import (
 
 from .argument_kinds import (
     Kind,
+    are_conditions,
     are_formulas,
     are_named_formulas,
     are_numbers,
@@ -100,6 +101,11 @@ Setting: TypeAlias = Annotated[
         "a number, or numbers in a list",
         lambda value: is_number(value) or (is_collection(value) and all(map(is_row, value))),
     ),
+]
+#: Conditions on parameters: relations, or several joined by and, or, not.
+Conditions: TypeAlias = Annotated[
+    tuple[Any, ...],
+    Kind("a tuple of relations such as a > 0, or of several joined by & and |", are_conditions),
 ]
 #: Named quantities with their formulas, as a mapping or as pairs.
 NamedFormulas: TypeAlias = Annotated[

@@ -13,6 +13,14 @@ from typing import Any
 LONGEST, LONGEST_LINE = 2000, 600
 
 
+#: Characters that cannot be seen, tabs and line breaks apart: controls, those that change the
+#: direction of the text, and those without width.
+INVISIBLE = re.compile(
+    "[\\x00-\\x08\\x0b\\x0c\\x0e-\\x1f\\x7f-\\x9f\\xad\\u061c\\u180e\\u200b-\\u200f"
+    "\\u2028-\\u202e\\u2060-\\u206f\\ufeff\\U000e0000-\\U000e007f]"
+)
+
+
 def readable(text: str) -> str:
     """A text fit for a terminal: nothing invisible in it, no line and not the whole too long.
 
@@ -102,13 +110,24 @@ class InputError(ValueError):
         return readable(f"{self.where}: {self.message}" if self.where else self.message)
 
 
-def require_label(name: str, title: str) -> None:
-    """Raise InputError unless a name is there, and name and title have no invisible characters."""
+def require_label(name: str, title: str, *texts: str) -> None:
+    """Raise InputError unless a name is there, and no text has invisible characters."""
     if not name.strip():
         raise InputError("the name of a system is empty; it must be a word such as 'top'")
     for what, text in (("name", name), ("title", title)):
         if not text.isprintable():
             raise InputError(f"the {what} {text!r} contains a character that cannot be seen")
+    require_visible(texts)
+
+
+def require_visible(texts: Iterable[str]) -> None:
+    """Raise InputError if a text has an invisible character."""
+    for text in texts:
+        if found := INVISIBLE.search(text):
+            raise InputError(
+                f"the text {text!r} contains the character U+{ord(found[0]):04X}, "
+                "which cannot be seen"
+            )
 
 
 class RunError(RuntimeError):

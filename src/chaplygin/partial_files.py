@@ -13,6 +13,7 @@ import os
 import platform
 import re
 import shutil
+import sys
 import tempfile
 import time
 from collections.abc import Iterator
@@ -193,3 +194,16 @@ def _is_free(lock: Path) -> bool:
     except (filelock.Timeout, OSError):
         return False
     return True
+
+
+#: Whether the system keeps names of files for devices, and the names that it keeps.
+WINDOWS = sys.platform == "win32"
+_DEVICES = {"CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"} | {
+    f"{port}{i}" for port in ("COM", "LPT") for i in "123456789¹²³"
+}
+
+
+def require_file_name(path: Path) -> None:
+    """Raise InputError if the name of a file is that of a device, with or without an ending."""
+    if WINDOWS and path.name.partition(".")[0].rstrip().upper() in _DEVICES:
+        raise InputError(f"{path} is the name of a device on Windows: choose another name")

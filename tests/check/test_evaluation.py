@@ -10,7 +10,7 @@ from flint import arb, ctx
 
 from chaplygin.check.claim.errors import UndefinedError
 from chaplygin.check.claim.evaluate import Point
-from chaplygin.check.claim.formulas import parse
+from chaplygin.check.claim.parsing import parse
 from chaplygin.check.claim.real_functions import RealFunctions, ball
 
 x, y = sp.symbols("x y")

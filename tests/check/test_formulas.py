@@ -9,7 +9,8 @@ import sympy as sp
 
 from chaplygin.check.claim.errors import CheckError
 from chaplygin.check.claim.evaluate import exact_value
-from chaplygin.check.claim.formulas import Formula, function, name, parse, parse_condition
+from chaplygin.check.claim.formulas import Formula, function, name
+from chaplygin.check.claim.parsing import parse, parse_condition
 
 
 @pytest.mark.parametrize(

@@ -9,9 +9,14 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
+import sympy
 
 from chaplygin.borisov_mamaev import Claim, remarks
+from chaplygin.catalogue import from_catalogue
+from chaplygin.check import check
 from chaplygin.check.__main__ import main as check_files
+from chaplygin.cli import prove as prove_command
+from chaplygin.core.laws import Measure
 from chaplygin.printing.formula import width
 from chaplygin.proof.verdict import Verdict
 from cli.test_cli import ask
@@ -65,6 +70,69 @@ def test_a_law_that_states_nothing_is_refused_by_itself(ask, tmp_path):
     assert rows["imaginary"]["verdict"] == "refused"
     assert "root of a negative quantity" in rows["imaginary"]["reason"]
     assert rows["straight"]["verdict"] == rows["energy"]["verdict"] == "proven"
+
+
+FACTOR = """
+[equations]
+state = ["x", "y", "z"]
+rates = { x = "y*z", y = "-2*x*z", z = "x*y" }
+relations = ["(1 + x**2)*(x**2 + y**2 + z**2 - 1)"]
+[laws.measures]
+volume = "1"
+factor = "1 + x**2"
+imaginary = "sqrt(-1 - x**2)"
+[laws.integrals]
+ellipsoid = "x**2 - z**2"
+[start]
+x = 0.6
+y = 0.8
+z = 0.0
+"""
+
+
+def test_a_factor_of_a_relation_from_the_command_line(ask, tmp_path):
+    """Each law has its row, and what is proven has a certificate that checks."""
+    (tmp_path / "factor.toml").write_text(FACTOR)
+    code, out, _ = ask("prove", "factor.toml", "--json", "--certificate", "factor.json")
+    assert code == 2
+    assert {row["law"]: row["verdict"] for row in json.loads(out)} == {
+        "volume": "refuted",
+        "factor": "proven",
+        "imaginary": "refused",
+        "ellipsoid": "proven",
+    }
+    certificates = json.loads((tmp_path / "factor.json").read_text())
+    assert len(certificates) == 3
+    for certificate in certificates:
+        check(certificate)
+    code, out, _ = ask("find", "measure", "factor.toml")
+    assert code == 0
+    assert "1 + x²" in out
+    (tmp_path / "square.toml").write_text(
+        FACTOR.replace("(1 + x**2)*(", "(").replace(')"]', ')**2"]')
+    )
+    code, out, _ = ask("prove", "square.toml")
+    assert code == 2
+    assert "1 proven, 3 refused" in out
+    assert "cut out no volume" in out
+
+
+def test_a_misprint_is_refuted_beside_its_correction(ask):
+    _, out, _ = ask("prove", "lagrange-top", "--law", "hamiltonian", "--json")
+    (row,) = json.loads(out)
+    assert (row["verdict"], row["printed"]) == ("proven", "refuted")
+
+
+def test_a_printed_form_that_states_nothing_is_refused_by_itself(ask, monkeypatch):
+    system = from_catalogue("veselova")
+    law, *others = system.laws
+    printed = Measure("printed", {-1 - system.symbols[0] ** 2: sympy.Rational(1, 2)})
+    laws = (replace(law, as_printed=printed, misprint="as is"), *others)
+    claims = [(system, each) for each in laws]
+    monkeypatch.setattr(prove_command, "_claims", lambda *_: claims)
+    _, out, _ = ask("prove", "veselova", "--law", law.name, "--json")
+    (row,) = json.loads(out)
+    assert (row["verdict"], row["printed"]) == ("proven", "refused")
 
 
 def test_one_law_by_its_name(ask):

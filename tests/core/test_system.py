@@ -287,3 +287,20 @@ def test_formulas_expand_to_state_and_parameters():
     expanded = ball.expand(Vector("omega"))
     assert expanded.shape == (3, 1)
     assert expanded.free_symbols <= {*ball.symbols, *ball.defaults}
+
+
+@pytest.mark.parametrize("words", [{"name": " "}, {"title": "a\u202eb"}, {"summary": "a\u200bb"}])
+def test_labels_are_there_and_can_be_seen(words: dict[str, str]) -> None:
+    x = sp.Symbol("x", real=True)
+    with pytest.raises(InputError, match=r"name of a system is empty|cannot be seen"):
+        System(**({"name": "line", "title": "Line"} | words), field={x: sp.S.One})
+
+
+def test_meanings_can_be_seen() -> None:
+    x, a = sp.symbols("x a", real=True)
+    for part in (
+        {"parameters": (Parameter(a, "a\u202eb", 1.0),)},
+        {"laws": (Integral("x", x, meaning="a\u202eb"),)},
+    ):
+        with pytest.raises(InputError, match=r"U\+202E, which cannot be seen"):
+            System("line", "Line", {x: sp.S.Zero}, **part)

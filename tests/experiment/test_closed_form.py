@@ -29,6 +29,7 @@ from chaplygin.experiment.closed_form import (
     solution_of_study,
     units,
 )
+from chaplygin.experiment.dataset import read, write
 from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.explicit.base.problem import Problem
@@ -105,6 +106,14 @@ def test_what_is_recorded_is_what_a_run_records() -> None:
     assert "M_3 = 2.31" in made.attrs["start"]
     assert made.attrs["motion"] == "periodic"
     assert units(study, solution)[sp.Symbol("place_x", real=True)] == "m"
+
+
+def test_a_file_says_that_a_closed_form_is_no_integration(tmp_path: Path) -> None:
+    study, solution = spinning()
+    made = dataset(study, closed_form_trajectory(study, solution, study.times), solution)
+    assert read(write(made, tmp_path / "a.nc")).attrs["integrator"] == (
+        "none: closed form, A turning ball"
+    )
 
 
 def test_the_start_is_recorded_whatever_the_times() -> None:

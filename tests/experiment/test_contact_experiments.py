@@ -188,6 +188,9 @@ def test_what_is_written_is_read(
         np.testing.assert_array_equal(read[name], dataset[name])
     assert read["mode"].dtype == np.int8
     assert read.attrs["events"] == dataset.attrs["events"]
+    done = billiard[0].statistics
+    words = f"Taylor series, pieces joined by events, of order {done.order}, {done.steps} steps"
+    assert read.attrs["integrator"] == words
 
 
 def test_a_motion_without_events_is_written(

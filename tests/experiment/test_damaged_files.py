@@ -122,7 +122,7 @@ def test_an_empty_formula_is_refused() -> None:
             loads(text.replace('"1/(x*y*z)"', blank))
 
 
-@pytest.mark.parametrize("character", ["\x00", "\x07", "\x1b", "\x7f", "\x9b"])
+@pytest.mark.parametrize("character", ["\x00", "\x07", "\x1b", "\x7f", "\x9b", "\u202e", "\u200b"])
 def test_control_characters_do_not_pass(character: str) -> None:
     code = f"\\u{ord(character):04x}"
     ball = (EXAMPLES / "unbalanced_ball.toml").read_text()

@@ -22,11 +22,18 @@ from chaplygin.explicit.genus_two.separated_motion import (
 )
 from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 from chaplygin.explicit.genus_two_solution import solve_on_torus
-from chaplygin.explicit.rigorous import rigorous_motion
+from chaplygin.explicit.rigorous import analyticity_strip, rigorous_motion
 from chaplygin.explicit.rigorous.affine import Affine
 from chaplygin.explicit.rigorous.analyticity_strip import least, lines_of, strip_bound
 from chaplygin.explicit.rigorous.branch_formula import Branch, LeavesBranchError, direction
-from chaplygin.explicit.rigorous.quadrature import RigorousQuadrature, quadratures
+from chaplygin.explicit.rigorous.quadrature import (
+    RigorousQuadrature,
+    _fourier_coefficients,
+    _reflection,
+    _symmetry,
+    _values_on_grid,
+    quadratures,
+)
 from chaplygin.explicit.rigorous.theta import Numerators, numerators_at
 from chaplygin.explicit.separations.bruns import veselova_in_bruns_field
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
@@ -138,6 +145,7 @@ def test_parities_are_read_off_the_formulas() -> None:
     dx = nuprime.symbols[0]
     formulas = [x * y, sp.sqrt(x**2 + y**2), x**3 / y**2, x + y, x * dx + 1, sp.sqrt(x + 2)]
     assert Branch(formulas, {}).parities([-1, 1, 1]) == [-1, 1, -1, 0, 1, 0]
+    assert Branch([x * dx, y * dx], {}).parities([-1, 1, 1], [1, -1, -1]) == [-1, 1]
 
 
 # --- theta functions -----------------------------------------------------------------------
@@ -146,16 +154,16 @@ def test_parities_are_read_off_the_formulas() -> None:
 def test_numerators_are_theta_functions(motion: SeparatedMotion) -> None:
     torus, Y = motion.torus, motion.torus.lattice.Y
     with ctx.workprec(120):
-        points = Numerators(torus, (0, 0)).real(lines_of((3, 5), (1, 1)))
+        N, _ = Numerators(torus, (0, 0)).real(lines_of((3, 5), (1, 1)))
         matrix = acb_mat([[acb(0, Y[i, j]) for j in (0, 1)] for i in (0, 1)])
-        for place, (N, _) in enumerate(points):
-            j, k = divmod(place, 5)
+        for j, k in np.ndindex(3, 5):
             values = matrix.theta(acb_mat([[arb(j) / 3], [arb(k) / 5]])).entries()
-            for n, c, theta in zip(N, torus.factors, torus.thetas, strict=True):
+            for own, c, theta in zip(N, torus.factors, torus.thetas, strict=True):
                 (a, b), (e, f) = ((x % 2, y % 2) for x, y in theta.characteristic)
                 known = c * values[8 * a + 4 * b + 2 * e + f].real
                 # characteristics are classes modulo 2, up to the sign
-                assert n.overlaps(known) or n.overlaps(-known)
+                n = own[j, k]
+                assert any(n.overlaps(sign * known) for sign in (1, -1))
                 assert n.rad() < 1e-30
 
 
@@ -206,6 +214,21 @@ def test_strip_bound_holds_inside(motion: SeparatedMotion) -> None:
             assert np.abs(values.middle).max() < strip.bounds[0]
 
 
+def test_strip_that_a_sample_allows_is_proven_on_all_boxes(
+    motion: SeparatedMotion, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    torus, branch = motion.torus, clock(motion)
+    branch.learn(*direction(*numerators_at(torus, arb(0))))
+    widths = analyticity_strip._widths
+
+    def too_wide(*arguments: Any) -> tuple[float, float]:
+        return widths(*arguments) if arguments[-1] == 1 else (0.59, 0.59)
+
+    monkeypatch.setattr(analyticity_strip, "_widths", too_wide)
+    found = strip_bound(torus, branch, (1, 1))
+    assert [max(found.half) < 0.59, *np.isfinite(found.bounds)] == [True, True]
+
+
 @pytest.mark.slow
 def test_least_is_below_all_values(motion: SeparatedMotion, quadrature: RigorousQuadrature) -> None:
     bound = least(motion.torus, quadrature.branch, (1, 1))
@@ -223,6 +246,41 @@ def test_next_to_a_separatrix_there_are_no_bounds() -> None:
 
 
 # --- quadratures ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("place", [None, 0, 1, 2])
+def test_values_by_reflection_and_their_coefficients_are_those_of_the_formulas(
+    motion: SeparatedMotion, place: int | None
+) -> None:
+    """Of the clock and of components of ν and ν′, which change their sign with the periods."""
+    torus = motion.torus
+    with ctx.workprec(120):
+        branch = clock(motion)
+        if place is not None:
+            branch = Branch([nu.symbols[place], nuprime.symbols[place]], {})
+        periods, shifts = _symmetry(torus, branch)
+        assert all(_reflection(torus, branch))
+        lines = lines_of((5, 7), periods)
+        grids = _values_on_grid(torus, branch, lines, shifts)
+        N, rate = Numerators(torus, (0, 0)).real(lines)
+        for j, k in np.ndindex(5, 7):
+            known = branch.at(*direction([x[j, k] for x in N], [x[j, k] for x in rate]))
+            assert all(grid[j, k].overlaps(x) for grid, x in zip(grids, known, strict=True))
+            assert all(grid[j, k].rad() < 1e-25 for grid in grids)
+        for grid, shift in zip(grids, shifts, strict=True):
+            table = _fourier_coefficients(grid, lines, shift)
+            one, two = (
+                [Fraction(2 * i + own, 2) for i in range(-(count // 2), count // 2 + 1)]
+                for count, own in zip((5, 7), shift, strict=True)
+            )
+            for j, k in np.ndindex(5, 7):
+                left, right = (
+                    [acb(arb(2 * int(x * 2) * place) / (2 * count)).exp_pi_i() for x in numbers]
+                    for numbers, place, count in ((one, j, 5), (two, k, 7))
+                )
+                value = (acb_mat([left]) * table * acb_mat([[x] for x in right]))[0, 0]
+                assert value.real.overlaps(grid[j, k])
+                assert value.imag.contains(0)
 
 
 @pytest.mark.slow
@@ -314,12 +372,13 @@ def test_without_fixed_directions_there_are_bounds_of_the_reduced_state_alone() 
     values = {p.symbol: p.default for p in separable.system.parameters}
     start = initial_state(separable.system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
     solution = solve_on_torus(separable, values, start)
-    with pytest.raises(InputError, match=r"no direction is known.*give a start without attitude"):
-        solution.rigorous(30.0, 8)
-    balls = solve(separable.system, start[:6]).rigorous(30.0, 8)
-    assert max(float(x.rad()) for x in balls) < 1e-8
+    assert "no direction is known" in solution.left_open
+    balls = solution.rigorous(30.0, 8)
+    assert len(balls) == len(start)
+    assert max(float(x.rad()) for x in balls[:6]) < 1e-8
+    assert all(x.rad() == arb("inf") for x in balls[6:])
     rough = solution.states(np.array([30.0]))[0, :6]
-    for ball, number in zip(balls, rough, strict=True):
+    for ball, number in zip(balls[:6], rough, strict=True):
         assert abs(ball - arb(float(number))) < 1e-12
 
 

@@ -155,3 +155,25 @@ def test_a_quantity_without_a_value_does_not_stop_a_motion():
     assert (motion.states[1] == motion.states[0]).all()
     assert "undefined along this motion" in str(motion)
     assert summary(motion)["drift"]["quadratic1"] is None
+
+
+def test_what_cannot_be_computed_is_refused_in_a_sentence() -> None:
+    with pytest.raises(InputError, match="a system without state has no motion"):
+        integrate(System("o", "O", {}), (), [0.0, 1.0])
+    with pytest.raises(InputError, match="a number of about 1e400"):
+        integrate(scalar(sp.Integer(10) ** 400 * x), (1.0,), [0.0, 1.0])
+
+
+@pytest.mark.parametrize(
+    ("method", "words"), [("taylor", "Taylor series"), ("gauss", "Gauss–Legendre collocation")]
+)
+def test_the_integrator_names_itself(method: str, words: str) -> None:
+    statistics = integrate(scalar(-x), (1.0,), [0.0, 1.0], method=method).statistics
+    assert statistics.integrator == f"{words} of order {statistics.order}, {statistics.steps} steps"
+
+
+def test_motions_are_read_only() -> None:
+    motion = integrate(scalar(-x), (1.0,), [0.0, 1.0])
+    for array in (motion.times, motion.states, *motion.records.values()):
+        with pytest.raises(ValueError, match="read-only"):
+            array[...] = 0.0

@@ -9,12 +9,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import chaplygin as ch
 from chaplygin.experiment.study import dataset_of
 from chaplygin.experiment.subjects.plan import plan_motion
 from chaplygin.lab.columns import symbol_mathml
 from chaplygin.lab.page_model import page_model
+from chaplygin.lab.wasm_module import positive_where
 from chaplygin.report.drawing.modes import MODE_STYLES
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -144,3 +146,12 @@ def test_a_motion_that_ends_early_says_why():
 def test_a_rate_is_written_with_a_dot_and_a_word_as_a_word() -> None:
     assert "<mover" in symbol_mathml("phidot")
     assert symbol_mathml("spin") == ""
+
+
+def test_a_page_checks_alternatives_of_conditions():
+    a, b = sp.symbols("a b", real=True)
+    condition = sp.Or(a > 1, sp.And(a <= -1, sp.Ne(b, 0)))
+    side = positive_where(condition)
+    for values in ((2, 0), (-1, 3), (-4, -1), (1, 0), (0.3, 5), (-1, 0), (-0.9, 1)):
+        point = dict(zip((a, b), map(sp.Float, values), strict=True))
+        assert bool(side.xreplace(point) > 0) == bool(condition.xreplace(point))

@@ -13,6 +13,7 @@ from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import Identity, Integral
 from chaplygin.core.system import Parameter, System
 from chaplygin.errors import InputError
+from chaplygin.flow.integrator import integrate
 from chaplygin.proof.certificates.certificate import prove_with_certificate
 from chaplygin.proof.level.alternatives import ranges_of_parameters
 from chaplygin.proof.prover import prove
@@ -63,6 +64,40 @@ def test_defaults_lie_in_the_ranges():
     assert all(abs(default) > 1 for default in defaults)
 
 
+def test_ranges_that_contradict_each_other_are_left_out():
+    further = Parameter(b, "", 2.0, admissible=(sp.Or(b > 0, a > 2),))
+    system = spring(sp.And(OUTSIDE, a < 5))
+    verdict = prove_with_certificate(
+        replace(system, parameters=(*system.parameters, further)), ENERGY
+    )
+    assert verdict.decision == "proven"
+    # a < −1 with b > 0, 1 < a < 5 with b > 0, and 2 < a < 5
+    assert len(verdict.identities) == 3
+    assert not verdict.no_certificate
+
+
+@pytest.mark.parametrize(
+    "condition", [sp.Contains(a, sp.S.Integers), a + 1, sp.Symbol("b") & OUTSIDE]
+)
+def test_what_is_no_condition_is_refused(condition):
+    with pytest.raises(InputError, match="admissible must be a tuple of relations"):
+        spring(condition)
+
+
+@pytest.mark.parametrize("wide", [sp.Or(a >= 1, a <= -1), sp.Not(sp.And(a > -1, a < 1))])
+def test_a_motion_has_parameters_of_a_range(wide):
+    system = spring(wide)
+    for value in (-1.0, 1.0, 3.0):
+        assert integrate(system, [1.0, 0.0], [0.0, 0.1], parameters={"a": value}).states.shape
+    with pytest.raises(InputError, match=r"a = 0.5 is not admissible; \(a >= 1\) or \(a <= -1\)"):
+        integrate(system, [1.0, 0.0], [0.0, 0.1], parameters={"a": 0.5})
+
+
+def test_a_condition_on_what_is_no_parameter():
+    with pytest.raises(InputError, match="the condition a > b on a uses b, which is no parameter"):
+        integrate(spring(a > b), [1.0, 0.0], [0.0, 0.1], parameters={"a": 3.0})
+
+
 def onto(constant, *own):
     """x′ = v, v′ = −a x with a > 0 as the image of x′ = v, v′ = −c x."""
     target = System("target", "Target", {x: v, v: -a * x}, (Parameter(a, "", 1.0, "", (a > 0,)),))
@@ -76,6 +111,23 @@ def test_parameters_of_a_target_are_admissible():
     assert prove(*onto(1 + b**2)).decision == "proven"
     verdict = prove(*onto(b))
     assert (verdict.decision, verdict.conditions) == ("proven where", ("b > 0",))
+
+
+def test_a_target_with_several_ranges():
+    system, law = onto(b, OUTSIDE.xreplace({a: b}))
+    ranged = replace(law.target.parameters[0], default=2.0, admissible=(OUTSIDE,))
+    law = replace(law, target=replace(law.target, parameters=(ranged,)))
+    verdict = prove_with_certificate(system, law)
+    assert verdict.decision == "proven"
+    assert len(verdict.identities) == 2
+    for part in verdict.identities:
+        check(part)
+        changed = copy.deepcopy(part)
+        changed["claim"]["law"]["target"]["admissible"] = ["(a > 1000) | (a < -1000)"]
+        with pytest.raises(CheckError, match="parameters of the target are not admissible"):
+            check(changed)
+    free = replace(system, parameters=(replace(system.parameters[0], admissible=()),))
+    assert prove(free, law).statement == "proven where b < −1 or b > 1"
 
 
 def test_a_target_that_does_not_exist():

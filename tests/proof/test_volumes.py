@@ -5,11 +5,14 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from chaplygin.core.laws import Measure
+from chaplygin.check import CheckError
+from chaplygin.core.laws import Identity, Measure, PoissonStructure, Symmetry
 from chaplygin.core.system import Guard, Parameter, System
 from chaplygin.errors import InputError
+from chaplygin.proof import decision
 from chaplygin.proof.certificates.certificate import prove_with_certificate
 from chaplygin.proof.prover import prove
+from chaplygin.search import measures, search_request
 
 x, y, z, w, a = sp.symbols("x y z w a", real=True)
 SPHERE = x**2 + y**2 + z**2 - 1
@@ -74,6 +77,76 @@ def test_a_factor_that_moves():
     system = System("moves", "Moves", {**FIELD, w: x * w}, relations=(w * SPHERE,))
     assert prove(system, measure({1: 1})).decision == "proven"
     assert prove(system, measure({w: 1})).decision == "refuted"
+
+
+def test_an_exponential_belongs_to_the_density():
+    system = System("exponential", "Exponential", FIELD, relations=(sp.exp(x) * SPHERE,))
+    assert prove(system, measure({1: 1})).decision == "refuted"
+    assert prove(system, measure({sp.exp(x): 1})).decision == "proven"
+
+
+def test_a_square_cuts_out_no_volume_where_no_point_can_be_computed():
+    """The points have irrational coordinates of the third degree over √2: none is tried."""
+    still = {x: sp.S.Zero, y: sp.S.Zero, z: sp.S.Zero}
+    curve = y**3 - x * y - 1
+    system = System("curve", "Curve", still, relations=(x**2 - 2, curve))
+    assert prove(system, measure({1: 1})).decision == "proven"
+    squared = System("curve", "Curve", still, relations=(x**2 - 2, curve**2))
+    with pytest.raises(InputError, match="cut out no volume"):
+        prove(squared, measure({1: 1}))
+
+
+@pytest.mark.parametrize(
+    ("relation", "where"),
+    [(SPHERE**2 * (SPHERE - 3), f"{sp.expand(SPHERE)} != 0"), ((a - 1) * SPHERE, "a - 1 != 0")],
+)
+def test_a_volume_on_a_part_alone(relation, where):
+    """Nothing is said of the sphere that is double, nor of all of space for a = 1."""
+    system = System("part", "Part", FIELD, relations=(relation,), parameters=(POSITIVE,))
+    verdict = prove(system, measure({1: 1}))
+    assert verdict.decision == "proven where"
+    assert verdict.formulas == (where,)
+
+
+@pytest.mark.parametrize("is_level", [False, True])
+def test_the_search_finds_the_density_by_the_relation(is_level):
+    relation = sp.expand((1 + x**2) * SPHERE)
+    system = System("searched", "Searched", FIELD, relations=() if is_level else (relation,))
+    found = list(measures(search_request(system, on=(str(relation),) if is_level else ())))
+    assert [f.law.density for f in found] == [((1 + x**2, 1),)]
+    assert found[0].verdict.decision == "proven"
+
+
+# --- other laws of conditions ---------------------------------------------------------------
+
+LIFT = sp.ImmutableDenseMatrix([[0, 0, 1], [0, 0, 0], [-1, 0, 0]])
+PLANE = sp.ImmutableDenseMatrix([[0, 1, 0], [-1, 0, 0], [0, 0, 0]])
+TURN = {x: -y, y: x, z: sp.S.Zero}
+
+
+@pytest.mark.parametrize("factor", [1, 1 + x**2, z])
+def test_brackets_and_symmetries_keep_the_zeros_of_a_condition(factor):
+    """By z² = 0, too, the phase space is the plane: a bracket of z would lead out of it."""
+    system = System("plane", "Plane", TURN, relations=(z * factor,))
+    assert prove(system, PoissonStructure("bracket", PLANE)).decision == "proven"
+    assert prove(system, PoissonStructure("bracket", LIFT)).decision == "refuted"
+    assert prove(system, Symmetry("turn", {x: -y, y: x})).decision == "proven"
+    assert prove(system, Symmetry("lift", {z: sp.S.One})).decision == "refuted"
+
+
+def test_a_point_in_dispute_stands_against_a_proof(monkeypatch):
+    """Where check and trial disagree nothing is proven, and the reason is the check's."""
+    system = System("line", "Line", {x: sp.S.Zero, y: sp.S.One}, relations=(x * (x - 1),))
+    law = Identity("at zero", x * (x - 1) + x)
+    assert prove(system, law).decision == "refuted"
+
+    def disagreeing(*_):
+        raise CheckError("every residual may be zero at the point")
+
+    monkeypatch.setattr(decision, "witness", disagreeing)
+    verdict = prove(system, Identity("at zero again", x * (x - 1) + x))
+    assert verdict.decision == "undecided"
+    assert "does not confirm it: every residual may be zero at the point" in verdict.reason
 
 
 def test_laws_that_state_nothing_are_refused_one_by_one():

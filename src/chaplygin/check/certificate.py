@@ -9,8 +9,9 @@ from collections.abc import Mapping
 from .certificate_points import check_sample, check_witness
 from .claim.claim import Claim, read_claim
 from .claim.errors import BadInputError, CheckError, UndefinedError
-from .claim.formulas import names_in, parse_condition
+from .claim.formulas import names_in
 from .claim.json_data import as_list, field, mapping, only, text
+from .claim.parsing import parse_condition
 from .claim.power import claims_of_identities
 from .claim.separation import check_separation
 from .identities.basis import Basis

@@ -19,8 +19,9 @@ from .claim.claim import Claim, ClaimedSystem
 from .claim.domain import domain
 from .claim.errors import CheckError, UndefinedError
 from .claim.evaluate import Point
-from .claim.formulas import CONSTANTS, Formula, names_in, number, parse
+from .claim.formulas import CONSTANTS, Formula, names_in, number
 from .claim.json_data import as_list, field, integer, mapping, only, rational, text
+from .claim.parsing import parse
 from .claim.polynomials import Poly, Ring
 from .claim.real_functions import RealFunctions, ball
 from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals, target_point
@@ -204,6 +205,9 @@ class _StatedPoint:
         for formula, sign in self.system.admissible:
             if not self._admissible(formula, sign):
                 raise CheckError("the parameters of the point are not admissible")
+        for options in self.system.either:
+            if not any(all(self._admissible(*part) for part in option) for option in options):
+                raise CheckError("the parameters of the point are not admissible")
         for guard in self.system.guards:
             if not self.evaluate(guard) > 0:
                 raise CheckError("a guard is not positive at the point")
@@ -218,11 +222,15 @@ class _StatedPoint:
     def _check_target(self, target: ClaimedSystem) -> None:
         """Check that the parameters of the target are admissible at the point."""
         there = target_point(self.claim, self.evaluate)
-        for formula, sign in target.admissible:
+
+        def holds(formula: Formula, sign: str) -> bool:
             exact = there.exact(formula)
             value = there(formula) if exact is None else exact
-            holds = {">": value > 0, ">=": value >= 0, "!=": value != 0}
-            if not holds.get(sign, exact == 0):
+            known = {">": value > 0, ">=": value >= 0, "!=": value != 0}
+            return bool(known.get(sign, exact == 0))
+
+        for options in ((target.admissible,), *target.either):
+            if not any(all(holds(*part) for part in option) for option in options):
                 raise CheckError("the parameters of the target are not admissible at the point")
 
     def _admissible(self, formula: Formula, sign: str) -> bool:

@@ -70,7 +70,8 @@ def command(
         raise InputError(f"--until {until:g}: it must be positive and finite")
     numbers, chosen = None if level is None else level_of(level), device_of(device)
     study = study_of(what, overrides)
-    from ..analysis.lyapunov.report import Spectrum, record
+    from ..analysis.lyapunov.record import record
+    from ..analysis.lyapunov.report import Spectrum
     from ..analysis.lyapunov.spectrum import lyapunov_spectrum
     from ..analysis.orbits.reversing_symmetries import reversors
     from ..experiment.single_system import without_reconstruction
@@ -129,7 +130,9 @@ def _print(spectrum: Spectrum, reversors: Any) -> None:
     from rich.markup import escape
     from rich.table import Table
 
-    from ..analysis.lyapunov.report import remarks, sign_word, significant_digits
+    from ..analysis.lyapunov.averages import Average
+    from ..analysis.lyapunov.record import remarks
+    from ..analysis.lyapunov.report import sign_word, significant_digits
 
     typer.echo(spectrum.system.title)
     typer.echo(
@@ -141,8 +144,13 @@ def _print(spectrum: Spectrum, reversors: Any) -> None:
     table.add_column("exponent", justify="right", no_wrap=True)
     table.add_column("error", justify="right", no_wrap=True)
     table.add_column("")
-    for number, item in enumerate(spectrum.exponents, 1):
-        table.add_row(f"λ{number}", *significant_digits(item.value, item.error), sign_word(item))
+    for number, item in enumerate(spectrum.in_order, 1):
+        row = (
+            (*significant_digits(item.value, item.error), sign_word(item))
+            if isinstance(item, Average)
+            else ("0", "", f"trivial: {escape(item.name)}")
+        )
+        table.add_row(f"λ{number}", *row)
     total, mean = spectrum.total, spectrum.volume.divergence
     if spectrum.exponents:
         table.add_row("sum", *significant_digits(total.value, total.error), word_of_sum(total))

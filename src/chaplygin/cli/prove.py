@@ -107,7 +107,9 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
                 prover = prove_with_certificate if certificates else prove
                 verdict = judgement_of(prover, system, law, effort)
                 wrong = law.as_printed
-                printed = None if wrong is None else prove(system, wrong, effort=effort)
+                printed = None
+                if wrong is not None:
+                    printed = judgement_of(prove, system, wrong, effort)
                 done.append(_Attempt(system, law, verdict, printed))
     except KeyboardInterrupt:
         pass
@@ -148,7 +150,7 @@ def _record(attempt: _Attempt, effort: int) -> dict[str, object]:
     record = {
         "source": law.source,
         "statement": _words(law),
-        "printed": (printed or verdict).decision,
+        "printed": (verdict if printed is None else printed).decision,
         "corrected": law_latex(law, system),
         "verdict": verdict.decision,
         "conditions": list(verdict.conditions),

@@ -11,3 +11,5 @@ FloatArray: TypeAlias = npt.NDArray[np.float64]
 ComplexArray: TypeAlias = npt.NDArray[np.complex128]
 IntArray: TypeAlias = npt.NDArray[np.int64]
 BoolArray: TypeAlias = npt.NDArray[np.bool_]
+#: Arrays of numbers that are not doubles, such as balls.
+ObjectArray: TypeAlias = npt.NDArray[np.object_]

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import sympy as sp
 from sympy.core.relational import Relational
-from sympy.logic.boolalg import Boolean
+from sympy.logic.boolalg import Boolean, BooleanFunction
 
 from ..arguments import ParameterValue
 from ..errors import InputError
@@ -88,13 +88,37 @@ def parameter_values(
 
 
 def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, Condition]]:
-    """Parameters with a condition of each, as often as they have some.
+    """Parameters with a relation or an alternative of each, as often as they have some.
 
     Conditions on one parameter alone come first: where one of them fails, that parameter is wrong,
     and not another one that is compared with it.
     """
-    pairs = [(item, sp.sympify(condition)) for item in parameters for condition in item.admissible]
+    pairs = [(item, part) for item in parameters for c in item.admissible for part in conjuncts(c)]
     return sorted(pairs, key=lambda pair: len(pair[1].free_symbols))
+
+
+def conjuncts(condition: Condition) -> tuple[Condition, ...]:
+    """The conditions that together are one; each a relation, or an alternative of some.
+
+    An alternative is an `Or` of relations and of conjunctions of them.
+
+    Examples
+    --------
+    >>> a, b = sp.symbols("a b", real=True)
+    >>> conjuncts((b > 0) & ~((a <= 1) & (a >= -1)))
+    (b > 0, (a > 1) | (a < -1))
+    """
+    whole = sp.sympify(condition)
+    if whole.has(sp.Not, sp.Xor, sp.Implies, sp.Equivalent, sp.ITE):
+        whole = sp.to_nnf(whole, simplify=False)
+    # `args` are in order; `make_args` gives a set
+    parts = whole.args if isinstance(whole, sp.And) else (whole,)
+    return tuple(sp.to_dnf(p, simplify=False) if isinstance(p, sp.Or) else p for p in parts)
+
+
+def condition_words(condition: Condition) -> str:
+    """A condition for a reader, such as ``(a > 1) or (a < -1)``."""
+    return str(condition).replace(" | ", " or ").replace(" & ", " and ")
 
 
 def satisfies(condition: Condition, numbers: Mapping[sp.Symbol, Any]) -> Any:
@@ -140,22 +164,34 @@ def require_admissible(
         The same numbers as the message is to show them.
     """
     for parameter, condition in conditions(system.parameters):
+        if strange := sorted(map(str, condition.free_symbols - numbers.keys())):
+            raise InputError(
+                f"{system.name}: the condition {condition_words(condition)} on {parameter.symbol} "
+                f"uses {', '.join(strange)}, which is no parameter"
+            )
         failures = np.flatnonzero(np.logical_not(satisfies(condition, numbers)))
         if not failures.size:
             continue
         value = (values or numbers)[parameter.symbol]
         text = f"{value[failures[0]]:.10g}" if isinstance(value, np.ndarray) else f"{value}"
         raise InputError(
-            f"{system.name}: {parameter.symbol} = {text} is not admissible; {condition} must hold"
+            f"{system.name}: {parameter.symbol} = {text} is not admissible; "
+            f"{condition_words(condition)} must hold"
         )
 
 
 @lru_cache(maxsize=256)
 def _check(condition: Condition) -> tuple[list[sp.Symbol], Any]:
     """The symbols of a condition, and its truth as a function of them."""
-    relation = sp.sympify(condition)
-    if isinstance(relation, sp.Ge | sp.Le):
-        more, less = relation.gts, relation.lts
-        relation = more - less + ROUNDING * (sp.Abs(more) + sp.Abs(less)) >= 0
+    relation = _with_rounding(sp.sympify(condition))
     symbols = sorted(relation.free_symbols, key=str)
     return symbols, sp.lambdify(symbols, relation, "numpy")
+
+
+def _with_rounding(condition: Condition) -> Condition:
+    if isinstance(condition, sp.Ge | sp.Le):
+        more, less = condition.gts, condition.lts
+        return more - less + ROUNDING * (sp.Abs(more) + sp.Abs(less)) >= 0
+    if isinstance(condition, BooleanFunction):
+        return condition.func(*map(_with_rounding, condition.args))
+    return condition

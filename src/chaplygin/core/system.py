@@ -6,12 +6,12 @@ import math
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
-from ..arguments import Formula, NamedFormulas, arguments_checked
-from ..errors import InputError, require_label
+from ..arguments import Conditions, Formula, NamedFormulas, arguments_checked
+from ..errors import InputError, require_label, require_visible
 from .display import Displayed
 from .laws import Integral, Law
 from .named_formulas import Pairs, as_pairs, expand, needed_steps, require_names
@@ -37,7 +37,7 @@ class Parameter:
     unit : str
         SI unit of the examples; any consistent units will do.
     admissible : tuple of sympy relations
-        Conditions on this and other parameters.
+        Conditions on this and other parameters; ``(a > 1) | (a < -1)`` leaves two ranges.
 
     Examples
     --------
@@ -53,7 +53,7 @@ class Parameter:
     meaning: str
     default: float
     unit: str = ""
-    admissible: tuple[Any, ...] = ()
+    admissible: Conditions = ()
 
 
 @dataclass(frozen=True)
@@ -324,7 +324,8 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
-        require_label(self.name, self.title)
+        require_label(self.name, self.title, self.summary, *(p.meaning for p in self.parameters))
+        require_visible([o.meaning for o in self.observables] + [i.meaning for i in self.integrals])
         for p in self.parameters:
             if not math.isfinite(p.default):
                 raise InputError(f"{self.name}: {p.symbol} = {p.default} must be a finite number")

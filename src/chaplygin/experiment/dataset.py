@@ -136,6 +136,7 @@ def to_dataset(
             f"{s} = {_text(v)}" for s, v in zip(system.symbols, trajectory.states[0], strict=True)
         ),
         "events": "\n".join(map(str, trajectory.events)),
+        "warnings": "\n".join(trajectory.warnings),
         "tolerance": statistics.tolerance,
         "precision": statistics.precision,
         "integrator": statistics.integrator,

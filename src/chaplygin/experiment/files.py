@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..errors import InputError
-from ..partial_files import partial_file, umask
+from ..partial_files import partial_file, require_file_name, umask
 
 #: Kinds of files that are no regular files, with the tests for them.
 _OTHERS = (
@@ -23,6 +23,7 @@ _OTHERS = (
 
 def check_target(target: Path, force: bool = False) -> None:
     """Raise InputError unless a file may be written to `target`."""
+    require_file_name(target)
     status = status_of_target(target)
     if status is not None:
         _check_replaced(target, status, force)

@@ -91,9 +91,8 @@ class GenusTwo(Solution):
             return ""
         if not of.fixed:
             return (
-                f"{of.title}: no direction is known that stays in space, so that the attitude has "
-                "no error bounds; for those of "
-                f"{', '.join(map(str, of.system.state))} give a start without attitude"
+                f"{of.title}: no direction is known that stays in space, so that the motion there "
+                f"has no error bounds, beside {', '.join(map(str, of.system.state))}"
             )
         if lifted == QUATERNION:
             return ""
@@ -107,8 +106,6 @@ class GenusTwo(Solution):
         """The lifted state at one time as balls."""
         from .rigorous import rigorous_state
 
-        if not self.separable.fixed and self.left_open:
-            raise InputError(self.left_open)
         return rigorous_state(self, time, digits)
 
     @cached_property

@@ -53,8 +53,12 @@ class PrincipalAxesSolution(DerivedSolution):
     def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls that contain the exact one."""
         with ctx.workdps(digits + 30):
-            column = arb_mat([[x] for x in self.inner.rigorous(time, digits)])
-            return tuple(row[0] for row in (self.matrix * column).tolist())
+            inner = self.inner.rigorous(time, digits)
+            # zero times an infinite ball is infinite in ball arithmetic
+            return tuple(
+                sum((a * x for a, x in zip(row, inner, strict=True) if not a.is_zero()), arb(0))
+                for row in self.matrix.tolist()
+            )
 
 
 def in_principal_axes(problem: Problem, rolling: Rolling) -> tuple[Problem, arb_mat] | None:

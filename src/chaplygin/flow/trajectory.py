@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TypeVar
 
 import numpy as np
@@ -13,19 +13,22 @@ import numpy.typing as npt
 import sympy as sp
 
 from ..arguments import Parameters, arguments_checked
-from ..core.arrays import FloatArray
+from ..core.arrays import BoolArray, FloatArray
 from ..core.laws import Integral
 from ..core.overview import Overview, WithOverview
 from ..core.system import Guard, Observable, System
 from ..core.vectors import to_components
 from ..errors import InputError, nearest
-from ..formulas.array_evaluation import values
+from ..formulas.array_evaluation import overflows, values
 from .taylor.working_numbers import WorkingArray, WorkingNumber
 
 Number = TypeVar("Number", bound=np.generic)
 
 #: Of the drift of a quantity without a value along the motion, such as 0/0 at rest.
 NO_VALUE = "undefined along this motion"
+
+#: Of the drift of a quantity that numbers in double precision cannot follow.
+TOO_LARGE = "too large for double precision"
 
 
 class UnknownVariableError(InputError, KeyError):
@@ -37,6 +40,12 @@ def _read_only(array: WorkingArray) -> WorkingArray:
     view = array.view()
     view.flags.writeable = False
     return view
+
+
+def _doubles(array: WorkingArray) -> FloatArray:
+    """Numbers of any precision as doubles, infinite where they are too large."""
+    with np.errstate(over="ignore"):
+        return np.asarray(array).astype(float)
 
 
 def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArray[Number]:
@@ -200,6 +209,8 @@ class Trajectory(WithOverview):
     statistics : Statistics
     dense : DenseOutput or None
         The continuous trajectory, when it was asked for.
+    warnings : tuple of str
+        A sentence for every quantity that is too large to be recorded at some samples.
 
     Examples
     --------
@@ -247,9 +258,42 @@ class Trajectory(WithOverview):
                 ("recorded", ", ".join(name for name in self.records if name[:4] != "law_")),
                 *((f"drift of {law.name}", self._drift(law.name)) for law in self._integrals()),
                 *(("event", str(event)) for event in self.events),
+                *(("warning", warning) for warning in self.warnings),
                 ("steps", cost),
                 ("tolerance", f"{done.tolerance:.3g}, {done.precision} precision"),
             ),
+        )
+
+    @cached_property
+    def overflows(self) -> Mapping[str, BoolArray]:
+        """Where recorded quantities have no value since a number is too large: (n,), by name.
+
+        The state is finite there; names as in `records`.
+        """
+        found: dict[str, BoolArray] = {}
+        for quantity in recorded_quantities(self.system):
+            if quantity.name not in self.records:
+                continue
+            record = _doubles(self.records[quantity.name]).reshape(len(self.times), -1)
+            places = np.flatnonzero(~np.isfinite(record).all(axis=1))
+            if not len(places):
+                continue
+            states = _doubles(self.states[places])
+            parameters = {s: float(value) for s, value in self.parameters.items()}
+            large = overflows(self.system, quantity.formulas, states, parameters)
+            large &= np.isfinite(states).all(axis=1)
+            if large.any():
+                found[quantity.name] = np.isin(np.arange(len(self.times)), places[large])
+        return found
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """A sentence for every quantity that is too large to be recorded at some samples."""
+        return tuple(
+            f"{name.removeprefix('law_')} is recorded as inf or nan at {places.sum():,} of "
+            f"{len(places):,} samples, first at t = {float(self.times[places][0]):.9g}: a number "
+            "in its formula is larger than 1.8e308, the largest in double precision"
+            for name, places in self.overflows.items()
         )
 
     def _integrals(self) -> list[Integral]:
@@ -257,6 +301,8 @@ class Trajectory(WithOverview):
 
     def _drift(self, name: str) -> str:
         values = self.records[f"law_{name}"]
+        if f"law_{name}" in self.overflows:
+            return TOO_LARGE
         change = float(max(abs(value - values[0]) for value in values))
         return NO_VALUE if math.isnan(change) else f"{change:.1e}"
 

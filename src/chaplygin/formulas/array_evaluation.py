@@ -10,7 +10,7 @@ import numpy.typing as npt
 import sympy as sp
 
 from ..arguments import arguments_checked
-from ..core.arrays import FloatArray
+from ..core.arrays import BoolArray, FloatArray
 from ..core.parameters import Parameters, parameters_by_symbol, require_admissible
 from ..core.system import Quantity, System
 from ..core.vectors import to_components
@@ -207,6 +207,51 @@ def values(
     array([[ 2.,  2.],
            [ 8., 12.]])
     """
+    terms, points, rows = _at_states(system, formulas, states, parameters)
+    return numbers(terms, points, rows)
+
+
+def overflows(
+    system: System,
+    formulas: Sequence[Quantity],
+    states: npt.ArrayLike,
+    parameters: Parameters | None = None,
+) -> BoolArray:
+    """Whether an intermediate result of formulas is larger than every double, at states (n, size).
+
+    A quotient by zero and a logarithm of zero are none: they have no value at any precision.
+
+    Returns
+    -------
+    array (n,) of bool
+    """
+    terms, points, rows = _at_states(system, formulas, states, parameters)
+    order = _in_order(tuple(terms))
+    known = _values_by_term(order, points, rows)
+    found = np.zeros(points.shape[:-1], dtype=bool)
+    for node in order:
+        if node.kind in _OVERFLOWING:
+            operands = [known[id(operand)] for operand in node.operands]
+            regular = np.all(
+                [np.isfinite(value) for value in np.broadcast_arrays(*operands)], axis=0
+            )
+            if node.kind == "recip":
+                regular = regular & (operands[0] != 0.0)
+            found |= regular & np.isinf(known[id(node)])
+    return found
+
+
+#: Operations that may give infinity at finite arguments because it is too large for a double.
+_OVERFLOWING = frozenset({"add", "sub", "mul", "recip", "exp", "sinh", "cosh"})
+
+
+def _at_states(
+    system: System,
+    formulas: Sequence[Quantity],
+    states: npt.ArrayLike,
+    parameters: Parameters | None,
+) -> tuple[list[Term], FloatArray, FloatArray]:
+    """Formulas as terms, states as an array, and parameters as rows that fit it."""
     points = as_float_array("states", states)
     size = len(system.symbols)
     if points.shape[-1:] != (size,):
@@ -219,7 +264,7 @@ def values(
     spread = rows.reshape(len(rows), *([1] * (points.ndim - 2)), rows.shape[1])
     if len(rows) == 1:
         spread = rows[0]
-    return numbers(terms, points, spread)
+    return terms, points, spread
 
 
 @lru_cache(maxsize=64)
@@ -230,6 +275,17 @@ def _in_order(terms: tuple[Term, ...]) -> tuple[Term, ...]:
 
 def numbers(terms: Sequence[Term], states: FloatArray, parameters: FloatArray) -> FloatArray:
     """Terms at states (..., size) with parameters (..., parameters): (..., terms)."""
+    known = _values_by_term(_in_order(tuple(terms)), states, parameters)
+    result = np.empty((*states.shape[:-1], len(terms)))
+    for i, term in enumerate(terms):
+        result[..., i] = known[id(term)]
+    return result
+
+
+def _values_by_term(
+    order: tuple[Term, ...], states: FloatArray, parameters: FloatArray
+) -> dict[int, FloatArray | np.float64]:
+    """The values of terms in order, by their identity."""
 
     def leaf(node: Term) -> FloatArray | np.float64:
         if node.number is not None:
@@ -237,8 +293,4 @@ def numbers(terms: Sequence[Term], states: FloatArray, parameters: FloatArray) -
         return (states if node.kind == "state" else parameters)[..., node.args[0]]
 
     with np.errstate(all="ignore"):
-        known = term_values(_in_order(tuple(terms)), leaf, NUMPY)
-    result = np.empty((*states.shape[:-1], len(terms)))
-    for i, term in enumerate(terms):
-        result[..., i] = known[id(term)]
-    return result
+        return term_values(order, leaf, NUMPY)

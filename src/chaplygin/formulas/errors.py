@@ -19,6 +19,10 @@ class NoRealValueError(OutOfReachError):
     """A root of what is negative, at all points that are spoken of."""
 
 
+class NoVolumeError(ZeroDivisionError):
+    """Conditions whose gradients depend on each other cut out no volume."""
+
+
 class NeedMoreGeneratorsError(Exception):
     """More auxiliary symbols are needed than were provided."""
 

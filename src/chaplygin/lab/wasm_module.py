@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..core.parameters import ROUNDING, conditions
+from ..core.parameters import ROUNDING, condition_words, conditions
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
@@ -168,40 +168,47 @@ def _reduced_pieces(reduced: System, scalars: Sequence[Scalar]) -> dict[str, lis
         "invariants": with_slopes([*relations, *integrals]),
         "rates": list(rates),
         "guards": [reader(to_components(guard.value)) for guard in reduced.guards],
-        "admissible": [reader(side) for _, side in _admissible(reduced)],
+        "admissible": [reader(side) for _, _, side in _admissible(reduced)],
     }
 
 
 # --- parameters ------------------------------------------------------------------------------
 
 
-def _admissible(system: System) -> list[tuple[sp.Basic, sp.Expr]]:
-    """Conditions on parameters, each with a formula that is positive where it holds."""
-    pairs = []
-    for _, condition in conditions(system.parameters):
-        match condition:
-            case sp.Gt() | sp.Lt():
-                pairs.append((condition, condition.gts - condition.lts))
-            case sp.Ge() | sp.Le():
-                more, less = condition.gts, condition.lts
-                slack = ROUNDING * (sp.Abs(more) + sp.Abs(less)) + sp.Float(5e-324)
-                pairs.append((condition, more - less + slack))
-            case sp.Ne():
-                pairs.append((condition, sp.Abs(condition.lhs - condition.rhs)))
-    return pairs
+def _admissible(system: System) -> list[tuple[str, sp.Basic, sp.Expr]]:
+    """Conditions on parameters, each with its parameter and what is positive where it holds."""
+    return [
+        (str(item.symbol), condition, side)
+        for item, condition in conditions(system.parameters)
+        if (side := positive_where(condition)) is not None
+    ]
+
+
+def positive_where(condition: sp.Basic) -> sp.Expr | None:
+    """A formula that is positive where a condition holds; None of an equation or a truth value."""
+    match condition:
+        case sp.Gt() | sp.Lt():
+            return condition.gts - condition.lts
+        case sp.Ge() | sp.Le():
+            more, less = condition.gts, condition.lts
+            return more - less + ROUNDING * (sp.Abs(more) + sp.Abs(less)) + sp.Float(5e-324)
+        case sp.Ne():
+            return sp.Abs(condition.lhs - condition.rhs)
+        case sp.And() | sp.Or():
+            sides = [positive_where(part) for part in condition.args]
+            # 2 where a side is positive, and 0 elsewhere
+            parts = [sp.sign(side) * (1 + sp.sign(side)) for side in sides if side is not None]
+            if isinstance(condition, sp.And):
+                return sp.Mul(*parts)
+            return sp.Add(*parts) if None not in sides else None
+    return None
 
 
 def _admissible_table(system: System) -> list[Json]:
     """The parameter and the text of each of these conditions."""
-    symbols = [str(item.symbol) for item, condition in conditions(system.parameters)]
-    chosen = [
-        name
-        for name, (_, condition) in zip(symbols, conditions(system.parameters), strict=True)
-        if isinstance(condition, sp.Gt | sp.Lt | sp.Ge | sp.Le | sp.Ne)
-    ]
     return [
-        {"parameter": name, "condition": str(condition)}
-        for name, (condition, _) in zip(chosen, _admissible(system), strict=True)
+        {"parameter": name, "condition": condition_words(condition)}
+        for name, condition, _ in _admissible(system)
     ]
 
 

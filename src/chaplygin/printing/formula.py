@@ -207,6 +207,9 @@ class _Writer:
                 return Fragment(
                     f" {notation.relations[formula.rel_op]} ".join(sides), Precedence.SUM
                 )
+            case sp.And() | sp.Or():
+                parts = sorted(self.piece(part).text for part in formula.args)
+                return Fragment(notation.connectives[formula.func].join(parts), Precedence.SUM)
         if formula in notation.constants:
             return Fragment(notation.constants[formula])
         return Fragment(notation.fallback(formula), Precedence.SUM)

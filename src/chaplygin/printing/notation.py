@@ -42,6 +42,7 @@ class Notation(ABC):
     cross: str
     dyad: str
     relations: ClassVar[Mapping[str, str]]
+    connectives: ClassVar[Mapping[type, str]]
     constants: ClassVar[Mapping[sp.Basic, str]]
 
     def guard(self, piece: Fragment, level: Precedence) -> str:
@@ -141,6 +142,7 @@ class _Unicode(Notation):
         ">": ">",
         ">=": "≥",
     }
+    connectives: ClassVar[Mapping[type, str]] = {sp.And: " and ", sp.Or: " or "}
     constants: ClassVar[Mapping[sp.Basic, str]] = {sp.pi: "π", sp.E: "e"}
 
     def brackets(self, inner: str) -> str:
@@ -247,6 +249,10 @@ class _Latex(Notation):
         "<=": r"\leq",
         ">": ">",
         ">=": r"\geq",
+    }
+    connectives: ClassVar[Mapping[type, str]] = {
+        sp.And: r" \text{ and } ",
+        sp.Or: r" \text{ or } ",
     }
     constants: ClassVar[Mapping[sp.Basic, str]] = {sp.pi: r"\pi", sp.E: "e"}
 

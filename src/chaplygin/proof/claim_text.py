@@ -21,6 +21,7 @@ from ..core.laws import (
 )
 from ..core.memory import memory
 from ..core.named_formulas import expand
+from ..core.parameters import conjuncts
 from ..core.system import System, flat
 from ..core.vectors import Vector, to_components
 from .fields.quotient_ring import Poly
@@ -60,11 +61,11 @@ def guards(system: System) -> tuple[sp.Expr, ...]:
 
 
 def admissible(system: System) -> tuple[sp.Basic, ...]:
-    """The relations that parameters obey, none of which is a conjunction."""
+    """The relations that parameters obey, none of which is a conjunction, and alternatives."""
     relations: list[sp.Basic] = []
     for parameter in system.parameters:
         for condition in parameter.admissible:
-            relations += sp.And.make_args(sp.sympify(condition))
+            relations += conjuncts(condition)
         assumed = [r for r in assumed_relations(parameter.symbol) if r not in (sp.true, sp.false)]
         # the strongest says it all
         relations += assumed[:1]

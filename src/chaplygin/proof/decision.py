@@ -41,21 +41,14 @@ from .level.target_conditions import is_admissible_target, open_conditions
 from .random_test import FURTHER, Trial, is_nowhere, point_of_reversed_time, trials
 from .rank import DIMENSION
 from .remarks import remark
-from .residuals import conditions_are_independent
-from .symbolic_proof import Proof, proof
+from .residuals import bracket_with, conditions_are_independent, derivative_of, in_words
+from .symbolic_proof import NO_VOLUME, Proof, proof
 from .verdict import Verdict
 from .witness_points import Witness, point_shown, witness, witness_point
 
 NOTHING = Proof(0)
 NOWHERE = "no point was found at which the density is real"
-NO_VOLUME = (
-    "the conditions of the level cut out no volume: their gradients depend on each other at every "
-    "point tried"
-)
 NO_TARGET = "the parameters that it gives its target are not admissible there at any point tried"
-
-
-NOT_CONFIRMED = "fails at a point tried, which the check of certificates does not confirm"
 
 
 @dataclass(frozen=True)
@@ -70,6 +63,8 @@ class _Part:
         A point where the law fails.
     point : mapping of str to str, optional
         State and parameters there.
+    dispute : str
+        How the check of certificates contradicts a point at which the law seems to fail.
     needs : tuple of (str, str)
         What must be positive for the law to make sense, where that is not known: in words, and as
         a formula.
@@ -83,6 +78,7 @@ class _Part:
     proof: Proof = NOTHING
     trial: Trial | None = None
     point: dict[str, str] | None = None
+    dispute: str = ""
     needs: tuple[tuple[str, str], ...] = ()
     remark: str = ""
     witness: Witness | None = None
@@ -126,6 +122,8 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
         raise empty[0]
     if failed := [part for part in parts if part.trial is not None]:
         return _refutation(law, failed[0], parts)
+    if disputed := [part for part in parts if part.dispute]:
+        return Verdict(law.name, "undecided", reason=disputed[0].dispute)
     open_parts = [part for part in parts if part.proof.failure]
     proven = [part for part in parts if part.proof.residuals and not part.proof.failure]
     nowhere = all(part.proof.failure in (NOWHERE, NO_VOLUME, NO_TARGET) for part in open_parts)
@@ -165,31 +163,40 @@ class _Checker:
     def read(self) -> CheckedClaim:
         return read_claim(claim_text(self.system, self.law), "the claim")
 
-    def refutation(self, claim: Claim, level: LevelSet, trial: Trial) -> _Part | None:
-        """The part on which the law fails at a point; None if the check disagrees."""
+    def refutation(self, claim: Claim, level: LevelSet, trial: Trial) -> _Part:
+        """The part on which the law fails at a point; in dispute if the check disagrees."""
+        failed = _Part((), trial=trial, point=point_shown(claim, level, trial.field))
         try:
-            confirmed = witness(self.read, claim, level, trial.values)
-            if confirmed is None and not self._beyond(claim, level, trial):
-                return None
-        except (CheckError, UndefinedError):
-            return None
-        return _Part(
-            (), trial=trial, point=point_shown(claim, level, trial.field), witness=confirmed
-        )
+            return replace(failed, witness=witness(self.read, claim, level, trial.values))
+        except (CheckError, UndefinedError) as reason:
+            what = trial.witness[0] if trial.witness else ""
+            if self._beyond(claim, level, trial, what):
+                return failed
+            return _Part(
+                (),
+                dispute=f"{claim.original_words(what)} is not zero at a point tried, but the check "
+                f"of certificates does not confirm it: {reason}",
+            )
 
-    def _beyond(self, claim: Claim, level: LevelSet, trial: Trial) -> bool:
+    def _beyond(self, claim: Claim, level: LevelSet, trial: Trial, what: str) -> bool:
         """Whether the check has the point, but not the residual, which it does not know.
 
-        It knows rates of the conditions as they are given, not of the equations of a component;
-        nor does it know that quantities separate, or that time runs forward.
+        It knows the conditions as they are written, not the equations of a component, whose rates,
+        brackets and derivatives along a symmetry field have to vanish as well; nor does it know
+        that quantities separate, or that time runs forward.
         """
-        what = trial.witness[0] if trial.witness else ""
-        if not (isinstance(self.law, Separation) or what.startswith(("invariance", "dτ/dt"))):
+        own = [c for c in level.moving if c not in level.volume_conditions]
+        names = ["dτ/dt", *map(in_words, own), *map(bracket_with, own), *map(derivative_of, own)]
+        if not (isinstance(self.law, Separation) or what.startswith(tuple(names))):
             return False
         point = witness_point(claim, level, trial.values)
-        if point is not None:
+        if point is None:
+            return False
+        try:
             point_of_level(self.read, point)
-        return point is not None
+        except (CheckError, UndefinedError):
+            return False
+        return True
 
 
 def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker) -> Iterator[_Part]:
@@ -228,45 +235,47 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
     law = claim.law
     sample: dict[str, float] | None = None
     first: Trial | None = None
-    contested = ""
+    disputed: _Part | None = None
     # a rank is that at almost all points, not the one where an initial vanishes
     attained = level.parent is not None
     for trial in trials(law, points):
         if trial.witness is not None:
-            refuted = checker.refutation(claim, points, trial)
-            if refuted is not None:
-                return refuted
-            contested = f"{trial.witness[0]} {NOT_CONFIRMED}"
+            failed = checker.refutation(claim, points, trial)
+            if not failed.dispute:
+                return failed
+            disputed = disputed or failed
             continue
         if trial.lack is not None and trial.lack[0] == DIMENSION:
-            failed = replace(trial, witness=trial.lack)
-            return _Part((), trial=failed, point=point_shown(claim, points, trial.field))
+            return _lacking(claim, points, trial, trial.lack)
         first = first or trial
         sample = sample or {name: float(value) for name, value in trial.field.values.items()}
         attained = attained or trial.lack is None
-    if first is None:
+    if first is None and disputed is None:
         last = point_of_reversed_time(law, points)
         if last is not None and last.witness is not None:
-            refuted = checker.refutation(claim, points, last)
-            if refuted is not None:
-                return refuted
+            failed = checker.refutation(claim, points, last)
+            if not failed.dispute:
+                return failed
+            disputed = failed
         if isinstance(law, Measure) and is_nowhere(points, conditions_are_independent):
             return _Part((), Proof(0, failure=NO_VOLUME))
         if isinstance(law, Isomorphism) and is_nowhere(points, partial(is_admissible_target, law)):
             return _Part((), Proof(0, failure=NO_TARGET))
         if isinstance(law, Measure) and positive_formulas(law, level):
             return _Part((), Proof(0, failure=NOWHERE))
-    outcome = proof(law, level, sample, budget, attained)
+    # a point in dispute stands against any proof
+    outcome = NOTHING if disputed else proof(law, level, sample, budget, attained)
     if outcome.lack is not None and first is not None:
-        failed = replace(first, witness=outcome.lack)
-        return _Part((), trial=failed, point=point_shown(claim, points, first.field))
-    if outcome.failure or outcome.conditions:
+        return _lacking(claim, points, first, outcome.lack)
+    if disputed or outcome.failure or outcome.conditions:
         for trial in trials(law, points, FURTHER):
-            refuted = trial.witness and checker.refutation(claim, points, trial)
-            if refuted:
-                return refuted
-    if contested and not outcome.failure:
-        outcome = replace(outcome, failure=contested)
+            if trial.witness is not None:
+                failed = checker.refutation(claim, points, trial)
+                if not failed.dispute:
+                    return failed
+                disputed = disputed or failed
+    if disputed is not None:
+        return disputed
     words = claim.original_words
     return _Part(
         (),
@@ -278,6 +287,12 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
         needs=tuple((words(need), words(formula)) for need, formula in _needs(law, level)),
         remark=words(_remark(law, level, first)),
     )
+
+
+def _lacking(claim: Claim, level: LevelSet, trial: Trial, lack: tuple[str, str]) -> _Part:
+    """The law on a component where it lacks a rank."""
+    failed = replace(trial, witness=lack)
+    return _Part((), trial=failed, point=point_shown(claim, level, trial.field))
 
 
 def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:

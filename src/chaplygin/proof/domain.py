@@ -12,7 +12,8 @@ import sympy as sp
 
 from ..check.claim.claim import Claim as CheckedClaim
 from ..check.claim.domain import GRAM, domain
-from ..check.claim.formulas import Formula, parse
+from ..check.claim.formulas import Formula
+from ..check.claim.parsing import parse
 from ..core.formula_text import short_text
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Identity, Law, Rate, Reduction

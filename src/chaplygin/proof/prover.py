@@ -12,7 +12,7 @@ import sympy as sp
 
 from ..arguments import arguments_checked
 from ..core.laws import Law
-from ..core.parameters import conditions, satisfies
+from ..core.parameters import condition_words, conditions, satisfies
 from ..core.system import System, Theorem
 from ..errors import InputError
 from ..formulas.errors import OutOfReachError, UnknownSymbolError
@@ -141,7 +141,7 @@ def _check_defaults(system: System) -> None:
         ):
             raise InputError(
                 f"{system.name}: the default {parameter.symbol} = {parameter.default:g} is not "
-                f"admissible; {condition} must hold"
+                f"admissible; {condition_words(condition)} must hold"
             )
 
 

@@ -27,6 +27,7 @@ from ..core.laws import (
 )
 from ..core.vectors import to_components
 from ..errors import InputError
+from ..formulas.errors import NoVolumeError
 from ..formulas.jets import Evaluator, Jet
 from ..printing.formula import text
 from .fields.field import Field, FieldElement
@@ -43,6 +44,16 @@ Residuals: TypeAlias = Iterator[tuple[Name, FieldElement]]
 def in_words(name: Name) -> str:
     """The name of a residual for a reader."""
     return name if isinstance(name, str) else f"invariance of {text(name)} = 0"
+
+
+def bracket_with(formula: sp.Expr) -> str:
+    """The name of the brackets of all variables with a function that should be a Casimir."""
+    return f"{{·, {formula}}}"
+
+
+def derivative_of(formula: sp.Expr) -> str:
+    """The name of the derivative of a condition along a symmetry field."""
+    return f"u({formula})"
 
 
 @singledispatch
@@ -152,13 +163,13 @@ def _transverse(
         normals.append([slope.value for slope in slopes])
         drifts.append([_slope(field, drift, i) for i in range(len(symbols))])
     moving = [i for i, row in enumerate(drifts) if not all(field.vanishes(x) for x in row)]
-    if not moving:
-        return field.zero
     gram = [[_product(field, a, b) for b in normals] for a in normals]
+    right = [[_product(field, drifts[i], normal) for i in moving] for normal in normals]
+    # where nothing moves it still has to be seen that there is a volume
+    solution = _solution(field, gram, right)
     total = field.zero
-    for i in moving:
-        right = [_product(field, drifts[i], normal) for normal in normals]
-        total = total + _solution(field, gram, right)[i]
+    for column, i in enumerate(moving):
+        total = total + solution[i][column]
     return total
 
 
@@ -171,8 +182,8 @@ def conditions_are_independent(level: LevelSet, field: Field) -> bool:
     ]
     gram = [[_product(field, a, b) for b in normals] for a in normals]
     try:
-        _solution(field, gram, [field.zero] * len(gram))
-    except ZeroDivisionError:
+        _solution(field, gram, [[] for _ in gram])
+    except NoVolumeError:
         return False
     return True
 
@@ -184,24 +195,26 @@ def _product(field: Field, first: Row, second: Row) -> FieldElement:
     return total
 
 
-def _solution(field: Field, matrix: Sequence[Row], right: Row) -> list[FieldElement]:
-    """Solution of a small linear system with a Gram matrix, by Gauss and Jordan.
+def _solution(
+    field: Field, matrix: Sequence[Row], right: Sequence[Row]
+) -> list[list[FieldElement]]:
+    """Solutions of a small linear system with a Gram matrix, by Gauss and Jordan.
 
     The pivots of a Gram matrix, taken in order, are the squared distances of each vector from the
     span of those before it: none is zero where the vectors are independent.  So no rows are
     exchanged, and a zero pivot says that the gradients of the conditions depend on each other,
     where the volume that the conditions cut out is not defined.
     """
-    rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
+    rows = [[*row, *values] for row, values in zip(matrix, right, strict=True)]
     for i in range(len(rows)):
         if field.vanishes(rows[i][i]):
-            raise ZeroDivisionError
+            raise NoVolumeError
         rows[i] = [x / rows[i][i] for x in rows[i]]
         for j in range(len(rows)):
             if j != i:
                 factor = rows[j][i]
                 rows[j] = [x - factor * y for x, y in zip(rows[j], rows[i], strict=True)]
-    return [row[-1] for row in rows]
+    return [row[len(rows) :] for row in rows]
 
 
 # --- symmetry fields -----------------------------------------------------------------------
@@ -220,7 +233,7 @@ def _(law: Symmetry, level: LevelSet, field: Field) -> Residuals:
     # leaves nothing to compute
     along, across = level.along(field), level.along_field(field, given)
     for condition in level.moving:
-        yield f"u({condition})", across.slope(condition)
+        yield derivative_of(condition), across.slope(condition)
     for symbol, rate in zip(symbols, level.system.rates, strict=True):
         change = along.slope(given.get(symbol, sp.S.Zero))
         yield f"[u, v] in {symbol}", across.slope(rate) - change
@@ -246,7 +259,7 @@ def _(law: PoissonStructure, level: LevelSet, field: Field) -> Residuals:
         for j in range(i, size):
             yield f"J[{i + 1},{j + 1}] + J[{j + 1},{i + 1}]", values[i][j] + values[j][i]
     for condition in level.moving:
-        yield from _casimir(field, f"{{·, {condition}}}", partial(condition), values)
+        yield from _casimir(field, condition, partial(condition), values)
     for i, j, k in combinations(range(size), 3):
         total = field.zero
         for a, b, c in ((i, j, k), (j, k, i), (k, i, j)):
@@ -254,23 +267,19 @@ def _(law: PoissonStructure, level: LevelSet, field: Field) -> Residuals:
                 total = total + values[a][number] * slope
         yield f"Jacobi identity {i + 1}, {j + 1}, {k + 1}", total
     for casimir in law.casimirs:
-        yield from _casimir(
-            field,
-            f"{{·, {casimir}}}",
-            partial(level.without_rates(to_components(casimir))),
-            values,
-        )
+        function = partial(level.without_rates(to_components(casimir)))
+        yield from _casimir(field, casimir, function, values)
     if law.rank is not None:
         for rows in combinations(range(size), law.rank + 2):
             yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
 
 
-def _casimir(field: Field, name: str, function: Jet, values: Sequence[Row]) -> Residuals:
+def _casimir(field: Field, formula: sp.Expr, function: Jet, values: Sequence[Row]) -> Residuals:
     for i, row in enumerate(values, 1):
         total = field.zero
         for j, slope in function.slopes.items():
             total = total + row[j] * slope
-        yield f"{name}, component {i}", total
+        yield f"{bracket_with(formula)}, component {i}", total
 
 
 def pfaffian(field: Field, matrix: Sequence[Row], rows: tuple[int, ...]) -> FieldElement:

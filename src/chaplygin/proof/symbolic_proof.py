@@ -17,6 +17,7 @@ from ..formulas.errors import (
     EffortSpentError,
     NeedMoreGeneratorsError,
     NoRealValueError,
+    NoVolumeError,
     OutOfReachError,
 )
 from .fields.budget import Budget
@@ -29,6 +30,7 @@ from .random_test import all_residuals
 from .rank import rank_defect
 from .residuals import in_words
 
+NO_VOLUME = "the conditions of the level cut out no volume: their gradients depend on each other"
 MOST_RUNS = 48
 """Choices of signs that are followed."""
 NEGATIVE_BASE = "the base of a power with a symbolic exponent is negative"
@@ -64,6 +66,7 @@ class _Run:
     residuals: int = 0
     failure: str = ""
     void: bool = False
+    no_volume: bool = False
     words: dict[str, str] = dataclass_field(default_factory=dict)
 
 
@@ -111,7 +114,7 @@ def proof(
             proven.append(run)
         waiting += [(more, count, origin) for more, count, _ in flipped_decisions(run.field, size)]
     if not proven:
-        return Proof(0)
+        return Proof(0, failure=NO_VOLUME if first.no_volume else "")
     conditions = tuple(first.words[key] for key in first.words if key in failed)
     return Proof(proven[0].residuals, conditions)
 
@@ -162,8 +165,9 @@ def _run(
         except NeedMoreGeneratorsError:
             spare *= 2
             continue
-        except (NoRealValueError, ZeroDivisionError):
+        except (NoRealValueError, ZeroDivisionError) as undefined:
             run.void = True
+            run.no_volume = isinstance(undefined, NoVolumeError)
         except EffortSpentError:
             raise
         except OutOfReachError as reason:

@@ -122,12 +122,15 @@ class Witness:
 
 def witness(
     read: CheckedClaim, claim: Claim, level: LevelSet, values: Mapping[str, fmpq | arb]
-) -> Witness | None:
-    """A point at which a law fails by the check of certificates, or None where it does not."""
+) -> Witness:
+    """A point at which a law fails by the check of certificates.
+
+    Raises
+    ------
+    CheckError
+        If it does not fail there by the check; the error says why.
+    """
     point = witness_point(claim, level, values)
     if point is None:
-        return None
-    try:
-        return Witness(point, *failing(read, point))
-    except CheckError:
-        return None
+        raise CheckError("the coordinates of the point cannot be written")
+    return Witness(point, *failing(read, point))

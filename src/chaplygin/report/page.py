@@ -182,7 +182,7 @@ def render(
                 "verdict": verdicts[law.name],
                 "value": _value_text(float(trajectory.records[f"law_{law.name}"][0])),
                 "unit": unit(law.unit),
-                "drift": drift_text(trajectory.records[f"law_{law.name}"]),
+                "drift": drift_text(trajectory, law.name),
             }
             for law in (() if contact else system.integrals)
         ],
@@ -203,6 +203,7 @@ def render(
             if verdict.reason and not verdict.is_untried
         ],
         events=[] if contact else [typographic_signs(str(e)) for e in trajectory.events],
+        warnings=[typographic_signs(warning) for warning in trajectory.warnings],
         remarks=[typographic_signs(remark) for remark in study.remarks],
         failure=typographic_signs(str(failure)) if failure else None,
         facts=_facts(study, trajectory),

@@ -9,13 +9,14 @@ import numpy as np
 
 from ..core.system import System
 from ..experiment.dataset import Samples
-from ..flow.trajectory import NO_VALUE, Trajectory
+from ..flow.trajectory import NO_VALUE, TOO_LARGE, Trajectory
 from ..printing.numerals import number
 
 
 def drift(values: Samples) -> float:
     """Largest |F(t) − F(0)|, relative to |F(0)|; absolute when F(0) = 0."""
-    change = max(abs(float(v - values[0])) for v in values)
+    with np.errstate(invalid="ignore"):
+        change = max(abs(float(v - values[0])) for v in values)
     size = abs(float(values[0]))
     return change / size if size else change
 
@@ -29,28 +30,34 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
         "final": {
             str(s): _plain(x) for s, x in zip(system.symbols, trajectory.states[-1], strict=True)
         },
-        "drift": {
-            law.name: _number_or_none(drift(trajectory.records[f"law_{law.name}"]))
-            for law in system.integrals
-        },
+        "drift": {law.name: _drift_or_none(trajectory, law.name) for law in system.integrals},
         "events": [
             {"time": h.time, "what": h.guard.message, "stopped": h.is_terminal}
             for h in trajectory.events
         ],
+        "warnings": list(trajectory.warnings),
         "steps": statistics.steps,
         "order": statistics.order,
         "seconds": statistics.seconds,
     }
 
 
-def drift_text(values: Samples) -> str:
+def drift_text(trajectory: Trajectory, law: str) -> str:
     """The drift as a number, or that there is none."""
-    value = drift(values)
-    return NO_VALUE if math.isnan(value) else number(value, 2)
+    value = _drift_or_none(trajectory, law)
+    return _words_of_none(trajectory, law) if value is None else number(value, 2)
 
 
-def _number_or_none(value: float) -> float | None:
-    """A drift; None for a quantity that has no value along the motion, such as 0/0 at rest."""
+def _words_of_none(trajectory: Trajectory, law: str) -> str:
+    """Why a quantity has no drift."""
+    return TOO_LARGE if f"law_{law}" in trajectory.overflows else NO_VALUE
+
+
+def _drift_or_none(trajectory: Trajectory, law: str) -> float | None:
+    """A drift; None for a quantity without a value, such as 0/0 at rest or above 1.8e308."""
+    if f"law_{law}" in trajectory.overflows:
+        return None
+    value = drift(trajectory.records[f"law_{law}"])
     return None if math.isnan(value) else value
 
 
@@ -67,7 +74,9 @@ def summary_text(system: System, trajectory: Trajectory, facts: dict[str, Any]) 
     laws = {law.name: law for law in trajectory.system.integrals}
     for name, value in facts["drift"].items():
         source = f", {laws[name].source}" if laws[name].source else ""
-        words = NO_VALUE if value is None else f"drift {value:.1e}"
+        none = _words_of_none(trajectory, name)
+        words = none if value is None else f"drift {value:.1e}"
         lines.append(f"  {laws[name].meaning}{source}: {words}")
     lines += [f"  {event}" for event in trajectory.events]
+    lines += [f"  warning: {warning}" for warning in trajectory.warnings]
     return "\n".join(lines)

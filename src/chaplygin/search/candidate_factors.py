@@ -1,4 +1,4 @@
-"""Polynomials that suggest themselves: denominators of a field, (γ, Jγ), determinants."""
+"""Polynomials that suggest themselves: denominators of a field, (γ, Jγ), factors of relations."""
 
 from __future__ import annotations
 
@@ -26,12 +26,17 @@ def natural_divisors(vocabulary: VectorInvariants) -> tuple[sp.Expr, ...]:
 
 
 def natural_bases(vocabulary: VectorInvariants) -> tuple[sp.Expr, ...]:
-    """Functions of whose powers densities are often made: the divisors, and single variables."""
+    """Functions of whose powers densities are often made.
+
+    They are the divisors, single variables, and the factors of relations, which change the volume
+    that these cut out.
+    """
     symbols = vocabulary.space.system.symbols
     named = {n for n, _ in vocabulary.space.system.definitions if isinstance(n, sp.Symbol)}
     singles = [s for s in symbols if s in vocabulary.space.system.state]
     singles += [s for s in sorted(named, key=str) if s in vocabulary.table]
-    everything = (*_candidates(vocabulary), *vocabulary.ansatz.coordinates, *singles)
+    factors = [f for r in vocabulary.space.relations for f in _factors(r)]
+    everything = (*_candidates(vocabulary), *vocabulary.ansatz.coordinates, *singles, *factors)
     return tuple(_distinct(vocabulary, everything, set(symbols)))
 
 
@@ -70,6 +75,14 @@ def _candidates(vocabulary: VectorInvariants) -> Iterator[sp.Expr]:
     system = vocabulary.space.system
     for _, formula in (*system.field, *system.definitions):
         yield from _denominators(formula)
+
+
+def _factors(relation: sp.Expr) -> tuple[sp.Expr, ...]:
+    """The factors of a relation, if it has several."""
+    if not relation.is_polynomial():
+        return ()
+    _, factors = sp.factor_list(relation)
+    return tuple(f for f, _ in factors) if len(factors) > 1 else ()
 
 
 def _denominators(formula: sp.Basic) -> Iterator[sp.Expr]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 from math import sqrt
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,7 +13,8 @@ import sympy as sp
 
 from analysis.motions import carousel, henon_heiles, henon_heiles_start, lorenz, saddle, top
 from chaplygin.analysis.lyapunov.attractor_dimension import kaplan_yorke
-from chaplygin.analysis.lyapunov.report import Spectrum, record, remarks
+from chaplygin.analysis.lyapunov.record import record, remarks
+from chaplygin.analysis.lyapunov.report import Spectrum
 from chaplygin.analysis.lyapunov.spectrum import lyapunov_spectrum
 from chaplygin.analysis.lyapunov.zero_exponents import trivial_directions
 from chaplygin.catalogue import CATALOGUE
@@ -222,6 +224,19 @@ def test_a_short_motion_is_said_not_to_have_settled() -> None:
     assert any("has not converged" in text for text in remarks(found))
 
 
+def test_exponents_are_numbered_with_the_zeros(butterfly: Spectrum) -> None:
+    # tables call the negative exponent of Lorenz's equations the third
+    assert butterfly.numbers == (1, 3)
+    assert butterfly.trivial_numbers == (2,)
+    plain: Any = record(butterfly)
+    assert [item["number"] for item in plain["exponents"]] == [1, 3]
+    assert [item["number"] for item in plain["removed"]] == [2]
+    assert butterfly.dataset()["exponent"].values.tolist() == [1, 3]
+    rows = dict(butterfly.overview().rows)
+    assert rows["λ_2"] == "0, flow"
+    assert rows["λ_3"].startswith("-14.")
+
+
 def test_what_a_spectrum_tells(butterfly: Spectrum) -> None:
     sentence = " ".join(remarks(butterfly))
     assert "chaotic (observed)" in sentence
@@ -235,7 +250,7 @@ def test_plain_values(butterfly: Spectrum) -> None:
     assert json.loads(json.dumps(plain)) == plain
     assert plain["exponents"][0]["value"] == butterfly.values[0]
     assert plain["removed"] == [
-        {"name": "flow", "kind": "flow", "seen": plain["removed"][0]["seen"]}
+        {"number": 2, "name": "flow", "kind": "flow", "seen": plain["removed"][0]["seen"]}
     ]
 
 

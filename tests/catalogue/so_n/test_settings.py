@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import re
+import tomllib
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -27,6 +31,22 @@ def test_every_dimension_has_its_system(name, dimension):
     gamma = next(v for v in system.state if str(v) == "gamma")
     assert len(gamma.symbols) == dimension
     assert len(system.lifted().symbols) >= len(system.symbols) + dimension**2
+
+
+@pytest.mark.parametrize(
+    ("name", "number"),
+    [
+        ("suslov-nd", 'J_44": 1.3'),
+        ("special-chaplygin-ball-nd", 'a_2": 0.45'),
+        ("special-rubber-ball-nd", 'a_3": 1.7'),
+        ("veselova-nd", 'p": [1.0, 0.7, 0.2, 0.2]'),
+    ],
+)
+def test_examples_are_decimals_of_few_digits(name, number):
+    study = prepare(loads(f'system = {{name = "{name}"}}'))
+    tables = tomllib.loads(study.complete_toml())
+    assert number in json.dumps({**tables["system"]["parameters"], **tables["start"]})
+    assert not re.search(r"\d\.\d{7,}", study.complete_toml())
 
 
 def test_the_generic_moments_are_those_of_four_dimensions_by_default():

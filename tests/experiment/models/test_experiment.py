@@ -439,6 +439,15 @@ def test_load_reads_files_and_texts(tmp_path: Path) -> None:
         load(path)
 
 
+@pytest.mark.parametrize("path", ["", "  "])
+def test_an_empty_path_is_refused(path: str) -> None:
+    with pytest.raises(InputError) as error:
+        load(path)
+    assert str(error.value) == (
+        "the path is empty; it must be that of an experiment file, or its text"
+    )
+
+
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     latin = tmp_path / "latin.toml"
     latin.write_bytes("[body]\n# Kreisel für\n".encode("latin-1"))

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 import pytest
@@ -13,7 +15,7 @@ import reference
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body, triangle_inequalities
 from chaplygin.mechanics.rolling.equations import Rolling
-from chaplygin.mechanics.shapes.shapes import Ball
+from chaplygin.mechanics.shapes.shapes import Ball, Disk, Torus
 
 BALL = Ball(1.0)
 UNIT = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -125,3 +127,12 @@ def test_a_centre_of_mass_outside_is_remarked() -> None:
     assert Body(1.0, (1.0, 1.0, 1.0), Ball(1.0, centre=(0.0, 0.8, 0.8))).remarks == (words,)
     assert Body(1.0, (1.0, 1.0, 1.0), Ball(1.0, centre=(0.0, 0.6, 0.7))).remarks == ()
     assert Body(1.0, (1.0, 1.0, 1.0), BALL).remarks == ()
+
+
+@pytest.mark.parametrize("rim", [Disk, partial(Torus, tube=0.1)])
+def test_a_cylinder_on_its_rim_has_its_centre_inside(rim: Callable[..., Disk | Torus]) -> None:
+    def remarks(centre: tuple[float, float, float]) -> tuple[str, ...]:
+        return Body(1.0, (1.0, 1.0, 1.0), rim(radius=1.0, centre=centre)).remarks
+
+    assert remarks((0.0, 0.0, 2.0)) == remarks((0.3, 0.4, 0.5)) == ()
+    assert remarks((0.0, 1.2, 0.0)) == ("shape.centre puts the centre of mass outside the body",)

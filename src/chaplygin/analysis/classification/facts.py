@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 from ...arguments import arguments_checked
 from ...core.laws import Law
 from ...core.system import System
-from ...errors import InputError
 from ...printing.laws import heading
-from ...proof.prover import prove
+from ...proof.prover import judgement_of, prove
 from ...proof.verdict import NOT_TRIED, Verdict
 
 EFFORT_SPENT = f"{NOT_TRIED}, as the effort for all laws together was spent"
@@ -107,10 +106,7 @@ class ProofBudget:
             reason = EFFORT_SPENT if self.altogether else LEFT_OUT
             return Verdict(law.name, "undecided", reason=reason)
         self.report(f"{law.name} of {system.title}")
-        try:
-            verdict = prove(system, law, effort=self.effort)
-        except InputError as problem:
-            return Verdict(law.name, "undecided", reason=str(problem))
+        verdict = judgement_of(prove, system, law, self.effort)
         self.effort_used += verdict.effort
         return verdict
 

@@ -1,8 +1,7 @@
-"""A Lyapunov spectrum in words, as a dataset, and as plain values for other programs."""
+"""A Lyapunov spectrum, and the dataset of it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import floor, log10
@@ -13,7 +12,6 @@ import numpy as np
 from ...core.arrays import FloatArray
 from ...core.overview import Overview, WithOverview
 from ...core.system import System
-from ..orbits.reversing_symmetries import Reversor
 from .attractor_dimension import kaplan_yorke
 from .averages import Average, batch_means
 from .divergence import Volume
@@ -100,6 +98,27 @@ class Spectrum(WithOverview):
         return np.array([item.error for item in self.exponents])
 
     @property
+    def in_order(self) -> tuple[Average | TrivialExponent, ...]:
+        """All exponents, the largest first, with the exact zeros in their places.
+
+        Relations are no directions of the phase space and have none.
+        """
+        above = sum(item.value > 0 for item in self.exponents)
+        zeros = (item for item, rate in self.trivial if rate is not None)
+        return (*self.exponents[:above], *zeros, *self.exponents[above:])
+
+    @property
+    def numbers(self) -> tuple[int, ...]:
+        """The place of each genuine exponent among all, from 1."""
+        return tuple(i for i, x in enumerate(self.in_order, 1) if isinstance(x, Average))
+
+    @property
+    def trivial_numbers(self) -> tuple[int | None, ...]:
+        """The place of each trivial exponent among all, from 1; None for relations."""
+        places = iter([i for i, x in enumerate(self.in_order, 1) if not isinstance(x, Average)])
+        return tuple(None if rate is None else next(places) for _, rate in self.trivial)
+
+    @property
     def chaotic(self) -> bool:
         """Whether the largest exponent is settled and positive beyond its error: observed."""
         return any(one.halves_agree and one.value > one.error for one in self.exponents[:1])
@@ -150,9 +169,11 @@ class Spectrum(WithOverview):
         """The exponents with their errors, and the zeros that are forced."""
         shown = [
             " ± ".join(significant_digits(one.value, one.error)) + f", {sign_word(one)}"
-            for one in self.exponents
+            if isinstance(one, Average)
+            else f"0, {_origin(one)}"
+            for one in self.in_order
         ]
-        forced = [z.name if z.name == z.kind else f"{z.kind} {z.name}" for z, _ in self.trivial]
+        forced = [_origin(item) for item, _ in self.trivial]
         return Overview(
             f"Lyapunov exponents of {self.system.title}, t = {self.began:g} to {self.until:g}",
             (
@@ -165,6 +186,10 @@ class Spectrum(WithOverview):
     def dataset(self) -> xr.Dataset:
         """Exponents, errors and the way they settled, with what they are of."""
         return dataset(self)
+
+
+def _origin(item: TrivialExponent) -> str:
+    return item.name if item.name == item.kind else f"{item.kind} {item.name}"
 
 
 def sign_word(item: Average) -> str:
@@ -183,171 +208,14 @@ def significant_digits(value: float, error: float) -> tuple[str, str]:
     return f"{round(value, places) + 0.0:.{places}f}", f"{error:.{places}f}"
 
 
-def remarks(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str]:
-    """Sentences on what a spectrum shows; all of them observed unless they say proven.
-
-    Parameters
-    ----------
-    spectrum : Spectrum
-    reversors : sequence of Reversor
-        Those of the system; the ones that hold with these parameters are used.
-    """
-    yield from _convergence(spectrum)
-    for name in spectrum.fading:
-        yield (
-            f"no exponent is made trivial by {name} on this motion, because its size does not "
-            "last: the motion comes to rest, or runs away"
-        )
-    yield from _kind(spectrum)
-    yield from _volumes(spectrum)
-    holding = [reversor for reversor in reversors if reversor.holds(spectrum.parameters)]
-    if holding:
-        yield from _pairs(spectrum, holding[0])
-
-
-def _is_undecided(spectrum: Spectrum) -> bool:
-    """Whether an error is no smaller than the fluctuations of the growth."""
-    counted = spectrum.growth[round(spectrum.began / spectrum.interval) :]
-    rates = counted.std(axis=0) / spectrum.interval
-    return any(
-        item.error > max(2 * item.resolution, CAREFUL * rate)
-        for item, rate in zip(spectrum.exponents, rates, strict=True)
-    )
-
-
-def _convergence(spectrum: Spectrum) -> Iterator[str]:
-    for number, item in enumerate(spectrum.exponents, 1):
-        if not item.halves_agree:
-            first, second = item.halves
-            yield (
-                f"λ{number} has not converged: {first:.3g} over the first half of the time, "
-                f"{second:.3g} over the second; integrate for longer (--until)"
-            )
-    if abs(spectrum.volume.balance) > CAREFUL * spectrum.total.error:
-        yield (
-            f"the mean of the divergence has a further uncertainty of "
-            f"{abs(spectrum.volume.balance):.2g}: it varies faster than it is sampled"
-        )
-
-
-def _kind(spectrum: Spectrum) -> Iterator[str]:
-    if not spectrum.exponents:
-        yield "integrals, relations and symmetries make all exponents trivial"
-    elif spectrum.chaotic:
-        yield "the largest exponent is positive: the motion is chaotic (observed)"
-    elif all(item.zero for item in spectrum.exponents) and _is_undecided(spectrum):
-        yield (
-            "no exponent differs from zero beyond its error, but the errors are not small beside "
-            "the rates at which deviations grow and shrink along the motion: nothing can be "
-            "concluded yet; integrate for longer (--until)"
-        )
-    elif all(item.zero for item in spectrum.exponents) and spectrum.halves_agree:
-        yield (
-            "no exponent differs from zero beyond its error: the motion is regular as far as this "
-            "time shows (observed)"
-        )
-    elif spectrum.halves_agree and spectrum.exponents[0].value < -spectrum.exponents[0].error:
-        yield "all exponents are negative: a periodic or steady motion attracts this one (observed)"
-
-
-def _volumes(spectrum: Spectrum) -> Iterator[str]:
-    total = spectrum.total
-    changing = bool(spectrum.exponents) and total.halves_agree and not total.zero
-    for name, defect in spectrum.volume.measures.items():
-        if abs(defect) <= CAREFUL * total.error:
-            limit = "grows beyond all bounds" if total.value < 0 else "goes to zero"
-            yield (
-                f"the density of the invariant measure {name!r} accounts for the mean of the "
-                f"divergence, to {abs(defect):.1g}"
-                + (f": it {limit} along this motion, and so excludes nothing" if changing else "")
-            )
-        else:
-            yield (
-                f"the density of the invariant measure {name!r} does not account for the mean of "
-                f"the divergence, by {abs(defect):.1g}: the motion runs where it is not defined"
-            )
-    if not changing:
-        return
-    way, end = ("contracts", "attracts") if total.value < 0 else ("expands", "repels")
-    yield (
-        f"phase volume {way} along this motion: near its limit set there is no invariant measure "
-        "with a smooth positive density (observed, not proven)"
-    )
-    if spectrum.chaotic and total.value < 0:
-        value, error = significant_digits(*spectrum.dimension)
-        level = any(item.kind == "integral" for item, _ in spectrum.trivial)
-        place = " on the level of the integrals" if level else ""
-        yield f"a chaotic set {end} it, of Kaplan–Yorke dimension {value} ± {error}{place}"
-
-
-def _pairs(spectrum: Spectrum, reversor: Reversor) -> Iterator[str]:
-    yield (
-        f"the equations are reversible (proven): {reversor.words(spectrum.system)} with the time"
-    )
-    if spectrum.exponents and spectrum.halves_agree and not _is_undecided(spectrum):
-        yield (
-            "the exponents form pairs of opposite sign within their errors"
-            if spectrum.symmetric
-            else "the exponents do not form pairs of opposite sign: the reversed motion has the "
-            "opposite exponents and is a different motion"
-        )
-
-
-def record(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, object]:
-    """A spectrum as numbers, texts and lists of these."""
-    return {
-        "system": spectrum.system.name,
-        "parameters": spectrum.parameters,
-        "start": spectrum.start.tolist(),
-        "units": dict.fromkeys(("exponents", "seen", "sum", "mean_divergence"), "1/s")
-        | dict.fromkeys(("until", "counted_from", "interval"), "s"),
-        "until": spectrum.until,
-        "counted_from": spectrum.began,
-        "interval": spectrum.interval,
-        "exponents": [_average(item) | {"word": sign_word(item)} for item in spectrum.exponents],
-        "removed": [
-            {"name": item.name, "kind": item.kind, "seen": rate} for item, rate in spectrum.trivial
-        ],
-        "dependent": list(spectrum.dependent),
-        "fading": list(spectrum.fading),
-        "sum": _average(spectrum.total),
-        "mean_divergence": _average(spectrum.volume.divergence),
-        "balance": spectrum.volume.balance,
-        "measures": spectrum.volume.measures,
-        "dimension": dict(zip(("value", "error"), spectrum.dimension, strict=True)),
-        "settled": spectrum.halves_agree,
-        "symmetric": spectrum.symmetric,
-        "reversors": [
-            {
-                "odd": [str(s) for s in item.odd],
-                "needs_zero": [str(s) for s in item.vanishing],
-                "holds": item.holds(spectrum.parameters),
-            }
-            for item in reversors
-        ],
-        "remarks": list(remarks(spectrum, reversors)),
-    }
-
-
-def _average(item: Average) -> dict[str, object]:
-    return {
-        "value": item.value,
-        "error": item.error,
-        "statistical": item.statistical,
-        "wandering": item.wandering,
-        "resolution": item.resolution,
-        "halves": list(item.halves),
-        "settled": item.halves_agree,
-    }
-
-
 def dataset(spectrum: Spectrum) -> xr.Dataset:
     """A spectrum with the way it settled.
 
     Returns
     -------
     xarray.Dataset
-        Dimensions ``exponent`` (from 1), ``removed`` (names) and ``time`` (ends of the intervals).
+        Dimensions ``exponent`` (the number among all exponents), ``removed`` (names) and ``time``
+        (ends of the intervals).
     """
     import xarray as xr
 
@@ -375,7 +243,10 @@ def dataset(spectrum: Spectrum) -> xr.Dataset:
         },
         {
             "exponent": variable(
-                "exponent", np.arange(1, len(spectrum.exponents) + 1), "number", "1"
+                "exponent", np.array(spectrum.numbers, dtype=np.int64), "number", "1"
+            ),
+            "number": variable(
+                "removed", [i or 0 for i in spectrum.trivial_numbers], "number, 0 for none", "1"
             ),
             "removed": variable("removed", [r.name for r, _ in spectrum.trivial], "name", "1"),
             "time": variable("time", spectrum.times, "time", "s"),

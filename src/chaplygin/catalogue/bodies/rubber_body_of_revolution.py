@@ -7,7 +7,7 @@ from dataclasses import replace
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.isomorphism import Isomorphism
+from ...core.isomorphism import Isomorphism, with_any_parameters
 from ...core.laws import Integral, Law, Measure, Rate, Reduction, Symmetry
 from ...core.system import System
 from ...core.vectors import dot, norm_squared, real_symbol, vectors
@@ -201,7 +201,7 @@ def onto_rolled() -> Isomorphism:
     """The equations of `unspecified` are those of `rolled`."""
     return Isomorphism(
         "rolling",
-        rolling_equations(),
+        with_any_parameters(rolling_equations()),
         {omega: omega, gamma: gamma},
         constants={I_2: I_1},
         meaning="the equations of any rubber body on a plane",

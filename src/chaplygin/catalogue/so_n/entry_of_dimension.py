@@ -12,6 +12,7 @@ from ...core.parameters import require_parameters
 from ...core.system import Parameter, System
 from ...core.vectors import real_symbol
 from ...errors import InputError
+from ...formulas.balls import exact
 from ..catalogue_entry import Entry, Numbers, Start, Values
 from .inertia import (
     LARGEST,
@@ -251,15 +252,18 @@ def cycle(numbers: Sequence[float], count: int) -> tuple[float, ...]:
 
 def direction(dimension: int) -> tuple[float, ...]:
     """A unit vector γ that is no body axis."""
-    numbers = cycle((0.2, -0.4, 0.8, -0.4), dimension)
-    length = sum(x * x for x in numbers) ** 0.5
-    return tuple(x / length for x in numbers)
+    numbers = [exact(x) for x in cycle((0.2, -0.4, 0.8, -0.4), dimension)]
+    square = sum(x * x for x in numbers)
+    # a length of 1 leaves the decimals as they are
+    length = 1 if square == 1 else float(square) ** 0.5
+    return tuple(float(x / length) for x in numbers)
 
 
 def across(numbers: Sequence[float], gamma: Sequence[float]) -> tuple[float, ...]:
-    """The part of a vector orthogonal to the unit vector γ."""
-    along = sum(x * y for x, y in zip(numbers, gamma, strict=True))
-    return tuple(x - along * y for x, y in zip(numbers, gamma, strict=True))
+    """The part of a vector orthogonal to the unit vector γ; of decimals an exact decimal."""
+    vector, normal = [exact(x) for x in numbers], [exact(y) for y in gamma]
+    along = sum(x * y for x, y in zip(vector, normal, strict=True))
+    return tuple(float(x - along * y) for x, y in zip(vector, normal, strict=True))
 
 
 def momentum_and_direction(rolls: bool) -> Mapping[str, tuple[str, str]]:

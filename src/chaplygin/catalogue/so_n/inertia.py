@@ -16,6 +16,7 @@ from ...core.named_formulas import Pairs
 from ...core.system import Parameter
 from ...core.vectors import real_symbol, to_components
 from ...errors import InputError
+from ...formulas.balls import exact
 from ..catalogue_entry import Numbers
 
 #: Dimensions whose indices are single digits.
@@ -231,18 +232,26 @@ def checked_mass_tensor(dimension: int, rows: Sequence[Sequence[float]]) -> dict
     return {f"J_{i + 1}{j + 1}": float(matrix[i, j]) for i, j in places}
 
 
+def progression(first: float, step: float, count: int) -> tuple[float, ...]:
+    """The numbers first + i step, i = 0, 1, …, each the double nearest to the exact decimal.
+
+    A sum of doubles is not: 0.4 + 3 · 0.3 is 1.2999999999999998.
+    """
+    return tuple(float(exact(first) + i * exact(step)) for i in range(count))
+
+
 def generic_moments(dimension: int) -> tuple[float, ...]:
     """Moments of an instructive example, of no special operator."""
     if dimension == 3:
         return (2.1, 1.5, 1.0)
     if dimension == 4:
         return GENERIC
-    return tuple(0.5 + (7 * k % 19) / 10 for k in range(len(pairs(dimension))))
+    return tuple((5 + (7 * k) % 19) / 10 for k in range(len(pairs(dimension))))
 
 
 def generic_mass_tensor(dimension: int) -> tuple[tuple[float, ...], ...]:
     """A mass tensor of an instructive example, not diagonal."""
-    matrix = np.diag([0.4 + 0.3 * i for i in range(dimension)])
+    matrix = np.diag(progression(0.4, 0.3, dimension))
     for i, j in pairs(dimension):
-        matrix[i, j] = matrix[j, i] = 0.05 * (-1) ** (i + j) * (1 + (i + 2 * j) % 3)
+        matrix[i, j] = matrix[j, i] = (-1) ** (i + j) * (1 + (i + 2 * j) % 3) / 20
     return tuple(map(tuple, matrix.tolist()))

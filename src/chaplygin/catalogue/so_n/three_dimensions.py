@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...core.isomorphism import Isomorphism
+from ...core.isomorphism import Isomorphism, with_any_parameters
 from ...core.matrices import Skew
 from ...core.system import System, flat_pairs
 from ...core.vectors import Components, Vector, to_components, vectors
@@ -69,7 +69,7 @@ def onto_three_dimensions(
     whole = TARGETS[name][0].system()
     # one step is enough: further systems are found at the target
     laws = tuple(law for law in whole.laws if not isinstance(law, Isomorphism))
-    target = replace(whole, laws=laws)
+    target = replace(with_any_parameters(whole), laws=laws)
     moving = {omega: vector_of(omega_of(SIZE))} if momentum is None else {M: vector_of(momentum)}
     moments = {f"I_{i}": moment for i, moment in enumerate(MOMENTS, 1)}
     symbols = {p.symbol.name: p.symbol for p in inertia.parameters}

@@ -48,7 +48,7 @@ from ..so_n.entry_of_dimension import (
     momentum_and_direction,
     numbers_of,
 )
-from ..so_n.inertia import Inertia, ProductMoments
+from ..so_n.inertia import Inertia, ProductMoments, progression
 from ..so_n.motion_in_space import (
     angular_velocity,
     gamma_of,
@@ -213,7 +213,7 @@ class SpecialVeselova(WithoutTwist, Special):
 
     def example(self, dimension: int) -> tuple[float, ...]:
         """Factors of an instructive example; their products exceed m R² = 1 for the ball."""
-        return tuple((1.1 if self.rolls else 0.8) + 0.3 * i for i in range(dimension))
+        return progression(1.1 if self.rolls else 0.8, 0.3, dimension)
 
     def check(self, numbers: Numbers) -> None:
         """Raise InputError unless all moments are positive."""
@@ -259,7 +259,7 @@ class SpecialBall(Special):
 
     def example(self, dimension: int) -> tuple[float, ...]:
         """Factors of an instructive example; their products are less than m R² = 1."""
-        return tuple(0.3 + 0.6 * i / dimension for i in range(dimension))
+        return progression(0.3, round(0.6 / dimension, 3), dimension)
 
     def check(self, numbers: Numbers) -> None:
         """Raise InputError unless all moments are positive."""

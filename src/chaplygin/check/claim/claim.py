@@ -10,10 +10,11 @@ from typing import Any
 
 from .errors import CheckError
 from .evaluate import Point
-from .formulas import CONSTANTS, FUNCTIONS, Formula, names_in, parse, parse_condition
+from .formulas import CONSTANTS, FUNCTIONS, Formula, names_in
 from .functions import Functions
 from .jets import Number
 from .json_data import as_list, field, integer, items, mapping, only, text
+from .parsing import parse, parse_alternatives
 
 _NAME = re.compile(r"[^\W\d]\w*")
 
@@ -34,6 +35,8 @@ class ClaimedSystem:
         Positive inside the domain.
     admissible : tuple of (formula, sign)
         Conditions on parameters: the formula is > 0, >= 0, = 0 or != 0.
+    either : tuple of tuple of tuple of (formula, sign)
+        Further ones: of each the conditions of one alternative hold.
     """
 
     state: tuple[str, ...]
@@ -43,6 +46,7 @@ class ClaimedSystem:
     relations: tuple[Formula, ...]
     guards: tuple[Formula, ...]
     admissible: tuple[tuple[Formula, str], ...]
+    either: tuple[tuple[tuple[tuple[Formula, str], ...], ...], ...] = ()
 
     @property
     def symbols(self) -> tuple[str, ...]:
@@ -200,14 +204,18 @@ def read_system(data: object, what: str) -> ClaimedSystem:
         known.add(word)
     relations = _formulas(field(data, "relations", what), f"the relations of {what}")
     guards = _formulas(data.get("guards", []), f"the guards of {what}")
-    admissible = tuple(
-        part
+    conditions = [
+        parse_alternatives(condition, f"what is admissible in {what}")
         for condition in as_list(data.get("admissible", []), what)
-        for part in parse_condition(condition, f"what is admissible in {what}")
-    )
+    ]
+    admissible = tuple(part for options in conditions if len(options) == 1 for part in options[0])
+    either = tuple(tuple(map(tuple, options)) for options in conditions if len(options) > 1)
     _require([*rates, *relations, *guards], known, what)
-    _require([f for f, _ in admissible], set(parameters), f"what is admissible in {what}")
-    return ClaimedSystem(state, rates, dict(definitions), parameters, relations, guards, admissible)
+    compared = [f for options in conditions for option in options for f, _ in option]
+    _require(compared, set(parameters), f"what is admissible in {what}")
+    return ClaimedSystem(
+        state, rates, dict(definitions), parameters, relations, guards, admissible, either
+    )
 
 
 #: Fields of every kind: single formulas, lists of formulas, pairs of name and formula.

@@ -22,8 +22,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from .claim import Claim, read_claim
 from .domain import Domain, domain
 from .errors import CheckError
-from .formulas import CONSTANTS, names_in, parse
+from .formulas import CONSTANTS, names_in
 from .json_data import as_list, field, integer, items, mapping, only, text
+from .parsing import parse
 
 FIELDS = (
     "velocities", "accelerations", "mass", "force", "slopes", "drift", "multipliers",

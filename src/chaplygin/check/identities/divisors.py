@@ -9,9 +9,10 @@ from fractions import Fraction
 
 from ..claim.domain import GRAM
 from ..claim.errors import CheckError
-from ..claim.formulas import Formula, parse
+from ..claim.formulas import Formula
 from ..claim.jets import Number
 from ..claim.json_data import as_list, choice, field, mapping, only, rational, text
+from ..claim.parsing import parse
 from ..claim.polynomials import Powers, monic
 from ..claim.residuals import gram_determinants
 from .comparisons import Comparisons

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from ..claim.errors import CheckError
-from ..claim.formulas import Formula, parse
+from ..claim.formulas import Formula
 from ..claim.json_data import as_list, field, integer, items, mapping, only, text
+from ..claim.parsing import parse
 from ..claim.polynomials import Poly, Powers, Ring, monic
 from .case_tree import Signs
 from .comparisons import Comparisons

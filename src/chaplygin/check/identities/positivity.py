@@ -9,8 +9,9 @@ from flint import fmpq
 
 from ..claim.claim import Claim
 from ..claim.errors import CheckError
-from ..claim.formulas import Formula, parse, parse_condition
+from ..claim.formulas import Formula
 from ..claim.json_data import as_list, field, items, mapping, only, rational, text
+from ..claim.parsing import parse, parse_condition
 from ..claim.polynomials import Poly, monic
 from .case_tree import Signs
 from .comparisons import Comparisons

@@ -8,8 +8,9 @@ from dataclasses import replace
 from ..claim.claim import Claim
 from ..claim.domain import domain
 from ..claim.errors import CheckError, UndefinedError
-from ..claim.formulas import Formula, parse
+from ..claim.formulas import Formula
 from ..claim.json_data import as_list, choice, field, integer, items, mapping, only, rational, text
+from ..claim.parsing import parse
 from ..claim.polynomials import Poly, Ring
 from ..claim.quotients import quotient
 from .generator_functions import Auxiliary

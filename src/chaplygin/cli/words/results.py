@@ -48,6 +48,7 @@ def contact_facts(trajectory: ContactTrajectory) -> dict[str, Any]:
             }
             for event in trajectory.changes
         ],
+        "warnings": list(trajectory.warnings),
         "ended": trajectory.reason,
         "steps": statistics.steps,
         "order": statistics.order,
@@ -74,6 +75,7 @@ def contact_text(trajectory: ContactTrajectory) -> str:
     more = len(trajectory.changes) - FIRST
     if more > 0:
         lines.append(f"    … and {more} more, in event_time and event_kind of the dataset")
+    lines += [f"  warning: {warning}" for warning in trajectory.warnings]
     if trajectory.reason:
         lines.append(f"  the motion ends at t = {times[-1]:.9g}: {trajectory.reason}")
     return "\n".join(textwrap.fill(line, COLUMNS, subsequent_indent="    ") for line in lines)

@@ -10,13 +10,10 @@ from copy import deepcopy
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from ...errors import InputError
+from ...errors import INVISIBLE, InputError
 from .toml import Key, Tables, dotted_key, key_lines
 
 _POSITION = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", re.DOTALL)
-
-#: Control characters but for tabs and line breaks.
-_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")
 
 
 @dataclass(frozen=True)
@@ -69,7 +66,7 @@ class Source:
             raise self._syntax_error(str(error)) from None
 
     def _require_print(self, key: Key, value: object) -> None:
-        """Refuse keys and texts with control characters."""
+        """Refuse keys and texts with characters that cannot be seen."""
         match value:
             case dict():
                 for part, inner in value.items():
@@ -79,11 +76,11 @@ class Source:
                 for inner in value:
                     self._require_print(key, inner)
             case str():
-                control = _CONTROL.search(value)
+                control = INVISIBLE.search(value)
                 if control:
                     raise InputError(
-                        f"the control character U+{ord(control[0]):04X} stands in it; of these "
-                        "only line breaks and tabs are allowed",
+                        f"the control character U+{ord(control[0]):04X} stands in it, which cannot "
+                        "be seen; of these only line breaks and tabs are allowed",
                         self.where(key),
                     )
 

@@ -23,6 +23,7 @@ from pydantic import ValidationError
 
 from ...arguments import arguments_checked
 from ...errors import InputError, nearest
+from ...partial_files import require_file_name
 from ..file.ball_tables import SmoothTable
 from ..file.source import Source
 from ..file.table import Table
@@ -102,6 +103,7 @@ def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
     name = str(source)
     if not name.strip():
         raise InputError("the path is empty; it must be that of an experiment file, or its text")
+    require_file_name(Path(source))
     try:
         with Path(source).open("rb") as file:
             content = file.read(_MOST_BYTES + 1)

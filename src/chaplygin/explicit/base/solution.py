@@ -228,12 +228,12 @@ class Solution(WithOverview):
         time : float, int, str, Fraction or arb
         digits : int
             Relative accuracy aimed at; the radii of the balls say what was reached.  They are
-            infinite for a place in space, and for an attitude of n dimensions, that is left open.
+            infinite for a place in space, and for an attitude, that is left open.
 
         Raises
         ------
         InputError
-            If the attitude would be left open, or so many digits cannot be had.
+            If so many digits cannot be had.
         """
 
     def overview(self) -> Overview:

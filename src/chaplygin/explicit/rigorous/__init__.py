@@ -96,9 +96,9 @@ class RigorousMotion:
     ) -> list[arb]:
         """Attitude and places; balls of infinite radius where nothing is known."""
         start = self.solution.start[-len(rough) :]
-        places = [arb(0, arb("inf")) for _ in start[4:]]
         if self._pair is None:
-            raise InputError(self.solution.left_open)
+            return [arb(0, arb("inf")) for _ in start]
+        places = [arb(0, arb("inf")) for _ in start[4:]]
         turn = self._turn(self._pair)
         if self._paths is not None:
             rates, integrals = self._paths
@@ -121,17 +121,12 @@ class RigorousMotion:
 
         The sign of the quaternion, which the attitude leaves open, is that of the evaluation in
         double precision.  Where one direction alone is known to stay in space the place is left
-        open (infinite balls).
+        open (infinite balls), and where none is known the attitude, too.
 
         Parameters
         ----------
         time : float, int, str, Fraction or arb
             With |τ| ≤ reach there.
-
-        Raises
-        ------
-        InputError
-            If no direction is known to stay in space, by which the attitude would be known.
         """
         with ctx.workprec(self.clock.bits):
             moment = ball(time)

@@ -26,6 +26,8 @@ BITS = 64
 _BOXES, _MOST = (64, 128, 256), 256**2
 #: Half-widths between which the strip is looked for.
 _WIDEST, _NARROWEST = 0.6, 0.001
+#: The strip is looked for on one box in so many in each direction first.
+_STRIDE = 4
 _CLOSE = "start: too close to a separatrix for error bounds"
 
 
@@ -60,9 +62,10 @@ def _values(
     heights: Sequence[float],
     periods: Sequence[int],
     boxes: int,
+    stride: int = 1,
 ) -> list[Affine]:
-    """The formulas on boxes that cover the torus Im v = heights."""
-    counts = [boxes * period for period in periods]
+    """The formulas on boxes that cover the torus Im v = heights, or on every so many-th alone."""
+    counts = [boxes * period // stride for period in periods]
     half = 0.5 / boxes
     with np.errstate(all="ignore"):
         N, rate = Numerators(torus, heights).boxes(lines_of(counts, periods), (half, half))
@@ -76,14 +79,26 @@ def _bounds(
     tori = [
         _values(torus, branch, heights, periods, boxes) for heights in (half, (half[0], -half[1]))
     ]
-    return tuple(float(max(one.size.max(), two.size.max())) for one, two in zip(*tori, strict=True))
+    # unlike max, maximum keeps what is not a number
+    return tuple(
+        float(np.maximum(one.size.max(), two.size.max())) for one, two in zip(*tori, strict=True)
+    )
 
 
-def _holds(
-    torus: InvariantTorus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
+def _exist(
+    torus: InvariantTorus,
+    branch: Branch,
+    half: Sequence[float],
+    periods: Sequence[int],
+    boxes: int,
+    stride: int = 1,
 ) -> bool:
-    """Whether so many boxes prove the formulas analytic in the strip."""
-    return bool(np.all(np.isfinite(_bounds(torus, branch, half, periods, boxes))))
+    """Whether the formulas surely exist on all boxes, or on a sample of them."""
+    return all(
+        bool(np.all(np.isfinite(value.size)))
+        for heights in (half, (half[0], -half[1]))
+        for value in _values(torus, branch, heights, periods, boxes, stride)
+    )
 
 
 def _sizes(periods: Sequence[int]) -> list[int]:
@@ -92,6 +107,9 @@ def _sizes(periods: Sequence[int]) -> list[int]:
 
 def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -> Strip:
     """A strip on which formulas are proven analytic, nearly as wide as it can be.
+
+    It is looked for on a sample of the boxes and proven on all of them; where that fails it is
+    looked for on all.
 
     Parameters
     ----------
@@ -105,27 +123,38 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
     InputError
         If there is none of reasonable width: the motion is next to a separatrix.
     """
-
-    def is_proven(half: tuple[float, float]) -> bool:
-        return _holds(torus, branch, half, periods, boxes)
-
     with ctx.workprec(BITS):
         narrow = (_NARROWEST, _NARROWEST)
-        boxes = next((n for n in _sizes(periods) if _holds(torus, branch, narrow, periods, n)), 0)
+        boxes = next((n for n in _sizes(periods) if _exist(torus, branch, narrow, periods, n)), 0)
         if boxes == 0:
             raise InputError(_CLOSE)
-        low, high = _NARROWEST, _WIDEST
-        while high / low > 1.1:
-            middle = (low * high) ** 0.5
-            low, high = (middle, high) if is_proven((middle, middle)) else (low, middle)
-        half = (low, low)
-        for stretch in (1.6, 1.6, 1.25, 1.25):
-            for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
-                half = wider if max(wider) < _WIDEST and is_proven(wider) else half
+        for stride in (_STRIDE, 1):
+            half = _widths(torus, branch, periods, boxes, stride)
+            bounds = _bounds(torus, branch, half, periods, boxes)
+            if np.all(np.isfinite(bounds)):
+                break
         real = _values(torus, branch, (0.0, 0.0), periods, boxes)
         sizes = (float(np.abs(value.middle).max()) for value in real)
-        bounds = _bounds(torus, branch, half, periods, boxes)
         return Strip(half, bounds, tuple(size or 1.0 for size in sizes))
+
+
+def _widths(
+    torus: InvariantTorus, branch: Branch, periods: Sequence[int], boxes: int, stride: int
+) -> tuple[float, float]:
+    """Half-widths that the boxes, or a sample of them, allow, nearly as large as can be."""
+
+    def exist(half: tuple[float, float]) -> bool:
+        return _exist(torus, branch, half, periods, boxes, stride)
+
+    low, high = _NARROWEST, _WIDEST
+    while high / low > 1.1:
+        middle = (low * high) ** 0.5
+        low, high = (middle, high) if exist((middle, middle)) else (low, middle)
+    half = (low, low)
+    for stretch in (1.6, 1.6, 1.25, 1.25):
+        for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
+            half = wider if max(wider) < _WIDEST and exist(wider) else half
+    return half
 
 
 def least(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -> float:

@@ -11,8 +11,8 @@ from collections.abc import Iterable, Sequence
 from math import prod
 from typing import Any
 
+import numpy as np
 import sympy as sp
-from flint import arb
 
 from ...formulas.balls import Values
 from ...formulas.straight_line_program import BallArithmetic, Steps, StraightLineProgram
@@ -40,21 +40,23 @@ class _Continuation(BallArithmetic):
 
     def root(self, x: Any) -> Any:
         """The square root, of what is positive or has no part on the negative real axis."""
-        if isinstance(x, arb) and not x > 0:
+        if isinstance(x, Affine):
+            return x.sqrt()
+        if not np.all(x > 0):
             raise LeavesBranchError
-        return x.sqrt()
+        return np.sqrt(x) if isinstance(x, np.ndarray) else x.sqrt()
 
     def inverse(self, x: Any, index: int) -> Any:
         """The reciprocal, of what keeps its sign."""
         if index not in self.signs:
-            self.signs[index] = 1 if x > 0 else -1
+            self.signs[index] = 1 if np.all(x > 0) else -1
         return _inverse(x, self.signs[index])
 
 
 def _inverse(x: Any, sign: int) -> Any:
     if isinstance(x, Affine):
         return x.inverse(sign)
-    if not x * sign > 0:
+    if not np.all(x * sign > 0):
         raise LeavesBranchError
     return 1 / x
 
@@ -103,7 +105,7 @@ class Branch:
         return cls(formulas, motion.values, steps_from_torus(motion.separable, formulas)[1])
 
     def at(self, vector: Sequence[Any], rate: Sequence[Any]) -> list[Any]:
-        """Values at real ν and ν′ (arb).
+        """Values at real ν and ν′, each component an arb or an array of arb.
 
         Raises
         ------
@@ -130,15 +132,20 @@ class Branch:
         # a constant is a function on the torus too
         return [zero + value for value in self._run(vector, rate, self._signs)]
 
-    def parities(self, flips: Sequence[int]) -> list[int]:
+    def parities(self, flips: Sequence[int], of_rates: Sequence[int] | None = None) -> list[int]:
         """Signs by which the formulas change when ν_i and ν_i′ are multiplied by flips_i = ±1.
+
+        Parameters
+        ----------
+        of_rates : three of 1, -1, optional
+            The factors of ν_i′, where they are others.
 
         Returns
         -------
         list of int
             1 or −1 for every formula, as its form shows; 0 where it shows neither.
         """
-        signs = [*flips, *flips, *(1 for _ in self._constants)]
+        signs = [*flips, *(flips if of_rates is None else of_rates), *(1 for _ in self._constants)]
         for kind, operands, _ in self._program.operations:
             kinds = [signs[index] for index in operands]
             if kind == "sum":

@@ -19,8 +19,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import ceil, log, pi, sqrt
 
+import numpy as np
 from flint import acb, acb_mat, arb, ctx, fmpq
 
+from ...core.arrays import ObjectArray
 from ...errors import InputError
 from ...formulas.balls import number
 from ..genus_two.torus import InvariantTorus
@@ -224,7 +226,7 @@ def quadratures(
         strip = strip_bound(torus, branch, periods)
         rates = [2 * pi * r / p for r, p in zip(strip.half, periods, strict=True)]
         steepest = max(m / size for m, size in zip(strip.bounds, strip.sizes, strict=True))
-        wanted = digits * log(10) + log(1 + turns) + log(1 + steepest) + 5
+        wanted = digits * log(10) + log(1 + turns) + log(1 + steepest) + 7
         wanted -= sum(min(0.0, log(rate)) for rate in rates)
         halves = [ceil(wanted / rate) for rate in rates]
         counts = [2 * half + 1 for half in halves]
@@ -236,8 +238,7 @@ def quadratures(
         )
         outside = out_1 * all_2 + all_1 * out_2
         lines = lines_of(counts, periods)
-        points = Numerators(torus, (0, 0)).real(lines)
-        values = [branch.at(*direction(N, rate)) for N, rate in points]
+        values = _values_on_grid(torus, branch, lines, shifts)
         return tuple(
             RigorousQuadrature(
                 torus,
@@ -245,7 +246,7 @@ def quadratures(
                 place,
                 periods,
                 shift,
-                _fourier_coefficients([value[place] for value in values], lines, shift),
+                _fourier_coefficients(values[place], lines, shift),
                 (2 * arb(bound) * outside).upper(),
                 bits,
             )
@@ -253,8 +254,50 @@ def quadratures(
         )
 
 
+def _reflection(torus: InvariantTorus, branch: Branch) -> list[int]:
+    """Signs by which the formulas change from v to −v; 0 where their form shows none.
+
+    θ[a, b](−v) = exp(4πi a·b) θ[a, b](v), so that N_i keeps or changes its sign, and N_i′ the other
+    way about.
+    """
+    characteristics = [theta.characteristic for theta in torus.thetas]
+    flips = [1 - 2 * ((a[0] * b[0] + a[1] * b[1]) % 2) for a, b in characteristics]
+    return branch.parities(flips, [-flip for flip in flips])
+
+
+def _values_on_grid(
+    torus: InvariantTorus,
+    branch: Branch,
+    lines: tuple[Line, Line],
+    shifts: Sequence[Sequence[int]],
+) -> list[ObjectArray]:
+    """Values (arb) of the formulas on a grid through v = 0 with an odd number of rows.
+
+    Where every formula is even or odd, half of the rows are computed.  From −v to the grid point
+    that is the same on the torus, a formula changes its sign once for each phase in which it does
+    with the period.
+    """
+    signs = _reflection(torus, branch)
+    first, second = lines
+    rows = first.count // 2 + 1 if all(signs) else first.count
+    N, rate = Numerators(torus, (0, 0)).real((Line(first.first, first.step, rows), second))
+    parts = [branch.at(*direction([x[j] for x in N], [x[j] for x in rate])) for j in range(rows)]
+    grids = []
+    for place, (sign, shift) in enumerate(zip(signs, shifts, strict=True)):
+        # a constant is a function on the torus too
+        grid = np.empty((first.count, second.count), dtype=object)
+        for j, part in enumerate(parts):
+            grid[j] = part[place]
+        if rows < first.count:
+            mirrored = np.roll(grid[rows - 1 : 0 : -1, ::-1], 1, axis=1) * (sign * (-1) ** shift[0])
+            mirrored[:, 1:] *= (-1) ** shift[1]
+            grid[rows:] = mirrored
+        grids.append(grid)
+    return grids
+
+
 def _fourier_coefficients(
-    values: Sequence[arb], lines: tuple[Line, Line], shift: Sequence[int]
+    values: ObjectArray, lines: tuple[Line, Line], shift: Sequence[int]
 ) -> acb_mat:
     """Fourier coefficients of values on a grid, lowest wave numbers first."""
     n, m = lines[0].count, lines[1].count
@@ -262,10 +305,11 @@ def _fourier_coefficients(
         [acb(-arb(half * k) / line.count).exp_pi_i() for k in range(line.count)]
         for line, half in zip(lines, shift, strict=True)
     ]
-    rows = [
-        acb.dft([turns[0][j] * turns[1][k] * values[j * m + k] for k in range(m)]) for j in range(n)
-    ]
-    columns = [acb.dft([row[k] for row in rows]) for k in range(m)]
+    rows = [acb.dft([turns[0][j] * turns[1][k] * values[j, k] for k in range(m)]) for j in range(n)]
+    # the values are real: opposite wave numbers (k_j + shift_j/2)/p_j have conjugate coefficients
+    columns = [acb.dft([row[k] for row in rows]) for k in range(m // 2 + 1)]
+    opposite = [columns[(-k - shift[1]) % m] for k in range(m // 2 + 1, m)]
+    columns += [[own[(-j - shift[0]) % n].conjugate() for j in range(n)] for own in opposite]
     size = n * m
     return acb_mat(
         [

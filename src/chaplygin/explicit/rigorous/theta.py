@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from flint import acb, acb_mat, arb, ctx, fmpq
 
-from ...core.arrays import ComplexArray
+from ...core.arrays import ComplexArray, ObjectArray
 from ...formulas.balls import number
 from ..genus_two.torus import InvariantTorus
 from .affine import ROUNDING, Affine
@@ -139,15 +139,17 @@ class Numerators:
             tables.append([x + acb(doubt, doubt) for x in grid.entries()])
         return tables
 
-    def real(self, lines: Sequence[Line]) -> list[tuple[list[arb], list[arb]]]:
-        """N and N′ (arb) at every point of a grid of the real torus, row by row."""
+    def real(self, lines: Sequence[Line]) -> tuple[list[ObjectArray], list[ObjectArray]]:
+        """N and N′ (arb) at every point of a grid of the real torus, as arrays like the grid."""
+        counts = [line.count for line in lines]
         W = self._torus.along
         values, rates = [], []
         for i in range(3):
             plain, first, second = self._tables(i, lines, _DEGREES[:3])
-            values.append([x.real for x in plain])
-            rates.append([(W[0] * f + W[1] * s).real for f, s in zip(first, second, strict=True)])
-        return _by_point(values, rates)
+            values.append(_grid([x.real for x in plain], counts))
+            slopes = zip(first, second, strict=True)
+            rates.append(_grid([W[0] * f.real + W[1] * s.real for f, s in slopes], counts))
+        return values, rates
 
     def boxes(
         self, lines: Sequence[Line], half: tuple[float, float]
@@ -215,9 +217,8 @@ def _waves(places: Line, indices: Sequence[fmpq], shift: int) -> acb_mat:
     return acb_mat([[acb(x * m).exp_pi_i() for m in indices] for x in twice])
 
 
-def _by_point(values: list[list[arb]], rates: list[list[arb]]) -> list[tuple[list[arb], list[arb]]]:
-    points = zip(zip(*values, strict=True), zip(*rates, strict=True), strict=True)
-    return [(list(value), list(rate)) for value, rate in points]
+def _grid(numbers: Sequence[arb], counts: Sequence[int]) -> ObjectArray:
+    return np.array(numbers, dtype=object).reshape(counts)
 
 
 def numerators_at(torus: InvariantTorus, tau: arb) -> tuple[list[arb], list[arb]]:

@@ -129,7 +129,7 @@ def _data(task: Assignment) -> Answer:
 def _prove(task: Assignment) -> Answer:
     from ...experiment.single_system import single_system
     from ...proof.fields.budget import EFFORT
-    from ...proof.prover import prove
+    from ...proof.prover import judgement_of, prove
 
     request = task.request
     assert isinstance(request, Proof)
@@ -140,7 +140,8 @@ def _prove(task: Assignment) -> Answer:
     chosen = [law for law in system.laws if request.law in (None, law.name)]
     for count, law in enumerate(chosen, 1):
         yield {"doing": f"proving {law.name}, {count} of {len(chosen)}"}
-        verdict = prove(system, law, effort=max(1, round(request.effort * EFFORT)))
+        effort = max(1, round(request.effort * EFFORT))
+        verdict = judgement_of(prove, system, law, effort)
         yield {
             "verdict": {
                 "name": law.name,

@@ -14,7 +14,7 @@ from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from .implicit import Implicit
 from .rays import directions
-from .shapes import Ball, Shape
+from .shapes import Ball, Disk, Shape, Torus
 
 _ITERATIONS = 200
 
@@ -64,7 +64,9 @@ def half_breadth(shape: Shape) -> float:
 def centre_outside(shape: Shape) -> bool:
     """Whether the centre of mass lies outside a shape, by many tangent planes.
 
-    A hollow ball has nothing inside; there it is whether the centre lies outside its sphere.
+    A hollow ball has nothing inside; there it is whether the centre lies outside its sphere.  A
+    disk or a torus is the rim on which a body rolls, a cylinder or a cup of any height: the centre
+    is outside where it is farther from the axis than the rim.
     """
     centre = np.array(shape.centre)
     if not centre.any():
@@ -72,6 +74,10 @@ def centre_outside(shape: Shape) -> bool:
     match shape:
         case Ball():
             return bool(np.linalg.norm(centre) > shape.radius)
+        case Disk():
+            return bool(np.linalg.norm(centre[:2]) > shape.radius)
+        case Torus():
+            return bool(np.linalg.norm(centre[:2]) > shape.radius + shape.tube)
         case Implicit():
             at = dict(zip(shape.coordinates, -centre, strict=True))
             return bool(shape.surface.subs({**dict(shape.values), **at}) > 0)

@@ -18,7 +18,8 @@ from ...check import FORMAT, BadInputError, CheckError, check
 from ...check.certificate_points import point_of_level
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
 from ...check.claim.errors import UndefinedError
-from ...check.claim.formulas import name, parse_condition
+from ...check.claim.formulas import name
+from ...check.claim.parsing import parse_condition
 from ...check.claim.power import IDENTITIES
 from ...core.laws import Law
 from ...core.system import System
@@ -32,7 +33,7 @@ from ..level.alternatives import alternatives, ranges_of_parameters
 from ..level.level_set import LevelSet
 from ..level.polynomial_problems import polynomial_problems
 from ..power_theorem import PowerTheorem
-from ..prover import prove
+from ..prover import judgement_of, prove
 from ..random_test import FIRST, FURTHER, trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
 from ..theorems import identities_of, rates_text, theorem_of
@@ -81,7 +82,8 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         return verdict
     ranges = ranges_of_parameters(system)
     if len(ranges) > 1:
-        return _in_ranges(verdict, [prove_with_certificate(r, law, effort) for r in ranges])
+        each = [judgement_of(prove_with_certificate, part, law, effort) for part in ranges]
+        return _in_ranges(verdict, each)
     theorem = theorem_of(system, law)
     try:
         if isinstance(theorem, PowerTheorem):
@@ -113,7 +115,9 @@ def _in_ranges(verdict: Verdict, each: list[Verdict]) -> Verdict:
         return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
     return replace(
         verdict,
-        no_certificate="; ".join(one.no_certificate for one in each if one.no_certificate),
+        no_certificate="; ".join(
+            one.no_certificate or one.reason for one in each if one.certificate is None
+        ),
         identities=tuple(one.certificate for one in each if one.certificate is not None),
         in_ranges=True,
     )
@@ -168,8 +172,8 @@ def _witness(verdict: Verdict) -> Text:
     witness = verdict.witness or {}
     if "place" not in witness:
         raise OutOfReachError(
-            "what is refuted is no formula that fails at a point, but a dimension on "
-            "the whole level"
+            "what is refuted is no residual that the check knows, but a dimension on the whole "
+            "level, or the equation of a component"
         )
     return {
         "point": witness["place"],

@@ -8,7 +8,8 @@ vanishes.  Conditions that are polynomials are decomposed exactly, see
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import contextlib
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice, product
 
@@ -16,6 +17,7 @@ import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Measure
 from ...core.named_formulas import expand
+from ...core.parameters import conjuncts
 from ...core.system import Parameter, System
 from ...core.vectors import to_components
 from ...formulas.errors import OutOfReachError
@@ -55,32 +57,54 @@ def ranges_of_parameters(system: System) -> tuple[System, ...]:
 
     Together the ranges are all that is admissible; in each, only conjunctions are asked.
     """
-    asked = [sp.sympify(c) for p in system.parameters for c in p.admissible]
-    if not any(condition.has(sp.Or, sp.Not, sp.Xor) for condition in asked):
+    conditions = [
+        c for p in system.parameters for condition in p.admissible for c in conjuncts(condition)
+    ]
+    if not any(isinstance(condition, sp.Or) for condition in conditions):
         return (system,)
-    ranges = sp.Or.make_args(sp.to_dnf(sp.And(*asked), simplify=False))
-    return tuple(replace(system, parameters=_within(system.parameters, each)) for each in ranges)
+    whole = sp.to_dnf(sp.And(*conditions), simplify=False)
+    ranges = [
+        each.args if isinstance(each, sp.And) else (each,)
+        for each in (whole.args if isinstance(whole, sp.Or) else (whole,))
+    ]
+    return tuple(
+        replace(system, parameters=_within(system.parameters, each))
+        for each in ranges
+        if not _is_empty(each)
+    )
 
 
-def _within(parameters: tuple[Parameter, ...], range_: sp.Basic) -> tuple[Parameter, ...]:
+def _is_empty(conditions: Sequence[sp.Basic]) -> bool:
+    """Whether conditions contradict each other in what they ask of one parameter alone."""
+    alone: dict[sp.Basic, sp.Set] = {}
+    for condition in conditions:
+        if len(condition.free_symbols) == 1:
+            (symbol,) = condition.free_symbols
+            with contextlib.suppress(NotImplementedError):
+                alone[symbol] = alone.get(symbol, sp.S.Reals) & condition.as_set()
+    return sp.S.EmptySet in alone.values()
+
+
+def _within(
+    parameters: tuple[Parameter, ...], conditions: tuple[sp.Basic, ...]
+) -> tuple[Parameter, ...]:
     """The parameters with a conjunction of conditions, and with defaults that meet it.
 
     A default that does not is replaced by a simple number; where none of a few does it stays.
     """
-    asked = sp.And.make_args(range_)
     defaults = {p.symbol: sp.Rational(repr(float(p.default))) for p in parameters}
     wrong = sorted(
-        {s for c in asked if c.xreplace(defaults) != sp.true for s in c.free_symbols}, key=str
+        {s for c in conditions if c.xreplace(defaults) != sp.true for s in c.free_symbols}, key=str
     )
     for values in islice(product(_SIMPLE, repeat=len(wrong)), len(_SIMPLE) ** 2):
         tried = {**defaults, **dict(zip(wrong, values, strict=True))}
-        if all(c.xreplace(tried) == sp.true for c in asked):
+        if all(c.xreplace(tried) == sp.true for c in conditions):
             defaults = tried
             break
     first, *others = (
         replace(p, default=float(defaults[p.symbol]), admissible=()) for p in parameters
     )
-    return (replace(first, admissible=asked), *others)
+    return (replace(first, admissible=conditions), *others)
 
 
 def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
@@ -98,6 +122,9 @@ def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
         arguments = [tuple(map(_of_equal_arguments, choices)) for choices in factors]
         changed = arguments != factors
         factors = arguments
+    if isinstance(law, Measure):
+        # a factor without zeros, such as an exponential, goes into the density
+        changed = any(len(f) == 1 and f != (c,) for f, c in zip(factors, conditions, strict=True))
     if not changed and all(len(choices) == 1 for choices in factors):
         return (Alternative(system, law),)
     if isinstance(law, POINTWISE):

@@ -175,12 +175,13 @@ class LevelFormulas:
         """The relations and the level as they are written, where they involve the state.
 
         The volume that they cut out is that of these formulas, not of the equations of a
-        component: by g F = 0 it is 1/|g| times that by F = 0.
+        component: by g F = 0 it is 1/|g| times that by F = 0.  One that is zero for the parameters
+        of a component stays: it cuts out no volume there.
         """
         state = set(self.system.symbols)
-        written = (to_components(c) for c in (*self.system.relations, *self.on))
-        expanded = (self.expand(c) for c in written)
-        return tuple(c for c in expanded if c.free_symbols & state)
+        written = [to_components(c) for c in (*self.system.relations, *self.on)]
+        moving = [c for c in written if expand(c, self._definitions).free_symbols & state]
+        return tuple(map(self.expand, moving))
 
     @cached_property
     def zeros(self) -> tuple[sp.Expr, ...]:

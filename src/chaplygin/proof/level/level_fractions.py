@@ -9,6 +9,7 @@ from typing import TypeVar
 
 import sympy as sp
 
+from ...core.parameters import conjuncts
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.errors import (
@@ -40,7 +41,7 @@ class LevelFractions(LevelFormulas):
         ]
         for parameter in self.system.parameters:
             for condition in parameter.admissible:
-                relations += sp.And.make_args(sp.sympify(condition))
+                relations += conjuncts(condition)
         for symbol in self.symbols:
             relations += assumed_relations(symbol)
         if sp.false in relations:

@@ -11,6 +11,7 @@ import sympy as sp
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Law
+from ...core.parameters import conjuncts
 from ..fields.field import Field
 from ..fields.signs import Sign
 from .level_set import LevelSet, certain
@@ -28,7 +29,7 @@ def target_conditions(law: Law, level: LevelSet) -> tuple[sp.Basic, ...]:
     asked: list[sp.Basic] = []
     for parameter in law.target.parameters:
         for condition in parameter.admissible:
-            asked += sp.And.make_args(sp.sympify(condition).xreplace(values))
+            asked += conjuncts(sp.sympify(condition).xreplace(values))
     return tuple(dict.fromkeys(c for c in asked if c != sp.true))
 
 

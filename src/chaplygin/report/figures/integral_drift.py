@@ -57,7 +57,9 @@ def drift(dataset: xr.Dataset) -> Figure:
         )
     times = times_of(dataset)
     drifts = {name: relative_drift(dataset, name) for name in names}
-    positive = np.concatenate([values[values > 0.0] for values in drifts.values()])
+    positive = np.concatenate(
+        [values[(values > 0.0) & np.isfinite(values)] for values in drifts.values()]
+    )
     smallest = float(positive.min()) if len(positive) else 1e-16
     floor = 1e-17 if smallest > 1e-17 else 10.0 ** (np.floor(np.log10(smallest)) - 1.0)
     with mpl.rc_context(STYLE):
@@ -69,7 +71,8 @@ def drift(dataset: xr.Dataset) -> Figure:
         every = max(1, len(times) // _DOTS)
         for number, (name, values) in enumerate(drifts.items()):
             colour = SERIES[number % len(SERIES)]
-            shown = np.where(values > 0.0, values, floor)
+            # a gap where there is no value
+            shown = np.where(np.isfinite(values), np.fmax(values, floor), np.nan)
             axes.plot(
                 times[::every],
                 shown[::every],
@@ -82,7 +85,7 @@ def drift(dataset: xr.Dataset) -> Figure:
             )
             axes.plot(
                 times,
-                np.fmax.accumulate(shown),
+                np.where(np.isnan(shown), np.nan, np.fmax.accumulate(shown)),
                 color=colour,
                 label=labels[name],
                 linewidth=1.3,
@@ -133,12 +136,14 @@ def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
     if name not in dataset:
         raise InputError(f"the dataset has no variable {name!r}{nearest(name, map(str, dataset))}")
     values = values_of(dataset, name)
-    change = values - values[0]
-    if f"{name}_low" in dataset:
-        low = values_of(dataset, f"{name}_low")
-        change = change + (low - low[0])
     scale = 1.0 if _starts_at_zero(values) else abs(float(values[0]))
-    return np.asarray(np.abs(change) / scale, dtype=np.float64)
+    # values that are recorded as infinite have no drift
+    with np.errstate(over="ignore", invalid="ignore"):
+        change = values - values[0]
+        if f"{name}_low" in dataset:
+            low = values_of(dataset, f"{name}_low")
+            change = change + (low - low[0])
+        return np.asarray(np.abs(change) / scale, dtype=np.float64)
 
 
 def _starts_at_zero(values: FloatArray) -> bool:
