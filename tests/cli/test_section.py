@@ -153,9 +153,11 @@ def test_a_file_is_no_folder(ask: Ask) -> None:
 
 def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupted(*_: object, progress: Callable[[float], None], **__: object) -> None:
+        Path(names.pop(0)).mkdir()
         progress(0.25)
         raise KeyboardInterrupt
 
+    names = ["ball.zarr", "forced.zarr"]
     monkeypatch.setattr("chaplygin.flow.ensemble.computation.compute", interrupted)
     code, out, err = ask(*BALL, "-o", "ball.zarr")
     assert (code, out) == (130, "")
@@ -163,7 +165,7 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
         "interrupted: 25% is computed and saved in ball.zarr; the same command resumes from there\n"
     )
     assert err.endswith(sentence)
-    code, _, err = ask(*BALL, "-o", "ball.zarr", "--force")
+    code, _, err = ask(*BALL, "-o", "forced.zarr", "--force")
     assert "the same command without --force resumes" in err
 
 

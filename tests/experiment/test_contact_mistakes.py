@@ -258,8 +258,8 @@ MISTAKES: dict[str, tuple[str, str]] = {
     "an unknown name in a formula": (
         BALL + FRICTION + 'force = "0.3*slipspeed"\n' + CONTACT,
         "line 9, contact.force: unknown name 'slipspeed', did you mean 'slip_speed'? allowed: "
-        "slip_speed, spin, normal_force, acos, asin, atan, atan2, cos, cosh, exp, log, pi, sin, "
-        "sinh, sqrt, tan, tanh\n    0.3*slipspeed\n        ^",
+        "slip_speed, spin, normal_force, abs, acos, asin, atan, atan2, cos, cosh, exp, log, max, "
+        "min, pi, sign, sin, sinh, sqrt, tan, tanh\n    0.3*slipspeed\n        ^",
     ),
     "an empty formula": (
         BALL + FRICTION + 'force = "0.3"\ncouple = " "\n' + CONTACT,

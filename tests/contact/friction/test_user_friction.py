@@ -166,7 +166,7 @@ def test_it_is_a_value():
         ),
         (
             {"force": "0.3", "couple": "0.1*normal_force"},
-            "couple: unknown name 'normal_force'; allowed: slip_speed, spin, acos",
+            "couple: unknown name 'normal_force'; allowed: slip_speed, spin, abs, acos",
         ),
         (
             {"force": "-0.3"},

@@ -7,7 +7,6 @@ import os
 import pickle
 import subprocess
 import sys
-import tempfile
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -203,10 +202,10 @@ def test_a_folder_that_cannot_be_made_is_no_error(tmp_path, monkeypatch):
 def test_a_folder_that_cannot_be_written_is_no_error(place, monkeypatch):
     place.mkdir(mode=0o700)
 
-    def refuse(**_: object) -> None:
+    def refuse(*_: object) -> None:
         raise PermissionError(errno.EACCES, "Permission denied")
 
-    monkeypatch.setattr(tempfile, "NamedTemporaryFile", refuse)
+    monkeypatch.setattr(private_files, "partial_file", refuse)
     assert remember() == ((1, 2), False)
     assert entries(place) == []
 

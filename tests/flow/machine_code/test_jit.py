@@ -6,7 +6,6 @@ import ctypes
 import os
 import subprocess
 import sys
-import tempfile
 from dataclasses import replace
 from inspect import unwrap
 from pathlib import Path
@@ -16,7 +15,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.core import cache as core_cache
+from chaplygin.core import cache as core_cache, private_files
 from chaplygin.core.system import Guard, Parameter, System
 from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.gauss import _compiled_integrator
@@ -115,7 +114,7 @@ def test_without_a_cache_code_is_compiled(
     if place == "read-only":
         blocked.mkdir(mode=0o500)
         # also for those to whom permissions mean nothing
-        monkeypatch.setattr(tempfile, "NamedTemporaryFile", _refuse)
+        monkeypatch.setattr(private_files, "partial_file", _refuse)
     else:
         blocked.write_text("")
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(blocked / "code"))
@@ -126,7 +125,7 @@ def test_without_a_cache_code_is_compiled(
         assert run(code) == [2.0 * k for k in range(8)]
 
 
-def _refuse(**_: Any) -> Any:
+def _refuse(*_: Any) -> Any:
     raise PermissionError("read-only")
 
 
