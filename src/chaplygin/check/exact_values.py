@@ -214,7 +214,7 @@ class ExactValues:
 
     def _exponential(self, exponent: Formula, value_of: Callable[[Formula], Quotient]) -> Quotient:
         """The exponential of a sum of multiples of logarithms and of exponents met before."""
-        exponent = self._resolved(exponent)
+        exponent = self._definition_of(exponent)
         one = self.ring.constant(1)
         if exponent.kind == "sum":
             result: Quotient = (one, one)
@@ -233,7 +233,7 @@ class ExactValues:
                     return above ** abs(times), below ** abs(times)
         return self._new("exp", None, (argument,), call("exp", [exponent]))
 
-    def _resolved(self, formula: Formula) -> Formula:
+    def _definition_of(self, formula: Formula) -> Formula:
         """A formula with its name replaced by what it stands for."""
         while formula.kind == "name" and formula.word in self._formulas:
             formula = self._formulas[formula.word]
@@ -243,7 +243,7 @@ class ExactValues:
         self, angle: Formula, value_of: Callable[[Formula], Quotient]
     ) -> tuple[Quotient, Quotient]:
         """Sine and cosine: by addition theorems, from arc tangents and quarters of a turn."""
-        angle = self._resolved(angle)
+        angle = self._definition_of(angle)
         zero, one = self.ring.constant(0), self.ring.constant(1)
         if angle.kind == "sum":
             sine: Quotient = (zero, one)
