@@ -118,8 +118,8 @@ def licence(name: str) -> str:
     """The licence that an installed package states."""
     known = metadata(name)
     classified = [c for c in known.get_all("Classifier") or () if c.startswith("License ::")]
-    stated = known["License-Expression"] or (
-        classified[0].split(" :: ")[-1] if classified else known["License"]
+    stated = known.get("License-Expression") or (
+        classified[0].split(" :: ")[-1] if classified else known.get("License")
     )
     return FAMILIES.get(stated, stated)
 
