@@ -48,8 +48,10 @@ TRUE: dict[str, tuple[str, ...]] = {
     # the angle of a circle does not matter
     "circle": (r"point sample\.[qp]", r"coefficient proofs\.0\.auxiliary\.\d\.1\.of.*"),
     "potential": (r"point sample\.p", r"coefficient proofs\.0\.auxiliary\.2\.1\.of.*"),
-    # the density times a constant, or a constant exponent of a parameter
+    # the density times a constant; (1 + ε) x > 0 says as much as x > 0, and that x is no zero
     "power": (
+        r"loss proofs\.0\.divisors\.0",
+        r"coefficient proofs\.0\.positive\.0\.poly.*",
         r"point sample\.[xn]",
         r"formula claim\.law\.density\.0\.0",
         r"coefficient proofs\.0\.auxiliary.*",
