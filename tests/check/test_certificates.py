@@ -118,6 +118,13 @@ def test_a_divisor_tells_nothing_of_what_it_is_divided_by() -> None:
     check(certificate)
 
 
+def test_a_reason_that_is_no_text_is_refused() -> None:
+    certificate = examples.squares()
+    certificate["proofs"][0]["positive"][0]["from"] = []
+    with pytest.raises(CheckError, match="is no text"):
+        check(certificate)
+
+
 @pytest.mark.parametrize("bad", [None, 3, [], {}, {"format": "other"}])
 def test_what_is_no_certificate(bad: Any) -> None:
     with pytest.raises(BadInputError, match="no certificate"):

@@ -81,8 +81,11 @@ VALID: dict[str, tuple[str, ...]] = {
         r".*auxiliary\.[01] exchanged",
         r"sample\.p .*",
     ),
-    # the power cancels, so that its symbol is not needed
+    # the power cancels, so that its symbol is not needed; 2 x > 0 says as much as x > 0, and that x
+    # is no zero
     "power": (
+        r".*divisors.*(removed|list)",
+        r".*\.positive\.0\.poly\.0\.0 one more",
         r"claim\.system\.rates\.0 negated",
         r"claim\.law\.density\.0\.0 negated",
         r".*auxiliary.*",

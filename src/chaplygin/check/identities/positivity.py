@@ -185,15 +185,14 @@ Derived: TypeAlias = PositiveSum | PositiveInOneVariable
 
 def read_derived(data: object, generators: Generators, what: str) -> list[Derived]:
     """What is positive because other quantities are."""
-    kinds: dict[object, type[Derived]] = {
-        "sum": PositiveSum,
-        "one variable": PositiveInOneVariable,
-    }
-    stated = [mapping(item, what) for item in as_list(data, f"what is positive in {what}")]
+    kinds: dict[str, type[Derived]] = {"sum": PositiveSum, "one variable": PositiveInOneVariable}
+    label = f"what is positive in {what}"
+    stated = [mapping(item, label) for item in as_list(data, label)]
+    sources = [text(field(item, "from", label), label) for item in stated]
     return [
-        kinds[item.get("from")](item, generators, what)
-        for item in stated
-        if item.get("from") in kinds
+        kinds[source](item, generators, what)
+        for item, source in zip(stated, sources, strict=True)
+        if source in kinds
     ]
 
 
