@@ -21,6 +21,7 @@ from ...printing.laws import condition_text, heading
 from ...proof.fields.budget import EFFORT
 from ...proof.level.trigonometric import circles, without_angles
 from ...proof.verdict import Verdict
+from ..orbits.sign_reversal import reversal
 from .applicable_laws import sorted_laws
 from .classes import DynamicalStructure, classes_and_dynamics
 from .classification import Classification
@@ -31,7 +32,6 @@ from .hamiltonian_forms import Forms, hamiltonian, measures
 from .ignorable import ignorable_shifts
 from .lie_theorem import independent_symmetries, lie_symmetries
 from .ranks import RankSample, rational_parameters, with_numeric_parameters
-from .sign_reversal import reversal
 from .statements import IntegrabilityClass
 from .via_isomorphism import TargetResults, through_isomorphisms
 

@@ -13,10 +13,8 @@ import sympy as sp
 
 from ...core.system import flat_pairs
 from ...core.vectors import Diagonal, Symmetric, Vector, to_components
+from ...formulas.exact_zero import vanishes
 from .ranks import RankSample
-
-#: Operations in a formula above which this proof gives up: definitions are to be short.
-LARGEST = 1500
 
 
 def proven_rotation_symmetry(sample: RankSample, axis: int) -> RotationSymmetry | None:
@@ -112,12 +110,3 @@ def _square(entries: Sequence[sp.Expr]) -> sp.ImmutableMatrix:
     pairs = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
     places = {frozenset(pair): entry for pair, entry in zip(pairs, entries, strict=True)}
     return sp.ImmutableMatrix(3, 3, lambda i, j: places[frozenset((i, j))])
-
-
-def vanishes(formula: sp.Expr) -> bool:
-    """Whether a formula is zero, if need be over a common denominator."""
-    if sp.count_ops(formula) > LARGEST:
-        return False
-    if sp.expand(formula) == 0:
-        return True
-    return bool(sp.expand(sp.numer(sp.together(formula))) == 0)

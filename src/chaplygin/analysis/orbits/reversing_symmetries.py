@@ -23,7 +23,7 @@ from ...core.parameters import Parameters
 from ...core.system import Parameter, System, flat
 from ...formulas.array_formulas import Formulas
 from ...printing.formula import text
-from ..classification.sign_reversal import reverses
+from .sign_reversal import reverses
 
 #: So many signs are tried one by one; where there are more, a vector counts as one.
 SIGNS = 16

@@ -13,7 +13,7 @@ import sympy as sp
 
 from ...core.system import Name, System, flat
 from ...core.vectors import to_components
-from .rotation_symmetry import vanishes
+from ...formulas.exact_zero import vanishes
 
 #: State variables, a vector counted as one, above which no reversal is looked for.
 LARGEST = 6

@@ -7,7 +7,7 @@ import pytest
 from analysis.backwards import runs_backwards
 from chaplygin.analysis.classification.classifier import classify
 from chaplygin.analysis.classification.facts import ProofBudget
-from chaplygin.analysis.classification.sign_reversal import reversal
+from chaplygin.analysis.orbits.sign_reversal import reversal
 from chaplygin.catalogue import entry
 from chaplygin.core.system import System
 from chaplygin.core.vectors import real_symbol
