@@ -73,7 +73,7 @@ bench: $(VENV)/dev ## run the benchmarks
 	  echo "$$file"; $(BIN)/python "$$file"; done
 
 clean: ## remove all that make has made: .venv/, demo/, caches
-	@rm -rf $(VENV) demo build dist web/build web/node_modules .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	@rm -rf $(VENV) demo build dist packages/chaplygin/web/build packages/chaplygin/web/node_modules .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	@find src tests -type d -name __pycache__ -exec rm -rf {} +
 
 $(VENV)/core $(VENV)/dev $(VENV)/site $(VENV)/release: $(SOURCES)

@@ -23,12 +23,12 @@ import numpy as np
 from playwright.sync_api import Browser, Page, sync_playwright
 
 from chaplygin import loads, prepare
-from chaplygin.analysis.scans.grid import Axis
-from chaplygin.experiment.friction_ensembles.chart_task import chart_task
+from chaplygin.experiment.friction_studies.chart_task import chart_task
 from chaplygin.experiment.study import Study, dataset_of
-from chaplygin.lab.element import page
-from chaplygin.lab.page_model import live_page_model
-from chaplygin.lab.study_page import study_model
+from chaplygin.page.element import page
+from chaplygin.page.page_model import live_page_model
+from chaplygin.page.study_page import study_model
+from flowlanes.scans.grid import Axis
 
 SYSTEMS = ("unbalanced-ball", "rattleback", "marble-ball-on-torus", "heavy-disk")
 NAMES = ("chromium", "chromium-browser", "google-chrome")

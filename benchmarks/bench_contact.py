@@ -24,10 +24,10 @@ from scipy.spatial.transform import Rotation
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
 from chaplygin import lambdify
-from chaplygin.contact import CompiledContact, FrictionalContact, contact_motion
-from chaplygin.contact.equations.equations_of_motion import equations_of_motion
-from chaplygin.contact.friction.modes import Mode
 from contact.situations import CASES, situation, start
+from nonholonomic.contact import CompiledContact, FrictionalContact, contact_motion
+from nonholonomic.contact.equations.equations_of_motion import equations_of_motion
+from nonholonomic.contact.friction.modes import Mode
 
 CASE = CASES["loaded ball"]
 UNTIL = CASE["until"]

@@ -17,12 +17,12 @@ from typing import Any
 import numpy as np
 
 import chaplygin as ch
-from chaplygin.analysis.scans.grid import axis
-from chaplygin.errors import InputError
 from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.scan import chart_of
 from chaplygin.experiment.study import prepare
-from chaplygin.flow.devices.graphics import Device
+from flowlanes.errors import InputError
+from flowlanes.flow.devices.graphics import Device
+from flowlanes.scans.grid import axis
 
 BODIES = (("chaplygin-ball", 1.0), ("unbalanced-ball", 2.0), ("marble-body", 12.0))
 TOLERANCE, UNTIL, TURNS = 1e-10, 10.0, 3

@@ -13,8 +13,8 @@ import json
 import numpy as np
 
 import chaplygin
-from chaplygin.flow import taylor_run as trajectory
 from chaplygin.report.summary import drift
+from flowlanes.flow import taylor_run as trajectory
 
 CASES = {"chaplygin-ball": 1e5, "unbalanced-ball": 1e3, "heavy-disk": 1e3, "rattleback": 1e3}
 LEFT_ALONE = {"never corrected": 1e9, "above 1e-15": 1e-15, "every step": 0.0}

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from chaplygin import ensemble, from_catalogue
-from chaplygin.flow.ensemble import random_starts
+from flowlanes.flow.ensemble import random_starts
 
 SIZES = (1_000, 10_000, 100_000)
 TIMES = np.linspace(0, 10, 101)

@@ -21,12 +21,12 @@ from statistics import median
 import numpy as np
 
 from chaplygin import loads, prepare
-from chaplygin.analysis.lyapunov.indicators import Megno
-from chaplygin.flow.batch import batch_integrator
-from chaplygin.flow.kernel.equations import poincare_section
-from chaplygin.lab.page_model import live_page_model
-from chaplygin.lab.page_systems import page_system, reduced_system
-from chaplygin.lab.wasm_module import page_module
+from chaplygin.page.page_model import live_page_model
+from chaplygin.page.page_systems import page_system, reduced_system
+from chaplygin.page.wasm_module import page_module
+from flowlanes.flow.batch import batch_integrator
+from flowlanes.flow.kernel.equations import poincare_section
+from flowlanes.lyapunov.indicators import Megno
 
 SYSTEMS = ("unbalanced-ball", "rubber-body", "marble-ball-on-torus", "clebsch")
 SAMPLES, POINTS, UNTIL, TILE, ROW = 601, 1000, 100.0, 8, 200
@@ -54,7 +54,7 @@ class Page:
     def __init__(self, model: dict[str, object], folder: str) -> None:
         path = Path(folder) / "model.json"
         path.write_text(json.dumps(model))
-        engine = (Path(str(files("chaplygin.lab"))) / "static" / "engine.js").as_uri()
+        engine = (Path(str(files("chaplygin.page"))) / "static" / "engine.js").as_uri()
         self.process = subprocess.Popen(
             ["node", "--input-type=module", "-e", _PROGRAM % json.dumps(engine), str(path)],
             stdin=subprocess.PIPE,

@@ -32,8 +32,8 @@ LAWS = (
 def by_sympy(name: str, law_name: str) -> bool:
     """dF/dt over a common denominator, its numerator reduced modulo the relations."""
     from chaplygin import from_catalogue
-    from chaplygin.core import to_components
-    from chaplygin.proof.level.level_set import LevelSet
+    from flowlanes.system import to_components
+    from lawproof.proof.level.level_set import LevelSet
 
     system = from_catalogue(name)
     law = next(law for law in system.integrals if law.name == law_name)
@@ -84,7 +84,7 @@ def timed(road: str, name: str, law: str, limit: float) -> float | None:
 
 def one(road: str, name: str, law: str) -> None:
     """One run, printed for the parent process; building the system is not counted."""
-    import chaplygin.proof.prover  # noqa: F401  (imports are not counted)
+    import lawproof.proof.prover  # noqa: F401  (imports are not counted)
     from chaplygin import from_catalogue
 
     from_catalogue(name)

@@ -20,11 +20,11 @@ from contest.generated import operations
 from contest.peak import peak, per_step
 
 from chaplygin import batch_integrator, gauss_integrator, poincare_section
-from chaplygin.flow.kernel.tableaux import explicit
-from chaplygin.flow.machine_code.arithmetic import Pair
-from chaplygin.flow.machine_code.ir_writer import IRWriter
-from chaplygin.flow.machine_code.jit import width
-from chaplygin.formulas.graph import of_system, topological_order
+from flowlanes.flow.kernel.tableaux import explicit
+from flowlanes.flow.machine_code.arithmetic import Pair
+from flowlanes.flow.machine_code.ir_writer import IRWriter
+from flowlanes.flow.machine_code.jit import width
+from flowlanes.formulas.graph import of_system, topological_order
 
 #: Cycles until a result can be used, and those of a division or root (Zen 3 and 4).
 LATENCY, DIVISION = 4, 13

@@ -11,8 +11,8 @@ import time
 import numpy as np
 
 from chaplygin import from_catalogue
-from chaplygin.flow import level_sampler
-from chaplygin.formulas.array_evaluation import values
+from flowlanes.flow import level_sampler
+from flowlanes.formulas.array_evaluation import values
 
 LEVELS = (
     ("chaplygin-ball", {"energy": 1.0}),

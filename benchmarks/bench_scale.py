@@ -16,7 +16,7 @@ import time
 from pathlib import Path
 
 from chaplygin import ensemble, from_catalogue
-from chaplygin.flow.ensemble import random_starts
+from flowlanes.flow.ensemble import random_starts
 
 SIZES = (100_000, 1_000_000, 10_000_000)
 

@@ -20,7 +20,7 @@ import numpy as np
 
 import chaplygin
 from chaplygin import Solution, System, initial_state, solve
-from chaplygin.explicit.rigorous import rigorous_motion
+from nonholonomic.closed_form.rigorous import rigorous_motion
 
 #: Systems, with angular velocities at γ = (0, 0, 1).  Doubles hold these starts, and the bodies
 #: with I₃ changed, exactly, so that all methods solve one and the same motion.

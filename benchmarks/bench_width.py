@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import chaplygin as ch
-from chaplygin.flow.machine_code import jit
+from flowlanes.flow.machine_code import jit
 
 #: What is left out of this processor, by LLVM's words.
 SETS: dict[str, tuple[str, ...]] = {

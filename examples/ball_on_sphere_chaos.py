@@ -24,17 +24,22 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from chaplygin import Integral, System, batch_integrator, lyapunov_spectrum
-from chaplygin.analysis.lyapunov import MaximalExponent, Megno, Spectrum
-from chaplygin.analysis.scans import Scan, axis, scan, scan_grid
-from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import M, equations_on_sphere, k, n
-from chaplygin.core import dot, to_components
-from chaplygin.flow import Section, project_to_level
-from chaplygin.flow.ensemble import compute
-from chaplygin.formulas import Formulas
 from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
 from chaplygin.report.figures.scan import chart as draw_chart
-from chaplygin.search import integrals, search_request
+from flowlanes.flow import Section, project_to_level
+from flowlanes.flow.ensemble import compute
+from flowlanes.formulas import Formulas
+from flowlanes.lyapunov import MaximalExponent, Megno, Spectrum
+from flowlanes.scans import Scan, axis, scan, scan_grid
+from flowlanes.system import dot, to_components
+from lawproof.search import integrals, search_request
+from nonholonomic.catalogue.ball_on_sphere.ball_on_sphere_equations import (
+    M,
+    equations_on_sphere,
+    k,
+    n,
+)
 
 #: The integrals of the cases k = 1 and k = 0; that of k = −1 is among the laws of the equations.
 AREA = Integral("area", dot(M, n), "area integral", on=(k - 1,))

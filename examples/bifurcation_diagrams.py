@@ -12,10 +12,10 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-from chaplygin.explicit import bifurcation_diagram, locate
-from chaplygin.explicit.bifurcation import Diagram
 from chaplygin.report.figures import save
 from chaplygin.report.figures.bifurcation import draw_bifurcation_diagram
+from nonholonomic.closed_form import bifurcation_diagram, locate
+from nonholonomic.closed_form.bifurcation import Diagram
 
 #: Systems and a state of a motion to be marked, by the names of the pictures.
 SHOWN: Mapping[str, tuple[str, tuple[str, ...]]] = {

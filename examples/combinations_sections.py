@@ -18,8 +18,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from chaplygin import PoincareMap, from_catalogue, poincare_section, sample_level
-from chaplygin.core.arrays import FloatArray
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
+from flowlanes.system.arrays import FloatArray
 
 NUMBERS = {"m": 0.8, "R": 1.0, "I_1": 1.0, "I_2": 1.6, "I_3": 2.3}
 ROTORS = {"k_1": 0.6, "k_2": 0.4, "k_3": -0.8}

@@ -141,8 +141,8 @@ def multiplier_of(key: str) -> tuple[dict[str, Any], str]:
         ``"rubber"`` for every rubber ball on a sphere, or the key of a row.
     """
     import chaplygin as ch
-    from chaplygin.catalogue import entry
-    from chaplygin.mechanics.lagrangian.substituted_parameters import with_parameters
+    from nonholonomic.catalogue import entry
+    from nonholonomic.mechanics.lagrangian.substituted_parameters import with_parameters
 
     both = entry("ball-around-sphere-gyrostat-bruns").rolling()
     if both is None:

@@ -19,10 +19,10 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from chaplygin import Body, Disk, Forces, Rolling, Solution, initial_state
-from chaplygin.explicit import revolution_diagram
-from chaplygin.explicit.revolution import solve_rolling
 from chaplygin.report import figures
 from chaplygin.report.drawing.style import COMPONENTS, INK, STYLE, WIDTH
+from nonholonomic.closed_form import revolution_diagram
+from nonholonomic.closed_form.revolution import solve_rolling
 
 #: A homogeneous disk: kg, m.
 DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))

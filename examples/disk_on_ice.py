@@ -22,10 +22,10 @@ import sympy as sp
 from matplotlib.figure import Figure
 
 from chaplygin import Parameter, System, integrate
-from chaplygin.core import Guard, real_symbol
-from chaplygin.core.system import Observable
-from chaplygin.core.vectors import constant, norm_squared, vectors
 from chaplygin.report.drawing.style import FAINT, SERIES, STYLE, WIDTH
+from flowlanes.system import Guard, real_symbol
+from flowlanes.system.system import Observable
+from flowlanes.system.vectors import constant, norm_squared, vectors
 
 VALUES = {"m": 1.0, "R": 1.0, "I_1": 0.25, "I_3": 0.5, "g": 9.81}
 START = {"omega": (0.3, 0.4, 6.0), "gamma": (0.8, 0.2, 0.5656854249492381), "V": -2.0}

@@ -25,7 +25,8 @@ from matplotlib.figure import Figure
 from scipy.optimize import curve_fit
 
 from chaplygin import Body, load, prepare
-from chaplygin.contact import (
+from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
+from nonholonomic.contact import (
     AirFilm,
     ContourResistance,
     Coulomb,
@@ -35,7 +36,6 @@ from chaplygin.contact import (
     contact_motion,
     start_in_contact,
 )
-from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 
 FILE = Path(__file__).with_name("eulers_disk.toml")
 #: μ_c as in the file, δ (m), and η of air (Pa s).

@@ -22,15 +22,15 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from chaplygin import PoincareMap, poincare_section, sample_level as drawn
-from chaplygin.catalogue import entry
-from chaplygin.core import to_components
 from chaplygin.experiment.poincare import coordinates_of
-from chaplygin.flow import project_to_level
-from chaplygin.flow.ensemble import compute
-from chaplygin.flow.sections.poincare_dataset import section_task
-from chaplygin.formulas import Formulas
 from chaplygin.report.figures import save
 from chaplygin.report.figures.poincare import draw_section
+from flowlanes.flow import project_to_level
+from flowlanes.flow.ensemble import compute
+from flowlanes.flow.sections.poincare_dataset import section_task
+from flowlanes.formulas import Formulas
+from flowlanes.system import to_components
+from nonholonomic.catalogue import entry
 
 #: kg, kg m² and m, principal axes at the centre of mass.
 BODY: Mapping[str, float] = {

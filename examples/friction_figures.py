@@ -19,11 +19,11 @@ from matplotlib.figure import Figure
 from scipy.spatial.transform import Rotation
 
 from chaplygin import load, prepare
-from chaplygin.contact import MODE_NAMES
-from chaplygin.contact.impact.mobility import Mobility, mobility
-from chaplygin.contact.impact.painleve import least_painleve_friction, painleve_margin
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
+from nonholonomic.contact import MODE_NAMES
+from nonholonomic.contact.impact.mobility import Mobility, mobility
+from nonholonomic.contact.impact.painleve import least_painleve_friction, painleve_margin
 
 EXAMPLES = Path(__file__).parent
 GRAVITY = 9.81

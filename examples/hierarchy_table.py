@@ -9,9 +9,9 @@ from __future__ import annotations
 import argparse
 
 from chaplygin import CATALOGUE, classify
-from chaplygin.analysis.classification import Classification, ProofBudget
-from chaplygin.catalogue import entry
-from chaplygin.proof.fields.budget import EFFORT
+from lawproof.proof.fields.budget import EFFORT
+from nonholonomic.catalogue import entry
+from nonholonomic.classification import Classification, ProofBudget
 
 HEAD = ("system", "dim", "integrals", "left", "measure", "Poisson", "symmetry", "class")
 

@@ -11,12 +11,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 
-from chaplygin.borisov_mamaev.open_problems.lifted_bracket import (
-    ATTITUDE,
-    MOMENTS,
-    WEIGHTS,
-    lifts,
-)
+from borisov_mamaev_2008.open_problems.lifted_bracket import ATTITUDE, MOMENTS, WEIGHTS, lifts
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

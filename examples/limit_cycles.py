@@ -22,7 +22,8 @@ import sympy as sp
 from matplotlib.figure import Figure
 
 from chaplygin import PoincareMap, from_catalogue, poincare_section, rotation_number
-from chaplygin.analysis.orbits import (
+from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
+from flowlanes.orbits import (
     Branch,
     Circle,
     Orbit,
@@ -34,9 +35,9 @@ from chaplygin.analysis.orbits import (
     locked_interval,
     staircase,
 )
-from chaplygin.analysis.orbits.arnold_tongues import DevilsStaircase, Plateau, plateaus
-from chaplygin.analysis.orbits.limit_cycles import Cycle
-from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import (
+from flowlanes.orbits.arnold_tongues import DevilsStaircase, Plateau, plateaus
+from flowlanes.orbits.limit_cycles import Cycle
+from nonholonomic.catalogue.bodies.unbalanced_rubber_ball_centred import (
     J_1,
     J_2,
     J_3,
@@ -47,7 +48,6 @@ from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import (
     torus,
     xi,
 )
-from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 
 #: Moments about the geometric centre plus mR² (kg m²), and κ = 2mR c, c its place from the centre
 #: of mass: a ball of 1 kg with R = 0.5 m, as in the proof that there are limit cycles.

@@ -8,8 +8,8 @@ only the vertical γ is left of the configuration.
 """
 
 from chaplygin import Frame, Integral, Mechanism, Parameter
-from chaplygin.core import Diagonal, Vector, cross, dot, norm_squared, real_symbol, unit_vector
-from chaplygin.mechanics.lagrangian import euclidean
+from flowlanes.system import Diagonal, Vector, cross, dot, norm_squared, real_symbol, unit_vector
+from nonholonomic.mechanics.lagrangian import euclidean
 
 gamma, omega, v, r = (Vector(name) for name in ("gamma", "omega", "v", "r"))
 I = Diagonal("I")

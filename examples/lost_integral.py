@@ -8,8 +8,8 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 
+from borisov_mamaev_2008.open_problems.lost_integral import cases
 from chaplygin import Identity, Integral, Rate, prove
-from chaplygin.borisov_mamaev.open_problems.lost_integral import cases
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

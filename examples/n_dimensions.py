@@ -21,8 +21,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from chaplygin import System, from_catalogue, integrate
-from chaplygin.core.arrays import FloatArray
 from chaplygin.report.drawing.style import INK, SERIES, STYLE
+from flowlanes.system.arrays import FloatArray
 
 UNTIL, SAMPLES = 2000.0, 2**15
 #: γ is shown for this long.

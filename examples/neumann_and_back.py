@@ -20,16 +20,16 @@ import numpy as np
 from flint import ctx
 
 from chaplygin import Isomorphism, System, from_catalogue, integrate
-from chaplygin.core import to_components
-from chaplygin.core.system import flat_pairs
-from chaplygin.explicit import SeparatedSystem, pull_back, push_forward
-from chaplygin.explicit.genus_two_solution import BITS, GenusTwo, solve_on_torus
-from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
-from chaplygin.explicit.separations.clebsch import clebsch_case
-from chaplygin.explicit.separations.neumann import neumann_system
-from chaplygin.explicit.separations.veselova import veselova
-from chaplygin.formulas import ball, ball_values
-from chaplygin.formulas.balls import number
+from flowlanes.formulas import ball, ball_values
+from flowlanes.formulas.balls import number
+from flowlanes.system import to_components
+from flowlanes.system.system import flat_pairs
+from nonholonomic.closed_form import SeparatedSystem, pull_back, push_forward
+from nonholonomic.closed_form.genus_two_solution import BITS, GenusTwo, solve_on_torus
+from nonholonomic.closed_form.separations.chaplygin_ball import chaplygin_ball
+from nonholonomic.closed_form.separations.clebsch import clebsch_case
+from nonholonomic.closed_form.separations.neumann import neumann_system
+from nonholonomic.closed_form.separations.veselova import veselova
 
 #: Times at which motions are compared, s.
 SHORT, LONG = np.linspace(0.0, 100.0, 11), np.array([1e3, 1e4, 1e5])

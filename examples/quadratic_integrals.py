@@ -25,12 +25,12 @@ from numpy.typing import NDArray
 from quadratic_integrals_torus import MARBLE, TOP, nonlinear_torus
 
 from chaplygin import Integral, Parameter, System, prove
-from chaplygin.catalogue.so_n.quadratic_pencil import (
+from flowlanes.system import real_symbol
+from nonholonomic.catalogue.so_n.quadratic_pencil import (
     QuadraticPencil,
     conserved_weights,
     manakov_moments,
 )
-from chaplygin.core import real_symbol
 
 PRIME = 2_147_483_647
 GENERIC = ((0, 5, 11, 16), (5, 0, 23, 9), (11, 23, 0, 14), (16, 9, 14, 0))

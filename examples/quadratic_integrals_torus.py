@@ -29,9 +29,9 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from chaplygin import System, batch_integrator
-from chaplygin.catalogue.so_n.invariant_tori import torus_system
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
+from nonholonomic.catalogue.so_n.invariant_tori import torus_system
 
 #: φ_1 goes around four times while φ_2 goes around three times and φ_3 twice.
 WINDING = (4, 3, 2)

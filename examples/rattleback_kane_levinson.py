@@ -42,8 +42,8 @@ from scipy.optimize import brentq, minimize_scalar
 
 import chaplygin
 from chaplygin import Forces, Parameter, Rolling, System, equations, rolling_mechanism
-from chaplygin.core import dot, real_symbol, to_components
-from chaplygin.core.vectors import vectors
+from flowlanes.system import dot, real_symbol, to_components
+from flowlanes.system.vectors import vectors
 
 omega, gamma = vectors("omega gamma")
 sigma = real_symbol("sigma")

@@ -23,15 +23,15 @@ from flint import arb, ctx
 from matplotlib.figure import Figure
 
 from chaplygin import integrate
-from chaplygin.explicit import SeparatedSystem
-from chaplygin.explicit.genus_two.curve import Curve
-from chaplygin.explicit.genus_two.periods import Lattice, lattice
-from chaplygin.explicit.genus_two.separated_motion import steps_from_torus
-from chaplygin.explicit.genus_two_solution import GenusTwo, solve_on_torus
-from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
-from chaplygin.formulas import ball_function
-from chaplygin.formulas.balls import components
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
+from flowlanes.formulas import ball_function
+from flowlanes.formulas.balls import components
+from nonholonomic.closed_form import SeparatedSystem
+from nonholonomic.closed_form.genus_two.curve import Curve
+from nonholonomic.closed_form.genus_two.periods import Lattice, lattice
+from nonholonomic.closed_form.genus_two.separated_motion import steps_from_torus
+from nonholonomic.closed_form.genus_two_solution import GenusTwo, solve_on_torus
+from nonholonomic.closed_form.separations.chaplygin_ball import chaplygin_ball
 
 #: A long body inside a ball: kg, m.
 BALL = {"m": "1", "I_1": "0.1", "I_2": "0.8", "I_3": "0.85", "R": "1"}

@@ -50,8 +50,8 @@ from chaplygin import (
     nonholonomy,
     prove,
 )
-from chaplygin.core import Guard, real_symbol
 from chaplygin.report.drawing.style import QUIET, SERIES, STYLE, WIDTH
+from flowlanes.system import Guard, real_symbol
 
 DEFAULTS = {"m": 1.0, "r": 0.3, "g": 9.81}
 m, r, g = (real_symbol(name) for name in DEFAULTS)

@@ -21,13 +21,13 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from chaplygin import PoincareMap, lyapunov_spectrum, poincare_section
-from chaplygin.analysis.lyapunov.averages import Average
-from chaplygin.analysis.orbits import NoOrbitError, Orbit, ReturnMap, find_periodic
-from chaplygin.analysis.orbits.rotation import average
-from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio as ball
-from chaplygin.core import to_components
-from chaplygin.formulas import Formulas
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
+from flowlanes.formulas import Formulas
+from flowlanes.lyapunov.averages import Average
+from flowlanes.orbits import NoOrbitError, Orbit, ReturnMap, find_periodic
+from flowlanes.orbits.rotation import average
+from flowlanes.system import to_components
+from nonholonomic.catalogue.ball_on_sphere import rubber_ball_ratio as ball
 
 #: J = I + mb², kg m².
 J = np.array([1.0, 2.0, 2.8])

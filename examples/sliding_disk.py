@@ -24,8 +24,8 @@ from matplotlib.figure import Figure
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from chaplygin.contact.pressure import CoupledFriction, Ring, Uniform
 from chaplygin.report.drawing.style import QUIET, SERIES, STYLE, WIDTH
+from nonholonomic.contact.pressure import CoupledFriction, Ring, Uniform
 
 #: ln of the speed at which a motion is taken to have ended, relative to its start.
 REST = -40.0

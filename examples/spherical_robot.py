@@ -22,7 +22,9 @@ from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from chaplygin.control import (
+from chaplygin.geometry.view import View, rotation_matrices
+from chaplygin.report.drawing.style import ALARM, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
+from nonholonomic.control import (
     MotionPlan,
     Rotor,
     SphericalRobot,
@@ -31,8 +33,6 @@ from chaplygin.control import (
     motion_along,
     pendulum,
 )
-from chaplygin.geometry.view import View, rotation_matrices
-from chaplygin.report.drawing.style import ALARM, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 
 AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 INERTIA = (0.4, 0.5, 0.6)

@@ -36,12 +36,12 @@ from chaplygin import (
     reversors,
     sample_level,
 )
-from chaplygin.analysis.lyapunov import Spectrum
-from chaplygin.analysis.lyapunov.record import remarks
-from chaplygin.analysis.orbits import Reversor
-from chaplygin.flow import project_to_level
-from chaplygin.formulas import Formulas
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
+from flowlanes.flow import project_to_level
+from flowlanes.formulas import Formulas
+from flowlanes.lyapunov import Spectrum
+from flowlanes.lyapunov.record import remarks
+from flowlanes.orbits import Reversor
 
 GRAVITY = Forces(9.81)
 

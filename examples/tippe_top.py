@@ -22,8 +22,11 @@ from matplotlib.figure import Figure
 from scipy.optimize import brentq
 
 import chaplygin as ch
-from chaplygin.analysis.scans import axis
-from chaplygin.contact import (
+from chaplygin.experiment.friction_studies.chart import contact_chart, contact_chart_task
+from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
+from flowlanes.flow.ensemble import compute
+from flowlanes.scans import axis
+from nonholonomic.contact import (
     CompiledContact,
     ContactMotion,
     ContensouErismann,
@@ -34,9 +37,6 @@ from chaplygin.contact import (
     contact_motion,
     start_in_contact,
 )
-from chaplygin.experiment.friction_ensembles.chart import contact_chart, contact_chart_task
-from chaplygin.flow.ensemble import compute
-from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 
 #: The top of Leine and Glocker (2003): kg, kg m², m; its eccentricity α and spin (rad/s).
 MASS, MOMENTS, RADIUS = 0.006, (8e-7, 8e-7, 7e-7), 0.015

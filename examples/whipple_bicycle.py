@@ -43,7 +43,9 @@ from chaplygin import (
     integrate,
     linear_stability,
 )
-from chaplygin.core import (
+from chaplygin.report.drawing.style import STYLE
+from flowlanes.flow import Linearisation
+from flowlanes.system import (
     Guard,
     Observable,
     constant,
@@ -54,10 +56,8 @@ from chaplygin.core import (
     to_components,
     unit_vector,
 )
-from chaplygin.core.vectors import vectors
-from chaplygin.flow import Linearisation
-from chaplygin.mechanics.lagrangian import Plan, euclidean
-from chaplygin.report.drawing.style import STYLE
+from flowlanes.system.vectors import vectors
+from nonholonomic.mechanics.lagrangian import Plan, euclidean
 
 DIGITS = 20
 

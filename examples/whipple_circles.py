@@ -22,8 +22,8 @@ from matplotlib.figure import Figure
 from whipple_bicycle import VALUES, critical_speeds, linearisation_near, model, upright
 
 from chaplygin import linear_stability
-from chaplygin.flow import relative_equilibrium
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
+from flowlanes.flow import relative_equilibrium
 
 DIGITS = 15
 ANGLES = (1, 2, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 60)

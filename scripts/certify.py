@@ -17,13 +17,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, TextIO
 
-from chaplygin.borisov_mamaev import claims
-from chaplygin.catalogue import CATALOGUE, from_catalogue
-from chaplygin.core.laws import Law
-from chaplygin.core.system import System
-from chaplygin.errors import InputError
-from chaplygin.proof.certificates.certificate import prove_with_certificate
-from chaplygin.proof.verdict import Verdict
+from borisov_mamaev_2008 import claims
+from flowlanes.errors import InputError
+from flowlanes.system.laws import Law
+from flowlanes.system.system import System
+from lawproof.proof.certificates.certificate import prove_with_certificate
+from lawproof.proof.verdict import Verdict
+from nonholonomic.catalogue import CATALOGUE, from_catalogue
 
 Named = tuple[str, System, Law]
 """Where a law stands, its system, and the law."""

@@ -3,7 +3,7 @@
 # with the argument `compare` it fails where the result is not what is committed.
 # Usage, from the root of the project: front_end.sh [compare]
 set -eu
-built=src/chaplygin/lab/static
+built=packages/chaplygin/src/chaplygin/page/static
 
 is_new_enough() {
     test "$(node --version 2>/dev/null | sed 's/^v\([0-9]*\).*/\1/')" -ge 20 2>/dev/null

@@ -21,8 +21,8 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from chaplygin.borisov_mamaev import claims
-from chaplygin.printing.symbol_names import GREEK
+from borisov_mamaev_2008 import claims
+from flowlanes.printing.symbol_names import GREEK
 
 ALLOWED = Path(__file__).with_suffix(".txt")
 

@@ -15,7 +15,7 @@ TOP = Path(__file__).parents[1]
 HOME = Path(chaplygin.__file__).parent
 PAGES = [*TOP.glob("*.md"), *(TOP / "docs").rglob("*.md")]
 
-#: ``chaplygin.flow.trajectory``, but not ``chaplygin.toml`` or an address on the web.
+#: ``flowlanes.flow.trajectory``, but not ``chaplygin.toml`` or an address on the web.
 DOTTED = re.compile(r"(?<![\w./-])chaplygin(?:\.[A-Za-z_]\w*)+(?![\w/]|\.\w)")
 SUFFIXES = {
     "cff",
@@ -34,7 +34,7 @@ SUFFIXES = {
 }
 #: ``flow/trajectory.py``; of a file that a reader is to write, the text says so.
 FILE = re.compile(r"`((?:[a-z_]+/)+\w+\.py)`")
-TO_WRITE = {"src/chaplygin/catalogue/mechanisms/skate.py"}
+TO_WRITE = {"packages/nonholonomic/src/nonholonomic/catalogue/mechanisms/skate/py"}
 ROLE = re.compile(r":(?:mod|func|class|meth|data|attr):`~?([.\w]+)`")
 
 
@@ -95,5 +95,5 @@ def test_names_in_docstrings() -> None:
 
 
 def test_a_lost_name_is_reported() -> None:
-    text = "`chaplygin.flow.trajectory.Trajectory` is kept, `chaplygin.flow.course.Course` is not"
-    assert list(lost_names(text)) == ["chaplygin.flow.course.Course"]
+    text = "`flowlanes.flow.trajectory.Trajectory` is kept, `flowlanes.flow.course.Course` is not"
+    assert list(lost_names(text)) == ["flowlanes.flow.course.Course"]

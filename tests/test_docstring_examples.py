@@ -12,7 +12,9 @@ from typing import Any
 import pytest
 
 import chaplygin
-import chaplygin.catalogue
+import flowlanes
+import nonholonomic
+import nonholonomic.catalogue
 
 NAMES = sorted(
     name
@@ -31,7 +33,7 @@ def documented(name: str) -> Any:
     thing = getattr(chaplygin, name)
     if callable(thing):
         return inspect.unwrap(thing)
-    return chaplygin.catalogue
+    return nonholonomic.catalogue
 
 
 def sections(name: str) -> set[str]:
@@ -104,7 +106,7 @@ OFFERED = {
 }
 #: What takes too long, or too many other things, for an example of a few lines.
 WITHOUT_EXAMPLE = {
-    "chaplygin.control.MotionPlan",
+    "nonholonomic.control.MotionPlan",
     "chaplygin.report.figures.ball_figures",
     "chaplygin.report.figures.ball_scene",
     "chaplygin.report.figures.plan_view",
@@ -127,7 +129,7 @@ def test_every_name_of_a_namespace_has_an_example() -> None:
     assert len(OFFERED) > 250
     without = {name for name, value in OFFERED.items() if not has_example(value)}
     assert without == WITHOUT_EXAMPLE
-    assert not has_example(chaplygin.core.vector_operators.outer)
+    assert not has_example(flowlanes.system.vector_operators.outer)
 
 
 @pytest.mark.parametrize(

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.catalogue import CATALOGUE
 from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.study import prepare
-from chaplygin.flow.integrator import integrate
 from chaplygin.report.summary import drift
+from flowlanes.flow.integrator import integrate
+from nonholonomic.catalogue import CATALOGUE
 
 PAGE = (Path(__file__).parents[1] / "docs" / "drift.md").read_text()
 ROWS = {

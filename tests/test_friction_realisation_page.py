@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.contact.realisation.skate import Skate
+from nonholonomic.contact.rolling_limit.skate import Skate
 
 PAGE = (Path(__file__).parents[1] / "docs" / "friction-realisation.md").read_text()
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.flow.integrator import integrate
+from flowlanes.flow.integrator import integrate
 
 ROOT = Path(__file__).parents[1]
 PAGE = (ROOT / "docs" / "isomorphisms.md").read_text()

@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 import chaplygin as ch
-from chaplygin.analysis.lyapunov.indicators import Megno
+from flowlanes.lyapunov.indicators import Megno
 
 PAGE = (Path(__file__).parents[1] / "docs" / "charts.md").read_text(encoding="utf-8")
 x, v = sp.symbols("x v", real=True)

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import chaplygin as ch
-from chaplygin.core.overview import Overview
-from chaplygin.explicit import bifurcation_diagram
-from chaplygin.flow.ensemble.run import ensemble_task
+from flowlanes.flow.ensemble.run import ensemble_task
+from flowlanes.system.overview import Overview
+from nonholonomic.closed_form import bifurcation_diagram
 
 #: Lines and columns of a screen.
 LINES, COLUMNS = 50, 80

@@ -12,17 +12,17 @@ import mpmath
 import pytest
 
 import chaplygin
+from borisov_mamaev_2008.obstructions.limit_cycle import displacement
 from chaplygin import measure_exists, nonholonomy, prove, solve
-from chaplygin.borisov_mamaev.obstructions.limit_cycle import displacement
-from chaplygin.catalogue import from_catalogue
-from chaplygin.core.vectors import real_symbol
-from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates
-from chaplygin.mechanics.lagrangian.poincare_suslov import equations
-from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
-from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Rolling
-from chaplygin.mechanics.shapes.shapes import Ball
-from chaplygin.search import integrals, search_request
+from flowlanes.system.vectors import real_symbol
+from lawproof.search import integrals, search_request
+from nonholonomic.catalogue import from_catalogue
+from nonholonomic.mechanics.lagrangian.mechanism import Mechanism, coordinates
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.reduction.chaplygin import chaplygin_form
+from nonholonomic.mechanics.rolling.body import Body
+from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.shapes.shapes import Ball
 
 SOURCE = Path(chaplygin.__file__).parent
 x, y, phi = (real_symbol(name) for name in ("x", "y", "phi"))

@@ -24,9 +24,9 @@ from fences import live_pages
 from links import faults
 from notebooks import notebooks
 
-from chaplygin import audit
-from chaplygin.core.source_digest import package_digest
+from borisov_mamaev_2008.audit import audit
 from chaplygin.experiment.models.schema import experiment_schema
+from flowlanes.files.source_digest import package_digest
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent

@@ -8,16 +8,9 @@ from pathlib import Path
 
 import jinja2
 
-from chaplygin import __version__
-from chaplygin.borisov_mamaev import remarks
-from chaplygin.borisov_mamaev.audit import (
-    DECISIONS,
-    TITLES,
-    Judgement,
-    counts,
-    judged_findings,
-    typeset,
-)
+from borisov_mamaev_2008 import remarks
+from borisov_mamaev_2008.audit import DECISIONS, TITLES, Judgement, counts, judged_findings, typeset
+from chaplygin._version import __version__
 
 HOME = Path(__file__).parent
 

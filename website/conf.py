@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from chaplygin import __version__
-from chaplygin.core.source_digest import package_digest
+from chaplygin._version import __version__
+from flowlanes.files.source_digest import package_digest
 
 HOME = Path(__file__).parent
 BUILD = HOME.parent / "build"

@@ -103,7 +103,7 @@ def exhibits(
 
 def sources() -> Iterator[tuple[str, str]]:
     """Names in the gallery, and what they are called on the command line."""
-    from chaplygin.catalogue import CATALOGUE
+    from nonholonomic.catalogue import CATALOGUE
 
     for name in CATALOGUE:
         yield name, name
@@ -121,16 +121,16 @@ def defines_system(path: Path) -> bool:
 
 def compute(name: str, what: str, store: Path) -> None:
     """Study a system, and keep what is shown of it."""
-    from chaplygin.analysis.classification.classifier import classify
-    from chaplygin.analysis.classification.facts import ProofBudget
     from chaplygin.cli.terminal.options import study_of
-    from chaplygin.errors import RunError
     from chaplygin.experiment.study import dataset_of
     from chaplygin.experiment.subjects.plan import plan_motion
-    from chaplygin.lab.study_page import study_model
-    from chaplygin.printing.system import law_html, system_html
+    from chaplygin.page.study_page import study_model
     from chaplygin.report.page import EFFORT_PER_PROOF, TIMES
     from chaplygin.report.subject_figures import subject_figures
+    from flowlanes.errors import RunError
+    from flowlanes.printing.system import law_html, system_html
+    from nonholonomic.classification.classifier import classify
+    from nonholonomic.classification.facts import ProofBudget
 
     os.chdir(ROOT)
     with contextlib.redirect_stderr(io.StringIO()):
@@ -198,8 +198,8 @@ def draw(figure: object, path: Path) -> None:
 
 def closed_form(study: object) -> tuple[bool, str]:
     """Whether a closed form of the motion is known, and what is known in a sentence."""
-    from chaplygin.errors import InputError, RunError
     from chaplygin.experiment.closed_form import solution_of_study
+    from flowlanes.errors import InputError, RunError
 
     try:
         form = solution_of_study(study).form
@@ -211,8 +211,8 @@ def closed_form(study: object) -> tuple[bool, str]:
 
 def contact_of(study: object, name: str) -> str:
     """Its contact in a word."""
-    from chaplygin.catalogue.groups import GROUPS
     from chaplygin.experiment.subjects.subject import BallSubject
+    from nonholonomic.catalogue.groups import GROUPS
 
     subject = study.subject
     if subject.changes_equations:
@@ -261,8 +261,8 @@ def known(places: Sequence[object]) -> Iterator[str]:
 
 def table(place: object) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """Headings and statements of a place, each with the facts that it rests on."""
-    from chaplygin.analysis.classification.classification import rows
-    from chaplygin.printing.numerals import typographic_signs
+    from flowlanes.printing.numerals import typographic_signs
+    from nonholonomic.classification.classification import rows
 
     def sentence(statement: object) -> str:
         facts = "; ".join(str(fact) for fact in statement.by)

@@ -7,8 +7,8 @@ from typing import Any
 
 from docutils import nodes
 
-from chaplygin.core.source_digest import package_digest
-from chaplygin.printing.mathml import mathml
+from flowlanes.files.source_digest import package_digest
+from flowlanes.printing.mathml import mathml
 
 
 def _inline(writer: Any, node: nodes.math) -> None:

@@ -45,7 +45,7 @@ def pages(exhibits: list[Exhibit], store: Path, live: Path) -> Iterator[tuple[st
         undefined=jinja2.StrictUndefined,
     )
     live.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(ROOT / "src/chaplygin/lab/static/lab.js", live / "lab.js")
+    shutil.copyfile(ROOT / "packages/chaplygin/src/chaplygin/page/static/lab.js", live / "lab.js")
     page = environment.get_template("live.html")
     for exhibit in exhibits:
         name = exhibit.name

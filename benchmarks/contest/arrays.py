@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from chaplygin.flow.kernel.tableaux import explicit
+from flowlanes.flow.kernel.tableaux import explicit
 
 from .bodies import Body
 from .compiled import step_counts

@@ -15,10 +15,10 @@ import sympy as sp
 
 import chaplygin
 from chaplygin import Forces, System
-from chaplygin.catalogue.bodies import unbalanced_ball
-from chaplygin.flow.initial_states import flat_starts
-from chaplygin.flow.machine_code import code_cache as cache
-from chaplygin.flow.taylor.heyoka_expressions import Translator
+from flowlanes.flow.initial_states import flat_starts
+from flowlanes.flow.machine_code import code_cache as cache
+from flowlanes.flow.taylor.heyoka_expressions import Translator
+from nonholonomic.catalogue.bodies import unbalanced_ball
 
 __all__ = ["BEYOND", "BODIES", "Body", "deviation", "rows"]
 

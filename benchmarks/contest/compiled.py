@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from chaplygin.flow.kernel.tableaux import explicit
+from flowlanes.flow.kernel.tableaux import explicit
 
 from .bodies import Body
 from .generated import defined, field_text, increment, step_text

@@ -10,8 +10,8 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from chaplygin.flow.kernel.tableaux import explicit
-from chaplygin.formulas.graph import Term, of_system, topological_order
+from flowlanes.flow.kernel.tableaux import explicit
+from flowlanes.formulas.graph import Term, of_system, topological_order
 
 from .bodies import Body
 

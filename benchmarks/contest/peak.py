@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 
 from chaplygin import batch_integrator
-from chaplygin.flow.kernel.tableaux import explicit
+from flowlanes.flow.kernel.tableaux import explicit
 
 from .bodies import Body
 from .generated import operations

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin.explicit.bifurcation import bifurcation_diagram, locate
+from nonholonomic.closed_form.bifurcation import bifurcation_diagram, locate
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

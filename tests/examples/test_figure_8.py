@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.flow.sampling.level_sampler import sample_level
+from flowlanes.flow.sampling.level_sampler import sample_level
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -18,13 +18,13 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import chaplygin
-from chaplygin.contact import CompiledContact, Coulomb, contact_motion
-from chaplygin.contact.pressure.pressure import CoupledFriction, Ring, Uniform
-from chaplygin.contact.starts import start_in_space
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
 from chaplygin.experiment.models.experiment import load
 from contact.reference_bodies import rotation
 from contact.reference_forces import Direction, Mode, Problem
+from nonholonomic.contact import CompiledContact, Coulomb, contact_motion
+from nonholonomic.contact.pressure.pressure import CoupledFriction, Ring, Uniform
+from nonholonomic.contact.starts import start_in_space
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "friction.md").read_text(encoding="utf-8")

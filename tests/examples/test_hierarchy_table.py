@@ -35,7 +35,7 @@ def test_lines_of_fast_systems(table: ModuleType, name: str) -> None:
 
 
 def test_every_system_has_a_line() -> None:
-    from chaplygin.catalogue import CATALOGUE
+    from nonholonomic.catalogue import CATALOGUE
 
     listed = re.findall(r"^\| `([a-z0-9-]+)` \|", PAGE, re.MULTILINE)
     assert listed == list(CATALOGUE)

@@ -10,7 +10,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from chaplygin.flow.integrator import integrate
+from flowlanes.flow.integrator import integrate
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -12,15 +12,15 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from chaplygin.catalogue import from_catalogue
 from chaplygin.cli import main
 from chaplygin.experiment.dataset import read
 from chaplygin.experiment.models.described_models import OwnExperiment
 from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.python_file import load_python
 from chaplygin.experiment.study import Study, dataset_of, prepare
-from chaplygin.proof.prover import prove
 from chaplygin.report.summary import drift
+from lawproof.proof.prover import prove
+from nonholonomic.catalogue import from_catalogue
 from spread import spread
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

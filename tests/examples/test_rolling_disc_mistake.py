@@ -11,10 +11,10 @@ import matplotlib
 import numpy as np
 import pytest
 
-from chaplygin.core.system import System
-from chaplygin.core.vectors import real_symbol
-from chaplygin.mechanics.lagrangian.poincare_suslov import equations
-from chaplygin.proof.prover import prove
+from flowlanes.system.system import System
+from flowlanes.system.vectors import real_symbol
+from lawproof.proof.prover import prove
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

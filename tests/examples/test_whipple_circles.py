@@ -12,8 +12,8 @@ import matplotlib
 import numpy as np
 import pytest
 
-from chaplygin.flow.integrator import integrate
-from chaplygin.flow.linearisation.linear_stability import relative_equilibrium
+from flowlanes.flow.integrator import integrate
+from flowlanes.flow.linearisation.linear_stability import relative_equilibrium
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

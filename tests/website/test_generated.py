@@ -10,11 +10,12 @@ from typing import Any
 
 import pytest
 
+import borisov_mamaev_2008
 import chaplygin
-from chaplygin.borisov_mamaev import Claim
-from chaplygin.borisov_mamaev.audit import Judgement
+from borisov_mamaev_2008 import Claim
+from borisov_mamaev_2008.audit import Judgement
 from chaplygin.experiment.models.schema import experiment_schema
-from chaplygin.proof.verdict import Verdict
+from lawproof.proof.verdict import Verdict
 
 WEBSITE = Path(__file__).parents[2] / "website"
 
@@ -52,7 +53,7 @@ def test_every_system_and_every_experiment_is_an_exhibit() -> None:
 @pytest.mark.slow
 def test_every_claim_has_an_anchor_of_its_own() -> None:
     claims = import_module("claims")
-    judgements, _ = chaplygin.audit(section=11, workers=1)
+    judgements, _ = borisov_mamaev_2008.audit.audit(section=11, workers=1)
     written = dict(claims.pages(judgements))
     anchors = re.findall(r'<li id="([^"]+)" class="claim"', written["audit/index.md"])
     assert len(set(anchors)) == len(judgements)

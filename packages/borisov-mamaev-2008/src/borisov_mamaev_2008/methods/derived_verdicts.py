@@ -1,0 +1,80 @@
+"""Verdicts that follow from a computation, from several others, or from what contradicts them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+from flowlanes.system.laws import Law
+from flowlanes.system.system import System
+from lawproof.proof.prover import prove
+from lawproof.proof.verdict import Decision, Verdict
+
+
+def computed_verdict(
+    name: str,
+    holds: object,
+    finding: str = "",
+    otherwise: str = "",
+    *,
+    decision: Decision = "proven",
+    **details: Any,
+) -> Verdict:
+    """The verdict of a computation: `decision` if it holds, else undecided, with a reason."""
+    result: Decision = decision if holds else "undecided"
+    return Verdict(name, result, finding=finding, reason="" if holds else otherwise, **details)
+
+
+def conclusion_verdict(
+    name: str, finding: str, rests_on: Iterable[Verdict | tuple[System, Law]]
+) -> Verdict:
+    """Proven when everything that the conclusion rests on is.
+
+    Parameters
+    ----------
+    name : str
+    finding : str
+        What follows, in a few words.
+    rests_on : verdicts, or laws with their systems
+
+    Returns
+    -------
+    Verdict
+        Undecided where something is not proven; a premiss that fails proves no opposite.
+    """
+    verdicts = [v if isinstance(v, Verdict) else prove(*v) for v in rests_on]
+    missing = [v for v in verdicts if not v]
+    reasons = "; ".join(
+        f"{v.law}: {v.reason or ', '.join((v.decision, *v.conditions))}" for v in missing
+    )
+    return Verdict(
+        name,
+        "undecided" if missing else "proven",
+        finding="" if missing else finding,
+        reason=reasons,
+        terms=max((v.terms for v in verdicts), default=0),
+        seconds=sum(v.seconds for v in verdicts),
+    )
+
+
+_OPPOSITE: dict[Decision, Decision] = {
+    "proven": "refuted",
+    "refuted": "proven",
+    "undecided": "undecided",
+}
+
+
+def contrary(verdict: Verdict) -> Verdict:
+    """The verdict on the opposite statement.
+
+    The text and the witness, if there is one, are kept.  A statement proven only under conditions
+    does not decide the opposite.
+    """
+    if verdict.decision == "proven where":
+        where = ", ".join(verdict.conditions)
+        return replace(
+            verdict, decision="undecided", conditions=(), reason=f"excluded only where {where}"
+        )
+    witness = verdict.witness or {"shown": verdict.finding}
+    return replace(verdict, decision=_OPPOSITE[verdict.decision], witness=witness)

@@ -1,0 +1,46 @@
+"""The span of vector fields and their commutators, and the verdict on a claim about it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from lawproof.proof.verdict import Verdict
+from nonholonomic.mechanics.constraints import growth as mechanics
+from nonholonomic.mechanics.lagrangian.structure_functions import VectorField
+
+
+def growth(
+    fields: Sequence[VectorField],
+    coordinates: Sequence[sp.Symbol],
+    point: Mapping[sp.Symbol, sp.Expr],
+) -> tuple[int, ...]:
+    """Growth vector of a distribution, with its last entry twice."""
+    counts = mechanics.growth(fields, coordinates, point)
+    return (*counts, counts[-1])
+
+
+def holonomic_count_verdict(claim: int, counts: tuple[int, ...], dimension: int) -> Verdict:
+    """The verdict on a number of holonomic constraints, from the growth of a distribution.
+
+    A function F with η(F) = 0 for every admissible field has dF annul their commutators too, so
+    that there are as many independent ones as the dimension exceeds that of the span.
+
+    Parameters
+    ----------
+    claim : int
+        Number of independent holonomic constraints that is claimed.
+    counts : tuple of int
+        As from `growth`.
+    dimension : int
+        Of the configuration space.
+    """
+    true = dimension - counts[-1]
+    return Verdict(
+        "holonomic_constraints",
+        "proven" if claim == true else "refuted",
+        finding=f"the span grows as {', '.join(map(str, counts))} in dimension {dimension}: "
+        f"{true} holonomic constraints",
+        witness=None if claim == true else {"claimed": claim, "true": true},
+    )

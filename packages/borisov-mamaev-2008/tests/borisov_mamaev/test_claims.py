@@ -1,0 +1,174 @@
+"""The audit as a whole: every claim says what it is, is judged, and is put right where it fails."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from borisov_mamaev_2008 import Claim, claims, remarks
+from borisov_mamaev_2008.audit import TITLES, audit, counts, judge
+from flowlanes.printing.mathml import mathml
+from lawproof.proof.verdict import Verdict
+
+CLAIMS = claims()
+NUMBERS = pytest.mark.parametrize(
+    "number", range(len(CLAIMS)), ids=lambda n: f"{n} {CLAIMS[n][1].source}"
+)
+DOLLARS = re.compile(r"\$\$(.+?)\$\$|\$(.+?)\$", flags=re.S)
+
+
+def check_text(text: str) -> None:
+    """Words with formulas between dollar signs that a browser can show."""
+    assert text == text.strip()
+    assert "$" not in DOLLARS.sub("", text), text
+    assert "\\" not in DOLLARS.sub("", text), text
+    for display, inline in DOLLARS.findall(text):
+        formula = display or inline
+        assert formula.count("{") == formula.count("}"), formula
+        assert formula.count(r"\left") - formula.count(r"\leftrightarrow") == formula.count(
+            r"\right"
+        ) - formula.count(r"\rightarrow"), formula
+        shown = mathml(formula)
+        assert "\\" not in shown, formula
+        assert shown.startswith("<math ") and shown.endswith("</math>")
+
+
+@NUMBERS
+def test_a_claim_says_what_it_is(number):
+    section, claim = CLAIMS[number]
+    assert section in TITLES
+    assert claim.source and claim.statement
+    for text in (claim.statement, claim.correction, claim.note, claim.argument, *claim.where):
+        check_text(text)
+    # what is not true may be put right in words alone; a form is always told
+    if claim.corrected is not None:
+        assert claim.correction and claim.note
+
+
+@pytest.mark.parametrize("remark", remarks(), ids=lambda r: r.source)
+def test_a_remark_says_why_it_was_not_computed(remark):
+    assert remark.source and remark.reason
+    for text in (remark.statement, remark.reason):
+        check_text(text)
+
+
+def test_claims_are_told_apart():
+    """A verdict is kept under source and statement."""
+    found = Counter((claim.source, claim.statement) for _, claim in CLAIMS)
+    assert max(found.values()) == 1
+
+
+def test_every_section_has_claims_in_reading_order():
+    sections = [section for section, _ in CLAIMS]
+    assert sections == sorted(sections)
+    assert set(sections) == set(TITLES)
+
+
+def check_verdict(verdict: Verdict) -> None:
+    if verdict.decision == "undecided":
+        assert verdict.reason
+    else:
+        assert verdict.finding and not verdict.reason
+    assert bool(verdict.conditions) == (verdict.decision == "proven where")
+
+
+@pytest.mark.slow(every=4)
+@NUMBERS
+def test_a_claim_is_judged_and_put_right(number):
+    _, claim = CLAIMS[number]
+    printed, corrected = judge(number, None)
+    check_verdict(printed)
+    if corrected is not None:
+        check_verdict(corrected)
+        assert printed.decision == "refuted"
+        assert corrected.decision in ("proven", "proven where"), corrected
+    elif printed.decision == "refuted":
+        assert claim.note, "a refuted claim without a correction says why"
+    holding = corrected or printed
+    assert (holding.decision == "proven where") == bool(claim.where)
+    assert set(claim.where) <= set(holding.conditions)
+
+
+#: Words by which a note says that a computation covers less than the statement.
+NARROWER = re.compile(
+    r"(decided|computed|shown|proved) for (?!every|any)|for one |\bfor a homogeneous|on one torus"
+    r"|[nm] = [2-9]\b|\bfor (two|three|four) |for functions"
+)
+
+
+@NUMBERS
+def test_a_narrower_computation_has_an_argument_or_conditions(number):
+    _, claim = CLAIMS[number]
+    if claim.corrected is None and NARROWER.search(claim.note):
+        assert claim.argument or claim.where, claim.note
+
+
+def test_corrected_forms_state_their_hypotheses():
+    assert not [claim.source for _, claim in CLAIMS if claim.corrected and claim.where]
+
+
+def test_conditions_restrict_what_is_proven_alone():
+    claim = Claim("(1)", "$x$", lambda: Verdict("law", "proven"), where=("x > 0",))
+    part = claim.under_conditions(Verdict("law", "proven where", conditions=("y > 0",)))
+    assert part.decision == "proven where"
+    assert part.conditions == ("y > 0", "x > 0")
+    for decision in ("refuted", "undecided"):
+        other = Verdict("law", decision)
+        assert claim.under_conditions(other) is other
+
+
+@pytest.mark.slow
+def test_counts_are_those_of_the_judgements():
+    section = min(TITLES, key=lambda n: len(claims(n)))
+    judgements, left = audit(section, workers=1)
+    assert left == 0
+    assert [(j.section, j.claim.source) for j in judgements] == [
+        (n, claim.source) for n, claim in claims(section)
+    ]
+    table = counts(judgements)
+    assert sum(table["printed"].values()) == len(judgements)
+    assert sum(table["corrected"].values()) == sum(
+        c.corrected is not None for _, c in claims(section)
+    )
+    for judgement in judgements:
+        record = judgement.record()
+        assert record["source"] == judgement.claim.source
+        assert record["printed"] == judgement.printed.decision
+        assert ("corrected" in record) == ("verdict" in record) == (judgement.corrected is not None)
+
+
+PAGES = Path(__file__).parents[4] / "docs"
+
+
+def test_the_page_lists_the_conditions():
+    rows = [f"| {c.source} | {'; '.join(c.where)} |" for _, c in CLAIMS if c.where]
+    table = (PAGES / "proofs.md").read_text().split("| claim | where |\n|---|---|\n")[1]
+    assert table.split("\n\n")[0].split("\n") == rows
+
+
+def test_pages_and_results_that_arguments_name_are_there():
+    """An argument that is written elsewhere names the page, and the result on it."""
+    named = [(c.source, c.argument) for _, c in CLAIMS if "docs/" in c.argument]
+    assert named
+    for source, argument in named:
+        page = re.search(r"docs/([\w-]+\.md)", argument)
+        assert page and (PAGES / page[1]).is_file(), source
+        for result in re.findall(r"result (\d+)", argument):
+            assert f"**{result}. " in (PAGES / page[1]).read_text(), source
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/proofs.md", "CHANGELOG.md"])
+def test_the_numbers_of_claims_in_the_documentation(page):
+    """Each printed form is proven, proven where conditions hold, or put right.
+
+    The test above judges them one by one.
+    """
+    text = " ".join((Path(__file__).parents[4] / page).read_text().split())
+    total, wrong = len(CLAIMS), sum(claim.corrected is not None for _, claim in CLAIMS)
+    partly = sum(bool(claim.where) for _, claim in CLAIMS)
+    assert f"{total} claims" in text
+    assert f"{total - wrong - partly} are proven as printed, {partly} where" in text
+    assert re.search(rf"{wrong} are (misprinted|refuted)", text)

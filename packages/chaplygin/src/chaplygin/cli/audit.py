@@ -1,0 +1,220 @@
+"""``chaplygin audit``: every claim of the paper, as printed and as corrected."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from ..interruption import EXIT_CODE, print_interruption, results_on_interrupt
+from .terminal.options import Force, Json, console, inform, print_json
+from .terminal.output_destination import STANDARD_OUTPUT, beside, check_output, name_of, output_file
+from .terminal.progress import progress, waiting
+from .terminal.stores import require_processes
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+
+    from rich.console import RenderableType
+
+    from borisov_mamaev_2008 import Remark
+    from borisov_mamaev_2008.audit import Judgement
+
+#: Of the paper.
+SECTIONS = range(1, 13)
+
+
+def command(
+    section: Annotated[
+        int | None, typer.Option(help="Judge only this section of the paper, 1 to 12.")
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", metavar="FILE", help="HTML page to write."),
+    ] = None,
+    workers: Annotated[
+        int | None, typer.Option(help="Number of processes; default: one for each processor.")
+    ] = None,
+    remarks_alone: Annotated[
+        bool,
+        typer.Option(
+            "--remarks", help="List the statements that are not computed; judge no claims."
+        ),
+    ] = False,
+    force: Force = False,
+    json: Json = False,
+) -> None:
+    """Judge every claim of Borisov and Mamaev (2008); exit 1 if a corrected one is refuted."""
+    from flowlanes.errors import InputError
+
+    if remarks_alone and (output is not None or workers is not None):
+        raise InputError("--remarks judges no claims: leave out --output and --workers")
+    if workers is not None:
+        require_processes(workers)
+    if output is not None:
+        check_output("--output", output, force, json, binary=False)
+        if output.suffix != ".html" and output != STANDARD_OUTPUT:
+            raise InputError(f"--output {output}: its name must end in .html")
+    if section is not None and section not in SECTIONS:
+        raise InputError(
+            f"--section {section}: the audit covers sections {SECTIONS[0]} to {SECTIONS[-1]}"
+        )
+    with waiting("reading the claims of the paper"):
+        from borisov_mamaev_2008.audit import audit, page, remarks_by_section
+
+        remarks = remarks_by_section(section)
+    if remarks_alone:
+        if json:
+            print_json({"remarks": _remark_records(remarks)})
+        else:
+            _print_remarks(remarks)
+        return
+
+    with results_on_interrupt("the verdicts reached so far are about to be printed"):
+        with progress("judging the claims of the paper") as report:
+            judgements, left = audit(section, workers, report)
+        with beside(output):
+            if json:
+                records = [judgement.record() for judgement in judgements]
+                print_json({"claims": records, "remarks": _remark_records(remarks)})
+            else:
+                _print(judgements)
+                _print_number_of_remarks(remarks, section)
+        # a page of some claims alone would stand in the way of the command that goes on
+        if output is not None and not left:
+            with output_file(output) as place:
+                place.write_text(page(judgements, section), encoding="utf-8")
+            inform(f"page: {name_of(output)}")
+    if left:
+        page_too = "" if output is None else " and no page was written"
+        print_interruption(
+            f"{left} claims were not judged{page_too}; verdicts are saved, and the same command "
+            "resumes"
+        )
+        raise typer.Exit(EXIT_CODE)
+    if any(j.corrected is not None and j.corrected.decision == "refuted" for j in judgements):
+        raise typer.Exit(1)
+
+
+def _print(judgements: Sequence[Judgement]) -> None:
+    from itertools import groupby
+
+    from borisov_mamaev_2008.audit import TITLES, counts
+
+    shown = console()
+    for section, section_judgements in groupby(judgements, key=lambda j: j.section):
+        shown.print(f"\n[bold]§{section} {TITLES[section]}[/]\n")
+        for judgement in section_judgements:
+            shown.print(_claim_block(judgement, shown.is_terminal))
+    numbers = counts(judgements)
+    shown.print(f"\n{len(judgements)} claims")
+    for form, label in (("printed", "as printed"), ("corrected", "corrected")):
+        listed = ", ".join(f"{n} {decision}" for decision, n in numbers[form].items())
+        shown.print(f"{label}: {listed}")
+
+
+def _print_number_of_remarks(remarks: Mapping[int, Sequence[Remark]], section: int | None) -> None:
+    """How many statements are not computed, and how to see them."""
+    number = sum(len(found) for found in remarks.values())
+    chosen = "" if section is None else f" --section {section}"
+    if number:
+        console().print(
+            f"{number} further statements, of literature or judgement, were not computed: "
+            f"chaplygin audit{chosen} --remarks"
+        )
+
+
+def _print_remarks(remarks: Mapping[int, Sequence[Remark]]) -> None:
+    from rich.markup import escape
+    from rich.padding import Padding
+
+    from borisov_mamaev_2008.audit import TITLES, judged_findings
+    from flowlanes.printing.plain_text import plain_words
+
+    from .prove import coloured_decision
+
+    shown = console()
+    for section, found in remarks.items():
+        shown.print(f"\n[bold]§{section} {TITLES[section]}[/]")
+        for remark in found:
+            words = [plain_words(text) for text in (remark.statement, remark.reason)]
+            shown.print(f"\n[bold]{escape(plain_words(remark.source))}[/]")
+            shown.print(Padding(escape(words[0]), (0, 0, 0, 2), expand=False))
+            shown.print(Padding(f"[dim]{escape(words[1])}[/]", (0, 0, 0, 2), expand=False))
+            for finding, verdict in judged_findings(remark):
+                text = f"{coloured_decision(verdict.decision)} here: {escape(finding.statement)}"
+                place = f" (docs/open-problems.md, {finding.key})"
+                shown.print(Padding(text + place, (0, 0, 0, 2), expand=False))
+
+
+def _remark_records(remarks: Mapping[int, Sequence[Remark]]) -> list[dict[str, Any]]:
+    """Remarks for another program, with what is decided here of open questions."""
+    from borisov_mamaev_2008.audit import judged_findings
+
+    return [
+        {
+            "section": section,
+            **asdict(remark),
+            "findings": [
+                {"row": finding.key, "statement": finding.statement, "verdict": verdict.statement}
+                for finding, verdict in judged_findings(remark)
+            ],
+        }
+        for section, found in remarks.items()
+        for remark in found
+    ]
+
+
+def _claim_block(judgement: Judgement, wide: bool) -> RenderableType:
+    """The place of a claim, its judgement, and remarks below it.
+
+    With `wide`, verdicts stand at the right edge of the terminal.
+    """
+    from rich.console import Group
+    from rich.markup import escape
+    from rich.table import Table
+
+    from flowlanes.printing.plain_text import plain_words
+
+    from .prove import coloured_decision
+
+    head = Table.grid(padding=(0, 2), expand=wide)
+    head.add_column(ratio=1 if wide else None)
+    head.add_column(justify="right", no_wrap=True)
+    head.add_column(justify="right", no_wrap=True, min_width=8)
+    verdicts = [v for v in (judgement.printed, judgement.corrected) if v is not None]
+    shown = " → ".join(coloured_decision(verdict.decision) for verdict in verdicts)
+    head.add_row(
+        f"[bold]{escape(plain_words(judgement.claim.source))}[/]",
+        shown,
+        f"{judgement.seconds:.2f} s",
+    )
+    text = Table.grid(padding=(0, 2, 0, 0))
+    text.add_column(no_wrap=True, style="dim", min_width=11)
+    text.add_column()
+    for label, words in _remarks(judgement):
+        text.add_row(f"  {label}", escape(words))
+    return Group(head, text) if text.rows else head
+
+
+def _remarks(judgement: Judgement) -> Iterator[tuple[str, str]]:
+    """Remarks on a claim with their labels; both forms if the printed one fails."""
+    from flowlanes.printing.plain_text import plain_words
+
+    claim = judgement.claim
+    if not judgement.printed:
+        yield "printed", plain_words(claim.statement)
+    if judgement.corrected is not None:
+        yield "corrected", plain_words(claim.correction)
+    if claim.note:
+        yield "note", plain_words(claim.note)
+    if claim.erratum:
+        yield "erratum", plain_words(claim.erratum)
+    if claim.argument:
+        yield "argument", plain_words(claim.argument)
+    if judgement.conditions:
+        yield "where", plain_words(", ".join(judgement.conditions))
+    if judgement.reason:
+        yield "undecided", judgement.reason

@@ -1,0 +1,342 @@
+"""``chaplygin find``: laws found from the equations alone."""
+
+from __future__ import annotations
+
+import textwrap
+import time
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from ..interruption import EXIT_CODE, print_interruption, results_on_interrupt
+from .terminal.options import Effort, Json, Override, What, inform, operations, print_json, study_of
+from .terminal.progress import progress
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    import sympy as sp
+
+    from flowlanes.system.system import Parameter, System
+    from lawproof.search import Question, SearchResult
+    from nonholonomic.invariant_measures.equilibria import EquilibriumObstruction
+    from nonholonomic.invariant_measures.result import MeasureExistence
+
+    from ..experiment.study import Study
+
+_TITLES = {
+    "integrals": "First integrals",
+    "measure": "Invariant measures",
+    "symmetries": "Symmetry fields",
+}
+#: Of no result, and of the results that were found.
+_NOTHING = "none of this form"
+_NOTHING_ELSE = {
+    "integrals": "Everything else of this form is a function of these and of the parameters.",
+    "symmetries": "Everything else of this form follows from these, the flow and the integrals.",
+}
+
+
+def command(
+    kind: Annotated[str, typer.Argument(metavar="KIND", help="integrals, measure or symmetries.")],
+    what: What,
+    overrides: Override = None,
+    degree: Annotated[int, typer.Option(help="Largest degree in the momenta.")] = 2,
+    gamma_degree: Annotated[int, typer.Option(help="Largest degree in the coordinates.")] = 2,
+    momenta: Annotated[
+        str, typer.Option(metavar="NAMES", help="Momenta, e.g. M; default: M, and also ω.")
+    ] = "",
+    coordinates: Annotated[
+        str,
+        typer.Option(
+            metavar="NAMES", help="Coordinates, e.g. gamma; default: all other variables."
+        ),
+    ] = "",
+    at: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="CONDITION",
+            help="A condition on the parameters, e.g. k=-1. Default: the coincidences of the "
+            "present values (equal moments or semi-axes, zeros). none: no condition.",
+        ),
+    ] = None,
+    on: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FORMULA", help="Search on the level where this is 0, e.g. 'M·γ'."),
+    ] = None,
+    divisors: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--denominator",
+            metavar="FORMULA",
+            help="A denominator to try, e.g. '(γ, A γ)'; default: candidates from the equations. "
+            "1: none.",
+        ),
+    ] = None,
+    bases: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--base",
+            metavar="FORMULA",
+            help="A factor of the density, to a power to be found; default: candidates from the "
+            "equations.",
+        ),
+    ] = None,
+    power: Annotated[int, typer.Option(help="Largest power of a denominator.")] = 1,
+    parameter_degree: Annotated[
+        int, typer.Option(help="Largest degree of coefficients in the parameters.")
+    ] = 3,
+    effort: Effort = 1.0,
+    json: Json = False,
+) -> None:
+    """Search for first integrals, invariant measures or symmetries, and prove those found."""
+    from flowlanes.errors import InputError
+
+    if kind not in _TITLES:
+        raise InputError(f"KIND {kind}: it must be one of {', '.join(_TITLES)}")
+    allowed = operations(effort)
+    for option, number in (
+        ("--degree", degree),
+        ("--gamma-degree", gamma_degree),
+        ("--power", power),
+        ("--parameter-degree", parameter_degree),
+    ):
+        if number < 0:
+            raise InputError(f"{option} {number}: it must not be negative")
+    study = study_of(what, overrides)
+    from lawproof.search import search_request
+
+    from ..experiment.single_system import single_system
+
+    system = single_system(study)
+    began = time.monotonic()
+    conditions = special(system) if at is None else tuple(c for c in at if c.strip() != "none")
+    question = search_request(
+        system,
+        degree=degree,
+        gamma_degree=gamma_degree,
+        momenta=momenta,
+        coordinates=coordinates,
+        at=conditions,
+        on=on or (),
+        divisors=None if divisors is None else [d for d in divisors if d.strip() != "1"],
+        bases=bases,
+        powers=power,
+        parameter_degree=parameter_degree,
+        effort=allowed,
+    )
+    with results_on_interrupt("the results found so far are about to be printed"):
+        results, complete = _results(kind, question)
+        asked = kind == "measure" and complete
+        decision = _existence(study) if asked else None
+        excluded = _obstruction(system) if asked and not results and decision is None else None
+        elapsed = time.monotonic() - began
+        if json:
+            print_json(
+                _as_json(kind, question, results, complete, elapsed)
+                | {"at": list(conditions)}
+                | ({} if decision is None else {"existence": _existence_json(decision)})
+                | ({} if excluded is None else {"excluded": str(excluded)})
+            )
+        else:
+            if at is None and conditions:
+                inform(
+                    f"searched where {', '.join(conditions)}, as the parameters are; --at none "
+                    "searches for arbitrary parameters"
+                )
+            typer.echo(_as_text(kind, question, results, complete))
+            if decision is not None:
+                lines = str(decision).splitlines()
+                typer.echo("\n" + "\n".join(_paragraph(line) for line in lines))
+            if excluded is not None:
+                typer.echo("\n" + _paragraph(str(excluded)))
+    if not complete:
+        raise typer.Exit(EXIT_CODE)
+    raise typer.Exit(0 if results or decision else 1)
+
+
+def special(system: System) -> tuple[str, ...]:
+    """Special values of the parameters: equal moments or semi-axes, and zeros."""
+    values = {p: p.default for p in system.parameters}
+    factors = []
+    for words in ("moment of inertia", "semi-axis"):
+        first: dict[float, Parameter] = {}
+        for parameter in (p for p in values if p.meaning.startswith(words) and values[p]):
+            earlier = first.setdefault(values[parameter], parameter)
+            if earlier is not parameter:
+                factors.append(f"{earlier.symbol} = {parameter.symbol}")
+    return (*factors, *(f"{p.symbol} = 0" for p in values if values[p] == 0))
+
+
+def _results(kind: str, question: Question) -> tuple[list[SearchResult], bool]:
+    """The results, and whether the search was completed."""
+    from lawproof.search import integrals, measures, symmetries
+
+    search = {"integrals": integrals, "measure": measures, "symmetries": symmetries}[kind]
+    results: list[SearchResult] = []
+    try:
+        with progress(f"searching for {kind}") as report:
+
+            def update(fraction: float, words: str) -> None:
+                report.say(f"searching for {kind}: {words}" if words else f"searching for {kind}")
+                report(fraction)
+
+            results.extend(search(question, update))
+    except KeyboardInterrupt:
+        print_interruption("the results found up to then follow")
+        return results, False
+    return results, True
+
+
+def _existence(study: Study) -> MeasureExistence | None:
+    """The decision whether a density on the configuration exists, where the model is known."""
+    from flowlanes.errors import InputError
+    from flowlanes.formulas.errors import OutOfReachError
+    from nonholonomic.invariant_measures.existence import measure_exists
+
+    model = study.subject.model
+    if model is None:
+        return None
+    try:
+        with progress("deciding whether a density on the configuration exists"):
+            return measure_exists(model, study.system.title)
+    except (InputError, OutOfReachError, ZeroDivisionError):
+        # constraints of another kind, or numbers at which the derivation fails
+        return None
+
+
+def _obstruction(system: System) -> EquilibriumObstruction | None:
+    """An equilibrium that excludes a measure, where equations alone are known."""
+    from nonholonomic.invariant_measures.equilibria import equilibrium_obstruction
+
+    return equilibrium_obstruction(system)
+
+
+def _paragraph(line: str) -> str:
+    return textwrap.fill(line, 100, initial_indent="  ", subsequent_indent="      ")
+
+
+def _existence_json(decision: MeasureExistence) -> dict[str, object]:
+    return {"decision": decision.decision, "statement": str(decision)}
+
+
+def _names(symbols: Iterable[object]) -> list[str]:
+    from flowlanes.printing.formula import text
+
+    return [text(s) for s in symbols]
+
+
+def _equation(vanishing: sp.Expr) -> str:
+    """A vanishing formula as an equation without minus signs, its number on the right."""
+    from sympy import Add
+
+    from flowlanes.printing.formula import text
+
+    number, remainder = vanishing.as_coeff_Add()
+    terms = remainder.as_ordered_terms()
+    negative = [term for term in terms if term.could_extract_minus_sign()]
+    left = Add(*(term for term in terms if term not in negative))
+    return f"{text(left)} = {text(Add(-number, *(-term for term in negative)))}"
+
+
+def _setting(question: Question) -> str:
+    ansatz = question.ansatz
+    lines = [
+        f"of degree ≤ {ansatz.degree} in "
+        + " or ".join(", ".join(_names(a.momenta)) for a in (ansatz, *question.also))
+        + (
+            f" and ≤ {ansatz.gamma_degree} in {', '.join(_names(ansatz.coordinates))}"
+            if ansatz.coordinates
+            else ""
+        )
+    ]
+    if question.stage.on:
+        lines.append("where " + ", ".join(_equation(f) for f in question.stage.on))
+    return "\n    ".join(lines)
+
+
+def _result_lines(finding: SearchResult) -> list[str]:
+    from flowlanes.printing.formula import text
+    from flowlanes.system.vectors import real_symbol
+
+    law, verdict = finding.law, finding.verdict
+    if law is None or verdict is None:
+        return [f"  only observed, modulo a prime: {finding.remark}"]
+    status = (
+        verdict.statement
+        if verdict.decision in ("proven", "proven where")
+        else f"only observed, {verdict.words}"
+    )
+    known = f"; repeats {finding.catalogue_law}" if finding.catalogue_law else ""
+    label = "ρ" if finding.kind == "measure" else text(real_symbol(law.name))
+    if finding.kind == "symmetry":
+        formula = ",  ".join(f"{text(name)} ↦ {text(value)}" for name, value in finding.formula)
+    else:
+        formula = text(finding.formula)
+    return [f"  {label} = {formula}", f"      {status}{known}"]
+
+
+def _factors(kind: str, question: Question) -> tuple[Any, ...]:
+    """The divisors of integrals, or the factors of densities, that are tried."""
+    return {"integrals": question.divisors, "measure": question.bases}.get(kind, ())
+
+
+def _as_text(kind: str, question: Question, results: list[SearchResult], complete: bool) -> str:
+    from flowlanes.printing.formula import text
+
+    lines = [f"{_TITLES[kind]} of {question.stage.system.title}"]
+    if kind != "measure":
+        lines.append(f"    {_setting(question)}")
+    factors = _factors(kind, question)
+    if factors:
+        words = "possibly divided by" if kind == "integrals" else "products of powers of"
+        lines.append(f"    {words} {', '.join(text(f) for f in factors)}")
+    lines.append("")
+    for finding in results:
+        lines += _result_lines(finding)
+    if not complete:
+        lines.append("  interrupted: the search is incomplete")
+    elif not results:
+        lines.append(f"  {_NOTHING}")
+    elif kind != "measure" and all(finding.law is not None for finding in results):
+        lines.append(f"  {_NOTHING_ELSE[kind]}")
+    return "\n".join(lines)
+
+
+def _as_json(
+    kind: str, question: Question, results: list[SearchResult], complete: bool, seconds: float
+) -> dict[str, object]:
+    from flowlanes.printing.formula import latex, text
+
+    ansatz = question.ansatz
+    return {
+        "system": question.stage.system.name,
+        "kind": kind,
+        "momenta": [str(s) for s in ansatz.momenta],
+        "coordinates": [str(s) for s in ansatz.coordinates],
+        "degree": ansatz.degree,
+        "gamma_degree": ansatz.gamma_degree,
+        "factors": [text(f) for f in _factors(kind, question)],
+        "on": [_equation(f) for f in question.stage.on],
+        "complete": complete,
+        "seconds": round(seconds, 3),
+        "found": [_finding_json(finding, text, latex) for finding in results],
+    }
+
+
+def _finding_json(finding: SearchResult, text: Any, latex: Any) -> dict[str, object]:
+    law, verdict = finding.law, finding.verdict
+    if law is None or verdict is None:
+        return {"formula": None, "verdict": "observed", "remark": finding.remark}
+    pairs = finding.formula if finding.kind == "symmetry" else (("", finding.formula),)
+    shown = {str(name): (text(value), latex(value)) for name, value in pairs}
+    return {
+        "name": law.name,
+        "formula": {n: t for n, (t, _) in shown.items()} if len(shown) > 1 else shown[""][0],
+        "latex": {n: v for n, (_, v) in shown.items()} if len(shown) > 1 else shown[""][1],
+        "verdict": verdict.decision,
+        "conditions": list(verdict.conditions),
+        "reason": verdict.reason,
+        "repeats": finding.catalogue_law,
+        "seconds": round(verdict.seconds, 3),
+    }

@@ -1,0 +1,266 @@
+"""``chaplygin section``: where motions pass through a surface, again and again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from .terminal.options import (
+    Direction,
+    Force,
+    Json,
+    Override,
+    Tolerance,
+    What,
+    at_least_one,
+    console,
+    inform,
+    print_json,
+    study_of,
+)
+from .terminal.output_destination import STANDARD_OUTPUT
+from .terminal.progress import progress
+from .terminal.stores import (
+    OnDevice,
+    Workers,
+    check_picture,
+    check_store,
+    check_workers,
+    device_of,
+    level_of,
+    outcomes,
+    resumable,
+    vacate,
+)
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: Points looked at together.
+_AT_ONCE = 2**18
+
+
+def command(
+    what: What,
+    on: Annotated[
+        str,
+        typer.Option(
+            "--on", metavar="QUANTITY", help="Section QUANTITY = value: gamma_3, or a formula."
+        ),
+    ],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "-o", "--output", metavar="FILE.zarr|DIR", help="Zarr store to write, or its folder."
+        ),
+    ],
+    value: Annotated[float, typer.Option(help="Value of QUANTITY on the section.")] = 0.0,
+    direction: Direction = "rising",
+    angle: Annotated[
+        bool, typer.Option("--angle", help="QUANTITY is an angle: take it modulo 2π.")
+    ] = False,
+    within: Annotated[
+        list[str] | None,
+        typer.Option(metavar="QUANTITY<WIDTH", help="Count only points with |QUANTITY| < WIDTH."),
+    ] = None,
+    points: Annotated[
+        int, typer.Option(help="Number of points of each motion.", callback=at_least_one)
+    ] = 1000,
+    starts: Annotated[
+        int,
+        typer.Option(
+            help="Number of motions; if several, they start at random on a level.",
+            callback=at_least_one,
+        ),
+    ] = 1,
+    level: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME=VALUE,…",
+            help="Level of the integrals for the starts; default: that of the experiment.",
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Seed of the random starts.")] = 0,
+    coordinates: Annotated[
+        str,
+        typer.Option(
+            metavar="A,B[,C]",
+            help="Two or three coordinates to draw: M_1,M_2, NAME=FORMULA, andoyer:l,L,H.",
+        ),
+    ] = "",
+    until: Annotated[
+        float | None,
+        typer.Option(
+            help="Time limit of a motion; default: the experiment's duration for each point."
+        ),
+    ] = None,
+    tolerance: Tolerance = 1e-13,
+    workers: Workers = None,
+    device: OnDevice = "cpu",
+    overrides: Override = None,
+    force: Force = False,
+    json: Json = False,
+) -> None:
+    """Compute and draw a Poincaré section; resumes an interrupted run.
+
+    The section is the set of states at which a quantity passes a value; every
+    motion is integrated until it has crossed the section the required number of
+    times.
+    """
+    store = _store(output)
+    client, processor = check_workers(workers), device_of(device)
+    picture = store.with_suffix(".png")
+    if output.is_dir() or output == store:
+        check_picture(store, picture, force)
+    study = study_of(what, overrides)
+    from shutil import rmtree
+
+    from flowlanes.errors import InputError, RunError
+    from flowlanes.flow.ensemble.computation import compute
+
+    from ..experiment.poincare import SectionSurface, Starts, section_of
+    from ..report.drawing.files import save
+    from ..report.figures.poincare import draw_section
+
+    surface = SectionSurface(
+        on, value, direction, angle, tuple(_slab(text) for text in within or ())
+    )
+    chosen = Starts(starts, None if level is None else level_of(level), seed)
+    if study.subject.changes_equations:
+        from flowlanes.flow.devices.graphics import refuse_graphics
+
+        from ..experiment.friction_studies.section import contact_section_task
+
+        refuse_graphics(processor)
+        if starts != 1 or level is not None:
+            raise InputError(
+                "--starts, --level: with friction no integrals remain on whose level starts could "
+                "be drawn; the section is that of the start in the file"
+            )
+        task, names = contact_section_task(
+            study,
+            surface,
+            points,
+            coordinates=coordinates,
+            until=study.until if until is None else until,
+            tolerance=tolerance,
+        )
+    else:
+        limit = abs(study.until) * max(points, 1) if until is None else until
+        task, names = section_of(
+            study,
+            surface,
+            chosen,
+            points,
+            coordinates,
+            until=limit,
+            tolerance=tolerance,
+            device=processor,
+        )
+    if output != store:
+        output.mkdir(exist_ok=True)
+    vacate(store, force)
+    title = f"{study.system.title}, {surface}"
+    with progress(title) as report, resumable(store, report, force) as update:
+        dataset = compute(task, store, client=client, progress=update)
+    result = {"file": str(store), "figure": str(picture), **_summary(dataset)}
+    if not result["points"]:
+        dataset.close()
+        # another section may be requested under the same name
+        rmtree(store)
+        reasons = ", ".join(result["outcomes"])
+        raise RunError(f"no motion passes {surface}: {reasons}", result["longest"])
+    save(draw_section(dataset, names), picture)
+    if json:
+        print_json(result)
+    else:
+        _print(study.system.title, result)
+
+
+def _store(output: Path) -> Path:
+    """The store that is meant: itself, or that in a folder."""
+    from flowlanes.errors import InputError
+
+    if output.suffix == ".zarr":
+        check_store(output)
+        return output
+    if output == STANDARD_OUTPUT:
+        raise InputError("--output -: a store is a folder; it cannot go to standard output")
+    if output.suffix and not output.is_dir():
+        raise InputError(f"--output {output}: its name must end in .zarr, or be that of a folder")
+    if output.is_file():
+        raise InputError(f"--output {output}: a file has this name, which must be that of a folder")
+    if not output.parent.is_dir():
+        raise InputError(f"--output {output}: there is no folder {output.parent}")
+    return output / "section.zarr"
+
+
+def _slab(text: str) -> tuple[str, float]:
+    """A quantity, and how far from zero it may be."""
+    from flowlanes.errors import InputError
+
+    quantity, less, width = (part.strip() for part in text.rpartition("<"))
+    try:
+        if not (quantity and less):
+            raise ValueError
+        return quantity, float(width)
+    except ValueError:
+        raise InputError(
+            f"--within {text}: it is written QUANTITY<WIDTH, such as 'M_3 < 0.1'"
+        ) from None
+
+
+def _summary(dataset: xr.Dataset) -> dict[str, Any]:
+    """The facts of a section: file, points, drift and outcomes."""
+    drifts = {
+        str(name).removeprefix("law_"): _drift(dataset[name])
+        for name in dataset.data_vars
+        if str(name).startswith("law_")
+    }
+    return {
+        "section": dataset.attrs["section"],
+        "coordinates": list(dataset.attrs["coordinates"]),
+        "starts": dataset.attrs["starts"],
+        "runs": dataset.sizes["run"],
+        "points": int(dataset["points"].sum()),
+        "longest": float(dataset["ended"].max()),
+        "drift": drifts,
+        "outcomes": outcomes(dataset["outcome"]),
+    }
+
+
+def _drift(values: xr.DataArray) -> float:
+    """The largest change of an integral along a run, relative to its size."""
+    import numpy as np
+
+    change = size = 0.0
+    motions = max(1, _AT_ONCE // values.sizes["section_point"])
+    for first in range(0, values.sizes["run"], motions):
+        part = values.isel(run=slice(first, first + motions)).values
+        change = max(change, float(np.nanmax(np.abs(part - part[:, :1]), initial=0.0)))
+        size = max(size, float(np.nanmax(np.abs(part), initial=0.0)))
+    return change / size if size else change
+
+
+def _print(title: str, result: dict[str, Any]) -> None:
+    from rich import box
+    from rich.markup import escape
+    from rich.table import Table
+
+    typer.echo(title)
+    motions = "1 motion" if result["runs"] == 1 else f"{result['runs']:,} motions"
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, show_header=False)
+    table.add_column(style="bold", no_wrap=True)
+    table.add_column()
+    table.add_row("section", escape(result["section"]))
+    table.add_row("starts", escape(result["starts"]))
+    table.add_row("points", f"{result['points']:,} of {motions}")
+    table.add_row("longest motion", f"{result['longest']:.6g} s")
+    for name, drift in result["drift"].items():
+        table.add_row(f"drift of {escape(name)}", f"{drift:.1e}")
+    for reason, count in result["outcomes"].items():
+        table.add_row(f"{count:,} of {result['runs']:,}", escape(reason))
+    console().print(table)
+    inform(f"written to {result['file']}, figure: {result['figure']}")

@@ -1,0 +1,119 @@
+"""The output of commands: to a new file, or to standard output."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext, redirect_stdout
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: Endings of figures.
+FIGURES = (".png", ".svg", ".pdf")
+
+#: The name that stands for standard output.
+STANDARD_OUTPUT = Path("-")
+
+
+def check_output(
+    option: str,
+    output: Path,
+    force: bool,
+    json: bool,
+    what: str = "",
+    binary: bool = True,
+    place: Callable[[Path, bool], None] | None = None,
+) -> None:
+    """See that a file may be written, before anything is computed.
+
+    Parameters
+    ----------
+    option : str
+        That which names the file, for the reader.
+    output : Path
+        A dash for standard output.
+    force : bool
+        Whether a file may be replaced.
+    json : bool
+        Whether the result is printed as JSON.
+    what : str
+        The experiment, which is not replaced in any case.
+    binary : bool
+        Whether it is of no use on a terminal.
+    place : callable, optional
+        What raises an InputError where nothing may be written; for a plain file if not given.
+
+    Raises
+    ------
+    InputError
+        If it may not.
+    """
+    from flowlanes.errors import InputError
+
+    from ...experiment.files import check_target
+
+    if output == STANDARD_OUTPUT:
+        if json:
+            raise InputError(
+                f"{option} - and --json both write to standard output: choose one of them"
+            )
+        if binary and sys.stdout.isatty():
+            raise InputError(
+                f"{option} -: a file of numbers is not for a terminal; send it to a file or a "
+                "program, as in > FILE or | PROGRAM"
+            )
+        return
+    if what and output.exists() and Path(what).exists() and output.samefile(what):
+        raise InputError(f"{output} is the experiment file itself: choose another name")
+    (place or check_target)(output, force)
+
+
+def check_figure(option: str, figure: Path) -> None:
+    """Raise InputError unless a figure can have this name."""
+    from flowlanes.errors import InputError
+
+    if figure.suffix not in FIGURES:
+        raise InputError(f"{option} {figure}: its name must end in {', '.join(FIGURES)}")
+
+
+def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
+    """Write a dataset as its name says, or NetCDF to standard output."""
+    from ...experiment.dataset import write
+    from ...experiment.formats import netcdf
+
+    if output == STANDARD_OUTPUT:
+        sys.stdout.buffer.write(netcdf(dataset))
+        sys.stdout.buffer.flush()
+    else:
+        write(dataset, output, force)
+
+
+def name_of(output: Path) -> str:
+    """The name of an output as messages show it."""
+    return "standard output" if output == STANDARD_OUTPUT else str(output)
+
+
+def beside(output: Path | None) -> AbstractContextManager[object]:
+    """Print to standard error while the output itself goes to standard output."""
+    return redirect_stdout(sys.stderr) if output == STANDARD_OUTPUT else nullcontext()
+
+
+@contextmanager
+def output_file(output: Path) -> Iterator[Path]:
+    """A temporary path, whose content becomes the output when all has gone well."""
+    from tempfile import TemporaryDirectory
+
+    from ...experiment.files import atomic_file
+
+    if output != STANDARD_OUTPUT:
+        with atomic_file(output) as place:
+            yield place
+        return
+    with TemporaryDirectory() as folder:
+        place = Path(folder) / "output"
+        yield place
+        sys.stdout.buffer.write(place.read_bytes())
+        sys.stdout.buffer.flush()

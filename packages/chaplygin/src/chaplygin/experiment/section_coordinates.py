@@ -1,0 +1,88 @@
+"""Default coordinates in which a section is drawn."""
+
+from __future__ import annotations
+
+import numpy as np
+import sympy as sp
+
+from flowlanes.errors import InputError
+from flowlanes.flow.sections.poincare_dataset import Quantity
+from flowlanes.formulas.array_evaluation import values
+from flowlanes.scans.state_coordinates import chart
+from flowlanes.system.system import System
+from flowlanes.system.vectors import Vector, to_components
+
+#: States at which it is tried whether a variable is an angle.
+_TRIALS = 5
+_ROUNDING = 1e-9
+
+
+def usual(system: System, condition: str = "") -> str:
+    """Two or three coordinates as ``--coordinates`` takes them.
+
+    Andoyer's variables l and L/G of a momentum beside γ; else the cylinder of γ's longitude and the
+    third component of the other vector; else the first variables of the state.  Three where points
+    of one level fill space.
+
+    Parameters
+    ----------
+    system : System
+    condition : str
+        The quantity whose value the section holds: it is no coordinate.
+    """
+    conditions = len(system.relations) + sum(not law.on for law in system.integrals)
+    spatial = len(system.symbols) - conditions - 1 > 2
+    if _has_andoyer(system):
+        first = (
+            "l, g"
+            if condition.endswith("_3") and not condition.startswith(("g", "G"))
+            else "l, L/G"
+        )
+        return f"andoyer-ratio: {first}{', H' if spatial else ''}"
+    vectors = [name for name in system.state if isinstance(name, Vector)]
+    gamma = next((v for v in vectors if v.name in ("gamma", "Gamma") and len(v.symbols) == 3), None)
+    others = [str(v.symbols[2]) for v in vectors if v is not gamma and len(v.symbols) == 3]
+    if gamma is not None and others:
+        one, two, three = gamma.symbols
+        heights = [name for name in (*others, str(three)) if name != condition]
+        listed = [f"phi = atan2({two}, {one})", *heights]
+        return ", ".join(listed[: 3 if spatial else 2])
+    listed = [str(symbol) for symbol in system.symbols if str(symbol) != condition]
+    return ", ".join(listed[: 3 if spatial else 2])
+
+
+def _has_andoyer(system: System) -> bool:
+    try:
+        chart(system, "andoyer-ratio")
+    except InputError:
+        return False
+    return True
+
+
+def is_angle(system: System, symbol: sp.Symbol) -> bool:
+    """Whether a variable enters the equations of motion as an angle alone."""
+    rates = [entry for _, rate in system.field for entry in _entries(rate)]
+    place = system.symbols.index(symbol)
+    states = np.random.default_rng(0).uniform(0.2, 1.1, (_TRIALS, len(system.symbols)))
+
+    def shifted_by(by: float) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+        there = states.copy()
+        there[:, place] += by
+        return np.asarray(values(system, rates, there), dtype=np.float64)
+
+    here, turned, elsewhere = shifted_by(0.0), shifted_by(2 * np.pi), shifted_by(1.0)
+    near = _ROUNDING * (1.0 + np.abs(here))
+    same = np.isfinite(here).all() and np.all(np.abs(turned - here) < near)
+    return bool(same and np.any(np.abs(elsewhere - here) > near))
+
+
+def _entries(rate: object) -> list[sp.Expr]:
+    formula = to_components(sp.sympify(rate))
+    return list(formula) if isinstance(formula, sp.MatrixBase) else [formula]
+
+
+def within_a_turn(symbol: sp.Symbol, description: tuple[str, str] | None = None) -> Quantity:
+    """An angle of the state between −π and π."""
+    meaning = description[0] if description and description[0] else str(symbol)
+    value = sp.atan2(sp.sin(symbol), sp.cos(symbol))
+    return Quantity(f"{symbol}_in_turn", value, f"{meaning}, within a turn", "rad", str(symbol))

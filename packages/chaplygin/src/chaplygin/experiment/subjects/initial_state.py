@@ -1,0 +1,350 @@
+"""Initial states from values of the state by name.
+
+As in :mod:`nonholonomic.mechanics.rolling.initial_state`, numbers are carried with 50 digits and
+rounded once.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import TypeAlias
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from flowlanes.errors import InputError
+from flowlanes.flow.initial_states import upright
+from flowlanes.formulas.multiprecision import Multiprecision
+from flowlanes.parsing import NamedQuantity, nearest
+from flowlanes.printing.formula import text
+from flowlanes.system.system import System
+from flowlanes.system.vectors import Vector, norm_squared, to_components
+from nonholonomic.mechanics.lagrangian.mechanism import TIME
+from nonholonomic.mechanics.rolling.attitude import attitude
+from nonholonomic.mechanics.rolling.initial_state import DIGITS, SLACK
+
+from ..file.validation import value_text
+
+#: Components that a vector may have.
+SIZES = (2, 3, 4)
+SPACE, QUATERNION = 3, 4
+
+#: Steps of Newton's method by which a start is put on the phase space, at most.
+_STEPS = 40
+
+#: A unit vector given in doubles may miss its length by this much.
+ROUNDING = 4e-16
+
+#: By how much a variable is moved to find a slope.
+_DIFFERENCE = mpmath.mpf(10) ** -20
+
+#: A start as given: numbers, or the components of vectors, by name.
+StartValues: TypeAlias = Mapping[str, float | Sequence[float]]
+
+
+def initial_state_from_values(
+    system: System, values: StartValues, velocities: Collection[sp.Symbol] = ()
+) -> tuple[mpmath.mpf, ...]:
+    """The state of a system, lifted to space if it has a motion, by named values.
+
+    Parameters
+    ----------
+    system : System
+    values : mapping of str to number or numbers
+        Every variable of the state; those of the lift may be left out.  A vector that the
+        relations make a unit vector is normalised.  Definitions may be given besides, as a check.
+    velocities : collection of Symbol
+        Variables that are moved to meet a relation in which they occur, all others held.
+
+    Returns
+    -------
+    tuple of mpmath.mpf
+        In flat order, on the relations to 50 digits.  Of the lift, what is not given starts at
+        zero, and the attitude so that γ (where there is one) points upward.
+
+    Raises
+    ------
+    InputError
+        If a name is unknown or missing, a value has the wrong shape, or the state misses the
+        relations; the message then names the nearest state that does not.  Also if a definition
+        has another value at this state.
+    """
+    lifted = system.lifted() if system.reconstruction else system
+    values, claims = _state_and_given_definitions(lifted, values)
+    with mpmath.workdps(DIGITS):
+        known = _checked_values(system, values)
+        _complete(lifted, known)
+        state = [x for name in lifted.state for x in known[str(name)]]
+        point = _on_relations(lifted, state, velocities)
+        _check_given_definitions(lifted, point, claims)
+        return tuple(point)
+
+
+def lift_of(system: System, values: StartValues) -> dict[str, float | tuple[float, ...]]:
+    """The variables of the lift that a start leaves out, as they are completed."""
+    if system.reconstruction is None:
+        return {}
+    gamma = values.get("gamma")
+    known: dict[str, list[mpmath.mpf]] = {}
+    if isinstance(gamma, Sequence) and len(gamma) == SPACE:
+        known["gamma"] = [mpmath.mpf(x) for x in gamma]
+    _complete(system.lifted(), known)
+    lift: dict[str, float | tuple[float, ...]] = {}
+    for name, _ in system.reconstruction.field:
+        if str(name) not in values:
+            numbers = tuple(float(x) for x in known[str(name)])
+            lift[str(name)] = numbers if _size(name) else numbers[0]
+    return lift
+
+
+def normalised_vectors(
+    values: StartValues, names: Collection[str]
+) -> dict[str, tuple[float, list[float]]]:
+    """Length and direction of those vectors whose length is not one."""
+    lengths = {}
+    for name in names & values.keys():
+        words = values[name]
+        vector = list(map(float, words)) if isinstance(words, Sequence) else []
+        length = math.hypot(*vector)
+        if length and abs(length - 1) > ROUNDING:
+            lengths[name] = length, [x / length for x in vector]
+    return lengths
+
+
+def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[mpmath.mpf]) -> bool:
+    """Whether all expressions of a level vanish at a state, but for rounding."""
+    with mpmath.workdps(DIGITS):
+        size = 1 + max((abs(x) for x in state), default=0)
+        defects = _numerical_function(system, [to_components(e) for e in level])(state)
+        return all(abs(x) <= SLACK * size**2 for x in defects)
+
+
+def _state_and_given_definitions(
+    lifted: System, values: StartValues
+) -> tuple[StartValues, dict[sp.Symbol, float]]:
+    """Values of the state by its names, and of definitions by their symbols."""
+    state = set(map(str, lifted.state))
+    defined = {str(s): s for s, _ in lifted.scalar_definitions}
+    words: dict[str, float | Sequence[float]] = {}
+    claims: dict[sp.Symbol, float] = {}
+    for name, whole in values.items():
+        for part, value in _split_vector(name, whole, state, {*map(str, lifted.symbols), *defined}):
+            if part in defined and not isinstance(value, Sequence):
+                claims[defined[part]] = value
+            else:
+                words[part] = value
+    return words, claims
+
+
+def _split_vector(
+    name: str, value: float | Sequence[float], state: Collection[str], scalars: Collection[str]
+) -> list[tuple[str, float | Sequence[float]]]:
+    """A vector that is no whole one in the system, by its components."""
+    if name in state or not isinstance(value, Sequence) or len(value) not in SIZES:
+        return [(name, value)]
+    symbols = list(map(str, Vector(name, len(value)).symbols))
+    if not all(symbol in scalars for symbol in symbols):
+        return [(name, value)]
+    return list(zip(symbols, value, strict=True))
+
+
+def _check_given_definitions(
+    lifted: System, state: list[mpmath.mpf], claims: Mapping[sp.Symbol, float]
+) -> None:
+    """Refuse values of definitions that the state does not give them."""
+    values = _numerical_function(lifted, list(claims))(state) if claims else []
+    for symbol, value in zip(claims, values, strict=True):
+        claim = claims[symbol]
+        if abs(value - claim) > SLACK * (1 + abs(claim)):
+            raise InputError(
+                f"{symbol}: follows from the others and is {float(value):.15g}, not {claim:.15g}; "
+                "it may be left out"
+            )
+
+
+def _checked_values(system: System, values: StartValues) -> dict[str, list[mpmath.mpf]]:
+    """The given values as numbers, names and shapes checked, unit vectors normalised."""
+    lifted = system.lifted() if system.reconstruction else system
+    sizes = {str(name): _size(name) for name in lifted.state}
+    for name in values:
+        if name not in sizes:
+            raise InputError(f"{name}: unknown variable{nearest(name, sizes)}")
+    missing = [str(name) for name in system.state if str(name) not in values]
+    if missing:
+        raise InputError(
+            f"start: {', '.join(missing)} missing; the state of {system.name} is "
+            f"{', '.join(map(str, system.state))}"
+        )
+    known = {name: _numbers(name, value, sizes[name]) for name, value in values.items()}
+    for name in unit_vectors(lifted) & known.keys():
+        length = mpmath.norm(known[name])
+        if length == 0:
+            raise InputError(f"{name}: must not be zero, as it is a direction")
+        known[name] = [x / length for x in known[name]]
+    return known
+
+
+def _size(name: NamedQuantity) -> int:
+    """Number of components; 0 for a scalar."""
+    return 0 if isinstance(name, sp.Symbol) else len(name.symbols)
+
+
+def _numbers(name: str, value: float | Sequence[float], size: int) -> list[mpmath.mpf]:
+    listed = list(value) if isinstance(value, Sequence) else [value]
+    fits = isinstance(value, Sequence) == (size > 0) and len(listed) == max(size, 1)
+    if not fits or any(isinstance(x, Sequence) or not mpmath.isfinite(x) for x in listed):
+        wanted = f"{size} finite numbers" if size else "a finite number"
+        raise InputError(f"{name}: must be {wanted}, not {value_text(value)}")
+    return [mpmath.mpf(repr(float(x))) for x in listed]
+
+
+def unit_vectors(system: System) -> set[str]:
+    """Names of the state's vectors whose length the relations make one."""
+    relations = [to_components(relation) for relation in system.relations]
+    return {
+        str(name)
+        for name in system.state
+        if isinstance(name, Vector) and to_components(norm_squared(name)) - 1 in relations
+    }
+
+
+def _complete(lifted: System, values: dict[str, list[mpmath.mpf]]) -> None:
+    """Complete the variables of the lift to space."""
+    zero, one = mpmath.mpf(0), mpmath.mpf(1)
+    for name in lifted.state:
+        if str(name) in unit_vectors(lifted) - {str(attitude)}:
+            # the last axis, or the quaternion that turns nothing
+            others = [zero] * (_size(name) - 1)
+            values.setdefault(
+                str(name), [one, *others] if _size(name) == QUATERNION else [*others, one]
+            )
+        values.setdefault(str(name), [zero] * max(_size(name), 1))
+    if attitude in lifted.state and not any(values[str(attitude)]):
+        values[str(attitude)] = upright(values.get("gamma", [zero, zero, mpmath.mpf(1)]))
+
+
+def _numerical_function(
+    system: System, formulas: Sequence[sp.Expr]
+) -> Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]]:
+    """Scalar formulas of a system as a function of its flat state, in mpmath."""
+    constants = {s: mpmath.mpf(repr(float(v))) for s, v in system.defaults.items()}
+    steps = system.required_definitions(formulas)
+
+    def values(state: Sequence[mpmath.mpf]) -> list[mpmath.mpf]:
+        try:
+            numbers = Multiprecision({**dict(zip(system.symbols, state, strict=True)), **constants})
+            numbers.define(steps)
+            results = [numbers(formula) for formula in formulas]
+        except ZeroDivisionError:
+            raise InputError("start: the equations are singular at this state") from None
+        if any(isinstance(value, mpmath.mpc) for value in results):
+            raise InputError("start: the equations have no real value at this state")
+        return results
+
+    return values
+
+
+def _on_relations(
+    lifted: System, state: list[mpmath.mpf], velocities: Collection[sp.Symbol]
+) -> list[mpmath.mpf]:
+    """The nearest state on the relations; an InputError if it is far away."""
+    if not lifted.relations:
+        return state
+    residual = _numerical_function(
+        lifted, [to_components(relation) for relation in lifted.relations]
+    )
+    near = _nearest(lifted, state, velocities)
+    defects = residual(state)
+    if near is not None and _distance(near, state) <= SLACK * (1 + max(map(abs, state))):
+        return near
+    worst = max(range(len(defects)), key=lambda i: abs(defects[i]))
+    message = (
+        f"start: the relation {text(lifted.relations[worst])} = 0 is missed by "
+        f"{mpmath.nstr(defects[worst], 6, min_fixed=-5, max_fixed=6)}"
+    )
+    if near is not None:
+        message += f"; the nearest admissible state is {_state_text(lifted, near)}"
+    raise InputError(message)
+
+
+def _nearest(
+    lifted: System, state: Sequence[mpmath.mpf], velocities: Collection[sp.Symbol]
+) -> list[mpmath.mpf] | None:
+    """A state on the relations: places put on their own relations first, then velocities.
+
+    Places move, and the time with them, only where places alone violate a relation, or where no
+    velocities at the given places are admissible.
+    """
+    relations = [to_components(relation) for relation in lifted.relations]
+    of_velocities = [r for r in relations if lifted.expand(r).free_symbols & {*velocities}]
+    of_places = [r for r in relations if r not in of_velocities]
+    names = lifted.symbols
+    fast = [i for i, s in enumerate(names) if s in velocities]
+    places = [i for i, s in enumerate(names) if s not in velocities and s != TIME]
+    every = range(len(names))
+    point = _first(lifted, of_places, state, (places, every))
+    return point and (
+        _first(lifted, of_velocities, point, (fast,)) or _first(lifted, relations, state, (every,))
+    )
+
+
+def _first(
+    lifted: System,
+    relations: Sequence[sp.Expr],
+    state: Sequence[mpmath.mpf],
+    choices: Iterable[Sequence[int]],
+) -> list[mpmath.mpf] | None:
+    """A state on relations, the variables being moved that are the first to suffice."""
+    if not relations:
+        return list(state)
+    residual = _numerical_function(lifted, relations)
+    tries = (_newton(residual, state, indices) for indices in choices)
+    return next((point for point in tries if point is not None), None)
+
+
+def _newton(
+    residual: Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]],
+    state: Sequence[mpmath.mpf],
+    indices: Sequence[int],
+) -> list[mpmath.mpf] | None:
+    """The point near `state` where all residuals vanish, if Newton's method finds one.
+
+    Only the variables with some indices move.
+    """
+    point = list(state)
+    for _ in range(_STEPS):
+        defects = residual(point)
+        if max(map(abs, defects)) < mpmath.mpf(10) ** (8 - DIGITS):
+            return point
+        if not indices:
+            return None
+        columns = []
+        for index in indices:
+            moved = list(point)
+            moved[index] += _DIFFERENCE
+            pairs = zip(residual(moved), defects, strict=True)
+            columns.append([float((x - y) / _DIFFERENCE) for x, y in pairs])
+        if not np.isfinite(columns).all():
+            return None  # a state so large that doubles do not hold its slopes
+        # redundant relations (an attitude tied to a unit vector) make the rows dependent
+        inverse = np.linalg.pinv(np.array(columns).T, rcond=1e-9)
+        for index, row in zip(indices, inverse, strict=True):
+            point[index] -= sum(float(a) * x for a, x in zip(row, defects, strict=True))
+    return None
+
+
+def _distance(one: Sequence[mpmath.mpf], other: Sequence[mpmath.mpf]) -> mpmath.mpf:
+    return max(abs(x - y) for x, y in zip(one, other, strict=True))
+
+
+def _state_text(system: System, state: Sequence[mpmath.mpf]) -> str:
+    """A state by names, as it would be given."""
+    parts = []
+    numbers = [repr(float(x)) for x in state]
+    for name in system.state:
+        size = _size(name)
+        values, numbers = numbers[: max(size, 1)], numbers[max(size, 1) :]
+        parts.append(f"{name} = [{', '.join(values)}]" if size else f"{name} = {values[0]}")
+    return ", ".join(parts)

@@ -1,0 +1,41 @@
+"""A rolling body, its support, the contact and the forces in one line."""
+
+from __future__ import annotations
+
+from flowlanes.printing.numerals import number
+from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.shapes.surfaces import Plane
+
+from ..file.body_tables import shape_name
+
+
+def rolling_setting(rolling: Rolling) -> str:
+    """The body, its support, the contact and the forces in one line."""
+    surface = rolling.surface
+    ground = "a horizontal plane"
+    if not isinstance(surface, Plane):
+        ground = f"a sphere of radius {surface.radius:g}, {surface.side}"
+    manner = "without slipping"
+    if rolling.contact == "rubber":
+        manner = "with neither slipping nor spinning"
+    gravity = rolling.field.gravity
+    field = f"gravity {number(gravity, 6)} m/s²" if gravity else "no gravity"
+    if rolling.field.potential != 0:
+        field += ", a potential U(γ)"
+    if any(rolling.body.gyrostat):
+        field += "; with rotors"
+    field += cavity_words(rolling)
+    return f"{shape_name(rolling.body.shape)} on {ground}, {manner}; {field}"
+
+
+def cavity_words(rolling: Rolling) -> str:
+    """The fluids in the cavities of a body, to end the line of its setting; empty without any."""
+    fluids = rolling.body.fluids
+    if not fluids:
+        return ""
+    described = (
+        f"{number(fluid.cavity.mass, 6)} kg of ideal fluid in a cavity with the semi-axes "
+        f"{', '.join(number(b, 6) for b in fluid.cavity.axes)} m"
+        for fluid in fluids
+    )
+    return f"; {' and '.join(described)}"

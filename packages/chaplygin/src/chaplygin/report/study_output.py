@@ -1,0 +1,141 @@
+"""A study on disk: trajectory, experiment file, figures and report in one folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Protocol
+
+import xarray as xr
+
+from flowlanes.arguments import arguments_checked
+from flowlanes.errors import InterruptionError, RunError
+from flowlanes.flow.trajectory import Trajectory
+from nonholonomic.classification.facts import ProofBudget
+
+from ..experiment.dataset import write
+from ..experiment.files import atomic_file
+from ..experiment.study import Study, dataset_of
+from ..experiment.subjects.plan import PlanMotion, plan_motion
+from . import page
+from .background_worker import beside
+from .illustrations import Illustrations
+from .stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
+from .study_folder import TRAJECTORY, begin, being_written, end
+
+#: Points through which curves are drawn, at least.
+SMOOTH = 3000
+
+
+class Report(Protocol):
+    """Receives what is being done, and the share that is done."""
+
+    def __call__(self, share: float, /) -> None:
+        """Say how much is done, from 0 to 1."""
+
+    def say(self, what: str) -> None:
+        """Say what is being done."""
+
+
+@arguments_checked
+def write_study(
+    study: Study, folder: Path, force: bool, budget: ProofBudget, report: Report
+) -> tuple[Trajectory, RunError | None]:
+    """Integrate and write everything; of a failed run, the part before the failure.
+
+    Parameters
+    ----------
+    study : Study
+    folder : Path
+        New, or that of the same study, which was interrupted.
+    force : bool
+        Whether files of another study may be replaced.
+    budget : ProofBudget
+        For the proofs.
+    report : Report
+
+    Returns
+    -------
+    Trajectory, RunError or None
+        What was computed, and why it ended early if it failed.
+
+    Raises
+    ------
+    InputError
+        If the folder cannot be written, is being written, or holds another study.
+    InterruptionError
+        If the integration is interrupted.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import chaplygin as ch
+    >>> import nonholonomic
+    >>> class Silent:
+    ...     def __call__(self, share): ...
+    ...     def say(self, what): ...
+    >>> study = ch.prepare(ch.loads('system = {name = "veselova"}', overrides=["run.until=1"]))
+    >>> no_proofs = nonholonomic.classification.ProofBudget(1, 0)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     home = Path(folder, "veselova")
+    ...     motion, failure = ch.report.write_study(study, home, False, no_proofs, Silent())
+    ...     sorted(path.name for path in home.iterdir())
+    ['experiment.toml', 'figures', 'report.html', 'trajectory.nc']
+    """
+    with being_written(folder):
+        begin(folder, study.complete_toml(), force)
+        outcome = _complete(study, folder, budget, report)
+        end(folder)
+    return outcome
+
+
+def _complete(
+    study: Study, folder: Path, budget: ProofBudget, report: Report
+) -> tuple[Trajectory, RunError | None]:
+    failure: RunError | None = None
+    # curves are drawn through more points than the file is to have
+    pieces = -(-SMOOTH // (study.experiment.run.samples - 1))
+    try:
+        trajectory = _trajectory(study, folder / TRAJECTORY, pieces, report)
+    except RunError as error:
+        if isinstance(error, InterruptionError) or not isinstance(error.partial, Trajectory):
+            raise
+        trajectory, failure = error.partial, error
+    smooth = dataset_of(study, trajectory, complete=failure is None)
+    plan = None if study.subject.plan is None else plan_motion(study.subject.plan, trajectory)
+    trajectory = trajectory.subsample(pieces)
+    dataset = dataset_of(study, trajectory, complete=failure is None)
+    # what is there is of this study, or may be replaced
+    write(dataset, folder / "trajectory.nc", force=True)
+    with atomic_file(folder / "experiment.toml") as temporary:
+        temporary.write_text(study.complete_toml(), encoding="utf-8")
+    report.say("looking for a closed form and drawing")
+    with beside(
+        lambda: _illustrations(study, smooth, trajectory, plan, folder / "figures")
+    ) as shown:
+        text = page.render(study, trajectory, dataset, shown, budget, failure)
+    with atomic_file(folder / "report.html") as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    return trajectory, failure
+
+
+def _trajectory(study: Study, path: Path, pieces: int, report: Report) -> Trajectory:
+    """The trajectory of the interrupted study, or else the motion integrated."""
+    if study.subject.changes_equations:
+        return study.trajectory(report, pieces)
+    key = trajectory_digest(study, pieces)
+    stored = read_trajectory(path, key, study)
+    if stored is not None:
+        report.say("resuming after the integration")
+        return stored
+    trajectory = study.trajectory(report, pieces)
+    store_trajectory(path, key, trajectory)
+    return trajectory
+
+
+def _illustrations(
+    study: Study, smooth: xr.Dataset, trajectory: Trajectory, plan: PlanMotion | None, folder: Path
+) -> Illustrations:
+    # the process that proves needs nothing of matplotlib
+    from .drawings import illustrations
+
+    return illustrations(study, smooth, trajectory, plan, folder)

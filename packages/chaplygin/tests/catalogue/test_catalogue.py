@@ -1,0 +1,151 @@
+"""What the catalogue says of itself, and how it answers mistakes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from catalogue import built
+from flowlanes.errors import InputError
+from flowlanes.flow.batch import batch_integrator
+from flowlanes.flow.integrator import integrate
+from flowlanes.system.system import System
+from nonholonomic.catalogue import CATALOGUE, entry, from_catalogue
+from nonholonomic.mechanics.rolling.equations import Rolling
+
+
+def whole(system: System) -> System:
+    """The system with its motion in space, if it has one."""
+    return system.lifted() if system.reconstruction else system
+
+
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_an_entry_describes_itself(name):
+    item, system = CATALOGUE[name], built.system(name)
+    assert item.name == name == system.name
+    assert item.title and system.title == item.title
+    assert item.summary.endswith(".") and system.summary == item.summary
+    assert "§" in item.source and system.source == item.source
+    for parameter in system.parameters:
+        assert parameter.meaning, parameter.symbol
+        assert parameter.unit, parameter.symbol
+    for law in system.laws:
+        assert law.meaning and law.source, law.name
+    for observable in whole(system).observables:
+        assert observable.meaning, observable.name
+
+
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_names_are_unique(name):
+    system = whole(built.system(name))
+    for group in (system.laws, system.observables):
+        names = [item.name for item in group]
+        assert len(set(names)) == len(names)
+    # guards of one name are the parts of one condition
+    assert len({g.name for g in system.guards}) == len({g.message for g in system.guards})
+    assert len(set(system.symbols)) == len(system.symbols)
+
+
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_defaults_are_admissible(name):
+    item, system = CATALOGUE[name], built.system(name)
+    for parameter in system.parameters:
+        for condition in parameter.admissible:
+            assert condition.subs(system.defaults) == sp.true, condition
+    for symbol, value in item.defaults.items():
+        assert system.defaults[sp.Symbol(symbol, real=True)] == value
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_the_example_runs_to_its_end(name):
+    item = CATALOGUE[name]
+    made = built.study(name)
+    motion = integrate(made.system_on_level, made.start, np.linspace(0.0, item.start.until, 11))
+    assert motion.times[-1] == item.start.until
+    assert motion.events == ()
+    size = len(made.system.symbols)
+    assert np.ptp(motion.states[:, :size], axis=0).max() > 0.1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_only_a_rolling_body_has_a_rolling(name):
+    item = CATALOGUE[name]
+    made = item.build(item.numbers())
+    assert item.rolling() is None or isinstance(made, Rolling)
+    assert isinstance(made, System) == (item.rolling() is None)
+
+
+def test_parameters_replace_defaults():
+    system = from_catalogue("chaplygin-ball", I_1=1.2, m=3.0)
+    values = {str(symbol): value for symbol, value in system.defaults.items()}
+    assert values == {"m": 3.0, "I_1": 1.2, "I_2": 1.5, "I_3": 2.1, "R": 1.0}
+
+
+def test_the_nearest_name_is_offered():
+    with pytest.raises(InputError, match=r"'chaplygin-bal'.*did you mean 'chaplygin-ball'\?"):
+        entry("chaplygin-bal")
+    with pytest.raises(InputError, match=r"no system 'xyz' in the catalogue; `chaplygin list`"):
+        from_catalogue("xyz")
+
+
+def test_the_nearest_parameter_is_offered():
+    with pytest.raises(InputError) as caught:
+        from_catalogue("ball-on-sphere", I1=1.0)
+    assert str(caught.value) == (
+        "ball-on-sphere: no parameter I1 (did you mean I_1?); it has m, I_1, I_2, I_3, R, a"
+    )
+    with pytest.raises(InputError, match="veselova: no parameter friction; it has"):
+        from_catalogue("veselova", friction=0.1)
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters", "message"),
+    [
+        ("chaplygin-ball", {"m": 0.0}, "mass 0.0: it must be a positive finite number"),
+        ("chaplygin-ball", {"I_3": 9.0}, "triangle inequality"),
+        ("veselova", {"I_3": 9.0}, "triangle inequality"),
+        ("veselova", {"I_1": -1.0}, "must all be positive"),
+        ("unbalanced-ball", {"R": -1.0}, "radius -1.0 of the ball"),
+        ("unbalanced-ball", {"c_1": float("inf")}, "it must be three finite numbers"),
+        ("rattleback", {"b_2": 0.0}, "semi-axis 2 0.0 of the ellipsoid"),
+        ("heavy-disk", {"g": -9.81}, "gravity -9.81: it must be finite and not negative"),
+        ("ball-on-sphere", {"a": 0.0}, "radius 0.0 of the supporting sphere"),
+    ],
+)
+def test_inadmissible_parameters_are_refused(name, parameters, message):
+    with pytest.raises(InputError) as caught:
+        from_catalogue(name, **parameters)
+    assert message in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["unbalanced-ball", "heavy-disk", "veselova"])
+def test_no_motion_of_a_body_that_cannot_be(name):
+    system, start = built.system(name), built.study(name).start
+    state, sizes = start[: len(system.symbols)], system.default_values
+    for i in (1, 2, 3):
+        others = sum(dict(sizes)[f"I_{j}"] for j in (1, 2, 3) if j != i)
+        for value, sentence in (
+            (0.0, f"I_{i} > 0"),
+            (-others, f"I_{i} > 0"),
+            (1.01 * others, " <= "),
+        ):
+            with pytest.raises(
+                InputError, match=f"I_{i} = .* is not admissible; .*{sentence}.* must"
+            ):
+                integrate(system, state, [0.0, 1.0], parameters={f"I_{i}": value})
+            with pytest.raises(
+                InputError, match=f"I_{i} = .* is not admissible; .*{sentence}.* must"
+            ):
+                batch_integrator(system).propagate([state], [1.0], {f"I_{i}": value})
+
+
+def test_a_case_is_decided_by_the_numbers_alone():
+    """k = −1 needs R = 2a, for a hollow ball; a different ratio has neither law."""
+    assert "linear" in {law.name for law in from_catalogue("ball-around-sphere").laws}
+    other = from_catalogue("ball-around-sphere", R=2.5)
+    assert {law.name for law in other.integrals} == {"energy", "momentum"}
+    other = from_catalogue("rubber-ball-around-sphere", a=1.25)
+    assert {law.name for law in other.integrals} == {"energy"}

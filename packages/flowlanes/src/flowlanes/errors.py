@@ -1,0 +1,191 @@
+"""Errors: mistakes of the user, and computations that could not be completed."""
+
+from __future__ import annotations
+
+import bisect
+import difflib
+import itertools
+import re
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+#: Characters that a message has at most, and one line of it.
+LONGEST, LONGEST_LINE = 2000, 600
+
+
+#: Characters that cannot be seen, tabs and line breaks apart: controls, those that change the
+#: direction of the text, and those without width.
+INVISIBLE = re.compile(
+    "[\\x00-\\x08\\x0b\\x0c\\x0e-\\x1f\\x7f-\\x9f\\xad\\u061c\\u180e\\u200b-\\u200f"
+    "\\u2028-\\u202e\\u2060-\\u206f\\ufeff\\U000e0000-\\U000e007f]"
+)
+
+
+def readable(text: str) -> str:
+    """A text fit for a terminal: nothing invisible in it, no line and not the whole too long.
+
+    Control characters and all others that do not print are escaped, but for line breaks.  Of a
+    line that is too long the middle is left out, so that what it begins and ends with stays.
+    """
+    escaped = "".join(c if c.isprintable() or c == "\n" else _escape(c) for c in text)
+    lines = [_abbreviation(line) for line in escaped.split("\n")]
+    ends = list(itertools.accumulate(len(line) + 1 for line in lines))
+    if ends[-1] <= LONGEST:
+        return "\n".join(lines)
+    shown = bisect.bisect(ends, LONGEST - 50)
+    return "\n".join([*lines[:shown], f"... and {len(lines) - shown} more lines"])
+
+
+def _escape(character: str) -> str:
+    return character.encode("unicode_escape").decode("ascii")
+
+
+def _abbreviation(line: str) -> str:
+    half = LONGEST_LINE // 2 - 5
+    return line if len(line) <= LONGEST_LINE else f"{line[:half]} [...] {line[-half:]}"
+
+
+def nearest(name: str, names: Iterable[str]) -> str:
+    """End a sentence about an unknown name: the likeliest intention, and all that is allowed.
+
+    Parameters
+    ----------
+    name
+        The unknown name.
+    names
+        The names that would have been accepted.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> nearest("radus", ["radius", "mass"])
+    ", did you mean 'radius'? allowed: radius, mass"
+    """
+    allowed = list(names)
+    same = [word for word in allowed if word.casefold() == name.casefold()]
+    # one letter of two or three may be wrong; "diameter" is not to mean "parameters"
+    likeness = 0.6 if len(name) < 5 else 0.7
+    close = same or difflib.get_close_matches(name, allowed, n=1, cutoff=likeness)
+    guess = f", did you mean '{close[0]}'?" if close else ";"
+    return f"{guess} allowed: {', '.join(_families(allowed)) or 'none'}"
+
+
+def _families(names: Iterable[str]) -> Iterator[str]:
+    """Names with those that differ in a number alone, three or more, as ``x_1 … x_3``."""
+    for stem, group in itertools.groupby(names, key=lambda name: re.sub(r"\d+$", "", name)):
+        members = list(group)
+        several = len(members) > 2 and members == [f"{stem}{i}" for i in range(1, len(members) + 1)]
+        yield from (f"{members[0]} … {members[-1]}",) if several else members
+
+
+class InputError(ValueError):
+    """A mistake of the user: what is wrong, where it stands and what is allowed.
+
+    Parameters
+    ----------
+    message
+        One sentence, written for the user; a mistake inside a formula adds a two-line excerpt.
+    where
+        Where the mistake stands, such as ``"body.toml, line 7, body.inertia"``; may be empty.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> try:
+    ...     nonholonomic.Ball(-1.0)
+    ... except flowlanes.InputError as error:
+    ...     print(error)
+    radius -1.0 of the ball: it must be a positive finite number
+    """
+
+    def __init__(self, message: str, where: str = "") -> None:
+        super().__init__(message, where)
+        self.message = readable(message)
+        self.where = readable(where)
+
+    def __str__(self) -> str:
+        return readable(f"{self.where}: {self.message}" if self.where else self.message)
+
+
+def require_label(name: str, title: str, *texts: str) -> None:
+    """Raise InputError unless a name is there, and no text has invisible characters."""
+    if not name.strip():
+        raise InputError("the name of a system is empty; it must be a word such as 'top'")
+    for what, text in (("name", name), ("title", title)):
+        if not text.isprintable():
+            raise InputError(f"the {what} {text!r} contains a character that cannot be seen")
+    require_visible(texts)
+
+
+def require_visible(texts: Iterable[str]) -> None:
+    """Raise InputError if a text has an invisible character."""
+    for text in texts:
+        if found := INVISIBLE.search(text):
+            raise InputError(
+                f"the text {text!r} contains the character U+{ord(found[0]):04X}, "
+                "which cannot be seen"
+            )
+
+
+class RunError(RuntimeError):
+    """A computation that could not be carried to its end.
+
+    Parameters
+    ----------
+    reason
+        One sentence saying what went wrong.
+    time
+        The last instant at which the solution was still good.
+    partial
+        The results computed before, such as a trajectory.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import sympy as sp
+    >>> x = sp.Symbol("x", real=True)
+    >>> try:
+    ...     flowlanes.integrate(
+    ...         flowlanes.System("blow-up", "Blow-up", {x: x**2}), [1.0], [0.0, 2.0]
+    ...     )
+    ... except flowlanes.RunError as error:
+    ...     print(f"good until t = {error.time:.3f}")
+    good until t = 1.000
+    """
+
+    def __init__(self, reason: str, time: float, partial: Any = None) -> None:
+        super().__init__(reason, time)
+        self.reason = readable(reason)
+        self.time = time
+        self.partial = partial
+
+    def __str__(self) -> str:
+        return f"{self.reason} (the last good time is {self.time:.9g})"
+
+
+class InterruptionError(RunError):
+    """A computation that the user interrupted; the results computed before are in `partial`."""
+
+
+class EarlyEndError(RunError):
+    """A motion that ended before its time.
+
+    Parameters
+    ----------
+    system
+        Name of the system.
+    reason, time
+        As of a RunError.
+    """
+
+    def __init__(self, system: str, reason: str, time: float) -> None:
+        super().__init__(reason, time)
+        self.args = (system, reason, time)
+        self.system = system
+
+    def __str__(self) -> str:
+        return f"{self.system}: the motion ends at t = {self.time:.6g} s: {self.reason}"

@@ -1,0 +1,119 @@
+"""Files that outlive a process, trusted only where nobody but this user can write.
+
+They hold machine code and verdicts, so a file is read only if
+
+- every folder on the way to it, links followed, belongs to this user or to root, and nobody else
+  can write to it (save in folders such as ``/tmp``, where the sticky bit keeps others from
+  removing or renaming what is not theirs);
+- the folder it is in and the file itself belong to this user, and nobody else can write to them;
+  on Windows, where modes do not say who can write, the folder is inside this user's home instead,
+  which Windows keeps others out of;
+- its first line is the digest of its name and content, so that a file that was truncated, changed
+  or renamed by accident is not read.
+
+The digest is no signature: whoever can write as this user, or as root, can compute one, and can
+change the program as well.  An untrusted file is no error: its content is computed again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import logging
+import os
+import stat
+import sys
+from functools import cache
+from pathlib import Path
+
+from .partial_files import partial_file
+
+_OTHERS = stat.S_IWGRP | stat.S_IWOTH
+#: Flags with which a link is not followed and a pipe is not waited for.
+if sys.platform == "win32":
+    _OPEN_FLAGS = os.O_RDONLY | os.O_BINARY | os.O_NOINHERIT
+else:
+    _OPEN_FLAGS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+
+
+def _distrust(folder: Path) -> str:
+    """The reason why files in a folder are not read, to end a sentence; empty if they are."""
+    if sys.platform == "win32":
+        home = Path.home().resolve()
+        return "" if folder.is_relative_to(home) else f"{folder} is not inside {home}"
+    else:
+        us = os.geteuid()
+        for ancestor in (folder, *folder.parents):
+            status = ancestor.lstat()
+            if status.st_uid != us and (ancestor == folder or status.st_uid != 0):
+                return f"{ancestor} belongs to another user"
+            sticky = ancestor != folder and status.st_mode & stat.S_ISVTX
+            if status.st_mode & _OTHERS and not sticky:
+                return f"others can write to {ancestor} (chmod go-w mends it)"
+        return ""
+
+
+def _is_ours(status: os.stat_result) -> bool:
+    """Whether a file is a regular one of this user's, to which nobody else can write."""
+    regular = stat.S_ISREG(status.st_mode)
+    if sys.platform == "win32":
+        return regular
+    else:
+        return regular and status.st_uid == os.geteuid() and not status.st_mode & _OTHERS
+
+
+def read_private(path: Path) -> bytes | None:
+    """The content of a file, or None if there is none that can be trusted."""
+    try:
+        folder = _trusted_folder(path.parent)
+        if folder is None:
+            return None
+        handle = os.open(folder / path.name, _OPEN_FLAGS)
+        with os.fdopen(handle, "rb") as stream:
+            status = os.fstat(handle)
+            if not _is_ours(status):
+                return None
+            seal, _, content = stream.read().partition(b"\n")
+    except (OSError, ValueError):
+        return None
+    return content if seal == _seal(path, content) else None
+
+
+def write_private(path: Path, content: bytes) -> bool:
+    """Write a file, which appears complete or not at all; return whether that was possible."""
+    try:
+        _create(path.parent)
+        folder = _trusted_folder(path.parent)
+        if folder is None:
+            return False
+        with partial_file(folder) as temporary:
+            temporary.write_bytes(_seal(path, content) + b"\n" + content)
+            temporary.replace(folder / path.name)
+    except (OSError, ValueError):
+        return False
+    return True
+
+
+def _create(folder: Path) -> None:
+    """Create a folder and those above it, for this user alone whatever the umask."""
+    if not folder.is_dir():
+        _create(folder.parent)
+        folder.mkdir(mode=0o700, exist_ok=True)
+
+
+def _seal(path: Path, content: bytes) -> bytes:
+    return hashlib.sha256(path.name.encode() + b"\0" + content).hexdigest().encode()
+
+
+def _trusted_folder(folder: Path) -> Path | None:
+    """A folder, links resolved, if its files can be trusted; otherwise one warning says why not."""
+    # resolved once, so that nobody can redirect a link after the check of its target
+    resolved = folder.resolve(strict=True)
+    why = _distrust(resolved)
+    if why:
+        _warn_once(f"nothing is kept in {folder}, and nothing there is used: {why}")
+    return None if why else resolved
+
+
+@cache
+def _warn_once(sentence: str) -> None:
+    logging.getLogger(__name__).warning(sentence)

@@ -1,0 +1,344 @@
+"""Many motions of a System at once: machine code with one motion in each vector lane.
+
+The result of a motion depends on its own start and parameters alone, to the bit: not on the
+number of threads, the width of the processor's vectors, or the motions computed with it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
+from numbers import Integral, Real
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from ..arguments import Parameters, arguments_checked
+from ..errors import InputError
+from ..formulas.array_evaluation import as_float_array, relation_terms
+from ..formulas.graph import Term
+from ..system.arrays import FloatArray, IntArray
+from ..system.system import System
+from .batch_results import BatchCrossings, BatchTrajectories
+from .cost import FEW_STEPS, MOST_STEPS, require_steps
+from .devices.batch_arrays import BatchInput, BatchLoop
+from .devices.graphics import Device, graphics_loop
+from .devices.processor import processor_loop
+from .initial_states import reduced_rows
+from .kernel.equations import Section, equations_of
+from .kernel.outcomes import outcome_message
+from .machine_code.double_double_conversion import as_pairs, parameter_pairs
+from .validation import check_state_shape, moments as read_moments, require_on_phase_space
+
+#: Numbers that one call may return.
+MOST_NUMBERS = 1 << 32
+
+
+@dataclass(frozen=True)
+class BatchIntegrator:
+    """The flow of a System as vector code.
+
+    Attributes
+    ----------
+    system : System
+    tolerance : float
+        Error allowed in a step, relative to the size of each vector of the state.
+    deviations : int
+        Tangent vectors carried by the variational equations.
+    section : Section or None
+    backward : bool
+        Whether time runs backward; times are negative then.
+    digits : 16 or 30
+    loop : BatchLoop
+        The code, on the device that was asked for.
+    """
+
+    system: System
+    tolerance: float
+    deviations: int
+    section: Section | None
+    backward: bool
+    digits: int
+    loop: BatchLoop = field(repr=False)
+
+    @property
+    def size(self) -> int:
+        """State variables of the system."""
+        return len(self.system.symbols)
+
+    @arguments_checked
+    def status_message(self, code: int) -> str:
+        """The reason why a motion ended, in words; empty for 0."""
+        return outcome_message(self.system, code)
+
+    @arguments_checked
+    def propagate(
+        self,
+        starts: npt.ArrayLike,
+        times: npt.ArrayLike,
+        parameters: Parameters = None,
+        *,
+        deviations: npt.ArrayLike | None = None,
+        threads: int | None = None,
+    ) -> BatchTrajectories:
+        """Motions from time 0 through given times.
+
+        Parameters
+        ----------
+        starts : array (motions, size)
+            In flat order of ``system.symbols``; with 30 digits numbers of many digits (mpmath)
+            count with 32 of them, here and in `parameters`.
+        times : array (times,)
+            Increasing from 0 or later; decreasing for backward lanes.
+        parameters : mapping of Symbol or name to number or array (motions,), optional
+            Values that replace the defaults, one for all or one for each.
+        deviations : array (motions, deviations, size), optional
+            Needed if the lanes carry deviations.
+        threads : int, optional
+            All processors that this process may use, unless given.
+
+        Raises
+        ------
+        InputError
+            If starts, times or parameters cannot be used.
+        """
+        if self.section is not None:
+            raise InputError("these lanes stop at a section: ask for returns instead of times")
+        moments = read_moments(times, self.backward)
+        rows, constants = self._rows(starts, parameters, deviations)
+        numbers, _, _, ends = self._call(rows, constants, moments, len(moments), threads)
+        states, tangents, low = self._split(numbers)
+        return BatchTrajectories(states, tangents, *ends, low)
+
+    @arguments_checked
+    def crossings(
+        self,
+        starts: npt.ArrayLike,
+        count: int,
+        parameters: Parameters = None,
+        *,
+        until: float = np.inf,
+        deviations: npt.ArrayLike | None = None,
+        threads: int | None = None,
+    ) -> BatchCrossings:
+        """Crossings of the section, of which a start that lies on it is none.
+
+        Two crossings within one step are found where a cubic through its ends, within its error,
+        shows both: down to a hundred-thousandth of a turn apart.
+
+        Parameters
+        ----------
+        starts, parameters, deviations, threads
+            As in :meth:`propagate`.
+        count : int
+            Crossings of each motion.
+        until : float
+            Time after which to give up; negative for backward lanes.
+
+        Raises
+        ------
+        InputError
+            If starts, count or parameters cannot be used.
+        """
+        if self.section is None:
+            raise InputError("these lanes have no section: make them with one")
+        _require_count(count)
+        end = np.array([-until if self.backward and until < 0 else until], dtype=float)
+        if not end[0] > 0:
+            raise InputError(f"until = {until}: it must lie ahead of the start, at time 0")
+        rows, constants = self._rows(starts, parameters, deviations)
+        numbers, moments, counts, ends = self._call(rows, constants, end, count, threads)
+        states, tangents, low = self._split(numbers)
+        return BatchCrossings(states, self._with_sign(moments), tangents, counts, *ends, low)
+
+    @arguments_checked
+    def require_reach(
+        self, start: npt.ArrayLike, until: float, parameters: Parameters = None
+    ) -> None:
+        """Refuse a time that a motion does not reach within the largest number of steps.
+
+        Parameters
+        ----------
+        start : array (size,)
+        until : float
+        parameters : mapping of Symbol or name to number, optional
+
+        Raises
+        ------
+        TooMuchError
+            With an estimate from the first steps.
+        """
+        rows, constants = self._rows(np.asarray(start)[np.newaxis], parameters, None)
+        end = np.array([abs(until)])
+        _, _, _, (outcome, ended, steps) = self._call(rows, constants, end, 1, 1, FEW_STEPS)
+        require_steps(until, outcome[0], ended[0], steps[0])
+
+    # --- arguments and results of the machine code ----------------------------------------------
+
+    def _with_sign(self, moments: FloatArray) -> FloatArray:
+        return -moments if self.backward else moments
+
+    def _rows(
+        self,
+        starts: npt.ArrayLike,
+        parameters: Parameters,
+        deviations: npt.ArrayLike | None,
+    ) -> tuple[FloatArray, FloatArray]:
+        """Starts with deviations (motions, numbers, words); parameters in words."""
+        words = reduced_rows(self.system, self._words("starts", starts))
+        points = words[..., 0]
+        check_state_shape(self.system, points)
+        constants = parameter_pairs(self.system, parameters, len(points))[..., : self.words]
+        require_on_phase_space(self.system, self._relations, points, constants[..., 0])
+        if self.deviations == 0:
+            if deviations is not None:
+                raise InputError("these lanes carry no deviations: make them with some")
+            return np.ascontiguousarray(words), np.ascontiguousarray(constants)
+        needed = (len(points), self.deviations, self.size)
+        tangents = self._words("deviations", np.asarray(deviations))
+        if tangents.shape[:-1] != needed:
+            shape = tangents.shape[:-1]
+            raise InputError(f"deviations have the shape {shape}; {needed} is needed")
+        columns = tangents.reshape(len(points), -1, self.words)
+        rows = np.concatenate([words, columns], axis=1)
+        return np.ascontiguousarray(rows), np.ascontiguousarray(constants)
+
+    @cached_property
+    def _relations(self) -> tuple[Term, ...]:
+        return relation_terms(self.system)
+
+    @property
+    def words(self) -> int:
+        """Doubles that a number takes."""
+        return 1 if self.digits == 16 else 2
+
+    def _words(self, name: str, numbers: npt.ArrayLike) -> FloatArray:
+        """Numbers with a last axis for the doubles of each."""
+        if self.digits == 16:
+            words: FloatArray = as_float_array(name, numbers)[..., None]
+            return words
+        return as_pairs(name, numbers)
+
+    def _split(
+        self, numbers: FloatArray
+    ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
+        """States, deviations, low words of states; from (motions, times, numbers, words)."""
+        states = numbers[:, :, : self.size, 0]
+        low = numbers[:, :, : self.size, 1] if self.words == 2 else None
+        if self.deviations == 0:
+            return states, None, low
+        shape = (*numbers.shape[:2], self.deviations, self.size)
+        return states, numbers[:, :, self.size :, 0].reshape(shape), low
+
+    def _call(
+        self,
+        rows: FloatArray,
+        constants: FloatArray,
+        moments: FloatArray,
+        samples: int,
+        threads: int | None,
+        most: int | None = None,
+    ) -> tuple[FloatArray, FloatArray, IntArray, tuple[IntArray, FloatArray, IntArray]]:
+        """Numbers, times and counts of the samples; outcome, end and steps of each motion."""
+        motions, width, words = rows.shape
+        if motions * samples * width * words > MOST_NUMBERS:
+            size = motions * samples * width * words * 8 / 2**30
+            raise InputError(
+                f"{motions} motions with {samples} states each make {size:.3g} GiB at once: ask "
+                "for fewer, or stream them (docs/ensembles.md)"
+            )
+        allowed = MOST_STEPS if most is None else most
+        given = BatchInput(rows, constants, moments, samples, self.tolerance, allowed, width)
+        found = self.loop.run(given, threads)
+        ends = (found.outcome, self._with_sign(found.end_times), found.steps)
+        return found.states, found.times, found.counts, ends
+
+
+@arguments_checked
+@lru_cache(maxsize=64)
+def batch_integrator(
+    system: System,
+    *,
+    tolerance: float = 1e-13,
+    deviations: int = 0,
+    section: Section | None = None,
+    backward: bool = False,
+    digits: Literal[16, 30] = 16,
+    device: Device = "cpu",
+) -> BatchIntegrator:
+    """The flow of a system as machine code for many motions at once.
+
+    Parameters
+    ----------
+    system : System
+        As it is to be integrated; ``system.lifted()`` carries its motion in space along.
+    tolerance : float
+        Error allowed in a step, relative to the size of each vector of the state.  Below 1e-15 the
+        method is another of the same order, in which rounding counts for less.
+    deviations : int
+        Tangent vectors to carry by the variational equations.
+    section : Section, optional
+        Recorded are the crossings of this section, instead of states at given times.
+    backward : bool
+        Whether time runs backward.
+    digits : 16 or 30
+        Of the numbers that the lanes compute with.  With 30 a step costs some twenty times as much,
+        and a method of order 8 needs very many steps to make use of them all: for single motions
+        see :mod:`flowlanes.flow.gauss`.
+    device : "cpu" or "gpu"
+        Where motions are computed.
+
+    Returns
+    -------
+    BatchIntegrator
+        ``propagate(starts, times)`` gives states (motions, times, size) at given times, and
+        ``crossings(starts, count)`` states (motions, count, size) on the section, both for starts
+        (motions, size) in flat order.
+
+    Raises
+    ------
+    InputError
+        If a section is asked for with 30 digits, the tolerance is not between 1e-16 (1e-30 with 30
+        digits) and 0.1, a formula has a function that machine code does not know, the number of
+        deviations is negative, or there is no such device.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
+    >>> starts = flowlanes.sample_level(ball, 100, {"energy": 2.0}, seed=1)
+    >>> motions = flowlanes.batch_integrator(ball).propagate(starts, [5.0, 10.0])
+    >>> motions.states.shape, int((motions.outcome == 0).sum())
+    ((100, 2, 6), 100)
+    """
+    _require_numbers(tolerance, deviations)
+    if digits not in (16, 30):
+        raise InputError(f"digits = {digits}: lanes compute with 16 or with 30 digits")
+    if digits == 30 and section is not None:
+        raise InputError(f"{system.name}: a section is found to 16 digits; leave 'digits' at that")
+    finest = 1e-16 if digits == 16 else 1e-30
+    if not finest <= tolerance <= 0.1:
+        raise InputError(f"tolerance {tolerance}: it must lie between {finest:g} and 0.1")
+    if deviations < 0:
+        raise InputError(f"deviations = {deviations}: there cannot be fewer than none")
+    equations = equations_of(system, deviations, section, backward)
+    loop: BatchLoop
+    if device == "gpu":
+        loop = graphics_loop(equations, digits, tolerance)
+    else:
+        loop = processor_loop(equations, digits, tolerance)
+    return BatchIntegrator(system, tolerance, deviations, section, backward, digits, loop)
+
+
+def _require_count(count: object) -> None:
+    if not isinstance(count, Integral) or count < 1:
+        raise InputError(f"count = {count}: it must be a whole number, at least 1")
+
+
+def _require_numbers(tolerance: object, deviations: object) -> None:
+    if not isinstance(tolerance, Real):
+        raise InputError(f"tolerance {tolerance}: it must be a number")
+    if not isinstance(deviations, Integral):
+        raise InputError(f"deviations = {deviations}: it must be a whole number")

@@ -1,0 +1,62 @@
+"""Results of many motions: states at given times, crossings of a section."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..system.arrays import FloatArray, IntArray
+from ..system.overview import WithShortRepr
+
+
+@dataclass(frozen=True, repr=False)
+class BatchTrajectories(WithShortRepr):
+    """Motions at given times.
+
+    Attributes
+    ----------
+    states : array (motions, times, size)
+        In flat order; not-a-number after the end of a motion.
+    deviations : array (motions, times, deviations, size) or None
+    outcome : array (motions,) of int
+        0 if the last time was reached; see ``BatchIntegrator.status_message`` for other codes.
+    end_times : array (motions,)
+        The time that was reached.
+    steps : array (motions,) of int
+        Steps that were tried.
+    rest : array (motions, times, size) or None
+        With 30 digits the next 16 digits of the states, to be added to them.
+    """
+
+    states: FloatArray
+    deviations: FloatArray | None
+    outcome: IntArray
+    end_times: FloatArray
+    steps: IntArray
+    rest: FloatArray | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class BatchCrossings(WithShortRepr):
+    """Motions at their crossings of a section.
+
+    Attributes
+    ----------
+    states : array (motions, count, size)
+        Not-a-number beyond `counts`.
+    times : array (motions, count)
+    deviations : array (motions, count, deviations, size) or None
+        At the time of crossing; not yet projected along the flow.
+    counts : array (motions,) of int
+        Crossings of each motion.
+    outcome, ended, steps, rest
+        As in `BatchTrajectories`; the outcome is 0 if there are `count` crossings.
+    """
+
+    states: FloatArray
+    times: FloatArray
+    deviations: FloatArray | None
+    counts: IntArray
+    outcome: IntArray
+    end_times: FloatArray
+    steps: IntArray
+    rest: FloatArray | None = None

@@ -1,0 +1,59 @@
+"""The loop over motions on the processors of this machine, with a motion in each vector lane."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass, field
+
+from ..kernel.equations import Equations, serial
+from ..kernel.runge_kutta import runge_kutta_loop
+from ..kernel.tableaux import arithmetic_and_method
+from ..machine_code import jit as native
+from .batch_arrays import BatchInput, BatchOutput, empty_output
+from .threads import run_in_threads
+
+_I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
+#: Arguments of the loop.
+SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P, _P, _P)
+
+
+@dataclass(frozen=True)
+class ProcessorLoop:
+    """Vector code for this processor.
+
+    Attributes
+    ----------
+    code : Native
+    """
+
+    code: native.Native = field(repr=False)
+
+    def run(self, task: BatchInput, threads: int | None) -> BatchOutput:
+        """The motions; see :class:`flowlanes.flow.devices.batch_arrays.BatchLoop`."""
+        result = empty_output(task)
+
+        def compute(first: int, last: int) -> None:
+            result.clear(first, last)
+            work = native.aligned_zeros(self.code.work_size)
+            self.code.functions["march"](
+                *(first, last, task.starts.ctypes.data, task.parameters.ctypes.data),
+                *(task.stride, task.times.ctypes.data, task.samples),
+                *(task.tolerance, task.limit),
+                *(array.ctypes.data for array in result.arrays),
+                work.ctypes.data,
+            )
+
+        run_in_threads(compute, task.motions, threads)
+        return result
+
+
+def processor_loop(equations: Equations, digits: int, tolerance: float) -> ProcessorLoop:
+    """The loop for some equations, with 16 or 30 digits and the method for a tolerance."""
+    width = native.width()
+    arithmetic, method = arithmetic_and_method(digits, tolerance)
+
+    def text() -> tuple[str, int]:
+        return runge_kutta_loop(arithmetic, method, equations, width)
+
+    key = f"march {width} {digits} {method.name} {serial(equations)}"
+    return ProcessorLoop(native.load_code(key, text, {"march": SIGNATURE}))

@@ -1,0 +1,141 @@
+"""Execution of a task block by block: in memory or into a Zarr store, here or with Dask."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...arguments import arguments_checked
+from ..cost import Pace, require_room
+from .dask import results
+from .task import Arrays, Progress, Task
+from .zarr_store import open_store, read_store
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from distributed import Client
+
+
+@arguments_checked
+def compute(
+    task: Task,
+    where: str | Path | None = None,
+    *,
+    client: Client | str | int | None = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Carry out a task.
+
+    Parameters
+    ----------
+    task : Task
+    where : path, optional
+        Folder of the Zarr store that is to hold the result, usually called ``….zarr``: written
+        block by block; created, or resumed if it exists.  Without it everything is kept
+        in memory.
+    client : dask.distributed.Client, str or int, optional
+        The cluster that computes: a Dask client, the address of a scheduler
+        (``"tcp://host:8786"``), a number
+        of processes of this machine, or ``"local"`` for as many as it has processors.  Without
+        it this process does.
+    progress : callable, optional
+        Called with the fraction that is done.
+
+    Returns
+    -------
+    xarray.Dataset
+        In memory; or, where there is a store, read from it when it is used.
+
+    Raises
+    ------
+    InputError
+        If the store cannot be written, is none of ours, or holds another experiment; if the
+        cluster cannot be reached.
+    IncompleteError
+        If the disk is full, or a block brings down the workers; what was written stays.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> x = flowlanes.scans.axis("I_1=1:2:3")
+    >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
+    >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> rule = flowlanes.scans.SurvivalTime(ball, 5.0)
+    >>> task = flowlanes.scans.scan(flowlanes.scans.Scan(grid, rule, "survival", "Survival time"))
+    >>> flowlanes.flow.ensemble.compute(task)["survival"].values.tolist()
+    [[5.0, 5.0, 5.0], [5.0, 5.0, 5.0]]
+    """
+    text = progress if progress is not None else _no_progress
+    _require_room(task, where)
+    return _in_memory(task, client, text) if where is None else _in_store(task, where, client, text)
+
+
+def _require_room(task: Task, where: str | Path | None) -> None:
+    """Refuse a task whose result is too large for the memory or the disk."""
+    sizes = [
+        (task.size * math.prod(variable.shape), np.dtype(variable.dtype).itemsize)
+        for variable in task.variables.values()
+    ]
+    folder = None if where is None else Path(where)
+    if folder is None or not folder.exists():
+        what = f"the {sum(count for count, _ in sizes):,} numbers of the result"
+        require_room(sum(count * size for count, size in sizes), folder, what)
+
+
+def _no_progress(share: float) -> None:
+    """Ignore progress."""
+
+
+def _results(
+    task: Task, blocks: Sequence[int], client: Client | str | int | None, progress: Progress
+) -> Iterator[tuple[int, Arrays]]:
+    """The blocks asked for as they come, each with its number."""
+    progress(1 - len(blocks) / task.blocks)
+    pace = Pace()
+    if client is None:
+        pairs: Iterator[tuple[int, Arrays]] = (
+            (block, task.work(*task.members(block))) for block in blocks
+        )
+    else:
+        pairs = results(client, task.work, {block: task.members(block) for block in blocks})
+    for count, (block, arrays) in enumerate(pairs, 1):
+        yield block, task.require_arrays(arrays, *task.members(block))
+        pace.check(count / len(blocks), f"{task.size:,} {task.member}s")
+        progress(1 - (len(blocks) - count) / task.blocks)
+
+
+def _in_memory(task: Task, client: Client | str | int | None, progress: Progress) -> xr.Dataset:
+    import xarray as xr
+
+    whole = {
+        name: np.empty((task.size, *variable.shape), variable.dtype)
+        for name, variable in task.variables.items()
+    }
+    for block, arrays in _results(task, range(task.blocks), client, progress):
+        for name, array in arrays.items():
+            whole[name][slice(*task.members(block))] = array
+    placed = {
+        name: xr.Variable((task.member, *variable.dimensions), whole[name], variable.attributes)
+        for name, variable in task.variables.items()
+    }
+    known = {
+        name: xr.Variable(item.dimensions, item.values, item.attributes)
+        for name, item in task.coordinates.items()
+    }
+    of_members = [name for name, variable in task.variables.items() if variable.coordinate]
+    return xr.Dataset(placed, known, task.attributes).set_coords(of_members)
+
+
+def _in_store(
+    task: Task, where: str | Path, client: Client | str | int | None, progress: Progress
+) -> xr.Dataset:
+    with open_store(task, Path(where)) as store:
+        for block, arrays in _results(store.task, store.missing, client, progress):
+            store.write(block, arrays)
+    return read_store(where)

@@ -1,0 +1,290 @@
+"""Ensembles: many motions of one System at the same instants, in blocks."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from ...arguments import Numbers, Parameters, arguments_checked
+from ...errors import InputError
+from ...formulas.array_evaluation import as_float_array
+from ...formulas.digest import canonical
+from ...system.system import System
+from ..cost import TooMuchError
+from ..devices.graphics import Device
+from ..kernel.outcomes import STATUS_MESSAGES
+from ..validation import moments
+from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
+from .computation import compute
+from .members import Members, from_lists
+from .task import Coordinate, Progress, Task, Variable
+from .work import EnsembleWork, quantities_by_name
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from distributed import Client
+
+
+#: A block holds no more members than this, nor more numbers.
+_MEMBERS: Mapping[Device, int] = {"cpu": 4096, "gpu": 1 << 17}
+_NUMBERS = 1 << 22
+
+#: Blocks for a cluster, at least.
+SHARES = 64
+
+
+@arguments_checked
+def ensemble(
+    system: System,
+    members: npt.ArrayLike | Members,
+    times: Numbers,
+    parameters: Parameters = None,
+    *,
+    record: Sequence[str] = (),
+    tolerance: float = 1e-13,
+    device: Device = "cpu",
+    block: int | None = None,
+    where: str | Path | None = None,
+    client: Client | str | int | None = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Many motions of a system, each from its own start with its own parameters.
+
+    Parameters
+    ----------
+    system : System
+        As it is to be integrated: ``system.lifted()`` carries the motion in space along.
+    members : Members or array (n, size)
+        Starts and parameters, by :func:`~flowlanes.flow.ensemble.members.from_lists`,
+        :func:`~flowlanes.flow.ensemble.members.grid`,
+        :func:`~flowlanes.flow.ensemble.members.single`,
+        :func:`~flowlanes.flow.ensemble.members.random_starts` and products of them with ``*``; or
+        starts alone, in flat order.
+    times : array (k,)
+        In s, increasing from 0 or later, or decreasing from 0 or before; motions begin at 0.
+    parameters : mapping of Symbol or name to float, optional
+        Values, the same for all, that replace the defaults.
+    record : sequence of str
+        Observables and integrals to be recorded too.
+    tolerance : float
+        Error allowed in a step; see :func:`~flowlanes.flow.batch.batch_integrator`.
+    device : "cpu" or "gpu"
+        Where the motions are computed; likewise.
+    block : int, optional
+        Members computed, written and lost at once; chosen by their size unless given.
+    where, client, progress
+        A store on disk, a cluster, a function that is called with the progress; see
+        :func:`~flowlanes.flow.ensemble.compute`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Variables of the state and what is recorded over ``run`` and ``time`` (and ``axis``, …);
+        ``outcome`` (why a motion ended, in its attributes), ``ended`` and ``steps`` over ``run``;
+        parameters that vary as coordinates of ``run``.
+
+    Raises
+    ------
+    InputError
+        If anything given cannot be used.
+    IncompleteError
+        If a store could not be written to the end.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
+    >>> starts = flowlanes.sample_level(ball, 100, {"energy": 2.0}, seed=1)
+    >>> runs = flowlanes.ensemble(ball, starts, [0.0, 10.0], record=["energy"])
+    >>> dict(runs.sizes), bool(abs(runs["law_energy"] - 2.0).max() < 1e-9)
+    ({'run': 100, 'time': 2, 'axis': 3}, True)
+    """
+    task = ensemble_task(
+        system,
+        members,
+        times,
+        parameters,
+        record=record,
+        tolerance=tolerance,
+        device=device,
+        block=block,
+        shares=1 if client is None else SHARES,
+    )
+    return compute(task, where, client=client, progress=progress)
+
+
+def ensemble_task(
+    system: System,
+    members: npt.ArrayLike | Members,
+    times: Numbers,
+    parameters: Parameters = None,
+    *,
+    record: Sequence[str] = (),
+    tolerance: float = 1e-13,
+    device: Device = "cpu",
+    block: int | None = None,
+    shares: int = 1,
+) -> Task:
+    """An ensemble that is still to be computed; see :func:`ensemble`.
+
+    Unless the size of a block is given, there are as many as `shares` at least, of 16 members or
+    more, so that several workers find something to do.
+    """
+    everyone = members if isinstance(members, Members) else from_lists(state=members)
+    work = EnsembleWork(
+        canonical(system),
+        everyone,
+        _times(times),
+        _constants(system, parameters),
+        tolerance,
+        tuple(record),
+        device=device,
+    )
+    twice = sorted({str(name) for name in parameters or ()} & set(work.varied_parameters))
+    if twice:
+        raise InputError(f"{system.name}: {', '.join(twice)} is given twice")
+    lanes = work.lanes
+    # a mistake shows at the first member, before any store is begun
+    first, parameters, points = work.starts(0, 1)
+    try:
+        lanes.require_reach(first[0], work.times[-1], parameters)
+    except TooMuchError:
+        raise
+    except InputError as error:
+        raise InputError(error.message, "runs 0 to 0") from error
+    variables = _variables(work, points is not None)
+    share = max(16, math.ceil(everyone.size / shares))
+    numbers = sum(math.prod(variable.shape) for variable in variables.values())
+    fitting = max(1, min(_MEMBERS[device], _NUMBERS // numbers, everyone.size, share))
+    return Task(
+        work,
+        everyone.size,
+        fitting if block is None else block,
+        variables,
+        "run",
+        sample_coordinates(work.times, variables),
+        {**_attributes(work), **_draw(work, parameters)},
+    )
+
+
+def _times(times: Numbers) -> tuple[float, ...]:
+    """The sampling times of an ensemble, or an InputError."""
+    row = np.atleast_1d(as_float_array("times", times))
+    moments(row, backward=bool(row.size) and bool(row.flat[-1] < 0))
+    return tuple(row.tolist())
+
+
+def _constants(system: System, parameters: Parameters) -> dict[str, float]:
+    """Values of parameters by name, without those that equal the default."""
+    constants, defaults = {}, dict(system.default_values)
+    for name, value in (parameters or {}).items():
+        number = as_float_array(f"{system.name}: {name}", value)
+        if number.ndim:
+            raise InputError(
+                f"{system.name}: {name} must be one number; what varies belongs to the members"
+            )
+        if defaults.get(str(name)) != float(number):
+            constants[str(name)] = float(number)
+    return constants
+
+
+def _variables(work: EnsembleWork, are_random: bool) -> dict[str, Variable]:
+    """The variables that `EnsembleWork` computes."""
+    system, moments = work.system, len(work.times)
+    text = {str(p.symbol): p for p in system.parameters}
+    variables = {
+        name: Variable(
+            attributes=cf_attributes(text[name].meaning, text[name].unit), coordinate=True
+        )
+        for name in work.varied_parameters
+    }
+    if are_random:
+        notes = cf_attributes("number of the start among those drawn", "1")
+        variables["start"] = Variable(dtype="int64", attributes=notes, coordinate=True)
+    for item, place in system.slices:
+        size = place.stop - place.start
+        *about, frame = variable_metadata(system, str(item), size)
+        variables[str(item)] = sampled_variable(moments, size, frame, *about)
+    for item in quantities_by_name(system, work.record):
+        about = [item.meaning, item.unit, item.source]
+        variables[item.name] = sampled_variable(moments, len(item.formulas), item.frame, *about)
+    variables["outcome"] = Variable(dtype="int8", attributes=_outcomes(work))
+    variables["ended"] = Variable(attributes=cf_attributes("time that was reached", "s"))
+    variables["steps"] = Variable(dtype="int64", attributes=cf_attributes("steps tried", "1"))
+    return variables
+
+
+def sampled_variable(
+    moments: int, size: int, frame: str, meaning: str, unit: str, source: str
+) -> Variable:
+    """A quantity along the motions."""
+    notes = cf_attributes(meaning, unit, source)
+    if not frame:
+        return Variable(("time",), (moments,), attributes=notes)
+    axis = frame
+    if frame in FRAMES:
+        axis = FRAMES[frame][0]
+        notes["frame"] = f"{frame} axes"
+    return Variable(("time", axis), (moments, size), attributes=notes)
+
+
+def _outcomes(work: EnsembleWork) -> dict[str, object]:
+    """Flags that say why a motion ended."""
+    codes = range(len(STATUS_MESSAGES) + len(work.system.guards))
+    reasons = [
+        "the last time was reached",
+        *(work.lanes.status_message(code) for code in codes[1:]),
+    ]
+    return {
+        **cf_attributes("why the motion ended", "1"),
+        "flag_values": list(codes),
+        "flag_meanings": " ".join("_".join(re.findall(r"\w+", reason)) for reason in reasons),
+        "reasons": reasons,
+    }
+
+
+def sample_coordinates(
+    times: Sequence[float], variables: Mapping[str, Variable]
+) -> dict[str, Coordinate]:
+    """The times and the axes that are used."""
+    used = {dimension for variable in variables.values() for dimension in variable.dimensions}
+    axes = {
+        axis: Coordinate((axis,), np.array(labels), cf_attributes(LABELS[axis], "1"))
+        for axis, labels in FRAMES.values()
+        if axis in used
+    }
+    return {"time": Coordinate(("time",), list(times), cf_attributes("time", "s")), **axes}
+
+
+def _attributes(work: EnsembleWork) -> dict[str, object]:
+    """Attributes of the whole ensemble."""
+    system = work.system
+    constants = {str(p.symbol): p.default for p in system.parameters} | dict(work.parameters)
+    text = [f"{s} = {float(v)!r}" for s, v in constants.items() if s not in work.varied_parameters]
+    return {
+        **system_attributes(system),
+        "parameters": "; ".join(text),
+        "members": str(work.members),
+        "tolerance": work.tolerance,
+        "integrator": "explicit Runge–Kutta of order 8, a lane for each motion",
+        "versions": ", ".join(
+            f"{name} {version(name)}" for name in ("chaplygin", "llvmlite", "numpy", "sympy")
+        ),
+    }
+
+
+def _draw(work: EnsembleWork, parameters: Mapping[str, npt.ArrayLike]) -> dict[str, object]:
+    """Seed and measure of random starts, at the parameters of the first member."""
+    draw = work.members.draw
+    if draw is None:
+        return {}
+    first = {name: float(np.asarray(parameters[name])[0]) for name in work.varied_parameters}
+    return {"seed": draw.seed, "measure": work.level(first).measure}

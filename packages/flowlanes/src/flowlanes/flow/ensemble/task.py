@@ -1,0 +1,199 @@
+"""Long computations in blocks: in memory or streamed to a store, here or on a cluster.
+
+A computation has many members (runs of an ensemble, cells of a chart), each of which depends on
+its own number alone.  They are computed in blocks of neighbours; a block that is done stays done,
+so that a computation that was killed resumes where it was, and its numbers are the same to the
+bit in whatever order, in whatever blocks and on however many machines they were computed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, runtime_checkable
+
+import numpy as np
+import numpy.typing as npt
+
+from ...arguments import arguments_checked
+from ...errors import InputError, RunError
+from ...system.overview import WithShortRepr
+
+if TYPE_CHECKING:
+    pass
+
+Arrays: TypeAlias = Mapping[str, np.ndarray]
+#: A function that is called with the fraction done.
+Progress: TypeAlias = Callable[[float], Any]
+
+
+class Work(Protocol):
+    """A callable that computes blocks: first, last ↦ arrays by name, a row per member.
+
+    The rows are those of the members first, …, last − 1.
+
+    It must be pure (the same numbers give the same bits, wherever and in whatever blocks), and be
+    such that it can be pickled and named: a function of a module, a :func:`functools.partial` of
+    one, or a frozen dataclass with ``__call__``.
+    """
+
+    def __call__(self, first: int, last: int, /) -> Arrays:
+        """Arrays by name; their leading axis has length last − first."""
+
+
+@runtime_checkable
+class Divisible(Work, Protocol):
+    """Work that holds so much data that each worker should be sent its share alone."""
+
+    def part(self, first: int, last: int, /) -> Work:
+        """Work that gives the same for these members, numbered as before."""
+
+
+@arguments_checked
+@dataclass(frozen=True)
+class Variable:
+    """An array of the result.
+
+    Parameters
+    ----------
+    dimensions : tuple of str
+        Names of the axes after the leading one.
+    shape : tuple of int
+        Their lengths.
+    dtype : str
+        Such as ``"float64"``, ``"int8"``, ``"bool"``.
+    attributes : mapping
+        ``long_name``, ``units``, ``source`` and others.
+    coordinate : bool
+        Whether it locates each member instead of holding a result.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> flowlanes.flow.ensemble.Variable(("vector",), (3,), attributes={"units": "m"}).dtype
+    'float64'
+    """
+
+    dimensions: tuple[str, ...] = ()
+    shape: tuple[int, ...] = ()
+    dtype: str = "float64"
+    attributes: Mapping[str, object] = field(default_factory=dict)
+    coordinate: bool = False
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """A small array that is known beforehand, such as the times of the samples."""
+
+    dimensions: tuple[str, ...]
+    values: npt.ArrayLike
+    attributes: Mapping[str, object] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, repr=False)
+class Task(WithShortRepr):
+    """A computation of many members in blocks.
+
+    Parameters
+    ----------
+    work : callable
+        See :class:`Work`.
+    size : int
+        Number of members.
+    block : int
+        Members in a block: what is computed, written and lost at once.
+    variables : mapping of str to Variable
+        The arrays that `work` computes.
+    member : str
+        Name of the leading axis: ``"run"``, ``"cell"``, …
+    coordinates : mapping of str to Coordinate
+        Known beforehand.
+    attributes : mapping
+        Of the whole result: system, parameters, seed, tolerance, versions.  Together with `work`
+        they identify the experiment, so they must be the same when it is resumed: numbers,
+        texts, and lists of them.
+
+    Raises
+    ------
+    InputError
+        If size or block are no whole numbers from 1 on.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> x = flowlanes.scans.axis("I_1=1:2:3")
+    >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
+    >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> rule = flowlanes.scans.SurvivalTime(ball, 5.0)
+    >>> task = flowlanes.scans.scan(flowlanes.scans.Scan(grid, rule, "survival", "Survival time"))
+    >>> task.size, task.member
+    (2, 'I_2')
+    """
+
+    work: Work
+    size: int
+    block: int
+    variables: Mapping[str, Variable]
+    member: str = "run"
+    coordinates: Mapping[str, Coordinate] = field(default_factory=dict)
+    attributes: Mapping[str, object] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("size", "block"):
+            number = getattr(self, name)
+            if not isinstance(number, int | np.integer) or number < 1:
+                raise InputError(f"the {name} is {number}: a whole number, at least 1, is needed")
+
+    def members(self, block: int) -> tuple[int, int]:
+        """First member of a block, and the one after its last."""
+        return block * self.block, min((block + 1) * self.block, self.size)
+
+    @property
+    def blocks(self) -> int:
+        """Number of blocks."""
+        return math.ceil(self.size / self.block)
+
+    def require_arrays(self, arrays: Arrays, first: int, last: int) -> Arrays:
+        """The arrays of a block, if names, shapes and types are as declared.
+
+        Raises
+        ------
+        InputError
+            If a name, a shape or a kind of number is another one.
+        """
+        if set(arrays) != set(self.variables):
+            raise InputError(
+                f"the work gave {', '.join(sorted(arrays))} where "
+                f"{', '.join(sorted(self.variables))} were announced"
+            )
+        for name, variable in self.variables.items():
+            array, shape = arrays[name], (last - first, *variable.shape)
+            if array.shape != shape or array.dtype != np.dtype(variable.dtype):
+                raise InputError(
+                    f"the work gave {name} with shape {array.shape} and type {array.dtype} where "
+                    f"{shape} and {variable.dtype} were announced"
+                )
+        return arrays
+
+
+class IncompleteError(RunError):
+    """A computation in blocks that stopped before its end; what was written stays.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> issubclass(flowlanes.flow.ensemble.IncompleteError, flowlanes.RunError)
+    True
+    """
+
+    def __init__(self, reason: str) -> None:
+        super().__init__(reason, float("nan"))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), (self.reason,)
+
+    def __str__(self) -> str:
+        return self.reason

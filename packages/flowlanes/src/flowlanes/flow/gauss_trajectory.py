@@ -1,0 +1,116 @@
+"""One motion with everything that a System records, by Gauss–Legendre collocation."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
+
+import mpmath
+import numpy as np
+
+from ..arguments import Numbers, Parameters
+from ..errors import InputError, RunError
+from ..system.arrays import BoolArray, FloatArray
+from ..system.parameters import parameter_values
+from ..system.system import System
+from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
+from .kernel.outcomes import STATUS_MESSAGES
+from .machine_code.double_double_conversion import from_pairs
+from .taylor.working_numbers import WorkingArray, WorkingNumber
+from .trajectory import Event, Statistics, Trajectory, recorded_values
+
+
+def collocate(
+    system: System,
+    start: Sequence[WorkingNumber],
+    times: Numbers,
+    parameters: Parameters = None,
+    *,
+    digits: Literal[16, 30] = 16,
+    on_liftoff: Literal["stop", "warn"] = "stop",
+) -> Trajectory:
+    """Integrate a system to the last digit by collocation.
+
+    See :func:`flowlanes.flow.integrator.integrate`.
+    The state is held on the level of its relations and integrals.  With 30 digits the states are
+    numbers of mpmath and what is recorded has 16.
+
+    Parameters
+    ----------
+    system : System
+        If it has a motion in space, that is integrated with it.
+    start : sequence of numbers
+        State at ``times[0]``, reduced and (where there is one) lifted, in flat order.
+    times : sequence of numbers
+        At least two, all increasing or all decreasing.
+    parameters : mapping of Symbol or name to number, optional
+    digits : 16 or 30
+    on_liftoff : ``"stop"`` or ``"warn"``
+        Whether the run ends when the normal force changes sign, or passes over it.
+
+    Raises
+    ------
+    InputError
+        If times, parameters or start cannot be used.
+    RunError
+        If the integration fails; it carries the last good time and the trajectory so far.
+    """
+    lifted = system.lifted() if system.reconstruction else system
+    moments = np.asarray(times, dtype=float)
+    if len(moments) < 2:
+        raise InputError(f"{len(moments)} time(s) given: at least a first and a last are needed")
+    watched = lifted
+    if on_liftoff == "warn":
+        watched = replace(lifted, guards=tuple(g for g in lifted.guards if not g.lift_off))
+    began = clock.perf_counter()
+    backward = bool(moments[-1] < moments[0])
+    constants = parameter_values(system, parameters)
+    point = list(start)
+    if digits == 30:
+        constants = {symbol: _decimal(value) for symbol, value in constants.items()}
+        point = [_decimal(x) for x in start]
+    flow = gauss_integrator(watched, point, constants, digits, backward=backward)
+    flow.require_reach(point, float(moments[-1] - moments[0]), constants)
+    motion = flow.propagate([point], moments - moments[0], constants)
+    outcome, reached = int(motion.outcome[0]), float(motion.end_times[0] + moments[0])
+    events: tuple[Event, ...] = ()
+    if outcome >= len(STATUS_MESSAGES):
+        guard = watched.guards[outcome - len(STATUS_MESSAGES)]
+        events = (Event(reached, guard, True),)
+        earlier = [t for t in moments if abs(t - moments[0]) < abs(reached - moments[0])]
+        moments = np.array([*earlier, reached] if reached != moments[0] else [reached])
+        motion = flow.propagate([point], moments - moments[0], constants)
+    good = np.isfinite(motion.states[0]).all(axis=1)
+    states = _states(flow, motion, good)
+    doubles = {symbol: float(np.asarray(value, dtype=float)) for symbol, value in constants.items()}
+    recorded = recorded_values(lifted, states.astype(float), doubles)
+    statistics = Statistics(
+        method="Gauss–Legendre collocation",
+        steps=int(motion.steps[0]),
+        order=16 if digits == 16 else 32,
+        tolerance=1e-16 if digits == 16 else 1e-30,
+        precision="double" if digits == 16 else "quad",
+        corrections=int(motion.steps[0]) if flow.held_names else 0,
+        seconds=clock.perf_counter() - began,
+        from_cache=flow.code.from_cache,
+    )
+    trajectory = Trajectory(lifted, constants, moments[good], states, recorded, events, statistics)
+    if 0 < outcome < len(STATUS_MESSAGES):
+        raise RunError(f"{system.name}: {flow.status_message(outcome)}", reached, trajectory)
+    return trajectory
+
+
+def _states(flow: GaussIntegrator, motion: GaussTrajectories, good: BoolArray) -> WorkingArray:
+    """The states (times, size) of one motion, with all their digits."""
+    states: FloatArray = motion.states[0, good]
+    return states if flow.digits == 16 else from_pairs(states, motion.rest[0, good])
+
+
+def _decimal(number: WorkingNumber) -> mpmath.mpf:
+    """A number with all its digits, a float as the decimal that is printed for it."""
+    with mpmath.workdps(50):
+        if isinstance(number, (int, float, np.number)):
+            return mpmath.mpf(repr(float(number)))
+        return mpmath.mpmathify(number)

@@ -1,0 +1,259 @@
+"""The formulas of a System, of its variations and of a section, for code generation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ...arguments import Quantity, arguments_checked
+from ...errors import InputError
+from ...formulas.array_evaluation import formula, read_formulas
+from ...formulas.graph import Graph, Term, topological_order
+from ...system.system import System
+
+
+@arguments_checked
+@dataclass(frozen=True)
+class Section:
+    """A Poincaré section: the zeros of a function, at which motions are recorded.
+
+    Attributes
+    ----------
+    value : sympy.Expr
+        The function, in the state, definitions and parameters.
+    direction : int
+        +1 where it rises through zero, −1 where it falls, 0 for both.
+    where : sympy.Expr or None
+        Only crossings where this is positive count.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> flowlanes.flow.Section(ball.symbols[5], direction=1)
+    Section(value=gamma_3, direction=1, where=None)
+    """
+
+    value: sp.Expr
+    direction: int = 1
+    where: sp.Expr | None = None
+
+
+@arguments_checked
+def poincare_section(
+    system: System, quantity: Quantity, value: float = 0, direction: int = 1, angle: bool = False
+) -> Section:
+    """The section on which a quantity has a value.
+
+    Parameters
+    ----------
+    system : System
+    quantity : SymPy expression or str
+        See :func:`flowlanes.formulas.array_evaluation.formula`.
+    value : float
+    direction : int
+        +1 where the quantity rises through the value, −1 where it falls, 0 for both.
+    angle : bool
+        The quantity is an angle (rad), and has the value up to whole turns.
+
+    Returns
+    -------
+    Section
+
+    Raises
+    ------
+    InputError
+        If the quantity cannot be read or does not change, or the direction is none of the three.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
+    >>> section = flowlanes.poincare_section(ball, "gamma_3")
+    >>> starts = flowlanes.sample_level(ball, 4, {"energy": 2.0}, seed=1)
+    >>> flowlanes.batch_integrator(ball, section=section).crossings(starts, 10).states.shape
+    (4, 10, 6)
+    """
+    if not math.isfinite(value):
+        raise InputError(f"value = {value}: it must be a finite number")
+    if direction not in (-1, 0, 1):
+        raise InputError(f"direction = {direction}: it must be 1 (rising), -1 (falling) or 0")
+    difference = formula(system, quantity) - sp.sympify(value)
+    reader, _ = read_formulas(system)
+    if not any(term.kind == "state" for term in topological_order([reader(difference)])):
+        raise InputError(f"{system.name}: the section {quantity} = {value} contains no state")
+    if angle:
+        return Section(sp.sin(difference), direction, sp.cos(difference))
+    return Section(difference, direction)
+
+
+@dataclass(frozen=True)
+class SectionChoice:
+    """One of several sections, the one whose parameter is positive.
+
+    Attributes
+    ----------
+    parameter : int
+        The place of that parameter.
+    value, slope : Term
+        A function that vanishes on the section, and its rate; the rates of the state follow the
+        state there.
+    where : Term
+        What must be positive there.
+    """
+
+    parameter: int
+    value: Term
+    slope: Term
+    where: Term
+
+
+@dataclass(frozen=True)
+class Equations:
+    """Formulas of a System as terms of one graph.
+
+    Attributes
+    ----------
+    rates : tuple of Term
+        Time derivatives of the state; deviations follow the state itself.
+    groups : tuple of tuple of int
+        State variables whose error is measured by their common size: the components of a vector.
+    parameters : int
+    section, slope, where : Term or None
+        A function that vanishes on the section, its rate, and what must be positive there.
+    direction : int or Term
+        +1 where the function rises, −1 where it falls, 0 for both; or the parameter that says it.
+    guards : tuple of Term
+        Positive as long as the equations hold.
+    deviations : tuple of tuple of int
+        The places of each component in all the deviations.
+    choices : tuple of SectionChoice
+        In place of one section, several.
+    renewal : tuple of Term
+        New values of all numbers from each sample on, and what is recorded there in their place.
+    """
+
+    graph: Graph
+    rates: tuple[Term, ...]
+    groups: tuple[tuple[int, ...], ...]
+    parameters: int
+    section: Term | None = None
+    slope: Term | None = None
+    where: Term | None = None
+    direction: int | Term = 1
+    guards: tuple[Term, ...] = ()
+    deviations: tuple[tuple[int, ...], ...] = ()
+    choices: tuple[SectionChoice, ...] = ()
+    renewal: tuple[Term, ...] = ()
+
+    @property
+    def has_section(self) -> bool:
+        """Whether motions are recorded on a section."""
+        return self.section is not None or bool(self.choices)
+
+    @property
+    def clock(self) -> tuple[int, int] | None:
+        """The place of the state variable that is the time, and whether it runs on (1) or back."""
+        for i in range(sum(map(len, self.groups))):
+            rate = self.rates[i]
+            if rate.kind == "number" and abs(rate.args[0]) == 1:
+                return i, int(rate.args[0])
+        return None
+
+    @property
+    def acting(self) -> tuple[int, ...]:
+        """State variables on which some rate depends; a place on a plane is none."""
+        controlled = {i for group in self.groups for i in group}
+        used = {term.args[0] for term in topological_order(self.rates) if term.kind == "state"}
+        return tuple(sorted(controlled & used))
+
+    @property
+    def pieces(self) -> dict[str, tuple[Term, ...]]:
+        """The formulas of each generated function, by its name."""
+        pieces = {"rates": self.rates}
+        if self.section is not None and self.slope is not None:
+            where = () if self.where is None else (self.where,)
+            pieces["section"] = (self.section, self.slope, *where)
+            pieces["halfway"] = (self.section,)
+        for i, choice in enumerate(self.choices):
+            pieces[f"section_{i}"] = (choice.value, choice.slope, choice.where)
+        if self.guards:
+            pieces["guards"] = self.guards
+        if self.renewal:
+            pieces["renewal"] = self.renewal
+        return pieces
+
+
+def equations_of(
+    system: System, deviations: int, section: Section | None, backward: bool
+) -> Equations:
+    """The formulas of a system, of its deviations and of a section, as terms."""
+    reader, forward = read_formulas(system)
+    if not forward:
+        raise InputError(f"{system.name}: a system without state has no motion")
+    graph = reader.graph
+    rates = tuple(-rate for rate in forward) if backward else forward
+    size = len(rates)
+    every = [*rates, *_variations(graph, rates, deviations)]
+    value = slope = where = None
+    if section is not None:
+        value = reader(section.value)
+        (slope,) = graph.directional_derivative(
+            [value], {graph.state(i): rate for i, rate in enumerate(rates)}
+        )
+        where = None if section.where is None else reader(section.where)
+    direction = 0 if section is None else -section.direction if backward else section.direction
+    return Equations(
+        graph,
+        tuple(every),
+        groups(system),
+        len(system.parameters),
+        value,
+        slope,
+        where,
+        direction,
+        tuple(reader(guard.value) for guard in system.guards),
+        tuple(
+            tuple(size * k + i for k in range(1, deviations + 1))
+            for i in range(size if deviations else 0)
+        ),
+    )
+
+
+def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Term]:
+    """The variational equations, of one deviation after the other."""
+    size = len(rates)
+    variations: list[Term] = []
+    for k in range(1, deviations + 1):
+        direction = {graph.state(i): graph.state(k * size + i) for i in range(size)}
+        variations.extend(graph.directional_derivative(rates, direction))
+    return variations
+
+
+def groups(system: System) -> tuple[tuple[int, ...], ...]:
+    """The places of the components of each vector of the state; scalars stand alone."""
+    return tuple(tuple(range(place.start, place.stop)) for _, place in system.slices)
+
+
+def serial(equations: Equations) -> str:
+    """All on which the code depends, as a text."""
+    pieces = equations.pieces
+    heads = [f"{name} {len(piece)}" for name, piece in pieces.items()]
+    terms = serial_terms([term for piece in pieces.values() for term in piece])
+    layout = (equations.groups, equations.direction, equations.parameters, equations.deviations)
+    return "\n".join([*heads, terms, *map(str, layout)])
+
+
+def serial_terms(terms: Sequence[Term]) -> str:
+    """Terms as a text, in which each is written once."""
+    nodes = topological_order(terms)
+    place = {id(node): i for i, node in enumerate(nodes)}
+    lines = [
+        f"{node.kind} {' '.join(str(place.get(id(a), a)) for a in node.args)}" for node in nodes
+    ]
+    return "\n".join([*lines, str([place[id(t)] for t in terms])])

@@ -1,0 +1,113 @@
+"""WebAssembly from text in LLVM's language: the machine code of a page.
+
+The text is that of :mod:`flowlanes.flow.machine_code.codegen`, in vectors of one lane or two.  The
+one difference: WebAssembly has no fused product and sum, so that last bits differ from native code.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+
+import llvmlite.binding as llvm
+
+from ...formulas.graph import Term
+from ..machine_code import code_cache as cache
+from ..machine_code.arithmetic import WithoutFused
+from ..machine_code.codegen import functions
+from ..machine_code.ir_writer import IRWriter
+from ..machine_code.jit import ATTRIBUTES, optimised_object
+from ..machine_code.wasm_object import module_of_object
+from .equations import Equations
+from .runge_kutta import runge_kutta_loop
+from .tableaux import arithmetic_and_method
+
+_FEATURES = "+simd128,+bulk-memory,+sign-ext,+nontrapping-fptoint"
+
+
+@lru_cache
+def _machine() -> llvm.TargetMachine:
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    target = llvm.Target.from_triple("wasm32-unknown-unknown")
+    return target.create_target_machine(features=_FEATURES, opt=2, reloc="static")
+
+
+def wasm_module(texts: Sequence[str], exports: Sequence[str]) -> bytes:
+    """A module of some functions.
+
+    Parameters
+    ----------
+    texts : sequence of str
+        Functions in LLVM's language; names differ between them.
+    exports : sequence of str
+        Those that can be called from outside.
+
+    Returns
+    -------
+    bytes
+        It imports a memory, ``env.memory``.
+    """
+    text = "\n".join(texts)
+    # neither is there in WebAssembly; its own minimum also knows what is not a number
+    text = text.replace("@llvm.fma.", "@llvm.fmuladd.")
+    text = re.sub(r"@llvm\.(min|max)num\.", r"@llvm.\1imum.", text)
+    name = cache.code_name("wasm", _FEATURES, str(llvm.llvm_version_info), text)
+    code, _ = cache.cached_entry(name, lambda: optimised_object(text + ATTRIBUTES, _machine()))
+    return module_of_object(code, exports)
+
+
+def with_prefix(prefix: str, text: str) -> str:
+    """A text in which all functions have a prefix, so that texts can stand side by side."""
+    return re.sub(r"@(?!llvm\.)(\w+)", rf"@{prefix}_\1", text)
+
+
+def march_text(prefix: str, equations: Equations, lanes: int, tolerance: float) -> tuple[str, int]:
+    """The loop for a tolerance, ``<prefix>_march``, and the doubles that it needs."""
+    _, method = arithmetic_and_method(16, tolerance)
+    text, work = runge_kutta_loop(WithoutFused, method, equations, lanes)
+    return with_prefix(prefix, text), work
+
+
+def values_text(
+    prefix: str, pieces: Mapping[str, Sequence[Term]], inputs: int
+) -> tuple[str, dict[str, str], int]:
+    """Functions that compute formulas at many rows.
+
+    ``<prefix>_<piece>_rows(n, rows, parameters, results, work)`` takes n rows of `inputs` numbers
+    and gives as many rows of results.
+
+    Parameters
+    ----------
+    prefix : str
+    pieces : mapping of str to sequence of Term
+    inputs : int
+        Numbers of a row.
+
+    Returns
+    -------
+    text : str
+    names : dict of str to str
+        The function of each piece.
+    work : int
+        Doubles of memory that a call needs.
+    """
+    text, constants = functions(WithoutFused, pieces, 1)
+    names = {piece: f"{prefix}_{piece}_rows" for piece in pieces}
+    loops = [_rows_loop(piece, inputs, len(terms)) for piece, terms in pieces.items()]
+    return with_prefix(prefix, "\n".join([text, *loops])), names, max(constants, 1)
+
+
+def _rows_loop(piece: str, inputs: int, outputs: int) -> str:
+    w = IRWriter(1)
+    w.line("call void @prepare(ptr %work, ptr %parameters)")
+    with w.count("%rows") as i:
+        row = w.address("double", "%states", w.emit(f"mul i64 {i}, {inputs}"))
+        result = w.address("double", "%results", w.emit(f"mul i64 {i}, {outputs}"))
+        w.line(f"call void @{piece}(ptr {result}, ptr {row}, ptr %work)")
+    head = (
+        f"void @{piece}_rows(i64 %rows, ptr noalias %states, ptr noalias %parameters, "
+        "ptr noalias %results, ptr noalias %work)"
+    )
+    return w.text(head, "#0")

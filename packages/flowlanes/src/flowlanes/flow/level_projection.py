@@ -1,0 +1,124 @@
+"""Projection of states onto levels of formulas, many at once.
+
+Each state is moved independently: where it ends does not depend on its neighbours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+
+from ..arguments import Parameters, ParameterValue, arguments_checked
+from ..formulas.array_formulas import Formulas
+from ..system.arrays import BoolArray, FloatArray
+
+#: Steps of Newton's method, at most.
+STEPS = 60
+#: A level is met when it is missed by no more than this, relative to the size of its value.
+LEVEL_TOLERANCE = 1e-12
+#: Below this, relative to the largest, a singular value counts as zero: redundant conditions.
+REDUNDANT = 1e-9
+
+
+@arguments_checked
+def project_to_level(
+    formulas: Formulas,
+    states: FloatArray,
+    targets: npt.ArrayLike = 0.0,
+    parameters: Parameters = None,
+    movable: Sequence[bool] | BoolArray | None = None,
+) -> tuple[FloatArray, BoolArray]:
+    """States moved along the shortest way until formulas have given values.
+
+    Parameters
+    ----------
+    formulas : Formulas
+    states : (n, size) array
+        In flat order.
+    targets : number, (formulas,) or (n, formulas) array
+        The values wanted.
+    parameters : mapping of Symbol or name to number or (n,) array, optional
+        Values that replace the defaults.
+    movable : (size,) array of bool, optional
+        Which state variables may be moved; all of them if left out.
+
+    Returns
+    -------
+    states : (n, size) array
+        The best that was found.
+    met : (n,) array of bool
+        Whether the values are met there.
+
+    Raises
+    ------
+    InputError
+        If targets or movable variables have the wrong shape.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> import numpy as np
+    >>> from flowlanes.formulas.array_formulas import Formulas
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> M, gamma = ball.state
+    >>> length = Formulas(
+    ...     ball, (flowlanes.system.to_components(flowlanes.system.norm_squared(gamma)),)
+    ... )
+    >>> states, met = flowlanes.flow.project_to_level(
+    ...     length, np.array([[1.0, 0, 0, 0, 0, 2.0]]), 1.0
+    ... )
+    >>> states.round(12).tolist(), met.tolist()
+    ([[1.0, 0.0, 0.0, 0.0, 0.0, 1.0]], [True])
+    """
+    moving = np.array(states, dtype=np.float64)
+    free = np.flatnonzero(np.ones(moving.shape[1], bool) if movable is None else movable)
+    values = np.broadcast_to(
+        np.asarray(targets, dtype=np.float64), (len(moving), len(formulas.formulas))
+    )
+    scale = 1.0 + np.abs(values).max(axis=1, initial=0.0)
+    best, missed = moving.copy(), np.full(len(moving), np.inf)
+    pending = np.arange(len(moving))
+    for _ in range(STEPS):
+        defects = (
+            formulas(moving[pending], select_parameters(parameters, pending)) - values[pending]
+        )
+        size = np.abs(defects).max(axis=1, initial=0.0) / scale[pending]
+        better = size < missed[pending]
+        best[pending[better]] = moving[pending[better]]
+        missed[pending[better]] = size[better]
+        # a state on its level is polished until nothing is gained any more
+        going = np.isfinite(size) & (size > 0.0) & (better | (size > LEVEL_TOLERANCE))
+        pending, defects = pending[going], defects[going]
+        if not len(pending) or not len(free):
+            break
+        slopes = formulas.slopes(moving[pending], select_parameters(parameters, pending))[
+            :, :, free
+        ]
+        usable = np.isfinite(slopes).all(axis=(1, 2))
+        pending, defects = pending[usable], defects[usable]
+        inverse = _inverse(slopes[usable])
+        moving[np.ix_(pending, free)] -= (inverse @ defects[:, :, None])[:, :, 0]
+    return best, missed <= LEVEL_TOLERANCE
+
+
+def _inverse(slopes: FloatArray) -> FloatArray:
+    """Moore and Penrose's inverses of slopes (n, formulas, size)."""
+    if slopes.shape[1] > 1:
+        return np.asarray(np.linalg.pinv(slopes, rcond=REDUNDANT), dtype=np.float64)
+    # of a single row, without its decomposition
+    squares = (slopes**2).sum(axis=2, keepdims=True)
+    return np.swapaxes(
+        np.divide(slopes, squares, out=np.zeros_like(slopes), where=squares > 0), 1, 2
+    )
+
+
+def select_parameters(
+    parameters: Parameters, selection: npt.NDArray[np.integer] | BoolArray
+) -> dict[sp.Symbol | str, ParameterValue]:
+    """The parameters of some of the motions: arrays are indexed, numbers stay."""
+    arrays = {name: np.asarray(value) for name, value in (parameters or {}).items()}
+    return {name: value[selection] if value.ndim else value[()] for name, value in arrays.items()}

@@ -1,0 +1,216 @@
+"""Deviations along many motions, made orthonormal after every interval by the loop itself.
+
+The operations that :mod:`flowlanes.flow.linearisation.tangent_space` applies to arrays are terms
+here, part of the machine code: a motion is followed to its end at one go, on any device, and only
+the lengths that deviations lose are handed back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import TypeAlias
+
+import numpy as np
+
+from ...arguments import Parameters
+from ...formulas.array_evaluation import parameter_rows, read_formulas
+from ...formulas.graph import Graph, Reader, Term
+from ...system.arrays import FloatArray, IntArray
+from ..cost import MOST_STEPS
+from ..devices.batch_arrays import BatchInput, BatchLoop
+from ..devices.graphics import Device, graphics_loop
+from ..devices.processor import processor_loop
+from ..kernel.equations import equations_of
+from ..kernel.projection_terms import dot, projection_terms
+from .tangent_space import DEPENDENT, TangentSpace
+
+#: The components of a vector.
+Vector: TypeAlias = Sequence[Term]
+
+#: Deviations without the span of a basis, of length one, and the lengths that were lost.
+Normalisation: TypeAlias = Callable[
+    [Graph, Sequence[Vector], Sequence[Vector]], tuple[list[list[Term]], list[Term]]
+]
+
+#: Further numbers that are recorded, of deviations of length one.
+Record: TypeAlias = Callable[[Graph, Sequence[Vector]], Sequence[Term]]
+
+
+def orthonormal_terms(
+    graph: Graph, vectors: Sequence[Vector], basis: Sequence[Vector] = ()
+) -> tuple[list[list[Term]], list[Term]]:
+    """Vectors made orthonormal one after the other, and the lengths of their remainders.
+
+    As :func:`flowlanes.flow.linearisation.tangent_space.orthonormal` does it with numbers.
+    """
+    share, zero = graph.number(Fraction(DEPENDENT)), graph.number(0)
+    frames: list[list[Term]] = []
+    lengths = []
+    for given in vectors:
+        vector = list(given)
+        before = _norm(graph, vector)
+        for other in (*basis, *frames) * 2:
+            shadow = dot(graph, vector, other)
+            vector = [x - shadow * y for x, y in zip(vector, other, strict=True)]
+        left = _norm(graph, vector)
+        remains = left - share * before
+        inverse = graph.where_positive(remains, graph.recip(left), zero)
+        frames.append([x * inverse for x in vector])
+        lengths.append(graph.where_positive(remains, left, zero))
+    return frames, lengths
+
+
+def _norm(graph: Graph, vector: Vector) -> Term:
+    return graph.call("sqrt", dot(graph, vector, vector))
+
+
+@dataclass(frozen=True)
+class GrowthRun:
+    """Deviations along some motions.
+
+    Attributes
+    ----------
+    lengths : (n, intervals, d) array
+        What deviations have lost after each interval; not a number after the end of a motion.
+    records : (n, intervals, numbers) array
+        Further numbers.
+    outcome : (n,) array of int
+        0, or why a motion ended.
+    end_times : (n,) array
+        The times reached.
+    """
+
+    lengths: FloatArray
+    records: FloatArray
+    outcome: IntArray
+    end_times: FloatArray
+
+
+@dataclass(frozen=True)
+class DeviationGrowth:
+    """The growth of deviations along the motions of a system, as machine code.
+
+    Attributes
+    ----------
+    space : TangentSpace
+        Deviations that count.
+    deviations : int
+    tolerance : float
+        See :func:`flowlanes.flow.batch.batch_integrator`.
+    record_width : int
+        Further numbers of every interval.
+    loop : BatchLoop
+    """
+
+    space: TangentSpace
+    deviations: int
+    tolerance: float
+    record_width: int
+    loop: BatchLoop = field(repr=False)
+
+    def run(
+        self,
+        starts: FloatArray,
+        sizes: FloatArray,
+        times: FloatArray,
+        parameters: Parameters = None,
+    ) -> GrowthRun:
+        """Deviations along motions.
+
+        Parameters
+        ----------
+        starts : (n, size) array
+            In flat order, on the phase space.
+        sizes : (n, size) array
+            By which deviations are measured.
+        times : (intervals,) array
+            The ends of the intervals, of which the first begins at 0.
+        parameters : mapping of Symbol or name to number or (n,) array, optional
+        """
+        system = self.space.system
+        frames = self.space.frames(starts, parameters, self.deviations, sizes)
+        rows = np.concatenate([starts[:, None], frames * sizes[:, None]], axis=1)
+        rows = rows.reshape(len(starts), -1, 1)
+        values = parameter_rows(system, parameters, len(starts))
+        values = np.broadcast_to(values, (len(starts), values.shape[1]))
+        constants = np.concatenate([values, sizes], axis=1)[..., None]
+        numbers = self.deviations + self.record_width
+        task = BatchInput(
+            *(rows, constants, times, len(times), self.tolerance, MOST_STEPS, numbers)
+        )
+        result = self.loop.run(task, None)
+        lengths, records = np.split(result.states[..., 0], [self.deviations], axis=2)
+        return GrowthRun(lengths, records, result.outcome, result.end_times)
+
+
+def deviation_growth(
+    space: TangentSpace,
+    deviations: int,
+    normalise: Normalisation,
+    record: Record,
+    *,
+    tolerance: float,
+    device: Device,
+) -> DeviationGrowth:
+    """The growth of deviations as machine code.
+
+    Parameters
+    ----------
+    space : TangentSpace
+    deviations : int
+    normalise : callable
+        Makes deviations of length one, without the span of a basis; `orthonormal_terms`, say.
+    record : callable
+        Further numbers that are recorded.
+    tolerance : float
+    device : "cpu" or "gpu"
+        Where the motions are computed.
+    """
+    system = space.system
+    reader, _ = read_formulas(system)
+    graph = reader.graph
+    equations = equations_of(system, deviations, None, False)
+    size, parameters = len(system.symbols), equations.parameters
+    sizes = [graph.parameter(parameters + i) for i in range(size)]
+    measured = [
+        [graph.state(size * k + i) * graph.recip(sizes[i]) for i in range(size)]
+        for k in range(1, deviations + 1)
+    ]
+    frames, lengths = normalise(graph, measured, _excluded_basis(space, reader, sizes))
+    relations = [reader(relation) for relation in system.relations]
+    correction = projection_terms(graph, (), relations, equations.groups, relations).correction
+    # back onto the phase space
+    states = [graph.state(i) + change for i, change in enumerate(correction)]
+    carried = [x * y for frame in frames for x, y in zip(frame, sizes, strict=True)]
+    recorded = record(graph, frames)
+    equations = replace(
+        equations,
+        parameters=parameters + size,
+        renewal=(*states, *carried, *lengths, *recorded),
+    )
+    loop: BatchLoop
+    if device == "gpu":
+        loop = graphics_loop(equations, 16, tolerance)
+    else:
+        loop = processor_loop(equations, 16, tolerance)
+    return DeviationGrowth(space, deviations, tolerance, len(recorded), loop)
+
+
+def _excluded_basis(space: TangentSpace, reader: Reader, sizes: Vector) -> list[list[Term]]:
+    """An orthonormal basis of what is no deviation that counts, measured."""
+    graph, places = reader.graph, range(len(sizes))
+    slopes = graph.jacobian(
+        [reader(condition) for condition in space.conditions], [graph.state(i) for i in places]
+    )
+    gradients = [[slope * size for slope, size in zip(row, sizes, strict=True)] for row in slopes]
+    normals, _ = orthonormal_terms(graph, gradients)
+    directions = [[reader(part) for part in parts] for parts in space.directions]
+    fields = []
+    for row in space.combinations:
+        weights = [graph.number(Fraction(float(weight))) for weight in row]
+        mixed = [dot(graph, weights, [d[i] for d in directions]) for i in places]
+        fields.append([x * graph.recip(y) for x, y in zip(mixed, sizes, strict=True)])
+    across, _ = orthonormal_terms(graph, fields, normals)
+    return [*normals, *across]

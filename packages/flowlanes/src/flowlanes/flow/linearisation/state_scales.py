@@ -1,0 +1,102 @@
+"""Sizes of the vectors of a state along a motion, covariant under a change of units.
+
+A momentum of 1e-10 kg m²/s beside the unit vector γ is not small, and a deviation of γ by one is
+not large beside one of the momentum by 1e-10.  Deviations are therefore measured with each vector
+of the state divided by a fixed size of its own.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...arguments import Parameters
+from ...formulas.array_formulas import Formulas
+from ...system.arrays import FloatArray
+from ...system.system import System
+from ..batch import batch_integrator
+from ..devices.graphics import Device
+from ..kernel.equations import groups
+
+#: Part of a motion over which the sizes of its vectors are taken, and the number of samples.
+STRETCH, LOOKS = 0.1, 32
+#: A vector smaller than this share of the size by which it acts as much as others counts as zero.
+SMALL = 1e-10
+#: Two vectors act on each other if they do so at this share of the fastest rate, at least.
+COUPLING = 1e-4
+
+
+def state_scales(
+    system: System,
+    starts: FloatArray,
+    until: float,
+    parameters: Parameters = None,
+    tolerance: float = 1e-12,
+    device: Device = "cpu",
+) -> FloatArray:
+    """The greatest sizes of the vectors of the state over the first tenth of motions.
+
+    Parameters
+    ----------
+    system : System
+    starts : (n, size) array
+        In flat order, on the phase space.
+    until : float
+        Length of the motions.
+    parameters : mapping of Symbol or name to number or (n,) array, optional
+        Parameters that replace the defaults.
+    tolerance : float
+        See :func:`flowlanes.flow.batch.batch_integrator`.
+    device : "cpu" or "gpu"
+        Where the motions are computed.
+
+    Returns
+    -------
+    (n, size) array
+        The size of the vector of each variable, positive; see `state_scales_at`.
+    """
+    times = STRETCH * until * np.arange(1, LOOKS + 1) / LOOKS
+    flow = batch_integrator(system, tolerance=tolerance, device=device)
+    run = flow.propagate(starts, times, parameters)
+    first = np.asarray(starts, dtype=np.float64)
+    return state_scales_at(system, np.concatenate([first[:, None], run.states], axis=1), parameters)
+
+
+def state_scales_at(
+    system: System, states: FloatArray, parameters: Parameters = None
+) -> FloatArray:
+    """The greatest sizes of the vectors of the state among some states of each motion.
+
+    A vector u that is zero beside others v has the size with which each acts on the other as
+    strongly, |v| √(|∂u̇/∂v| / |∂v̇/∂u|) at the first state, and 1 if none acts on it so.
+
+    Parameters
+    ----------
+    system : System
+    states : (n, states, size) array
+        The first of a motion must be finite; others may be not a number.
+    parameters : mapping of Symbol or name to number or (n,) array, optional
+
+    Returns
+    -------
+    (n, size) array
+    """
+    vectors = groups(system)
+    # component after component, so that no neighbour changes a bit
+    squares = [sum(states[..., i] ** 2 for i in part) for part in vectors]
+    norms = np.stack([np.sqrt(np.fmax.reduce(square, axis=1)) for square in squares], axis=1)
+    slopes = Formulas(system, system.rates).slopes(states[:, 0], parameters)
+    acting = np.array(
+        [[np.abs(slopes[:, p][:, :, q]).max(axis=(1, 2)) for q in vectors] for p in vectors]
+    )
+    back = np.swapaxes(acting, 0, 1)
+    rates = np.sqrt(acting) * np.sqrt(back)
+    coupled = rates > COUPLING * rates.max(axis=(0, 1))
+    coupled &= ~np.eye(len(vectors), dtype=bool)[:, :, None]
+    ratios = np.sqrt(np.divide(acting, back, out=np.zeros_like(acting), where=coupled))
+    balanced = ratios * norms.T
+    neighbours = balanced.max(axis=1).T
+    scales = np.where(norms > SMALL * neighbours, norms, neighbours)
+    scales = np.where(scales > 0, scales, 1.0)
+    return np.concatenate(
+        [np.repeat(scales[:, i : i + 1], len(p), axis=1) for i, p in enumerate(vectors)], axis=1
+    )

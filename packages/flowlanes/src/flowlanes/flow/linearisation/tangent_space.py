@@ -1,0 +1,348 @@
+"""Tangent vectors carried along many motions, and their growth.
+
+The variational equations of :func:`flowlanes.flow.batch.batch_integrator` carry deviations over a
+short interval; there they are made orthonormal again, and the logarithms of the lengths that are
+lost add up to the Lyapunov exponents (Benettin et al. 1980).  Directions that cannot grow are
+projected out at the end of every interval, so that rounding cannot bring it back: deviations stay
+tangent to relations and integrals, and are counted modulo the flow and the symmetries.
+
+Lengths and angles of deviations are measured with each variable divided by a fixed size, so that
+they are the same in all units: what is called orthonormal below is so in these measures, and
+gradients are those with respect to the measured variables; see
+:mod:`flowlanes.flow.linearisation.state_scales`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import sympy as sp
+
+from ...arguments import Parameters
+from ...formulas.array_formulas import Formulas
+from ...system.arrays import FloatArray, IntArray
+from ...system.system import System
+from ..batch import BatchIntegrator
+from ..level_projection import REDUNDANT, select_parameters
+
+#: A vector whose remainder is shorter than this share of it counts as dependent on others.
+DEPENDENT = 1e-12
+#: A state is put back on its level when it misses it by more than this, relatively.
+LARGEST_DRIFT = 1e-11
+#: Steps by which it is put back.
+STEPS = 3
+#: Sizes of the variables unless others are given.
+ONE = np.ones(1)
+#: Seed of the frames that deviations start from.
+SEED = 20080830
+
+
+def orthonormal(
+    vectors: FloatArray, basis: FloatArray | None = None
+) -> tuple[FloatArray, FloatArray]:
+    """Vectors made orthonormal one after the other, for many states at once.
+
+    By Gram and Schmidt, each projection done twice, after which it is exact to rounding.
+
+    Parameters
+    ----------
+    vectors : (n, d, size) array
+    given : (n, k, size) array, optional
+        Orthonormal vectors, or zeros, to which the result is orthogonal as well.
+
+    Returns
+    -------
+    frames : (n, d, size) array
+        A vector that depends on those before it becomes zero.
+    lengths : (n, d) array
+        Lengths of the remainders: the diagonal of R in the QR decomposition.
+    """
+    frame = np.array(vectors, dtype=np.float64)
+    lengths = np.empty(frame.shape[:2])
+    for i in range(frame.shape[1]):
+        vector = frame[:, i]
+        before = np.sqrt(_dot(vector, vector))
+        for others in (basis, frame[:, :i]) * 2:
+            if others is not None:
+                _take_out(vector, others)
+        left = np.sqrt(_dot(vector, vector))
+        dependent = left <= DEPENDENT * before
+        lengths[:, i] = np.where(dependent, 0.0, left)
+        unit = vector / np.where(dependent, 1.0, left)[:, None]
+        frame[:, i] = np.where(dependent[:, None], 0.0, unit)
+    return frame, lengths
+
+
+def _take_out(vector: FloatArray, others: FloatArray) -> None:
+    """Subtract from vectors (n, size), in place, projections onto others (n, k, size)."""
+    for other in np.moveaxis(others, 1, 0):
+        vector -= _dot(vector, other)[:, None] * other
+
+
+def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
+    # a sum along each row, whose bits do not depend on other rows, as einsum's do
+    result: FloatArray = (a * b).sum(axis=1)
+    return result
+
+
+@dataclass(frozen=True)
+class TangentSpace:
+    """The deviations that count along the motions of a system.
+
+    Attributes
+    ----------
+    system : System
+    conditions : tuple of formulas
+        Relations and integrals, independent of each other: deviations are tangent to them.
+    directions : tuple of tuples of formulas
+        Fields, in flat order, that the motion carries into themselves: the flow, symmetries.
+    combinations : (directions, fields) array
+        Constant combinations of the fields, tangent to the conditions, that are divided out.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = flowlanes.System("oscillator", "Oscillator", {x: v, v: -x})
+    >>> law = flowlanes.Integral("energy", x**2 + v**2)
+    >>> spectrum = flowlanes.lyapunov_spectrum(oscillator.with_laws(law), (1.0, 0.0), until=20.0)
+    >>> len(spectrum.exponents)
+    0
+    """
+
+    system: System
+    conditions: tuple[sp.Expr, ...]
+    directions: tuple[tuple[sp.Expr, ...], ...]
+    combinations: FloatArray
+
+    @property
+    def dimension(self) -> int:
+        """The number of independent deviations."""
+        return len(self.system.symbols) - len(self.conditions) - len(self.combinations)
+
+    @cached_property
+    def _conditions(self) -> Formulas:
+        return Formulas(self.system, self.conditions)
+
+    @cached_property
+    def _directions(self) -> Formulas:
+        return Formulas(self.system, [part for field in self.directions for part in field])
+
+    @cached_property
+    def _rates(self) -> Formulas:
+        return Formulas(self.system, self.system.rates)
+
+    def normals(
+        self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
+    ) -> FloatArray:
+        """The gradients of the conditions, (n, conditions, size)."""
+        result: FloatArray = self._conditions.slopes(states, parameters) * sizes[..., None, :]
+        return result
+
+    def level(self, states: FloatArray, parameters: Parameters = None) -> FloatArray:
+        """The values of the conditions, (n, conditions): zero for relations."""
+        result: FloatArray = self._conditions(states, parameters)
+        return result
+
+    def on_level(
+        self,
+        states: FloatArray,
+        level: FloatArray,
+        parameters: Parameters = None,
+        sizes: FloatArray = ONE,
+    ) -> FloatArray:
+        """States (n, size), moved back onto the level of the conditions after drift."""
+        normals = self.normals(states, parameters, sizes)
+        reach = np.abs(level) + np.sqrt((normals**2).sum(axis=2))
+        missed = np.abs(self.level(states, parameters) - level)
+        far = np.flatnonzero((missed > LARGEST_DRIFT * reach).any(axis=1))
+        if not len(far):
+            return states
+        states, measures = states.copy(), np.broadcast_to(sizes, states.shape)
+        for _ in range(STEPS):
+            some = select_parameters(parameters, far)
+            normals = self.normals(states[far], some, measures[far])
+            lengths = np.sqrt((normals**2).sum(axis=2))
+            excess = self.level(states[far], some) - level[far]
+            usable = (np.isfinite(lengths) & np.isfinite(excess) & (lengths > 0)).all(axis=1)
+            far, normals, lengths = far[usable], normals[usable], lengths[usable][:, :, None]
+            if not len(far):
+                break
+            inverse = np.linalg.pinv(normals / lengths, rcond=REDUNDANT)
+            steps = (inverse @ (excess[usable][:, :, None] / lengths))[:, :, 0]
+            states[far] -= steps * measures[far]
+        return states
+
+    def fields(
+        self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
+    ) -> FloatArray:
+        """The directions that are divided out, (n, mixed, size)."""
+        fields = self._directions(states, parameters)
+        fields = fields.reshape(len(fields), len(self.directions), len(self.system.symbols))
+        mixed = [sum(c * fields[:, j] for j, c in enumerate(row)) for row in self.combinations]
+        return (np.stack(mixed, axis=1) if mixed else fields[:, :0]) / sizes[..., None, :]
+
+    def excluded_basis(
+        self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
+    ) -> tuple[FloatArray, FloatArray]:
+        """An orthonormal basis of what is no deviation that counts.
+
+        Parameters
+        ----------
+        states : (n, size) array
+        parameters : mapping, optional
+        sizes : (size,) or (n, size) array, optional
+            By which deviations are measured.
+
+        Returns
+        -------
+        basis : (n, conditions + mixed, size) array
+        lengths : (n, conditions + mixed) array
+            Logarithms of what is left of each of these vectors beside the ones before it, with
+            the opposite sign for a gradient: how long a deviation is that changes its condition
+            by one.
+        """
+        normals, across = orthonormal(self.normals(states, parameters, sizes))
+        fields, along = orthonormal(self.fields(states, parameters, sizes), normals)
+        with np.errstate(divide="ignore"):
+            lengths = np.concatenate([-np.log(across), np.log(along)], axis=1)
+        return np.concatenate([normals, fields], axis=1), lengths
+
+    def frames(
+        self,
+        states: FloatArray,
+        parameters: Parameters = None,
+        count: int | None = None,
+        sizes: FloatArray = ONE,
+    ) -> FloatArray:
+        """Orthonormal deviations to start from, measured, the same at the same state.
+
+        Parameters
+        ----------
+        states : (n, size) array
+        parameters : mapping, optional
+        count : int, optional
+            Number of deviations; `dimension` if left out.
+        sizes : (size,) or (n, size) array, optional
+            By which deviations are measured.
+
+        Returns
+        -------
+        (n, count, size) array
+        """
+        shape = (self.dimension if count is None else count, len(self.system.symbols))
+        chosen = np.random.default_rng(SEED).standard_normal(shape)
+        vectors = np.broadcast_to(chosen, (len(states), *shape))
+        return orthonormal(vectors, self.excluded_basis(states, parameters, sizes)[0])[0]
+
+    def divergence(
+        self,
+        states: FloatArray,
+        parameters: Parameters = None,
+        relations: Sequence[sp.Expr] = (),
+        sizes: FloatArray = ONE,
+    ) -> FloatArray:
+        """The divergence of the equations on the surface where relations vanish, (n,).
+
+        It is the rate of the logarithm of a volume of deviations tangent to `relations`.
+        """
+        jacobian = self._rates.slopes(states, parameters)
+        jacobian *= sizes[..., None, :] / sizes[..., :, None]
+        gradients = Formulas(self.system, relations).slopes(states, parameters)
+        gradients *= sizes[..., None, :]
+        normals, _ = orthonormal(gradients)
+        across = np.einsum("nki,nij,nkj->n", normals, jacobian, normals)
+        result: FloatArray = np.einsum("nii->n", jacobian) - across
+        return result
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Deviations at the end of an interval.
+
+    Attributes
+    ----------
+    states : (n, nodes, size) array
+        The motions at the inner times of the interval.
+    ends : (n, size) array
+        The motions at its end; not a number after a motion has failed.
+    frames : (n, d, size) array
+        Deviations, measured, orthonormal again.
+    lengths : (n, d) array
+        The logarithms of the lengths divided out.
+    sizes : (n, conditions + mixed) array
+        Logarithms of the sizes of what is excluded, at the end; see `TangentSpace.excluded`.
+    outcome : (n,) array of int
+        0, or why a motion ended; see ``BatchIntegrator.status_message``.
+    end_times : (n,) array
+        When, counted from the start of the interval.
+    """
+
+    states: FloatArray
+    ends: FloatArray
+    frames: FloatArray
+    lengths: FloatArray
+    sizes: FloatArray
+    outcome: IntArray
+    end_times: FloatArray
+
+
+def propagate(
+    lanes: BatchIntegrator,
+    space: TangentSpace,
+    starts: FloatArray,
+    interval: float,
+    parameters: Parameters = None,
+    *,
+    sizes: FloatArray = ONE,
+    frames: FloatArray | None = None,
+    nodes: FloatArray | None = None,
+    threads: int | None = None,
+) -> Iterator[Stretch]:
+    """Deviations along motions, orthonormalised after each of endless intervals.
+
+    Parameters
+    ----------
+    lanes : BatchIntegrator
+        Of ``space.system``, compiled for as many deviations as there are frames.
+    space : TangentSpace
+    starts : (n, size) array
+    interval : float
+        Its length.
+    parameters : mapping of Symbol or name to number or (n,) array, optional
+    sizes : (size,) or (n, size) array, optional
+        By which deviations are measured.
+    frames : (n, d, size) array, optional
+        Deviations to start from, measured, orthonormal; those of ``space.frames`` if left out.
+    nodes : (nodes,) array, optional
+        Inner times of the interval, between 0 and `interval`, at which states are wanted.
+    threads : int, optional
+
+    Yields
+    ------
+    Stretch
+    """
+    states = np.asarray(starts, dtype=np.float64)
+    inner = np.empty(0) if nodes is None else np.asarray(nodes, dtype=np.float64)
+    times = np.append(inner, interval)
+    measures = sizes[..., None, :]
+    if frames is None:
+        frames = space.frames(states, parameters, lanes.deviations, sizes)
+    level = space.level(states, parameters)
+    while True:
+        carried = frames * measures if frames.shape[1] else None
+        run = lanes.propagate(states, times, parameters, deviations=carried, threads=threads)
+        states = space.on_level(run.states[:, -1], level, parameters, sizes)
+        basis, excluded = space.excluded_basis(states, parameters, sizes)
+        if run.deviations is not None:
+            frames = run.deviations[:, -1] / measures
+        frames, lengths = orthonormal(frames, basis)
+        with np.errstate(divide="ignore"):
+            logs = np.log(lengths)
+        yield Stretch(
+            run.states[:, :-1], states, frames, logs, excluded, run.outcome, run.end_times
+        )

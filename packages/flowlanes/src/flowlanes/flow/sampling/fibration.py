@@ -1,0 +1,233 @@
+"""A level of integrals as fibres over a compact base.
+
+In the systems of rolling and turning bodies some variables lie on spheres (the normal γ) or are
+angles: the base.  In the others, the fibre, the relations and integrals are linear or quadratic:
+over every point of the base lie an ellipsoid (a level of the energy) and planes ((M, γ) = const,
+(ω, γ) = 0).  Rays from the centre of the section of both give every point of the level once.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...formulas.compiled import CompiledTerms
+from ...formulas.graph import Term
+from ...system.arrays import FloatArray
+from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns, row_dots
+
+
+@dataclass(frozen=True)
+class LevelCondition:
+    """A formula that has a given value on the level.
+
+    Attributes
+    ----------
+    name : str
+        Name of the integral; empty for a relation.
+    term : Term
+    target : float or array (k,)
+        An array has a value for each point.
+    """
+
+    name: str
+    term: Term
+    target: float | FloatArray
+
+
+@dataclass(frozen=True)
+class Fibration:
+    """Base and fibre of a level, and what is held in the fibre.
+
+    Attributes
+    ----------
+    size : int
+        Number of state variables.
+    spheres : tuple of tuples of int
+        Places of the variables of each unit vector of the base; or of a vector on an ellipsoid.
+    axes : tuple of float
+        For each variable of the base: the half axis, 1 for an angle.
+    angles : tuple of int
+        Places of the variables of period 2π.
+    fibre : tuple of int
+        Places of the other variables.
+    quadratic : LevelCondition
+        Quadratic in the fibre, and bounding it.
+    linear : tuple of LevelCondition
+        Linear in the fibre.
+    further : tuple of LevelCondition
+        Held besides, of any form.
+    coefficients : Compiled
+        Of the linear conditions: slopes row by row, values at zero; of the quadratic one: second
+        derivatives row by row, slopes at zero, value at zero.
+    """
+
+    size: int
+    spheres: tuple[tuple[int, ...], ...]
+    axes: tuple[float, ...]
+    angles: tuple[int, ...]
+    fibre: tuple[int, ...]
+    quadratic: LevelCondition
+    linear: tuple[LevelCondition, ...]
+    further: tuple[LevelCondition, ...]
+    coefficients: CompiledTerms
+
+    @property
+    def rays(self) -> int:
+        """Dimension of the space in which the rays of a fibre lie."""
+        return len(self.fibre) - len(self.linear)
+
+    @property
+    def base(self) -> tuple[int, ...]:
+        """Places of the variables of the base: unit vectors, then angles."""
+        return (*(place for places in self.spheres for place in places), *self.angles)
+
+    @property
+    def balls(self) -> tuple[slice, ...]:
+        """Slices of the unit vectors in the numbers y of a point: base and ray."""
+        sizes = [*map(len, self.spheres)]
+        ends = [sum(sizes[: i + 1]) for i in range(len(sizes))]
+        start = len(self.base)
+        parts = [slice(end - size, end) for end, size in zip(ends, sizes, strict=True)]
+        return (*parts, slice(start, start + len(self.fibre)))
+
+    @property
+    def numbers(self) -> int:
+        """The number of coordinates y of a point of the level."""
+        return len(self.base) + len(self.fibre)
+
+    def uniform_points(self, gauss: FloatArray) -> FloatArray:
+        """Uniform points on the product of spheres and circles from normal numbers (y, k).
+
+        Angles come by the normal distribution function, uniform in (0, 2π).
+        """
+        from scipy.special import ndtr
+
+        places = gauss.copy()
+        for part in self.balls:
+            places[part] = gauss[part] / np.sqrt(norm_squared_columns(gauss[part]))
+        for row in range(len(self.base) - len(self.angles), len(self.base)):
+            places[row] = 2 * np.pi * ndtr(gauss[row])
+        return places
+
+    def base_states(self, places: FloatArray) -> FloatArray:
+        """The variables of the base (b, k) that points y (y, k) make."""
+        return np.array(self.axes)[:, None] * places[: len(self.base)]
+
+    def gauss(self, places: FloatArray) -> FloatArray:
+        """Numbers of which `uniform_points` makes the points y."""
+        from scipy.special import ndtri
+
+        numbers = places.copy()
+        for row in range(len(self.base) - len(self.angles), len(self.base)):
+            numbers[row] = ndtri(np.mod(places[row] / (2 * np.pi), 1.0))
+        return numbers
+
+    def over(self, places: FloatArray, parameters: FloatArray) -> FibrePoints:
+        """The points of the level that points y (y, k) make."""
+        states = np.zeros((self.size, places.shape[1]))
+        states[list(self.base)] = self.base_states(places)
+        return self.fill(states, places[len(self.base) :], parameters)
+
+    def fill(
+        self, states: FloatArray, directions: FloatArray, parameters: FloatArray
+    ) -> FibrePoints:
+        """Put points of the level over base points, along rays of given directions.
+
+        Parameters
+        ----------
+        states : array (size, k)
+            Base points; their fibre is filled in.
+        directions : array (f, k)
+            Vectors in the fibre; the rays are along their parts inside the linear conditions.
+        parameters : array (p,)
+        """
+        n, a, A, b, c = self.parts(states, parameters)
+        f, m = len(self.fibre), len(self.linear)
+        targets = np.array([condition.target for condition in self.linear])
+        corner = np.zeros((states.shape[1], f + m, f + m))
+        corner[:, :f, :f], corner[:, :f, f:], corner[:, f:, :f] = A, np.swapaxes(n, 1, 2), n
+        saddle = batched_solve(corner, np.concatenate([-b, targets - a], axis=1))
+        centre, pull = saddle[:, :f], saddle[:, f:]
+        excess = self.quadratic.target - (
+            c + row_dots(b, centre) + 0.5 * row_dots(centre, batched_matvec(A, centre))
+        )
+        gram = n @ np.swapaxes(n, 1, 2)
+        shadow = directions.T
+        share = batched_solve(gram, batched_matvec(n, shadow))
+        shadow = shadow - batched_matvec(np.swapaxes(n, 1, 2), share)
+        span = np.sqrt(row_dots(shadow, shadow))
+        ray = shadow / span[:, None]
+        stiffness = row_dots(ray, batched_matvec(A, ray))
+        with np.errstate(invalid="ignore", divide="ignore"):
+            length = np.sqrt(2 * np.where(excess > 0, excess, np.nan) / stiffness)
+            volume = length ** (self.rays - 2) / stiffness / np.sqrt(np.linalg.det(gram))
+        filled = states.copy()
+        filled[list(self.fibre)] = (centre + length[:, None] * ray).T
+        return FibrePoints(
+            states=filled,
+            excess=excess,
+            volume=np.where(excess > 0, volume, 0.0),
+            centre=centre,
+            pull=pull,
+            ray=ray,
+            length=length,
+            share=share,
+            span=span,
+            normals=n,
+            saddle=corner,
+        )
+
+    def parts(self, states: FloatArray, parameters: FloatArray) -> tuple[FloatArray, ...]:
+        """Coefficients of the conditions in the fibres over base points.
+
+        Slopes (k, m, f) and values (k, m) of the linear conditions at zero fibre; second
+        derivatives (k, f, f), slopes (k, f) and values (k,) of the quadratic one.
+        """
+        k = states.shape[1]
+        f, m = len(self.fibre), len(self.linear)
+        flat = np.ascontiguousarray(self.coefficients(states, parameters).T)
+        cuts = np.cumsum([m * f, m, f * f, f])
+        n, a, A, b, c = np.split(flat, cuts, axis=1)
+        return n.reshape(k, m, f), a, A.reshape(k, f, f), b, c[:, 0]
+
+
+@dataclass(frozen=True)
+class FibrePoints:
+    """Points at the ends of rays.
+
+    Attributes
+    ----------
+    states : array (size, k)
+        Not-a-number in the fibre where there is no point.
+    excess : array (k,)
+        The level of the quadratic integral less its least value in the fibre; negative if no
+        point lies above this point of the base.
+    volume : array (k,)
+        The volume δ(conditions) d(fibre) for a unit solid angle of rays; zero where no point is.
+    centre, pull : arrays (k, f), (k, m)
+        The minimum of the quadratic integral in the fibre, and the multipliers of the linear
+        conditions there.
+    ray, length : arrays (k, f), (k,)
+        Unit vectors and lengths of the rays.
+    share, span : arrays (k, m), (k,)
+        Coefficients of the part of the directions that the linear conditions take away, and the
+        length of what is left.
+    normals : array (k, m, f)
+        Slopes of the linear conditions.
+    saddle : array (k, f + m, f + m)
+        The matrix of the equations for centre and pull.
+    """
+
+    states: FloatArray
+    excess: FloatArray
+    volume: FloatArray
+    centre: FloatArray
+    pull: FloatArray
+    ray: FloatArray
+    length: FloatArray
+    share: FloatArray
+    span: FloatArray
+    normals: FloatArray
+    saddle: FloatArray

@@ -1,0 +1,402 @@
+"""Start points drawn uniformly on a level of the integrals.
+
+Uniform means: by the invariant measure where one is known, else by the surface measure of the
+level in the space of the state.  With δ-functions the invariant measure of a level is
+ρ ∏ δ(relations) ∏ δ(held integrals) dx, that is ρ / √det(G Gᵀ) times the surface measure, the rows
+of G being the gradients of relations and held integrals (the Gelfand–Leray form).
+
+Points are drawn by rejection, so that they are independent and their distribution exact; each
+depends on the seed and its own number alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+
+from ...arguments import Parameters, arguments_checked
+from ...errors import InputError
+from ...formulas.array_evaluation import parameter_rows
+from ...formulas.compiled import CompiledTerms, SystemFormulas
+from ...system.arrays import BoolArray, FloatArray, IntArray
+from ...system.laws import Measure
+from ...system.system import System
+from ...system.vectors import to_components
+from ..cost import require_room
+from ..devices.threads import map_in_threads
+from .counter_rng import counter_normals
+from .fibration import Fibration
+from .great_circles import GreatCircleProposal
+from .level_integrals import level_label, measure_label, measures, validate_level
+from .level_set_fibration import find_fibration
+from .proposals import Proposal, RayProposal, WeightedPoints, maximise
+
+#: Attempts that are computed together.
+_BATCH = 1 << 14
+#: The bound of the density, relative to the largest value that was met.
+_MARGIN = 1.15
+#: Attempts from which their yield is estimated.
+_TRIAL = 1 << 11
+#: Attempts for one point after which the level counts as too thin.
+_MOST_ATTEMPTS = 10**6
+#: Newton steps by which a point is settled on its level.
+_NEWTON = 2
+
+
+#: Numbers that are none are seen in what comes of them, and refused.
+_MINDING_RESULTS = np.errstate(over="ignore", invalid="ignore", divide="ignore")
+
+
+@arguments_checked
+def sample_level(
+    system: System,
+    count: int,
+    level: Mapping[str, float],
+    parameters: Parameters = None,
+    *,
+    seed: int = 0,
+    first: int = 0,
+) -> FloatArray:
+    """Points drawn uniformly on a level of the integrals.
+
+    Parameters
+    ----------
+    system : System
+    count : int
+        Number of points.
+    level : mapping of str to float
+        Values of the held integrals by name; the relations of the system hold anyway.
+    parameters : mapping of Symbol or name to float, optional
+        Values that replace the defaults.
+    seed : int
+    first : int
+        Number of the first point: point k depends on `seed` and k alone.
+
+    Returns
+    -------
+    array (count, size)
+        States in flat order.
+
+    Raises
+    ------
+    InputError
+        If an integral is unknown or does not hold at these parameters, if the level is empty (the
+        message names the values that are reached) or not bounded.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
+    >>> flowlanes.sample_level(ball, 1000, {"energy": 2.0}, seed=1).shape
+    (1000, 6)
+    """
+    return level_sampler(system, level, parameters).draw(count, seed=seed, first=first)
+
+
+@dataclass(frozen=True)
+class LevelSampler:
+    """A level of the integrals from which points can be drawn; see `level_sampler`.
+
+    Attributes
+    ----------
+    system : System
+    values : mapping of str to float
+        The held integrals.
+    parameters : array (p,)
+    measure : str
+        Which measure the points are drawn by: the name of the invariant measure and its source,
+        or "surface measure".
+    invariant : bool
+        Whether it is invariant under the motion.
+    """
+
+    system: System
+    values: Mapping[str, float]
+    parameters: FloatArray
+    measure: str
+    invariant: bool
+    _proposal: Proposal
+    _held_terms: CompiledTerms
+    _targets: FloatArray
+    _slopes: CompiledTerms
+    _density: CompiledTerms | None
+    _density_bound: float
+    _tries: int
+
+    @_MINDING_RESULTS
+    def draw(self, count: int, *, seed: int = 0, first: int = 0) -> FloatArray:
+        """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
+        if count < 0:
+            raise InputError(f"count = {count}: it must not be negative")
+        size = len(self.system.symbols)
+        # beside the points, as many numbers again while they are drawn
+        require_room(16.0 * count * size, None, f"{count:,} starts at once")
+        points = np.empty((count, size))
+        pending, attempt, tries = np.arange(count), 0, self._tries
+        while pending.size:
+            attempts = partial(self._attempts, seed, first + pending, attempt, tries)
+            parts = map_in_threads(attempts, pending.size)
+            done = np.concatenate([part for _, part in parts])
+            points[pending[done]] = np.concatenate([states for states, _ in parts])
+            pending, attempt = pending[~done], attempt + tries
+            tries = min(tries + 1, _BATCH)
+            if attempt > _MOST_ATTEMPTS:
+                raise InputError(
+                    f"{self.system.name}: the level {level_label(self.values)} is too thin: no "
+                    f"point of it was met in {attempt} attempts"
+                )
+        return points
+
+    def _attempts(
+        self, seed: int, members: IntArray, attempt: int, tries: int, low: int, high: int
+    ) -> tuple[FloatArray, BoolArray]:
+        """The first accepted of some attempts, for the members from `low` to `high`."""
+        step = _BATCH // tries
+        parts = [
+            self._first(seed, members[start : min(start + step, high)], attempt, tries)
+            for start in range(low, high, step)
+        ]
+        return np.concatenate([s for s, _ in parts]), np.concatenate([d for _, d in parts])
+
+    def _first(
+        self, seed: int, members: IntArray, attempt: int, tries: int
+    ) -> tuple[FloatArray, BoolArray]:
+        """The first accepted of some attempts of each member, and which members have one."""
+        from scipy.special import ndtr
+
+        many = self._proposal.numbers
+        owners = np.repeat(members, tries)
+        gauss = counter_normals(
+            seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 1
+        )
+        weighted_points = self._proposal.weighted_points(gauss[:many])
+        density = self.density(weighted_points)
+        thresholds = self._density_bound * ndtr(gauss[many])
+        # at most one point of a proposal is accepted, each with the frequency of its density
+        rank = np.arange(weighted_points.which.size) - np.searchsorted(
+            weighted_points.which, weighted_points.which
+        )
+        hit = np.zeros(weighted_points.which.size, dtype=bool)
+        passed = np.zeros(owners.size)
+        for turn in range(rank.max(initial=-1) + 1):
+            here = np.flatnonzero(rank == turn)
+            throw = weighted_points.which[here]
+            below = passed[throw] <= thresholds[throw]
+            passed[throw] += density[here]
+            hit[here] = below & (thresholds[throw] < passed[throw])
+        if (passed > self._density_bound).any():
+            raise InputError(
+                f"{self.system.name}: the density of the level {level_label(self.values)} has no "
+                "bound that could be found: it lies next to a critical level"
+            )
+        accepted = np.flatnonzero(hit)
+        owner, first = np.unique(weighted_points.which[accepted] // tries, return_index=True)
+        done = np.zeros(members.size, dtype=bool)
+        done[owner] = True
+        states = np.ascontiguousarray(weighted_points.states[:, accepted[first]])
+        return self._onto_level(states).T, done
+
+    def _too_far(self) -> InputError:
+        return InputError(
+            f"{self.system.name}: the level {level_label(self.values)} is too far from 1 to "
+            "compute with: choose other units or numbers"
+        )
+
+    def density(self, weighted_points: WeightedPoints) -> FloatArray:
+        """The target density, relative to that of the proposals."""
+        return weighted_points.volume * self._weight(weighted_points.states)
+
+    def _weight(self, states: FloatArray) -> FloatArray:
+        """The target density, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
+        if self._density is not None:
+            density: FloatArray = np.abs(self._density(states, self.parameters)[0])
+            return density
+        slopes = self._gradients(states)
+        gram: FloatArray = slopes @ np.swapaxes(slopes, 1, 2)
+        result: FloatArray = np.sqrt(np.linalg.det(gram))
+        return result
+
+    def _gradients(self, states: FloatArray) -> FloatArray:
+        size, k = states.shape
+        flat = self._slopes(states, self.parameters).T
+        return np.ascontiguousarray(flat).reshape(k, self._targets.size, size)
+
+    def _onto_level(self, states: FloatArray) -> FloatArray:
+        """States moved onto the level along the shortest way, by Newton's method."""
+        for _ in range(_NEWTON):
+            defect = self._held_terms(states, self.parameters) - self._targets[:, None]
+            slopes = self._gradients(states)
+            gram = slopes @ np.swapaxes(slopes, 1, 2)
+            if not np.isfinite(gram).all():
+                raise self._too_far()
+            share = np.linalg.solve(gram, np.ascontiguousarray(defect.T)[:, :, None])
+            states = states - (np.swapaxes(slopes, 1, 2) @ share)[:, :, 0].T
+        return states
+
+
+@arguments_checked
+@_MINDING_RESULTS
+def level_sampler(
+    system: System,
+    level: Mapping[str, float],
+    parameters: Parameters = None,
+) -> LevelSampler:
+    """A level from which points can be drawn again and again; see :func:`draw`.
+
+    Parameters
+    ----------
+    system : System
+    level : mapping of str to float
+        Integrals by name, with their values.
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the defaults.
+
+    Returns
+    -------
+    LevelSampler
+        Its ``draw`` gives states (n, size) in flat order.
+
+    Raises
+    ------
+    InputError
+        If an integral is unknown, or the level has no point.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> sampler = flowlanes.flow.level_sampler(ball, {"energy": 2.0})
+    >>> sampler.draw(5, seed=1).shape
+    (5, 6)
+    """
+    values = parameter_rows(system, parameters, 1)[0]
+    validate_level(system, level, values)
+    sheet = SystemFormulas(system)
+    fibration = find_fibration(system, sheet, level, values)
+    proposal = _proposal(system, sheet, fibration, level, values)
+    law, density = _density(system, sheet, level, proposal, values)
+    conditions = [sheet.term_of(to_components(relation)) for relation in system.relations]
+    integrals = {
+        law.name: sheet.term_of(law.value) for law in system.integrals if law.name in level
+    }
+    conditions += [integrals[name] for name in level]
+    blank = LevelSampler(
+        system=system,
+        values=dict(level),
+        parameters=values,
+        measure=measure_label(law),
+        invariant=law is not None,
+        _proposal=proposal,
+        _held_terms=CompiledTerms(conditions),
+        _targets=np.array([0.0] * len(system.relations) + [float(v) for v in level.values()]),
+        _slopes=CompiledTerms([term for row in sheet.slopes(conditions) for term in row]),
+        _density=density,
+        _density_bound=np.inf,
+        _tries=1,
+    )
+    return _with_bound_on_density(blank)
+
+
+def _density(
+    system: System,
+    sheet: SystemFormulas,
+    level: Mapping[str, float],
+    proposal: Proposal,
+    values: FloatArray,
+) -> tuple[Measure | None, CompiledTerms | None]:
+    """The invariant measure that has one sign on the level, and its density."""
+    states = proposal.weighted_points(
+        counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
+    ).states
+    for law in measures(system, level, values):
+        density = CompiledTerms([sheet.term_of(law.value)])
+        signs = np.sign(density(states, values))
+        if signs.size and (np.isfinite(signs) & (signs == signs[0, 0])).all() and signs.all():
+            return law, density
+    return None, None
+
+
+def _proposal(
+    system: System,
+    sheet: SystemFormulas,
+    fibration: Fibration,
+    level: Mapping[str, float],
+    values: FloatArray,
+) -> Proposal:
+    """The proposal of points on the level; refuse a level that is empty."""
+
+    def excess(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
+        places = fibration.uniform_points(gauss)
+        return places, fibration.over(places, values).excess
+
+    def same(gauss: FloatArray, _: FloatArray) -> FloatArray:
+        return gauss
+
+    spare, top = maximise(fibration, excess, same, fibration.numbers)
+    if not spare > 0:
+        names = {c.name for c in (fibration.quadratic, *fibration.further)}
+        raise _empty(
+            system,
+            level,
+            names,
+            f"{fibration.quadratic.name} is at least {fibration.quadratic.target - spare:.6g}",
+        )
+    if not fibration.further:
+        return RayProposal(fibration, values)
+    if len(fibration.further) > 1:
+        raise InputError(
+            f"{system.name}: {' and '.join(c.name for c in fibration.further)} cannot both be held "
+            f"besides {fibration.quadratic.name}; one of them can"
+        )
+    slice_ = GreatCircleProposal.from_fibration(fibration, sheet, values)
+    (further,) = fibration.further
+
+    def height_of(sign: float) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
+        def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
+            places = fibration.uniform_points(gauss)
+            difference = sign * slice_.value(places)[0]
+            real = np.isfinite(difference)
+            return places[:, real], difference[real]
+
+        return height
+
+    low, high = (
+        further.target
+        + sign * maximise(fibration, height_of(sign), same, fibration.numbers, top[:, None])[0]
+        for sign in (-1.0, 1.0)
+    )
+    if not low < further.target < high:
+        raise _empty(
+            system, level, {further.name}, f"{further.name} lies between {low:.6g} and {high:.6g}"
+        )
+    return slice_
+
+
+def _empty(system: System, level: Mapping[str, float], names: set[str], reach: str) -> InputError:
+    others = {name: value for name, value in level.items() if name not in names}
+    condition = f"with {level_label(others)} " if others else ""
+    return InputError(f"{system.name}: the level {level_label(level)} is empty: {condition}{reach}")
+
+
+def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
+    """The level with a bound of the total density of the points of one proposal."""
+    proposal = level._proposal
+
+    def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
+        weighted_points = proposal.weighted_points(gauss)
+        return weighted_points.places, level.density(weighted_points)
+
+    trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
+    top, _ = maximise(proposal.fibration, height, proposal.nearby_proposals, proposal.numbers)
+    bound = _MARGIN * proposal.most * top
+    share = height(trial)[1].sum() / (_TRIAL * bound)
+    if not np.isfinite(share):
+        raise level._too_far()
+    # half of the attempts that a point takes on average, so that few are superfluous
+    tries = int(np.clip(0.5 / max(share, 1 / _BATCH), 1, _BATCH))
+    return replace(level, _density_bound=bound, _tries=tries)

@@ -1,0 +1,141 @@
+"""Random points of a level with the volume that each stands for, and the largest of a quantity."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from ...system.arrays import FloatArray, IntArray
+from .counter_rng import counter_normals
+from .fibration import Fibration
+
+#: The seed of trials: any number that users will not choose.
+_SEED = 0x9E3779B97F4A7C15
+#: Trials to begin with; then the best are followed for some rounds, each in some directions.
+_PILOT = 1 << 12
+_BEST = 64
+_ROUNDS = 24
+_AROUND = 4
+
+
+@dataclass(frozen=True)
+class WeightedPoints:
+    """Points of a level.
+
+    Attributes
+    ----------
+    which : int array (n,)
+        The index of the proposal of each, in rising order.
+    places : array (y, n)
+        Their unit vectors and angles; see :class:`~flowlanes.flow.sampling.fibration.Fibration`.
+    states : array (size, n)
+    volume : array (n,)
+        δ(relations and held integrals) dx over the density of the proposals, up to a constant.
+    """
+
+    which: IntArray
+    places: FloatArray
+    states: FloatArray
+    volume: FloatArray
+
+
+class Proposal(Protocol):
+    """A map from normal numbers to weighted points of a level."""
+
+    @property
+    def fibration(self) -> Fibration:
+        """The fibration of the level over its base."""
+
+    @property
+    def numbers(self) -> int:
+        """The number of normal numbers of a proposal."""
+
+    @property
+    def most(self) -> float:
+        """The number of points of the greatest density in a proposal, roughly."""
+
+    def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
+        """The points of proposals (numbers, k)."""
+
+    def nearby_proposals(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
+        """Proposals near the points of `gauss` (y, k), with fresh numbers (numbers, k)."""
+
+
+@dataclass(frozen=True)
+class RayProposal:
+    """The ends of random rays over random base points, if nothing further is held."""
+
+    fibration: Fibration
+    parameters: FloatArray
+
+    @property
+    def numbers(self) -> int:
+        """The number of normal numbers of a proposal."""
+        return self.fibration.numbers
+
+    @property
+    def most(self) -> float:
+        """One."""
+        return 1.0
+
+    def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
+        """The points of proposals (numbers, k)."""
+        places = self.fibration.uniform_points(gauss)
+        rays = self.fibration.over(places, self.parameters)
+        real = np.flatnonzero(rays.volume > 0)
+        states = np.ascontiguousarray(rays.states[:, real])
+        return WeightedPoints(real, places[:, real], states, rays.volume[real])
+
+    def nearby_proposals(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
+        """The normal numbers themselves, unchanged."""
+        return gauss
+
+
+def maximise(
+    fibration: Fibration,
+    height: Callable[[FloatArray], tuple[FloatArray, FloatArray]],
+    start: Callable[[FloatArray, FloatArray], FloatArray],
+    many: int,
+    first: FloatArray | None = None,
+) -> tuple[float, FloatArray]:
+    """The largest value met of a quantity, and the place.
+
+    Parameters
+    ----------
+    fibration : Fibration
+    height : callable
+        Throws (many, k) ↦ places (y, n) and values (n,), n arbitrary.
+    start : callable
+        (places as normal numbers (y, k), normal numbers (many, k)) ↦ proposals near these points.
+    many : int
+    first : array (y, k), optional
+        Points to begin with besides random ones.
+
+    Returns
+    -------
+    float, array (y,)
+        Minus infinity if no proposal has a point.
+    """
+    places, values = height(counter_normals(_SEED, np.arange(_PILOT), np.zeros(_PILOT), many))
+    if first is not None:
+        more = height(start(fibration.gauss(first), _fresh(first.shape[1], _ROUNDS + 1, many)))
+        places, values = np.append(places, more[0], axis=1), np.append(values, more[1])
+    for turn in range(_ROUNDS):
+        if not values.size:
+            return -np.inf, np.zeros(fibration.numbers)
+        best = np.argsort(-values, kind="stable")[:_BEST]
+        places, values = places[:, best], values[best]
+        around = np.repeat(fibration.gauss(places), _AROUND, axis=1)
+        noise = _fresh(around.shape[1], turn + 1, fibration.numbers + many)
+        moved = around + 0.4 * 0.7**turn * noise[: fibration.numbers]
+        more = height(start(moved, noise[fibration.numbers :]))
+        places, values = np.append(places, more[0], axis=1), np.append(values, more[1])
+    top = int(np.argmax(values))
+    return float(values[top]), places[:, top]
+
+
+def _fresh(count: int, turn: int, many: int) -> FloatArray:
+    return counter_normals(_SEED, np.arange(count), np.full(count, turn), many)

@@ -1,0 +1,305 @@
+"""The Poincaré map of a flow: the first return to a surface.
+
+Let a motion ẋ = f(x) leave a point x of the surface g = 0 and come back to it, through it in the
+same direction, after the time T(x).  P(x) = φ_T(x), the first return, is a map of the surface
+into itself: it is iterated, inverted, differentiated as any map.  Its derivative follows from that
+of the flow, Φ = ∂φ_t/∂x at t = T, by going along the flow onto the surface,
+
+    ∂P = (1 − f ∇gᵀ/(∇g·f)) Φ,    ∂T = −∇gᵀ Φ/(∇g·f),    f and ∇g at P(x).
+
+The integrals of the flow are integrals of the map.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+
+from ...arguments import Positive, Quantity, arguments_checked
+from ...errors import InputError
+from ...formulas.array_evaluation import formula
+from ...formulas.array_formulas import Formulas
+from ...system.arrays import FloatArray
+from ...system.parameters import parameters_by_symbol
+from ...system.system import System
+from ...system.vectors import to_components
+from ..batch import BatchIntegrator, batch_integrator
+from ..devices.graphics import Device
+from ..kernel.equations import Section
+
+if TYPE_CHECKING:
+    from ..batch_results import BatchCrossings
+
+
+@dataclass(frozen=True)
+class Derivative:
+    """A map and its derivative at n points.
+
+    Attributes
+    ----------
+    images : array (n, size)
+        The returns of the points; NaN for those that do not return.
+    times : array (n,)
+        Times of return.
+    matrices : array (n, size, size)
+        ∂(image)/∂(point), in flat order.  Its columns are tangent to the section at the image, and
+        it annuls the direction of the flow at the point; relations and integrals are kept.
+    time_slopes : array (n, size)
+        ∂(time)/∂(point).
+    """
+
+    images: FloatArray
+    times: FloatArray
+    matrices: FloatArray
+    time_slopes: FloatArray
+
+
+@arguments_checked
+@dataclass(frozen=True)
+class PoincareMap:
+    """The first return to a section.
+
+    Parameters
+    ----------
+    system : System
+        Points are its states in flat order; a system lifted to space carries its attitude along.
+    section : Section
+        The section at which motions are recorded.
+    parameters : mapping of Symbol or name to number or array (n,), optional
+        Values that replace the defaults; an array has one for every point.
+    tolerance : float
+        Of the integration, relative error of a step.
+    backward : bool
+        Whether to go back in time: the inverse map.
+    until : float
+        After so much time (s) without a return a point counts as one that does not return.
+    device : "cpu" or "gpu"
+        Where the motions are computed; see :func:`flowlanes.flow.batch.batch_integrator`.
+
+    Raises
+    ------
+    InputError
+        If the section or a parameter is not one of the system.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
+    >>> returns = flowlanes.PoincareMap(ball, flowlanes.poincare_section(ball, "gamma_3"))
+    >>> point = returns(flowlanes.sample_level(ball, 1, {"energy": 2.0}, seed=1)[0])
+    >>> bool(abs(returns.inverse(returns(point)) - point).max() < 1e-10), returns.dimension(point)
+    (True, 2)
+    """
+
+    system: System
+    section: Section
+    parameters: Mapping[Any, Any] = field(default_factory=dict)
+    tolerance: Positive = 1e-13
+    backward: bool = False
+    until: float = np.inf
+    device: Device = "cpu"
+
+    def __post_init__(self) -> None:
+        parameters_by_symbol(self.system, self.parameters)
+        if not self.until > 0:
+            raise InputError(f"until = {self.until}: it must be a positive number")
+
+    @property
+    def inverse(self) -> PoincareMap:
+        """The map that leads back."""
+        return replace(self, backward=not self.backward)
+
+    @property
+    def size(self) -> int:
+        """Number of coordinates of a point."""
+        return len(self.system.symbols)
+
+    @arguments_checked
+    def __call__(self, points: npt.ArrayLike) -> FloatArray:
+        """The first return.
+
+        Parameters
+        ----------
+        points : array (n, size) or (size,)
+            On the section; elsewhere, where the motion meets it first.
+
+        Returns
+        -------
+        array of the same shape
+            NaN for a point that does not return; `returns` tells why.
+        """
+        rows = np.asarray(points, dtype=float)
+        images = self.crossings(np.atleast_2d(rows), 1).states[:, 0]
+        return images.reshape(rows.shape)
+
+    @arguments_checked
+    def crossings(
+        self, points: npt.ArrayLike, count: int, threads: int | None = None
+    ) -> BatchCrossings:
+        """The next `count` returns of n points, with their times, and why some have fewer.
+
+        Parameters
+        ----------
+        points : array (n, size)
+        count : int
+        threads : int, optional
+            All cores if left out; the result does not depend on it.
+        """
+        return self._integrator(0).crossings(
+            points, count, self.parameters, until=self.until, threads=threads
+        )
+
+    @arguments_checked
+    def iterate(self, points: npt.ArrayLike, count: int) -> FloatArray:
+        """The map applied `count` times: array of the shape of `points`.
+
+        The motion is followed in one piece, without stopping at the section.
+        """
+        rows = np.asarray(points, dtype=float)
+        if count == 0:
+            return rows.copy()
+        if count < 0:
+            return self.inverse.iterate(rows, -count)
+        images = self.crossings(np.atleast_2d(rows), count).states[:, -1]
+        return images.reshape(rows.shape)
+
+    @arguments_checked
+    def derivative(self, points: npt.ArrayLike, count: int = 1) -> Derivative:
+        """The map applied `count` times, with its derivative.
+
+        Parameters
+        ----------
+        points : array (n, size)
+        count : int
+        """
+        starts = np.asarray(points, dtype=float)
+        if starts.ndim != 2:
+            raise InputError(
+                f"PoincareMap.derivative: points must be an array (n, {self.size}), "
+                f"not {starts.shape}"
+            )
+        if count < 1:
+            raise InputError(f"a derivative of {count} returns: there must be one at least")
+        frame = np.broadcast_to(np.eye(self.size), (len(starts), self.size, self.size))
+        crossed = self._integrator(self.size).crossings(
+            starts, count, self.parameters, until=self.until, deviations=frame.copy()
+        )
+        images, times = crossed.states[:, -1], crossed.times[:, -1]
+        # deviations are rows there, columns here
+        flow = np.swapaxes(np.asarray(crossed.deviations)[:, -1], 1, 2)
+        rates = self._rates(images, self.parameters)
+        normals = self._value.slopes(images, self.parameters)[:, 0]
+        across = np.einsum("ni,ni->n", normals, rates)[:, None]
+        time_slopes = -np.einsum("ni,nij->nj", normals, flow) / across
+        matrices = flow + rates[:, :, None] * time_slopes[:, None, :]
+        return Derivative(images, times, matrices, time_slopes)
+
+    @arguments_checked
+    def status_message(self, code: int) -> str:
+        """The reason why a motion of `returns` ended, in words; empty for 0."""
+        return self._integrator(0).status_message(code)
+
+    @arguments_checked
+    def residual(self, points: npt.ArrayLike) -> FloatArray:
+        """The section's value at points (..., size): zero on it."""
+        result: FloatArray = self._value(points, self.parameters)[..., 0]
+        return result
+
+    @arguments_checked
+    def dimension(self, point: npt.ArrayLike, *, integrals: bool = True) -> int:
+        """The dimension of the section near a point.
+
+        Relations, the section itself and, unless they are to be left out, the known integrals
+        that hold without condition are counted by the rank of their derivatives.
+
+        Parameters
+        ----------
+        point : array (size,)
+        integrals : bool
+            Whether the section of one level of the integrals is meant.
+        """
+        fixed = [*self.system.relations, self.section.value]
+        if integrals:
+            fixed += [law.value for law in self.system.integrals if not law.on]
+        values = _mapping_at(self.parameters, 0)
+        formulas = Formulas(self.system, [to_components(f) for f in fixed])
+        slopes = formulas.slopes(point, values)
+        if not np.all(np.isfinite(slopes)):
+            raise InputError("point: the derivatives of the integrals are not finite there")
+        sizes = np.linalg.norm(slopes, axis=-1, keepdims=True)
+        unit = slopes / np.where(sizes > 0.0, sizes, 1.0)
+        return self.size - int(np.linalg.matrix_rank(unit, tol=1e-9))
+
+    @arguments_checked
+    def within(self, quantity: Quantity, width: float) -> PoincareMap:
+        """A section of the section: its returns to a slab ``|quantity| < width``.
+
+        Points of a map jump, so that they do not cross a second surface; what they do is come near
+        to it.  The returns to a thin slab about it ("double section", after F. C. Moon and
+        W. T. Holmes, 1985) form again a map, smooth as long as the number of returns between does
+        not change.
+
+        Parameters
+        ----------
+        quantity : SymPy expression or str
+            See :func:`flowlanes.formulas.array_evaluation.formula`.
+        width : float
+            Half the thickness of the slab, in the unit of the quantity.
+        """
+        near = formula(self.system, quantity)
+        return replace(self, section=slab(self.section, near, width))
+
+    # --- inner parts -----------------------------------------------------------------------
+
+    def _integrator(self, deviations: int) -> BatchIntegrator:
+        return batch_integrator(
+            self.system,
+            tolerance=self.tolerance,
+            deviations=deviations,
+            section=self.section,
+            backward=self.backward,
+            device=self.device,
+        )
+
+    @cached_property
+    def _value(self) -> Formulas:
+        return Formulas(self.system, (self.section.value,))
+
+    @cached_property
+    def _rates(self) -> Formulas:
+        return Formulas(self.system, self.system.rates)
+
+
+def slab(section: Section, quantity: sp.Expr, width: float) -> Section:
+    """The section with the condition ``|quantity| < width``; see `PoincareMap.within`.
+
+    Raises
+    ------
+    InputError
+        If the width is not positive.
+    """
+    if not width > 0:
+        raise InputError(f"a slab of half width {width}: it must be positive")
+    inside = sp.Float(width) - sp.Abs(to_components(sp.sympify(quantity)))
+    if section.where is None:
+        return replace(section, where=inside)
+    return replace(section, where=_least(section.where, inside))
+
+
+def _least(a: sp.Expr, b: sp.Expr) -> sp.Expr:
+    """The smaller of two numbers: positive where both are."""
+    return (a + b - sp.Abs(a - b)) / 2
+
+
+def _mapping_at(parameters: Mapping[Any, Any], index: int) -> dict[Any, Any]:
+    """The parameters of one point."""
+    return {
+        name: value if np.ndim(value) == 0 else value[index] for name, value in parameters.items()
+    }

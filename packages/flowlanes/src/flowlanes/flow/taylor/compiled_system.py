@@ -1,0 +1,371 @@
+"""A System compiled for Taylor integration."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from importlib.metadata import version
+from typing import Protocol, TypeAlias
+
+import numpy as np
+import sympy as sp
+
+from ...errors import InputError
+from ...formulas.graph import Graph, Reader, Term, topological_order
+from ...system.formula_text import exact_text
+from ...system.system import System
+from ...system.vectors import to_components
+from ..machine_code import code_cache as cache, jit
+from ..machine_code.native_formulas import SIGNATURE, FormulaShape, NativeFormulas, formulas_text
+from .projection import Block
+from .recurrences import SERIES_SIGNATURES, series_text
+from .state_series import SeriesLayout, Step, TaylorSeries, series_order
+from .working_numbers import Direction, Precision, WorkingArray, WorkingNumber
+
+#: Formulas that vanish, by name, with the columns of the state that they move.
+Residuals: TypeAlias = dict[str, tuple[list[sp.Expr], slice]]
+#: Of the functions of formulas, by name.
+Shapes: TypeAlias = dict[str, FormulaShape]
+
+#: Tolerances finer than this are beyond the working precision.
+FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
+
+
+class StateSeries(Protocol):
+    """A state that moves by steps of its Taylor series; see :class:`TaylorSeries`."""
+
+    order: int
+    time: WorkingNumber
+
+    @property
+    def state(self) -> WorkingArray:
+        """The state (size,), to be changed in place."""
+        ...
+
+    @property
+    def parameters(self) -> WorkingArray:
+        """The parameters, to be changed in place."""
+        ...
+
+    @property
+    def series(self) -> WorkingArray:
+        """Coefficients (size, order + 1) of the powers of time since the last step began."""
+        ...
+
+    def reset(self) -> None:
+        """Reset the events of the last step and the rounding errors carried along."""
+        ...
+
+    def copy(self) -> StateSeries:
+        """Another state that moves by the same code."""
+        ...
+
+    def step(self, limit: WorkingNumber) -> Step:
+        """One step, no longer than to a limit."""
+        ...
+
+    def state_at(self, time: WorkingNumber) -> WorkingArray:
+        """The state at a time of the last step."""
+        ...
+
+
+@dataclass(frozen=True)
+class SignedOutputs:
+    """The compiled outputs of a system without corners, of which the last are its σu.
+
+    Attributes
+    ----------
+    outputs : callable
+        From states and parameters, with the signs.
+    arguments : tuple of sympy.Expr
+    """
+
+    outputs: Callable[[WorkingArray, WorkingArray], WorkingArray]
+    arguments: tuple[sp.Expr, ...]
+
+
+@dataclass(frozen=True)
+class CompiledSystem:
+    """Native code for one system at one tolerance and precision.
+
+    Parameters of the system are run-time values; the code is shared by all of them.
+
+    Attributes
+    ----------
+    series : StateSeries
+        State of the core, then of the motion; a terminal event for each of `variable_guards`.
+        After the parameters of the system come positive factors of these events.  Stepping
+        changes it, so that a user works with a copy.
+    outputs : callable
+        From states and parameters to observables, laws and guards.
+    core, lift : tuple of Block
+        The relations of the reduced state and of its lift to space; at most one block each.
+    laws : callable
+        That of the integrals, which is compiled when it is asked for.
+    variable_guards : tuple of int
+        Guards that can change during a motion; others are the same in every state.
+    from_cache : bool
+        Whether the code came from the cache.
+    signed : SignedOutputs, optional
+        If the equations have absolute values or signs; the series are then those of the system
+        without corners, with the signs as parameters after its own, and events after those of the
+        guards are changes of signs.
+    """
+
+    series: StateSeries
+    outputs: Callable[[WorkingArray, WorkingArray], WorkingArray]
+    core: tuple[Block, ...]
+    lift: tuple[Block, ...]
+    laws: Callable[[], tuple[Block, ...]]
+    variable_guards: tuple[int, ...]
+    from_cache: bool = False
+    signed: SignedOutputs | None = None
+
+
+@dataclass(frozen=True)
+class _Layout:
+    """The sizes of the functions of a system.
+
+    Attributes
+    ----------
+    series : SeriesLayout
+    variable_guards : tuple of int
+        Guards that depend on the state.
+    formulas : mapping of str to FormulaShape
+    """
+
+    series: SeriesLayout
+    variable_guards: tuple[int, ...]
+    formulas: Shapes
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """A system to be compiled, and the name of its code in the cache."""
+
+    system: System
+    tolerance: float
+    precision: Precision
+    direction: Direction
+
+    @cached_property
+    def system_in_space(self) -> System:
+        return self.system.lifted() if self.system.reconstruction else self.system
+
+    @cached_property
+    def name(self) -> str:
+        system = self.system_in_space
+        # each part in a list of its own: an observable is compiled otherwise than a guard
+        shape = [
+            self.system.symbols,
+            self.system.relations,
+            system.symbols,
+            [p.symbol for p in system.parameters],
+            [item for step in system.scalar_definitions for item in step],
+            system.rates,
+            system.relations,
+            [law.value for law in system.integrals],
+            [observable.value for observable in system.observables],
+            [guard.value for guard in system.guards],
+        ]
+        # the exact text keeps every digit of a decimal number, which str does not
+        formulas = (exact_text([to_components(item) for item in part]) for part in shape)
+        return cache.code_name(*formulas, repr(self.tolerance), self.precision, self.direction)
+
+    @cached_property
+    def _output_formulas(self) -> list[sp.Expr]:
+        """The recorded quantities of a motion, and the guards."""
+        system = self.system_in_space
+        groups = system.observables, system.integrals, system.guards
+        return [item.value for group in groups for item in group]
+
+    @cached_property
+    def _blocks(self) -> Residuals:
+        """Residuals with the columns that they move."""
+        core = slice(0, len(self.system.symbols))
+        lift = self.system.reconstruction
+        blocks = {
+            "core": (list(self.system.relations), core),
+            "lift": (list(lift.relations) if lift else [], slice(core.stop, None)),
+        }
+        return {name: block for name, block in blocks.items() if block[0]}
+
+    @cached_property
+    def _law_blocks(self) -> Residuals:
+        """The integrals, which the reduced state moves."""
+        laws = [law.value for law in self.system_in_space.integrals]
+        return {"laws": (laws, slice(0, len(self.system.symbols)))} if laws else {}
+
+    def code(self) -> tuple[bytes, _Layout]:
+        """The machine code, and its layout."""
+        system = self.system_in_space
+        graph = Graph()
+        reader = Reader(system, graph)
+        rates = reader.components(system.rates)
+        guards = reader.components([guard.value for guard in system.guards])
+        variable = tuple(i for i, guard in enumerate(guards) if _depends_on_state(guard))
+        first = len(system.parameters)
+        # the steps are chosen by the events as well as by the state: a guard that is large beside
+        # the state would change them, and is therefore divided by its size at the start
+        events = [
+            graph.mul(graph.parameter(first + place), guards[i]) for place, i in enumerate(variable)
+        ]
+        size = len(rates)
+        order = series_order(max(self.tolerance, FINEST["double"]))
+        series = series_text(rates, events, size, order)
+        outputs = {"outputs": reader.components(self._output_formulas)}
+        text, shapes = _with_slopes(graph, reader, size, self._blocks, outputs)
+        layout = SeriesLayout(
+            size, len(events), first + len(events), order, series.doubles, series.stride
+        )
+        return jit.object_code(f"{series.text}\n{text}"), _Layout(layout, variable, shapes)
+
+    def law_code(self) -> tuple[bytes, Shapes]:
+        """The machine code of the integrals and their derivatives."""
+        system = self.system_in_space
+        graph = Graph()
+        text, shapes = _with_slopes(
+            graph, Reader(system, graph), len(system.symbols), self._law_blocks, {}
+        )
+        return jit.object_code(text), shapes
+
+    def laws(self) -> tuple[Block, ...]:
+        """The block of the integrals in doubles."""
+        if not self._law_blocks:
+            return ()
+        name = jit.code_name(f"{self.name} laws")
+        (code, shapes), _ = cache.cached_entry(name, self.law_code)
+        native = jit.Native(
+            *jit.link(name, code, dict.fromkeys(shapes, SIGNATURE)), from_cache=True
+        )
+        values, slopes = (
+            NativeFormulas(shapes[key], native, key) for key in ("laws", "laws_slopes")
+        )
+        return (Block(values, slopes, values.shape.count),)
+
+    def compile(self) -> CompiledSystem:
+        """The system in doubles."""
+        name = jit.code_name(self.name)
+        (code, layout), from_cache = cache.cached_entry(name, self.code)
+        native = _functions_of(name, code, tuple(layout.formulas))
+        formulas = {
+            name: NativeFormulas(shape, native, name) for name, shape in layout.formulas.items()
+        }
+        blocks = {
+            name: (Block(formulas[name], formulas[f"{name}_slopes"], formulas[name].shape.count),)
+            for name in self._blocks
+        }
+        return CompiledSystem(
+            TaylorSeries(native, layout.series),
+            formulas["outputs"],
+            blocks.get("core", ()),
+            blocks.get("lift", ()),
+            self.laws,
+            layout.variable_guards,
+            from_cache,
+        )
+
+    def compile_wide(self) -> CompiledSystem:
+        """The system with 34 digits, by heyoka; derivatives of relations in doubles."""
+        from .heyoka_series import HeyokaFormulas, HeyokaSeries, heyoka_code
+
+        double = replace(self, precision="double", tolerance=1e-15).compile()
+        every = {**self._blocks, **self._law_blocks}
+        residuals = {name: block[0] for name, block in every.items()}
+        code, from_cache = cache.cached_entry(
+            cache.code_name(self.name, version("heyoka")),
+            lambda: heyoka_code(
+                self.system_in_space,
+                {"outputs": self._output_formulas, **residuals},
+                double.variable_guards,
+                max(self.tolerance, FINEST["quad"]),
+                self.direction,
+            ),
+        )
+        wide = {name: HeyokaFormulas(function) for name, function in code.functions.items()}
+        blocks = {
+            name: (replace(getattr(double, name)[0], residual=wide[name]),) for name in self._blocks
+        }
+
+        def laws() -> tuple[Block, ...]:
+            return tuple(replace(block, residual=wide["laws"]) for block in double.laws())
+
+        return replace(
+            double,
+            series=HeyokaSeries(code.integrator),
+            outputs=wide["outputs"],
+            core=blocks.get("core", ()),
+            lift=blocks.get("lift", ()),
+            laws=laws,
+            from_cache=from_cache,
+        )
+
+
+def _with_slopes(
+    graph: Graph, reader: Reader, size: int, blocks: Residuals, more: Mapping[str, list[Term]]
+) -> tuple[str, Shapes]:
+    """Residuals and their derivatives, with further formulas, in LLVM's assembly language."""
+    formulas = dict(more)
+    for name, (residuals, columns) in blocks.items():
+        formulas[name] = reader.components(residuals)
+        moved = [graph.state(i) for i in range(size)[columns]]
+        rows = graph.jacobian(formulas[name], moved)
+        formulas[f"{name}_slopes"] = [slope for row in rows for slope in row]
+    texts, shapes = [], {}
+    for name, terms in formulas.items():
+        text, shapes[name] = formulas_text(name, terms, size)
+        texts.append(text)
+    return "\n".join(texts), shapes
+
+
+@lru_cache(maxsize=64)
+def _functions_of(name: str, code: bytes, formulas: tuple[str, ...]) -> jit.Native:
+    """The functions of a system, linked once however often the system is integrated."""
+    signatures = {**dict.fromkeys(formulas, SIGNATURE), **SERIES_SIGNATURES}
+    return jit.Native(*jit.link(name, code, signatures), from_cache=True)
+
+
+def _depends_on_state(term: Term) -> bool:
+    return any(node.kind == "state" for node in topological_order([term]))
+
+
+def compile_system(
+    system: System,
+    tolerance: float = 1e-15,
+    precision: Precision = "double",
+    direction: Direction = "forward",
+) -> CompiledSystem:
+    """Compile a system, or fetch its code from the cache.
+
+    Parameters
+    ----------
+    system : System
+        Lifted to space if it has a motion.
+    tolerance : float
+        Relative error per step; limited by the working precision.
+    precision : ``"double"`` or ``"quad"``
+        16 or 34 digits.
+    direction : ``"forward"`` or ``"backward"``
+        Of time: a guard is passed where it falls to zero in this direction.
+
+    Raises
+    ------
+    InputError
+        If the tolerance is not between 0 and 1, or finer than the precision allows.
+    """
+    if not 0 < tolerance < 1:
+        raise InputError(f"tolerance {tolerance}: it must lie between 0 and 1")
+    if precision == "double" and tolerance < 1e-16:
+        raise InputError(
+            f"tolerance {tolerance} is beyond double precision: use at least 1e-16, or "
+            "precision 'quad'"
+        )
+    plan = _plan(system, tolerance, precision, direction)
+    return plan.compile() if precision == "double" else plan.compile_wide()
+
+
+@lru_cache(maxsize=32)
+def _plan(system: System, tolerance: float, precision: Precision, direction: Direction) -> _Plan:
+    """The plan of a system, cached because its name takes long to compute."""
+    return _Plan(system, tolerance, precision, direction)

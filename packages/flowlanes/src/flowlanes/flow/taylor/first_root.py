@@ -1,0 +1,91 @@
+"""The first root of a polynomial in an interval."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from math import comb
+
+import numpy as np
+
+from ...system.arrays import FloatArray
+
+#: Length of an interval of which all that is left counts as one point.
+_SHORTEST = 2.0**-50
+
+
+@lru_cache
+def _to_bernstein(degree: int) -> FloatArray:
+    """The matrix from the coefficients of powers to those of Bernstein's polynomials."""
+    matrix = np.zeros((degree + 1, degree + 1))
+    for j in range(degree + 1):
+        for k in range(j + 1):
+            matrix[j, k] = comb(j, k) / comb(degree, k)
+    return matrix
+
+
+def first_falling_root(coefficients: FloatArray, after: float = 0.0) -> float | None:
+    """The first place in (after, 1] where a polynomial falls from above zero to zero or below.
+
+    By Descartes' rule of signs an interval has no more roots than the Bernstein coefficients have
+    changes of sign; where that leaves open what happens, the interval is halved.
+
+    Parameters
+    ----------
+    coefficients : array (n,)
+        Of the powers of x, the constant first; finite.
+    after : float
+        From 0 to 1.
+
+    Returns
+    -------
+    float or None
+        None if there is none.
+    """
+    whole = _to_bernstein(len(coefficients) - 1) @ coefficients
+    pending = [(after, 1.0, _parts(whole, after)[1] if after else whole)]
+    while pending:
+        first, last, b = pending.pop()
+        signs = np.sign(b[b != 0])
+        changes = int(np.count_nonzero(signs[1:] != signs[:-1]))
+        if changes == 0:
+            # a root at the very end counts, one at the very beginning does not
+            if b[-1] == 0 and np.any(signs > 0):
+                return last
+        elif (changes == 1 and b[0] != 0) or last - first < _SHORTEST:
+            if signs[0] > 0 and b[-1] <= 0:
+                return _root(coefficients, first, last)
+        else:
+            middle = (first + last) / 2
+            left, right = _parts(b, 0.5)
+            pending += [(middle, last, right), (first, middle, left)]
+    return None
+
+
+def _parts(b: FloatArray, x: float) -> tuple[FloatArray, FloatArray]:
+    """The Bernstein coefficients on both sides of a place in the interval (de Casteljau)."""
+    degree = len(b) - 1
+    left, right = np.empty_like(b), np.empty_like(b)
+    for k in range(degree + 1):
+        left[k], right[degree - k] = b[0], b[-1]
+        b = (1 - x) * b[:-1] + x * b[1:]
+    return left, right
+
+
+def _root(coefficients: FloatArray, first: float, last: float) -> float:
+    """The root between two places at which the signs differ, or the nearer one in rounding."""
+    # imported where an event happens, since it takes longer than most motions
+    from scipy.optimize import brentq
+
+    numbers = coefficients[::-1].tolist()
+
+    def value(x: float) -> float:
+        total = 0.0
+        for number in numbers:
+            total = total * x + number
+        return total
+
+    if not value(first) > 0:
+        return first
+    if not value(last) < 0:
+        return last
+    return float(brentq(value, first, last, xtol=1e-300, rtol=4 * np.finfo(float).eps))

@@ -1,0 +1,403 @@
+"""Results of an integration: states, recorded quantities, events, the continuous trajectory."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import TypeVar
+
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+
+from ..arguments import Parameters, arguments_checked
+from ..errors import InputError, nearest
+from ..formulas.array_evaluation import overflows, values
+from ..system.arrays import BoolArray, FloatArray
+from ..system.laws import Integral
+from ..system.overview import Overview, WithOverview
+from ..system.system import Guard, Observable, System
+from ..system.vectors import to_components
+from .taylor.working_numbers import WorkingArray, WorkingNumber
+
+Number = TypeVar("Number", bound=np.generic)
+
+#: Of the drift of a quantity without a value along the motion, such as 0/0 at rest.
+NO_VALUE = "undefined along this motion"
+
+#: Of the drift of a quantity that numbers in double precision cannot follow.
+TOO_LARGE = "too large for double precision"
+
+
+class UnknownVariableError(InputError, KeyError):
+    """A name that no quantity of a motion has; a KeyError too, as of any mapping."""
+
+
+def _read_only(array: WorkingArray) -> WorkingArray:
+    """A view of an array that cannot be written into."""
+    view = array.view()
+    view.flags.writeable = False
+    return view
+
+
+def _doubles(array: WorkingArray) -> FloatArray:
+    """Numbers of any precision as doubles, infinite where they are too large."""
+    with np.errstate(over="ignore"):
+        return np.asarray(array).astype(float)
+
+
+def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArray[Number]:
+    """A variable of states (n, size) by name: (n, components), (n,) for a scalar.
+
+    Raises
+    ------
+    UnknownVariableError
+        If the system has no such variable.
+    """
+    for variable, columns in system.slices:
+        if str(variable) == name:
+            block = states[:, columns]
+            column: npt.NDArray[Number] = block[:, 0]
+            return column if isinstance(variable, sp.Symbol) else block
+    raise unknown_variable(system, name, ())
+
+
+def unknown_variable(system: System, name: object, records: Iterable[str]) -> UnknownVariableError:
+    """The mistake of asking for a quantity that is neither in the state nor recorded."""
+    if not isinstance(name, str):
+        return UnknownVariableError(
+            f"{system.name}: a quantity is asked for by its name in quotes, not by {name!r}"
+        )
+    return UnknownVariableError(
+        f"{system.name}: no quantity {name!r}{nearest(name, [*map(str, system.state), *records])}"
+    )
+
+
+@dataclass(frozen=True)
+class Event:
+    """A guard that was passed: what happened, and when.
+
+    Parameters
+    ----------
+    time : float
+        In s.
+    guard : Guard
+    is_terminal : bool
+        Whether the run ends there.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> disk = nonholonomic.from_catalogue("heavy-disk")
+    >>> motion = flowlanes.integrate(
+    ...     disk, nonholonomic.CATALOGUE["heavy-disk"].start.values, [0.0, 1.0]
+    ... )
+    >>> motion.events
+    ()
+    """
+
+    time: float
+    guard: Guard
+    is_terminal: bool
+
+    def __str__(self) -> str:
+        end = "the run ends there" if self.is_terminal else "the run continues"
+        return f"t = {self.time:.17g}: {self.guard.message}; {end}"
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """Method, cost and accuracy of an integration.
+
+    Attributes
+    ----------
+    method : str
+        The method in words, such as ``"Taylor series"``; whoever computes the motion names it.
+    steps, order : int
+        0 for a closed form, which takes no steps.
+    tolerance : float
+        Relative, of one step.
+    precision : str
+        ``"double"`` or ``"quad"``.
+    corrections : int
+        Projections onto the phase space.
+    seconds : float
+        Of computing.
+    from_cache : bool
+        Whether the machine code was compiled before.
+    """
+
+    method: str
+    steps: int
+    order: int
+    tolerance: float
+    precision: str
+    corrections: int
+    seconds: float
+    from_cache: bool
+
+    @property
+    def integrator(self) -> str:
+        """The method with its order and the number of its steps."""
+        if not self.steps:
+            return self.method
+        return f"{self.method} of order {self.order}, {self.steps} steps"
+
+
+@dataclass(frozen=True)
+class DenseOutput:
+    """A continuous trajectory: the Taylor polynomials of all steps.
+
+    Calling it with times inside `span` gives states, shape (times, state).
+
+    Attributes
+    ----------
+    begins, ends : array (steps,)
+        Times at which each step begins and ends.
+    coefficients : array (steps, state, order + 1)
+        Of the powers of the time since the step began.
+    """
+
+    begins: WorkingArray
+    ends: WorkingArray
+    coefficients: WorkingArray
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """The two ends of the covered interval of time, in the direction of integration."""
+        return float(self.begins[0]), float(self.ends[-1])
+
+    def __call__(self, times: npt.ArrayLike) -> WorkingArray:
+        """States (times, state) at `times`; InputError outside the computed interval."""
+        moments = np.atleast_1d(np.asarray(times, dtype=float))
+        low, high = sorted(self.span)
+        if np.any(moments < low) or np.any(moments > high):
+            raise InputError(f"time outside the computed interval from {low:g} to {high:g}")
+        sign = 1.0 if self.ends[0] > self.begins[0] else -1.0
+        begins = sign * self.begins.astype(float)
+        index = np.clip(np.searchsorted(begins, sign * moments, side="right") - 1, 0, None)
+        step = moments - self.begins[index]
+        value: WorkingArray = self.coefficients[index, :, -1]
+        for order in range(self.coefficients.shape[2] - 2, -1, -1):
+            value = value * step[:, None] + self.coefficients[index, :, order]
+        return value
+
+
+def require_pieces(pieces: int) -> None:
+    """Raise InputError unless the number of pieces of an interval is positive."""
+    if pieces < 1:
+        raise InputError(f"pieces = {pieces}: there must be one at least")
+
+
+@dataclass(frozen=True, repr=False)
+class Trajectory(WithOverview):
+    """States and observables of a system along one motion; its arrays are read-only.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    parameters : mapping of Symbol to number
+    times : array (n,)
+        In s.
+    states : array (n, size)
+        In the flat order of ``system.symbols``; 34-digit numbers at precision "quad".
+    records : mapping of str to array
+        Observables by name, (n,) or (n, components), and ``law_<name>`` for every integral.
+    events : tuple of Event
+        Guards passed on the way, in order.
+    statistics : Statistics
+    dense : DenseOutput or None
+        The continuous trajectory, when it was asked for.
+    warnings : tuple of str
+        A sentence for every quantity that is too large to be recorded at some samples.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> motion = flowlanes.integrate(
+    ...     ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0]
+    ... )
+    >>> motion["omega"].shape, motion["attitude"].shape, motion["law_energy"].shape
+    ((3, 3), (3, 4), (3,))
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, WorkingNumber]
+    times: WorkingArray
+    states: WorkingArray
+    records: Mapping[str, WorkingArray]
+    events: tuple[Event, ...]
+    statistics: Statistics
+    dense: DenseOutput | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "times", _read_only(self.times))
+        object.__setattr__(self, "states", _read_only(self.states))
+        records = {name: _read_only(record) for name, record in self.records.items()}
+        object.__setattr__(self, "records", records)
+
+    def __getitem__(self, name: str) -> WorkingArray:
+        """A state variable or an observable by name."""
+        if not isinstance(name, str):
+            raise unknown_variable(self.system, name, self.records)
+        if name in self.records:
+            return self.records[name]
+        if name not in map(str, self.system.state):
+            raise unknown_variable(self.system, name, self.records)
+        return by_name(self.system, self.states, name)
+
+    def overview(self) -> Overview:
+        """System, interval of time, drift of the integrals, events and cost."""
+        first, last = float(self.times[0]), float(self.times[-1])
+        done = self.statistics
+        cost = f"{done.steps:,} of order {done.order} in {done.seconds:.3g} s"
+        return Overview(
+            f"{self.system.title}: t = {first:.9g} to {last:.9g}, {len(self.times):,} samples",
+            (
+                ("state", ", ".join(map(str, self.system.state))),
+                ("recorded", ", ".join(name for name in self.records if name[:4] != "law_")),
+                *((f"drift of {law.name}", self._drift(law.name)) for law in self._integrals()),
+                *(("event", str(event)) for event in self.events),
+                *(("warning", warning) for warning in self.warnings),
+                ("steps", cost),
+                ("tolerance", f"{done.tolerance:.3g}, {done.precision} precision"),
+            ),
+        )
+
+    @cached_property
+    def overflows(self) -> Mapping[str, BoolArray]:
+        """Where recorded quantities have no value since a number is too large: (n,), by name.
+
+        The state is finite there; names as in `records`.
+        """
+        found: dict[str, BoolArray] = {}
+        for quantity in recorded_quantities(self.system):
+            if quantity.name not in self.records:
+                continue
+            record = _doubles(self.records[quantity.name]).reshape(len(self.times), -1)
+            places = np.flatnonzero(~np.isfinite(record).all(axis=1))
+            if not len(places):
+                continue
+            states = _doubles(self.states[places])
+            parameters = {s: float(value) for s, value in self.parameters.items()}
+            large = overflows(self.system, quantity.formulas, states, parameters)
+            large &= np.isfinite(states).all(axis=1)
+            if large.any():
+                found[quantity.name] = np.isin(np.arange(len(self.times)), places[large])
+        return found
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """A sentence for every quantity that is too large to be recorded at some samples."""
+        return tuple(
+            f"{name.removeprefix('law_')} is recorded as inf or nan at {places.sum():,} of "
+            f"{len(places):,} samples, first at t = {float(self.times[places][0]):.9g}: a number "
+            "in its formula is larger than 1.8e308, the largest in double precision"
+            for name, places in self.overflows.items()
+        )
+
+    def _integrals(self) -> list[Integral]:
+        return [law for law in self.system.integrals if f"law_{law.name}" in self.records]
+
+    def _drift(self, name: str) -> str:
+        values = self.records[f"law_{name}"]
+        if f"law_{name}" in self.overflows:
+            return TOO_LARGE
+        change = float(max(abs(value - values[0]) for value in values))
+        return NO_VALUE if math.isnan(change) else f"{change:.1e}"
+
+    @arguments_checked
+    def subsample(self, pieces: int) -> Trajectory:
+        """Every `pieces`-th sample, and the last one."""
+        require_pieces(pieces)
+        last = len(self.times) - 1
+        indices = [*range(0, last, pieces), last]
+        return replace(
+            self,
+            times=self.times[indices],
+            states=self.states[indices],
+            records={name: values[indices] for name, values in self.records.items()},
+        )
+
+
+# --- recorded quantities ----------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class RecordedQuantity:
+    """A quantity recorded along motions.
+
+    Attributes
+    ----------
+    name : str
+    formulas : tuple of sympy.Expr
+        Its components; one for a scalar.
+    is_vector : bool
+    frame : str
+        ``"body"`` or ``"space"`` for a vector given in these axes.
+    meaning, unit, source : str
+    """
+
+    name: str
+    formulas: tuple[sp.Expr, ...]
+    is_vector: bool
+    frame: str
+    meaning: str
+    unit: str
+    source: str
+
+
+@lru_cache(maxsize=32)
+def recorded_quantities(system: System) -> tuple[RecordedQuantity, ...]:
+    """The observables of a system, and its integrals as ``law_<name>``."""
+    quantities = [_quantity(item.name, item.frame, item) for item in system.observables]
+    quantities += [_quantity(f"law_{law.name}", "", law) for law in system.integrals]
+    return tuple(quantities)
+
+
+def _quantity(name: str, frame: str, item: Observable | Integral) -> RecordedQuantity:
+    formula = to_components(sp.sympify(item.value))
+    is_vector = isinstance(formula, sp.MatrixBase)
+    components = tuple(formula) if is_vector else (formula,)
+    return RecordedQuantity(
+        name, components, is_vector, frame, item.meaning, item.unit or "1", item.source
+    )
+
+
+def columns_by_name(system: System, columns: npt.NDArray[Number]) -> dict[str, npt.NDArray[Number]]:
+    """The recorded quantities whose components are columns, one after another.
+
+    Parameters
+    ----------
+    system : System
+    columns : array (components, n)
+        Of all quantities, in order; what follows them is ignored.
+
+    Returns
+    -------
+    dict of str to array
+        (n,) for a scalar, (n, components) for a vector.
+    """
+    recorded: dict[str, npt.NDArray[Number]] = {}
+    first = 0
+    for quantity in recorded_quantities(system):
+        block = columns[first : first + len(quantity.formulas)]
+        recorded[quantity.name] = block.T if quantity.is_vector else block[0]
+        first += len(quantity.formulas)
+    return recorded
+
+
+def recorded_values(
+    system: System, states: FloatArray, parameters: Parameters = None
+) -> dict[str, FloatArray]:
+    """Observables and integrals at states (n, size), by name; see `columns_by_name`."""
+    formulas = [
+        formula for quantity in recorded_quantities(system) for formula in quantity.formulas
+    ]
+    return columns_by_name(system, values(system, formulas, states, parameters).T)

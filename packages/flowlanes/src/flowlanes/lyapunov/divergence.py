@@ -1,0 +1,109 @@
+"""Growth of volumes along a motion: the divergence, its checks, and measures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arguments import Parameters
+from ..flow.linearisation.tangent_space import orthonormal
+from ..formulas.array_formulas import Formulas
+from ..system.arrays import FloatArray
+from ..system.laws import Measure
+from ..system.system import System
+from ..system.vectors import to_components
+from .averages import Average, average
+from .zero_exponents import TrivialDirections, vanishes_to_rounding
+
+#: Points of Gauss's rule in an interval, for the mean of the divergence.
+NODES = 16
+#: Intervals taken together, to bound the memory.
+PIECE = 512
+
+
+@dataclass(frozen=True)
+class MotionRecord:
+    """The record of a motion, interval by interval."""
+
+    interval: float
+    nodes: FloatArray
+    states: FloatArray
+    lengths: FloatArray
+    sizes: FloatArray
+
+
+@dataclass(frozen=True)
+class Volume:
+    """The growth of phase-space volumes along a motion, with its checks.
+
+    Attributes
+    ----------
+    divergence : Average
+        The mean of the divergence on the phase space, from exact derivatives by Gauss's rule.
+    balance : float
+        By how much the sum of all exponents, forced ones and boundary terms included, differs
+        from it: an error of the computation.
+    measures : dict of str to float
+        For each invariant measure of the system, by how much the change of its density along the
+        motion differs from the mean of the divergence.
+    """
+
+    divergence: Average
+    balance: float
+    measures: dict[str, float]
+
+
+def divergence_average(
+    system: System,
+    directions: TrivialDirections,
+    run: MotionRecord,
+    transient: int,
+    parameters: Parameters,
+) -> Volume:
+    """The divergence along the motion, and what it must agree with."""
+    relations = [to_components(relation) for relation in system.relations]
+    _, weights = np.polynomial.legendre.leggauss(NODES)
+    nodes = run.nodes[transient:]
+    growth = np.empty(len(nodes))
+    for first in range(0, len(nodes), PIECE):
+        some = nodes[first : first + PIECE]
+        rates = directions.space.divergence(
+            some.reshape(-1, some.shape[-1]), parameters, relations, directions.sizes
+        )
+        growth[first : first + PIECE] = rates.reshape(some.shape[:2]) @ weights
+    growth *= run.interval / 2
+    span = len(growth) * run.interval
+    # of what is removed, all but the relations belongs to volumes on the phase space
+    inside = [item.kind != "relation" for item in directions.trivial]
+    change = float((run.sizes[-1] - run.sizes[transient])[inside].sum())
+    balance = float(run.lengths[transient:].sum() + change - growth.sum()) / span
+    ends = run.states[[transient, -1]]
+    measures = {
+        name: float(growth.sum() - change) / span
+        for name, change in _densities(system, ends, directions.sizes, parameters)
+    }
+    return Volume(average(growth, run.interval, transient * run.interval), balance, measures)
+
+
+def _densities(
+    system: System, ends: FloatArray, sizes: FloatArray, parameters: Parameters
+) -> Iterator[tuple[str, float]]:
+    """For each invariant measure, its growth of volumes between two states."""
+    moving = set(system.symbols) | {symbol for symbol, _ in system.scalar_definitions}
+    relations = [to_components(relation) for relation in system.relations]
+    gradients = Formulas(system, relations).slopes(ends, parameters) * sizes
+    _, lengths = orthonormal(gradients)
+    for law in system.laws:
+        if not isinstance(law, Measure):
+            continue
+        level = [to_components(condition) for condition in law.on]
+        if any(condition.free_symbols & moving for condition in level):
+            continue
+        if not vanishes_to_rounding(system, level, ends[0], parameters, sizes):
+            continue
+        density = Formulas(system, [to_components(law.value)])(ends, parameters)[:, 0]
+        # volumes are those of the surface: the form of the law times the size of the gradients
+        logarithm = np.log(lengths).sum(axis=1) - np.log(np.abs(density))
+        yield law.name, float(logarithm[1] - logarithm[0])

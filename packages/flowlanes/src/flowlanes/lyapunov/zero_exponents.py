@@ -1,0 +1,325 @@
+"""Lyapunov exponents that are zero because they must be.
+
+Every integral F forces one: the motion keeps dF, so that a deviation across its levels neither
+grows nor shrinks.  So does every field that the motion carries into itself and that stays bounded:
+the flow, a symmetry.  Where relations hold, deviations that break them are no deviations of the
+system at all.  The exponents that remain without these are the genuine spectrum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+import sympy as sp
+
+from ..arguments import Parameters
+from ..flow.linearisation.linear_stability import components, essential_variables
+from ..flow.linearisation.state_scales import state_scales_at
+from ..flow.linearisation.tangent_space import TangentSpace
+from ..formulas.array_formulas import Formulas
+from ..printing.formula import text
+from ..printing.laws import equation
+from ..system.arrays import FloatArray
+from ..system.laws import Law, Symmetry
+from ..system.system import System
+from ..system.vectors import to_components
+
+Kind = Literal["relation", "integral", "flow", "symmetry", "quadrature"]
+
+#: Relative size below which a vector counts as dependent on others.
+DEPENDENT = 1e-8
+#: Relative size below which a number counts as zero.
+ZERO = 1e-10
+#: States near by: how many, how far in sizes of the state, and the seed of their directions.
+BESIDE, NEAR, SEED = 4, 0.1, 20080830
+
+_REASONS: Mapping[Kind, str] = {
+    "relation": "holds on the phase space",
+    "integral": "constant along the motion",
+    "flow": "direction of the motion",
+    "symmetry": "carried along by the flow",
+    "quadrature": "nothing depends on it",
+}
+
+
+@dataclass(frozen=True)
+class TrivialExponent:
+    """One dimension taken out of the tangent space.
+
+    Attributes
+    ----------
+    name : str
+        ``"flow"``, the name of an integral or a symmetry, the relation, the variable.
+    kind : str
+        ``"relation"``, ``"integral"``, ``"flow"``, ``"symmetry"`` or ``"quadrature"``.
+    """
+
+    name: str
+    kind: Kind
+
+    @property
+    def exponent(self) -> float | None:
+        """0, or None for a relation: what breaks it is no deviation, and has no exponent."""
+        return None if self.kind == "relation" else 0.0
+
+    @property
+    def reason(self) -> str:
+        """The reason why it has no genuine exponent."""
+        return _REASONS[self.kind]
+
+
+@dataclass(frozen=True)
+class TrivialDirections:
+    """The directions with trivial exponents along a motion, and the others.
+
+    Attributes
+    ----------
+    space : TangentSpace
+        Deviations that count.
+    trivial : tuple of TrivialExponent
+    dependent : tuple of str
+        Integrals and fields that depend on those removed before at this start, and force nothing.
+    sizes : (size,) array
+        By which deviations are measured.
+    """
+
+    space: TangentSpace
+    trivial: tuple[TrivialExponent, ...]
+    dependent: tuple[str, ...]
+    sizes: FloatArray
+
+
+def trivial_directions(
+    system: System,
+    start: Sequence[float],
+    parameters: Parameters = None,
+    fading: Collection[str] = (),
+    sizes: FloatArray | None = None,
+) -> TrivialDirections:
+    """The zero exponents that laws and relations force on the motion from a start.
+
+    Parameters
+    ----------
+    system : System
+    start : sequence of float
+        State in flat order, on the phase space.
+    parameters : mapping of Symbol or name to number, optional
+        Parameters that replace the defaults.
+    fading : collection of str
+        Names of what is not to be removed, because it forces no zero on this motion.
+    sizes : (size,) array, optional
+        By which deviations are measured; those of the start if left out.
+
+    Returns
+    -------
+    TrivialDirections
+        With integrals and fields that are independent at the start: dependence is kept by the
+        motion.
+    """
+    state = np.array([start], dtype=np.float64)
+    measures = state_scales_at(system, state[:, None], parameters)[0] if sizes is None else sizes
+    at = _LocalSystem(system, state, measures, parameters)
+    across, along = _Span(), _Span()
+    removed: list[TrivialExponent] = []
+    dependent: list[str] = []
+    conditions: list[sp.Expr] = []
+    for item in _conditions(at):
+        if item.trivial.name in fading:
+            continue
+        if item.on and not at.on_level(item.on, across):
+            continue
+        gradients = at.slopes(item.formulas)[:, 0]
+        if across.take(gradients[0], _floor(gradients)):
+            conditions.append(item.formulas[0])
+            removed.append(item.trivial)
+        else:
+            dependent.append(item.trivial.name)
+    fields = [
+        item
+        for item in _fields(at)
+        if item.trivial.name not in fading and (not item.on or at.on_level(item.on, across))
+    ]
+    rows: list[FloatArray] = []
+    for named, row in _tangent(at, fields, across):
+        vectors = row @ at.vectors(fields)
+        if along.take(vectors[0], _floor(vectors)):
+            rows.append(row)
+            removed.append(named)
+        else:
+            dependent.append(named.name)
+    directions = tuple(item.formulas for item in fields)
+    mixed = np.array(rows).reshape(len(rows), len(fields))
+    space = TangentSpace(system, tuple(conditions), directions, mixed)
+    return TrivialDirections(space, tuple(removed), tuple(dependent), measures)
+
+
+def vanishes_to_rounding(
+    system: System,
+    level: Sequence[sp.Expr],
+    state: FloatArray,
+    parameters: Parameters,
+    sizes: FloatArray,
+) -> bool:
+    """Whether formulas vanish at a state, up to rounding of what they consist of.
+
+    Parameters
+    ----------
+    system : System
+    level : sequence of sympy.Expr
+    state, sizes : (size,) arrays
+    parameters : mapping of Symbol or name to number, optional
+    """
+    values = np.abs(Formulas(system, level)(state, parameters))
+    reach = np.linalg.norm(Formulas(system, level).slopes(state, parameters) * sizes, axis=1)
+    named = [item.symbol for item in system.parameters]
+    parts = [symbol * sp.diff(formula, symbol) for formula in level for symbol in named]
+    shares = np.abs(Formulas(system, parts)(state, parameters)).reshape(len(level), len(named))
+    return bool(np.all(values <= ZERO * (reach + shares.sum(axis=1))))
+
+
+def _floor(vectors: FloatArray) -> float:
+    """The length below which the first of some vectors counts as zero."""
+    lengths = np.linalg.norm(vectors, axis=1)
+    return ZERO * float(np.fmax.reduce(lengths, initial=0.0))
+
+
+@dataclass(frozen=True)
+class _Item:
+    """Something that may force a zero: a function or a field."""
+
+    trivial: TrivialExponent
+    formulas: tuple[sp.Expr, ...]
+    on: tuple[sp.Expr, ...] = ()
+
+
+@dataclass
+class _Span:
+    """Vectors independent of each other, as an orthonormal basis."""
+
+    basis: list[FloatArray] = field(default_factory=list)
+
+    def remainder(self, vector: FloatArray) -> FloatArray:
+        """A vector less its projection onto the span."""
+        for _ in range(2):
+            for other in self.basis:
+                vector = vector - (vector @ other) * other
+        return vector
+
+    def take(self, vector: FloatArray, floor: float) -> bool:
+        """Add a vector to the basis if it is independent; return whether it is."""
+        left = self.remainder(vector)
+        size = float(np.linalg.norm(left))
+        independent = size > max(floor, DEPENDENT * float(np.linalg.norm(vector)))
+        if independent:
+            self.basis.append(left / size)
+        return independent
+
+
+@dataclass(frozen=True)
+class _LocalSystem:
+    """A system at one state."""
+
+    system: System
+    state: FloatArray
+    sizes: FloatArray
+    parameters: Parameters
+
+    @cached_property
+    def places(self) -> FloatArray:
+        """The state and some near it, for the usual sizes of vectors that vanish here."""
+        moves = np.random.default_rng(SEED).standard_normal((BESIDE, self.state.shape[1]))
+        return np.concatenate([self.state, self.state + NEAR * self.sizes * moves])
+
+    def slopes(self, formulas: Sequence[sp.Expr]) -> FloatArray:
+        """Measured gradients, (places, formulas, size)."""
+        result: FloatArray = (
+            Formulas(self.system, formulas).slopes(self.places, self.parameters) * self.sizes
+        )
+        return result
+
+    def vectors(self, items: Sequence[_Item]) -> FloatArray:
+        """The fields of some items, measured, (places, items, size)."""
+        parts = [part for item in items for part in item.formulas]
+        flat = Formulas(self.system, parts)(self.places, self.parameters)
+        result: FloatArray = flat.reshape(len(flat), len(items), len(self.sizes)) / self.sizes
+        return result
+
+    def on_level(self, level: Sequence[sp.Expr], span: _Span) -> bool:
+        """Whether the state lies on a level, which deviations within the span keep."""
+        return vanishes_to_rounding(
+            self.system, level, self.state[0], self.parameters, self.sizes
+        ) and all(
+            np.linalg.norm(span.remainder(row)) <= DEPENDENT * np.linalg.norm(row)
+            for row in self.slopes(level)[0]
+        )
+
+
+def _conditions(at: _LocalSystem) -> Iterator[_Item]:
+    """Relations, then integrals: those that hold everywhere first."""
+    system = at.system
+    for relation in system.relations:
+        name = " = ".join(map(text, equation(relation)))
+        yield _Item(TrivialExponent(name, "relation"), (to_components(relation),))
+    idle = set(_idle(system))
+    for law in sorted(system.integrals, key=lambda law: bool(law.on)):
+        value = to_components(law.value)
+        used = {s for _, step in system.required_definitions([value]) for s in step.free_symbols}
+        # a variable on which nothing depends is removed as such
+        if not idle & (used | value.free_symbols):
+            yield _Item(TrivialExponent(law.name, "integral"), (value,), _level(law))
+
+
+def _fields(at: _LocalSystem) -> Iterator[_Item]:
+    """Variables on which nothing depends, symmetries, and the flow.
+
+    The flow comes last: where it leads along the others it forces no zero of its own, and where a
+    motion comes to rest the flow shows it.
+    """
+    system = at.system
+    for symbol in _idle(system):
+        unit = tuple(sp.Integer(s == symbol) for s in system.symbols)
+        yield _Item(TrivialExponent(str(symbol), "quadrature"), unit)
+    for law in system.laws:
+        if isinstance(law, Symmetry):
+            parts = tuple(components(law, system.symbols))
+            yield _Item(TrivialExponent(law.name, "symmetry"), parts, _level(law))
+    yield _Item(TrivialExponent("flow", "flow"), system.rates)
+
+
+def _idle(system: System) -> list[sp.Symbol]:
+    active = essential_variables(system)
+    return [s for s in system.symbols if s not in active]
+
+
+def _level(law: Law) -> tuple[sp.Expr, ...]:
+    return tuple(to_components(condition) for condition in law.on)
+
+
+def _tangent(
+    at: _LocalSystem, fields: Sequence[_Item], across: _Span
+) -> Iterator[tuple[TrivialExponent, Any]]:
+    """Fields tangent to the conditions, and combinations of the others that are.
+
+    The combinations have constant coefficients: the rate of an integral along a symmetry is an
+    integral again.
+    """
+    vectors = at.vectors(fields)[0]
+    sizes = np.linalg.norm(vectors, axis=1)
+    outward = vectors @ np.array(across.basis).reshape(-1, vectors.shape[1]).T
+    within = np.linalg.norm(outward, axis=1) <= DEPENDENT * sizes
+    loose = [i for i, tangent in enumerate(within) if not tangent]
+    if loose:
+        _, strengths, rotation = np.linalg.svd(outward[loose].T / sizes[loose])
+        rank = int((strengths > DEPENDENT * strengths[0]).sum())
+        names = " and ".join(fields[i].trivial.name for i in loose)
+        for row in rotation[rank:]:
+            mixed = np.zeros(len(fields))
+            mixed[loose] = row / sizes[loose]
+            yield TrivialExponent(f"a combination of {names}", "symmetry"), mixed
+    for item, tangent, row in zip(fields, within, np.eye(len(fields)), strict=True):
+        if tangent:
+            yield item.trivial, row

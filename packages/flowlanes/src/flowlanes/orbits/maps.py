@@ -1,0 +1,203 @@
+"""Maps of a section to itself, with their derivatives and integrals.
+
+Periodic orbits, multipliers and continuation need only a map, wherever it comes from: an
+`ExplicitMap` is given by NumPy formulas, and :mod:`.return_map` has that of the returns of a System
+to a section.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+
+from ..system.arrays import FloatArray
+
+Function = Callable[[FloatArray], FloatArray]
+
+#: Step along the imaginary axis; its square is nothing beside 1, so that no digits are lost.
+_STEP = 1e-100
+
+
+@dataclass(frozen=True)
+class Image:
+    """The images of points under a map.
+
+    Attributes
+    ----------
+    points : array (n, size)
+        Not a number where a point has no image.
+    times : array (n,)
+        Times of flight; zero for a map without time.
+    slopes : array (n, size, size) or None
+        Derivatives: entry [k, i, j] of image coordinate i by coordinate j of point k.
+    """
+
+    points: FloatArray
+    times: FloatArray
+    slopes: FloatArray | None = None
+
+
+@dataclass(frozen=True)
+class ConservedFunctions:
+    """Functions that a map conserves.
+
+    Attributes
+    ----------
+    names : tuple of str
+    values : callable
+        From points (n, size) to values (n, len(names)).
+    slopes : callable
+        From points (n, size) to derivatives (n, len(names), size).
+    """
+
+    names: tuple[str, ...]
+    values: Function
+    slopes: Function
+
+
+NOTHING = ConservedFunctions(
+    (), lambda x: np.zeros((len(x), 0)), lambda x: np.zeros((len(x), 0, x.shape[1]))
+)
+
+
+class Map(Protocol):
+    """A map whose periodic orbits can be computed.
+
+    Attributes
+    ----------
+    names : tuple of str
+        The coordinates.
+    periods : array (size,)
+        The period of a coordinate that is an angle; infinite for the others.
+    domain : ConservedFunctions
+        Functions that vanish on the set that is mapped: relations and the section.
+    integrals : ConservedFunctions
+        Functions with a value of their own on each orbit.
+    trivial : tuple of str
+        Multipliers one that are left out beforehand, by what forces them: the flow itself.
+    """
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """See above."""
+        ...
+
+    @property
+    def periods(self) -> FloatArray:
+        """See above."""
+        ...
+
+    @property
+    def domain(self) -> ConservedFunctions:
+        """See above."""
+        ...
+
+    @property
+    def integrals(self) -> ConservedFunctions:
+        """See above."""
+        ...
+
+    @property
+    def trivial(self) -> tuple[str, ...]:
+        """See above."""
+        ...
+
+    def sizes(self, points: FloatArray) -> FloatArray:
+        """Units of the coordinates about points (n, size)."""
+        ...
+
+    def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
+        """Images of points (n, size) after `count` steps; slopes on demand."""
+        ...
+
+
+def normalised_functions(
+    values: FloatArray, slopes: FloatArray, sizes: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Values (..., r) and slopes (..., r, size) of functions, normalised by slopes."""
+    local = slopes * sizes
+    lengths = np.sqrt((local**2).sum(axis=-1))
+    lengths[lengths == 0] = 1.0
+    return values / lengths, local / lengths[..., None]
+
+
+def slope_of(function: Function) -> Function:
+    """The derivative of an analytic function of points, exact to rounding.
+
+    Parameters
+    ----------
+    function : callable
+        From points (n, size), complex ones too, to values (n, r).
+
+    Returns
+    -------
+    callable
+        From points (n, size) to derivatives (n, r, size).
+    """
+
+    def slopes(points: FloatArray) -> FloatArray:
+        columns = []
+        for j in range(points.shape[1]):
+            moved = points.astype(complex)
+            moved[:, j] += 1j * _STEP
+            columns.append(function(moved).imag / _STEP)
+        return np.stack(columns, axis=-1)
+
+    return slopes
+
+
+@dataclass(frozen=True)
+class ExplicitMap:
+    """A map given by an analytic function.
+
+    Parameters
+    ----------
+    names : tuple of str
+        The coordinates.
+    step : callable
+        From points (n, size), complex ones too, to their images (n, size).
+    angles : mapping of str to float
+        Periods of coordinates that are angles.
+    keeps : mapping of str to callable
+        Functions from points (n, size) to values (n,) that the map conserves.
+    """
+
+    names: tuple[str, ...]
+    step: Function
+    angles: Mapping[str, float] = field(default_factory=dict)
+    keeps: Mapping[str, Function] = field(default_factory=dict)
+    domain: ConservedFunctions = NOTHING
+    trivial: tuple[str, ...] = ()
+
+    @property
+    def periods(self) -> FloatArray:
+        """The periods of the coordinates."""
+        return np.array([self.angles.get(name, np.inf) for name in self.names])
+
+    @property
+    def integrals(self) -> ConservedFunctions:
+        """The functions of `keeps`."""
+        if not self.keeps:
+            return NOTHING
+
+        def values(points: FloatArray) -> FloatArray:
+            return np.stack([function(points) for function in self.keeps.values()], axis=1)
+
+        return ConservedFunctions(tuple(self.keeps), values, slope_of(values))
+
+    def sizes(self, points: FloatArray) -> FloatArray:
+        """All ones: coordinates of formulas are taken as they are."""
+        return np.ones(len(self.names))
+
+    def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
+        """Images of points (n, size) after `count` steps."""
+        slope, total = slope_of(self.step), None
+        for _ in range(count):
+            if slopes:
+                local = slope(points)
+                total = local if total is None else local @ total
+            points = self.step(points)
+        return Image(points, np.zeros(len(points)), total)

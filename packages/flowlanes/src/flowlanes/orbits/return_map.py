@@ -1,0 +1,282 @@
+"""The return map of a System to a section, for periodic orbits, and as maps of a circle.
+
+A parameter that is to change along a branch becomes one more state variable, which stays what it
+is: then it is an integral like others, and the variational equations give derivatives by it too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ..arguments import arguments_checked
+from ..errors import InputError
+from ..flow.linearisation.state_scales import state_scales_at
+from ..flow.sections.poincare_map import PoincareMap
+from ..formulas.array_formulas import Formulas
+from ..system.arrays import FloatArray
+from ..system.laws import Integral
+from ..system.parameters import require_parameters
+from ..system.system import System
+from ..system.vectors import to_components
+from .maps import ConservedFunctions, Image
+from .rotation import average, unwrapped_turns
+
+#: Numbers kept at once when many motions are followed.
+AT_ONCE = 1 << 23
+
+
+def parameters_to_state(system: System, *names: str) -> System:
+    """A system with some parameters as state variables that stay what they are.
+
+    Parameters
+    ----------
+    system : System
+    *names : str
+        Parameters; each is also an integral of this name.
+
+    Raises
+    ------
+    InputError
+        If a name is not that of a parameter.
+
+    Examples
+    --------
+    >>> from nonholonomic.catalogue import from_catalogue
+    >>> print(parameters_to_state(from_catalogue("rattleback"), "g").symbols[-1])
+    g
+    """
+    known = {str(p.symbol): p for p in system.parameters}
+    require_parameters(system.name, known, names)
+    chosen = [known[name] for name in names]
+    return replace(
+        system,
+        field=(*system.field, *((p.symbol, sp.S.Zero) for p in chosen)),
+        parameters=tuple(p for p in system.parameters if p not in chosen),
+        laws=(*system.laws, *(Integral(str(p.symbol), p.symbol, p.meaning) for p in chosen)),
+    )
+
+
+@arguments_checked
+@dataclass(frozen=True)
+class ReturnMap:
+    """The first return to a section.
+
+    Parameters
+    ----------
+    section : PoincareMap
+        With numbers for parameters, not arrays.
+    angles : mapping of str to float
+        Periods of state variables that are angles.
+    trivial : tuple of str
+        Directions in which the multiplier is 1 whatever the orbit: the flow, and what is named.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import numpy as np
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = flowlanes.System("van-der-pol", "Van der Pol", {x: v, v: (1 - x**2) * v - x})
+    >>> section = flowlanes.PoincareMap(oscillator, flowlanes.poincare_section(oscillator, "x"))
+    >>> returns = flowlanes.orbits.ReturnMap(section)
+    >>> orbit = flowlanes.orbits.find_periodic(returns, np.array([0.0, 2.17]))
+    >>> print(orbit.kind, round(orbit.duration, 9))
+    attracting 6.663286859
+    """
+
+    section: PoincareMap
+    angles: Mapping[str, float] = field(default_factory=dict)
+    trivial: tuple[str, ...] = ("flow",)
+
+    def __post_init__(self) -> None:
+        for name in self.angles:
+            _require_variable(self.section, name, "angles")
+        for name, value in self.section.parameters.items():
+            if np.ndim(value):
+                raise InputError(f"{name}: a map has one value of a parameter, not an array")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The state variables."""
+        return tuple(map(str, self.section.system.symbols))
+
+    @property
+    def periods(self) -> FloatArray:
+        """The period of each, infinite where it is no angle."""
+        return np.array([self.angles.get(name, np.inf) for name in self.names])
+
+    @cached_property
+    def domain(self) -> ConservedFunctions:
+        """Relations and the section."""
+        system = self.section.system
+        names = (*(f"relation {i}" for i in range(1, len(system.relations) + 1)), "section")
+        return self._functions(names, (*system.relations, self.section.section.value))
+
+    @cached_property
+    def integrals(self) -> ConservedFunctions:
+        """The integrals that hold for these parameters."""
+        laws = [law for law in self.section.system.integrals if self._holds(law)]
+        return self._functions(tuple(law.name for law in laws), tuple(law.value for law in laws))
+
+    def _functions(
+        self, names: tuple[str, ...], formulas: tuple[sp.Expr, ...]
+    ) -> ConservedFunctions:
+        functions = Formulas(self.section.system, tuple(to_components(f) for f in formulas))
+        parameters = self.section.parameters
+        return ConservedFunctions(
+            names,
+            lambda points: functions(points, parameters),
+            lambda points: functions.slopes(points, parameters),
+        )
+
+    def _holds(self, law: Integral) -> bool:
+        """Whether an integral has no condition but on parameters, which they satisfy."""
+        system = self.section.system
+        parameters = {str(name): value for name, value in self.section.parameters.items()}
+        values = {s: parameters.get(str(s), default) for s, default in system.defaults.items()}
+        conditions = [to_components(condition) for condition in law.on]
+        if any(condition.free_symbols - set(values) for condition in conditions):
+            return False
+        return all(abs(float(condition.subs(values))) < 1e-12 for condition in conditions)
+
+    @arguments_checked
+    def sizes(self, points: FloatArray) -> FloatArray:
+        """The greatest sizes, (size,), of the vectors of the state among points (n, size)."""
+        size = len(self.names)
+        if points.ndim != 2 or not len(points) or points.shape[1] != size:
+            raise InputError(
+                f"ReturnMap.sizes: points must be an array (n, {size}), one row or more, "
+                f"not {points.shape}"
+            )
+        scales: FloatArray = state_scales_at(
+            self.section.system, points[None], self.section.parameters
+        )[0]
+        return scales
+
+    @arguments_checked
+    def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
+        """The returns number `count` of points (n, size)."""
+        if slopes:
+            derivative = self.section.derivative(points, count)
+            return Image(derivative.images, derivative.times, derivative.matrices)
+        crossed = self.section.crossings(points, count)
+        return Image(crossed.states[:, -1], crossed.times[:, -1])
+
+
+@arguments_checked
+@dataclass(frozen=True)
+class Circle:
+    """The returns of a flow on a torus, as maps of the circle of one angle.
+
+    Parameters
+    ----------
+    section : PoincareMap
+        A section that a second angle goes through; of a system whose state contains the first
+        one, growing without jumps.
+    angle : str
+        The state variable that is the angle, in radians.
+    parameter : str
+        The parameter of the family.
+    state : mapping of str to float
+        The other state variables on the section.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import numpy as np
+    >>> from nonholonomic.catalogue.bodies.unbalanced_rubber_ball_centred import torus
+    >>> flow = torus()
+    >>> across = flowlanes.PoincareMap(flow, flowlanes.poincare_section(flow, "beta", angle=True))
+    >>> circle = flowlanes.orbits.Circle(across, "alpha", "lambda", {"beta": 0.0})
+    >>> circle(np.array([0.3]), np.array([1.0]), 4).shape
+    (1, 5)
+    """
+
+    section: PoincareMap
+    angle: str
+    parameter: str
+    state: Mapping[str, float]
+
+    def __post_init__(self) -> None:
+        for name in (self.angle, *self.state):
+            _require_variable(self.section, name, "state")
+        known = [str(symbol) for symbol in self.section.system.defaults]
+        require_parameters(self.section.system.name, known, [self.parameter])
+
+    def __call__(self, turns: FloatArray, values: FloatArray, count: int) -> FloatArray:
+        """Lifts of orbits, (n, count + 1) turns; see :mod:`.arnold_tongues`."""
+        names = [str(s) for s in self.section.system.symbols]
+        place = names.index(self.angle)
+        starts = np.array([[self.state.get(name, 0.0) for name in names]]).repeat(len(turns), 0)
+        starts[:, place] = 2 * np.pi * turns
+        parameters = {**self.section.parameters, self.parameter: np.asarray(values, dtype=float)}
+        crossings = replace(self.section, parameters=parameters).crossings(starts, count)
+        return np.concatenate([turns[:, None], crossings.states[:, :, place] / (2 * np.pi)], axis=1)
+
+
+def _require_variable(section: PoincareMap, name: str, where: str) -> None:
+    names = [str(symbol) for symbol in section.system.symbols]
+    if name not in names:
+        raise InputError(f"{where}: {name} is not a state variable; there are {', '.join(names)}")
+
+
+@dataclass(frozen=True)
+class Rotations:
+    """Rotation numbers of many motions.
+
+    Attributes
+    ----------
+    values, errors : arrays (n,)
+        Turns per return, and the differences of both halves; not-a-number where there is none.
+    outcome : array (n,) of int
+        0, or why a motion did not return: see `SectionMap.reason`; −1 where the angle has no lift.
+    """
+
+    values: FloatArray
+    errors: FloatArray
+    outcome: FloatArray
+
+
+def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int = 1000) -> Rotations:
+    """Rotation numbers of an angle on a section, for many starts and parameters.
+
+    Parameters
+    ----------
+    section : PoincareMap
+        Its parameters may be arrays, one number for each start.
+    starts : array (n, size)
+        In flat order.
+    angle : sympy.Expr
+        A formula in state, definitions and parameters: radians modulo 2π, such as
+        ``atan2(gamma_2, gamma_1)``.
+    count : int
+        Returns of each motion.
+    """
+    starts = np.asarray(starts, dtype=float)
+    values, errors = np.full(len(starts), np.nan), np.full(len(starts), np.nan)
+    outcome = np.zeros(len(starts), dtype=int)
+    formula = Formulas(section.system, (to_components(sp.sympify(angle)),))
+    rows = max(1, AT_ONCE // (count * section.size))
+    for first in range(0, len(starts), rows):
+        part = slice(first, min(first + rows, len(starts)))
+        parameters = {
+            name: value if np.ndim(value) == 0 else np.asarray(value)[part]
+            for name, value in section.parameters.items()
+        }
+        crossed = replace(section, parameters=parameters).crossings(starts[part], count)
+        outcome[part] = crossed.outcome
+        angles = formula(crossed.states, parameters)[..., 0]
+        for i in np.flatnonzero(crossed.outcome == 0):
+            try:
+                mean, error = average(np.diff(unwrapped_turns(angles[i])))
+            except InputError:
+                outcome[first + i] = -1
+            else:
+                values[first + i], errors[first + i] = mean, error
+    return Rotations(values, errors, outcome)

@@ -1,0 +1,172 @@
+"""Linear involutions under which the equations run backwards.
+
+A *reversor* R changes the signs of some state variables, such as those of a reflection of space or
+of the angular velocity, and carries every motion into a motion run backwards: v(Rx) = −R v(x).
+Some need parameters to vanish, such as components of a displacement of the centre of mass: then R,
+with the signs of these parameters changed as well, reverses the whole family.  Candidates are
+found by numbers and proven exactly.  (Exchanges of axes, which need equal parameters, are not
+searched.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ..arguments import arguments_checked
+from ..formulas.array_formulas import Formulas
+from ..printing.formula import text
+from ..system.arrays import FloatArray
+from ..system.parameters import Parameters
+from ..system.system import Parameter, System, flat
+from .sign_reversal import reverses
+
+#: So many signs are tried one by one; where there are more, a vector counts as one.
+SIGNS = 16
+#: States at which candidates are tried, and how often a usable one is drawn for.
+POINTS, DRAWS = 2, 60
+SEED = 20080830
+#: Relative size below which two numbers count as equal, when candidates are chosen.
+CLOSE = 1e-9
+#: Size of the parameters whose sign is free, at these states.
+SMALL = 0.2
+
+
+@arguments_checked
+@dataclass(frozen=True)
+class Reversor:
+    """A change of signs that reverses the equations; proven.
+
+    Attributes
+    ----------
+    odd : tuple of Symbol
+        State variables that change their signs, in flat order.
+    vanishing : tuple of Symbol
+        Parameters that must be zero.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> disk = nonholonomic.from_catalogue("heavy-disk")
+    >>> flowlanes.reversors(disk)[0].odd
+    (M_1, gamma_1)
+    """
+
+    odd: tuple[sp.Symbol, ...]
+    vanishing: tuple[sp.Symbol, ...] = ()
+
+    @arguments_checked
+    def signs(self, system: System) -> FloatArray:
+        """The diagonal of R: +1 and −1 in flat order."""
+        return np.array([-1.0 if s in self.odd else 1.0 for s in system.symbols])
+
+    @arguments_checked
+    def holds(self, parameters: Parameters) -> bool:
+        """Whether it reverses the system with these parameters, by Symbol or name."""
+        values = {str(name): value for name, value in parameters.items()}
+        return all(values[str(symbol)] == 0 for symbol in self.vanishing)
+
+    @arguments_checked
+    def words(self, system: System) -> str:
+        """The variables that change sign, and the conditions, in words."""
+        whole = [name for name in system.state if set(flat((name,))) <= set(self.odd)]
+        scalars = [s for s in self.odd if s not in flat(whole)]
+        names = [text(name) for name in (*whole, *scalars)]
+        needs = "".join(f"{text(symbol)} = " for symbol in self.vanishing)
+        verb = "changes" if len(names) == 1 else "change"
+        return f"{', '.join(names)} {verb} sign" + (f" where {needs}0" if needs else "")
+
+
+@arguments_checked
+def reversors(system: System) -> tuple[Reversor, ...]:
+    """All changes of sign that are proven to reverse a system.
+
+    Parameters
+    ----------
+    system : System
+        Conditions are found among its parameters; those that hold at given values are chosen by
+        :meth:`~flowlanes.orbits.reversing_symmetries.Reversor.holds`.
+
+    Returns
+    -------
+    tuple of Reversor
+        Those without conditions first.  Candidates that numbers suggest but that are not proven,
+        parity by parity along the definitions, are left out.
+
+    Raises
+    ------
+    InputError
+        If something else than a system is given.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
+    >>> [reversor.words(ball) for reversor in flowlanes.reversors(ball)][:2]
+    ['M changes sign', 'M₁, γ₁ change sign where c₁ = 0']
+    """
+    accepted: list[Reversor] = []
+    for candidate in sorted(_candidates(system), key=lambda r: (len(r.vanishing), len(r.odd))):
+        weaker = any(
+            old.odd == candidate.odd and set(old.vanishing) <= set(candidate.vanishing)
+            for old in accepted
+        )
+        if not weaker and reverses(system, {*candidate.odd, *candidate.vanishing}):
+            accepted.append(candidate)
+    return tuple(accepted)
+
+
+def _candidates(system: System) -> Iterator[Reversor]:
+    """Changes of signs that reverse the equations at some states, by numbers."""
+    loose = [p.symbol for p in system.parameters if _sign_change(p)]
+    units = [(s,) for s in (*system.symbols, *loose)]
+    if len(units) > SIGNS:
+        units = [flat((name,)) for name in system.state]
+    places = {s: i for i, s in enumerate(system.symbols)}
+    choices = np.arange(1, 2 ** len(units))
+    flips = (choices[:, None] >> np.arange(len(units))) & 1 == 1
+    states = np.ones((len(choices), len(system.symbols)))
+    constants = {s: np.ones(len(choices)) for s in loose}
+    for flip, unit in zip(flips.T, units, strict=True):
+        for symbol in unit:
+            column = states[:, places[symbol]] if symbol in places else constants[symbol]
+            column[flip] = -1.0
+    rates = Formulas(system, system.rates)
+    good = np.ones(len(choices), dtype=bool)
+    for point, values, rate in _points(system, loose, rates):
+        turned = rates(states * point, {s: signs * values[s] for s, signs in constants.items()})
+        with np.errstate(invalid="ignore"):
+            missed = np.abs(turned + states * rate).max(axis=1)
+            good &= missed <= CLOSE * np.abs(rate).max()
+    for row, index in zip(states[good], np.flatnonzero(good), strict=True):
+        yield Reversor(
+            tuple(s for s, sign in zip(system.symbols, row, strict=True) if sign < 0),
+            tuple(s for s in loose if constants[s][index] < 0),
+        )
+
+
+def _sign_change(parameter: Parameter) -> bool:
+    """Whether a parameter may have either sign."""
+    conditions = [sp.sympify(c).subs(parameter.symbol, -SMALL) for c in parameter.admissible]
+    return all(condition != sp.false for condition in conditions)
+
+
+def _points(system: System, loose: list[sp.Symbol], rates: Formulas) -> Iterator[Any]:
+    """Some states and parameters at which the equations have a value, and it."""
+    random = np.random.default_rng(SEED)
+    count = 0
+    for _ in range(DRAWS):
+        state = random.uniform(0.1, 0.9, size=len(system.symbols))
+        values = {s: SMALL * random.uniform(0.5, 1.5) for s in loose}
+        (rate,) = rates([state], values)
+        if np.isfinite(rate).all() and np.any(rate):
+            count += 1
+            yield state, values, rate
+        if count == POINTS:
+            return

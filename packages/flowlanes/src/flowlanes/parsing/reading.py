@@ -1,0 +1,108 @@
+"""Reading of a formula, with scalars alone or with vectors too."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+import sympy
+
+from ..arguments import arguments_checked
+from ..errors import nearest as _nearest
+from .grammar import CONSTANTS, PRODUCTS, RESERVED_WORDS
+from .paper_notation import code_spelling
+from .scalar import Scalars
+from .syntax import Source, syntax_tree
+from .vector import Formula, NamedQuantity, Vectors
+
+nearest = arguments_checked(_nearest)
+
+
+@arguments_checked
+def parse(
+    text: str, names: Mapping[str, sympy.Symbol], where: str = "", further: str = ""
+) -> sympy.Expr:
+    """Read a formula.
+
+    Parameters
+    ----------
+    text
+        The formula, such as ``"x**4 + y**4 + z**4 - 1"``; line breaks count as spaces.
+    names
+        The symbols that it may contain, by the name under which they are written.
+    where
+        Where the formula stands (file, line, key), put before the message of an error.
+    further
+        Where further names can be declared, such as ``"[parameters]"``, for the message on an
+        unknown one.
+
+    Returns
+    -------
+    sympy.Expr
+        A real, finite expression in those symbols whose numbers are exact.
+
+    Raises
+    ------
+    InputError
+        When the text is no formula of this language, contains an unknown name, has no real value
+        (``1/0``, ``sqrt(-1)``) or is absurdly large. The message is one sentence, followed by
+        the formula and a caret under the offending character.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> flowlanes.parsing.parse("x**2/2 + 0.1", {"x": flowlanes.system.real_symbol("x")})
+    x**2/2 + 1/10
+    """
+    words = _in_order(names, RESERVED_WORDS)
+    source = Source(code_spelling(text), where, words, further=further)
+    return Scalars(source, {**CONSTANTS, **names}).read(syntax_tree(source), 0)
+
+
+def _in_order(names: Iterable[str], reserved_words: Collection[str]) -> Collection[str]:
+    """Names first as they come, then functions and constants."""
+    return dict.fromkeys([*names, *sorted(reserved_words)])
+
+
+@arguments_checked
+def parse_formula(
+    text: str, names: Mapping[str, NamedQuantity], where: str = "", further: str = ""
+) -> Formula:
+    """Read a formula in which vectors may occur.
+
+    Parameters
+    ----------
+    text
+        The formula, such as ``"cross(gamma, omega)"`` or ``"dot(omega, I*omega)/2"``.
+    names
+        Scalars, vectors and diagonal tensors by name; the components of a vector, such as
+        ``gamma_1``, are known with it.
+    where
+        Where the formula stands, put before the message of an error.
+    further
+        Where further names can be declared.
+
+    Returns
+    -------
+    sympy.Expr or MatrixExpr
+        A scalar or vector formula as it is written: vector products are not expanded.
+
+    Raises
+    ------
+    InputError
+        As for `parse`, and where numbers and vectors are mixed up.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> M, omega = flowlanes.system.Vector("M"), flowlanes.system.Vector("omega")
+    >>> flowlanes.parsing.parse_formula("dot(M, omega)/2", {"M": M, "omega": omega})
+    Dot(M, omega)/2
+    """
+    scalars = {str(s): s for name in names.values() for s in _components(name)}
+    words = _in_order([*names, *scalars], RESERVED_WORDS | PRODUCTS)
+    source = Source(code_spelling(text), where, words, brackets=True, further=further)
+    return Vectors(source, {**CONSTANTS, **scalars}, names).read(syntax_tree(source), 0)
+
+
+def _components(quantity: NamedQuantity) -> tuple[sympy.Symbol, ...]:
+    return (quantity,) if isinstance(quantity, sympy.Symbol) else tuple(quantity.symbols)

@@ -1,0 +1,222 @@
+"""Charts: one number for each motion of a plane of parameters and starts.
+
+A chart is a :class:`flowlanes.flow.ensemble.task.Task` whose members are rows: computed in blocks,
+kept in memory or in a Zarr store, by this process or a cluster, to the same bits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+
+from .._version import __version__
+from ..arguments import arguments_checked
+from ..errors import InputError
+from ..flow.batch import batch_integrator
+from ..flow.devices.graphics import Device
+from ..flow.devices.threads import map_in_threads
+from ..flow.ensemble.task import Coordinate, Task, Variable
+from ..flow.kernel.outcomes import STATUS_MESSAGES
+from ..flow.variable_metadata import cf_attributes
+from ..system.arrays import FloatArray, IntArray
+from ..system.parameters import Parameters
+from ..system.system import System
+from .grid import NO_NUMBER, REASONS, Axis, ScanGrid
+
+#: Motions that are computed at once, about, by device.
+AT_ONCE: Mapping[Device, int] = {"cpu": 2048, "gpu": 2**17}
+
+
+class Rule(Protocol):
+    """A quantity of motions, computed for many of them independently."""
+
+    @property
+    def system(self) -> System:
+        """Whose motions they are."""
+
+    @property
+    def until(self) -> float:
+        """The length of the motions."""
+
+    @property
+    def tolerance(self) -> float:
+        """The tolerance of the integration."""
+
+    @property
+    def device(self) -> Device:
+        """The device on which the motions are computed."""
+
+    @property
+    def further(self) -> Mapping[str, str]:
+        """Names and meanings of further numbers, such as an error."""
+
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> Mapping[str, FloatArray | IntArray]:
+        """Arrays (n,): the number ``"value"``, ``"outcome"``, time reached ``"ended"``."""
+
+
+@dataclass(frozen=True)
+class Scan:
+    """A number over a plane: rows first, …, last − 1 ↦ arrays of numbers.
+
+    Attributes
+    ----------
+    plane : ScanGrid
+    rule : Rule
+        The number.
+    name : str
+        The name of the variable.
+    title, unit : str
+        Its meaning in words, and its unit.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> x = flowlanes.scans.axis("I_1=1:2:3")
+    >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
+    >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> rule = flowlanes.scans.TimeAverage(ball, 5.0, ball.symbols[0] ** 2)
+    >>> flowlanes.scans.Scan(grid, rule, "square", "Mean of the square").name
+    'square'
+    """
+
+    plane: ScanGrid
+    rule: Rule
+    name: str
+    title: str
+    unit: str = ""
+
+    def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.number]]:
+        """Rows of the chart: numbers, outcomes and times reached, (last − first, columns)."""
+        parts = map_in_threads(lambda a, b: self._rows(first + a, first + b), last - first)
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+    def _rows(self, first: int, last: int) -> dict[str, npt.NDArray[np.number]]:
+        cells = self.plane.cells(first, last)
+        good = np.flatnonzero(cells.reasons == 0)
+        arrays = {name: np.full(len(cells.reasons), np.nan) for name in (*self.numbers, "ended")}
+        outcome = cells.reasons.astype(np.int16)
+        if len(good):
+            parameters = {symbol: numbers[good] for symbol, numbers in cells.parameters.items()}
+            results = self.rule(cells.starts[good], parameters)
+            outcome[good] = results["outcome"]
+            for name, key in (*self.numbers.items(), ("ended", "ended")):
+                arrays[name][good] = results[key]
+            outcome[(outcome == 0) & ~np.isfinite(arrays[self.name])] = NO_NUMBER
+        shape = (last - first, self.plane.x.count)
+        arrays["outcome"] = outcome
+        return {name: array.reshape(shape) for name, array in arrays.items()}
+
+    @property
+    def numbers(self) -> dict[str, str]:
+        """The numbers of the result, by what the rule calls them."""
+        return {self.name: "value", **{f"{self.name}_{key}": key for key in self.rule.further}}
+
+
+@arguments_checked
+def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
+    """The task of a scan.
+
+    See :func:`flowlanes.flow.ensemble.compute`.
+
+    Parameters
+    ----------
+    task : Scan
+    attributes : mapping, optional
+        Further attributes of the result: numbers and texts.
+
+    Returns
+    -------
+    Task
+        Its result has the dimensions of y and x, their values as coordinates, and the variables
+        ``task.name``, ``outcome`` (0, or why there is no number: see its ``flag_meanings``) and
+        ``ended`` (the time reached).
+
+    Raises
+    ------
+    InputError
+        If an axis has the name of a variable of the result.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> x = flowlanes.scans.axis("I_1=1:2:3")
+    >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
+    >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> rule = flowlanes.scans.TimeAverage(ball, 5.0, ball.symbols[0] ** 2)
+    >>> task = flowlanes.scans.scan(
+    ...     flowlanes.scans.Scan(grid, rule, "square", "Mean of the square")
+    ... )
+    >>> dict(flowlanes.flow.ensemble.compute(task).sizes)
+    {'I_2': 2, 'I_1': 3}
+    """
+    plane, rule = task.plane, task.rule
+    columns = (plane.x.name,)
+    shape = (plane.x.count,)
+    for item in (plane.x, plane.y):
+        if item.name in {*task.numbers, "outcome", "ended"}:
+            raise InputError(f"{item.name}: an axis must not have the name of a result")
+    titles = {"value": task.title, **rule.further}
+    return Task(
+        work=task,
+        size=plane.y.count,
+        block=max(1, AT_ONCE[rule.device] // plane.x.count),
+        variables={
+            **{
+                name: Variable(columns, shape, attributes=cf_attributes(titles[key], task.unit))
+                for name, key in task.numbers.items()
+            },
+            "outcome": Variable(columns, shape, "int16", _outcomes(rule)),
+            "ended": Variable(columns, shape, attributes=cf_attributes("time reached", "s")),
+        },
+        member=plane.y.name,
+        coordinates={item.name: _coordinate(item) for item in (plane.x, plane.y)},
+        attributes={
+            "system": plane.system.title,
+            "number": task.name,
+            "until": rule.until,
+            "tolerance": rule.tolerance,
+            "parameters": _text_rows(plane.system.defaults),
+            "start": _text_rows(dict(zip(plane.original_system.symbols, plane.base, strict=True))),
+            "formulas": [f"{symbol} = {value}" for symbol, value in plane.substitutions],
+            "levels": [f"{quantity} = {value}" for quantity, value in plane.levels],
+            "held": [str(symbol) for symbol in plane.fixed_symbols],
+            "version": __version__,
+            **(attributes or {}),
+        },
+    )
+
+
+def _coordinate(item: Axis) -> Coordinate:
+    return Coordinate(
+        (item.name,), item.values, cf_attributes(item.meaning or item.name, item.unit)
+    )
+
+
+def _text_rows(values: Mapping[sp.Symbol | str, float]) -> list[str]:
+    return [f"{name} = {value!r}" for name, value in values.items()]
+
+
+def _outcomes(rule: Rule) -> dict[str, object]:
+    """Attributes of the outcome codes, by the CF conventions."""
+    flow = batch_integrator(rule.system, tolerance=rule.tolerance)
+    reasons = {0: "followed to the end", -1: "not computed yet", **REASONS}
+    reasons |= {
+        code: flow.status_message(code)
+        for code in range(1, len(STATUS_MESSAGES) + len(rule.system.guards))
+    }
+    return {
+        **cf_attributes("why there is no number", ""),
+        "flag_values": list(reasons),
+        "flag_meanings": " ".join(text.replace(" ", "_") for text in reasons.values()),
+    }

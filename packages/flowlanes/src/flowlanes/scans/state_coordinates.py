@@ -1,0 +1,391 @@
+"""Usual coordinates of states and sections, as maps in both directions.
+
+:class:`StateCoordinates` map points of a few coordinates to states, and states to points.  One
+coordinate may be fixed, or solved for on a level of an integral: so the Andoyer variables
+(l, L/G, g, G, H) become the chart (l, L/G) of a section g = π/2 on a level of energy and area
+integral::
+
+    variables = chart(system, "andoyer-ratio")
+    plane = variables.with_fixed({"g": pi / 2, "H": 0.3}).without_coordinate("G", "energy", 1.0)
+    states = plane.state([[0.5, 0.1]])
+
+If there is no state, or none that formulas determine (G = |L|), the result is not-a-number;
+:meth:`StateCoordinates.require` turns that into a sentence.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ..arguments import Parameters
+from ..errors import InputError
+from ..flow.sampling.great_circles import crossings
+from ..formulas.array_formulas import Formulas
+from ..system.arrays import FloatArray, IntArray
+from ..system.system import System
+from .andoyer import Andoyer
+from .directions import Directions
+
+_TURN = 2 * np.pi
+
+#: Pieces of the range of a solved coordinate with which the search begins.
+_PIECES = 16
+#: Step of the difference quotients that tell a search where a function turns.
+_STEP = 1e-6
+#: Newton steps after the search.
+_NEWTON = 2
+
+
+@dataclass(frozen=True)
+class StateCoordinates:
+    """Coordinates of states.
+
+    Attributes
+    ----------
+    system : System
+    parameters : mapping
+        Values that replace the system's defaults.
+    names : tuple of str
+        Of the coordinates, in order.
+    periods : tuple of float
+        2π for an angle, 0 for what is none.
+    domain : str
+        The domain of the coordinates, in words.
+    """
+
+    system: System
+    parameters: Parameters
+    names: tuple[str, ...]
+    periods: tuple[float, ...]
+    domain: str
+    _every: Callable[[FloatArray], tuple[IntArray, FloatArray]]
+    _point: Callable[[FloatArray], FloatArray]
+    _range: Callable[[str, Mapping[str, float]], tuple[float, float]]
+    _single: bool = True
+
+    def state(self, points: FloatArray, branch: int = 0) -> FloatArray:
+        """The states of points.
+
+        Parameters
+        ----------
+        points : array (n, d)
+            One point in each row.
+        branch : int
+            Which, where several states belong to one point (a coordinate was solved for): they
+            are counted from 0 as the solved coordinate rises; −1 is the last.
+
+        Returns
+        -------
+        array (n, size)
+            Not-a-number where there is no such state.
+        """
+        rows = self._rows(points, len(self.names))
+        which, states = self._every(rows.T)
+        chosen = np.full((len(rows), len(self.system.symbols)), np.nan)
+        first = np.searchsorted(which, np.arange(len(rows)))
+        many = np.bincount(which, minlength=len(rows))
+        place = branch if branch >= 0 else many + branch
+        there = np.flatnonzero((place >= 0) & (place < many))
+        chosen[there] = states.T[(first + place)[there]]
+        return chosen
+
+    def solutions(self, points: FloatArray) -> IntArray:
+        """The number of states (n,) of each of the points (n, d)."""
+        rows = self._rows(points, len(self.names))
+        return np.bincount(self._every(rows.T)[0], minlength=len(rows))
+
+    def point(self, states: FloatArray) -> FloatArray:
+        """The points (n, d) of states (n, size); angles lie in [0, 2π).
+
+        Not-a-number where a coordinate is not defined.  The level and the fixed coordinates are
+        not looked at: a state off them has the point of its other coordinates.
+        """
+        rows = self._rows(states, len(self.system.symbols))
+        points = self._point(np.ascontiguousarray(rows.T))
+        for row, period in zip(points, self.periods, strict=True):
+            if period:
+                row[:] = np.mod(row, period)
+                # a little less than nothing is rounded up to a whole turn
+                row[row == period] = 0.0
+        return np.ascontiguousarray(points.T)
+
+    def require(self, points: FloatArray) -> None:
+        """Refuse points at which there is no state.
+
+        Raises
+        ------
+        InputError
+            It names the first such point and the domain.
+        """
+        rows = self._rows(points, len(self.names))
+        empty = np.flatnonzero(self.solutions(rows) == 0)
+        if empty.size:
+            place = ", ".join(
+                f"{name} = {value:.6g}"
+                for name, value in zip(self.names, rows[empty[0]], strict=True)
+            )
+            raise InputError(f"{self.system.name}: no state at {place}; {self.domain}")
+
+    def with_fixed(self, values: Mapping[str, float]) -> StateCoordinates:
+        """The chart with some coordinates held at given values."""
+        for name in values:
+            self._place(name)
+        free = [i for i, name in enumerate(self.names) if name not in values]
+
+        def every(points: FloatArray) -> tuple[IntArray, FloatArray]:
+            return self._every(self._all_coordinates(free, points, values))
+
+        def span(name: str, others: Mapping[str, float]) -> tuple[float, float]:
+            return self._range(name, {**others, **values})
+
+        text = "".join(f", {name} = {value:.6g}" for name, value in values.items())
+        return replace(
+            self,
+            names=tuple(self.names[i] for i in free),
+            periods=tuple(self.periods[i] for i in free),
+            domain=self.domain + text,
+            _every=every,
+            _point=lambda states: self._point(states)[free],
+            _range=span,
+        )
+
+    def without_coordinate(self, name: str, integral: str, value: float) -> StateCoordinates:
+        """The chart without a coordinate, which is found from the value of an integral.
+
+        Parameters
+        ----------
+        name : str
+            The coordinate that is solved for.
+        integral : str
+            Name of an integral of the system.
+        value : float
+
+        Raises
+        ------
+        InputError
+            If there is no such coordinate or integral, or one was solved for already.
+        """
+        place = self._place(name)
+        if not self._single:
+            raise InputError(f"{self.system.name}: one coordinate can be solved for, not two")
+        laws = {law.name: law.value for law in self.system.integrals}
+        if integral not in laws:
+            raise InputError(
+                f"{self.system.name} has no integral {integral!r}; it has {', '.join(laws)}"
+            )
+        free = [i for i in range(len(self.names)) if i != place]
+        search = _Search(self, place, Formulas(self.system, [laws[integral]]), value)
+        return replace(
+            self,
+            names=tuple(self.names[i] for i in free),
+            periods=tuple(self.periods[i] for i in free),
+            domain=f"{self.domain}, and {integral} = {value:.6g} for some {name}",
+            _every=search.every,
+            _point=lambda states: self._point(states)[free],
+            _single=False,
+        )
+
+    # --- inside --------------------------------------------------------------------------------
+
+    def _place(self, name: str) -> int:
+        if name not in self.names:
+            raise InputError(
+                f"{self.system.name}: no coordinate {name!r} in this chart; it has "
+                f"{', '.join(self.names)}"
+            )
+        return self.names.index(name)
+
+    def _rows(self, rows: FloatArray, width: int) -> FloatArray:
+        array = np.atleast_2d(np.asarray(rows, dtype=float))
+        if array.shape[1] != width:
+            raise InputError(
+                f"{self.system.name}: rows of {width} numbers are needed, not of {array.shape[1]}"
+            )
+        return array
+
+    def _all_coordinates(
+        self, free: Sequence[int], points: FloatArray, values: Mapping[str, float]
+    ) -> FloatArray:
+        whole = np.empty((len(self.names), points.shape[1]))
+        whole[list(free)] = points
+        for name, value in values.items():
+            whole[self.names.index(name)] = value
+        return whole
+
+
+def chart(
+    system: System,
+    name: str,
+    level: Mapping[str, float] | None = None,
+    parameters: Parameters = None,
+) -> StateCoordinates:
+    """Coordinates of the states of a system.
+
+    Parameters
+    ----------
+    system : System
+    name : str
+        ``"andoyer"``: (L, G, H, l, g) of a momentum and γ; ``"andoyer-ratio"``: the same as
+        (l, L/G, g, G, H); ``"directions"``: (theta, phi, psi, energy), the direction of γ, that of
+        ω (a rubber contact) or of M (on a level of the area integral) across γ, and the energy.
+    level : mapping of str to float, optional
+        For ``"directions"`` alone: the area integral.
+    parameters : mapping of Symbol or name to float, optional
+        Values that replace the defaults.
+
+    Raises
+    ------
+    InputError
+        If there is no such chart, or the system has not the state for it.
+    """
+    if name not in CHARTS:
+        raise InputError(f"no coordinates {name!r}; there are {', '.join(CHARTS)}")
+    if level and name != "directions":
+        raise InputError(
+            f"coordinates {name!r} are those of all states: use .with_fixed({{'H': ...}}) and "
+            ".without_coordinate('G', 'energy', ...) for a level"
+        )
+    return CHARTS[name](system, dict(level or {}), dict(parameters or {}))
+
+
+def _ratio(system: System, _: Mapping[str, float], parameters: Parameters) -> StateCoordinates:
+    maps = Andoyer(system)
+    return StateCoordinates(
+        system=system,
+        parameters=parameters,
+        names=maps.names,
+        periods=(_TURN, 0.0, _TURN, 0.0, 0.0),
+        domain="the coordinates need G > 0, -G <= H <= G and -1 <= L/G <= 1",
+        _every=maps.states,
+        _point=maps.points,
+        _range=maps.span,
+    )
+
+
+def _andoyer(
+    system: System, level: Mapping[str, float], parameters: Parameters
+) -> StateCoordinates:
+    ratio = _ratio(system, level, parameters)
+
+    def every(points: FloatArray) -> tuple[IntArray, FloatArray]:
+        L, G, H, l, g = points
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return ratio._every(np.stack([l, L / G, g, G, H]))
+
+    def point(states: FloatArray) -> FloatArray:
+        l, x, g, G, H = ratio._point(states)
+        return np.stack([G * x, G, H, l, g])
+
+    def span(name: str, others: Mapping[str, float]) -> tuple[float, float]:
+        if name == "G":
+            return np.maximum(np.abs(others["H"]), np.abs(others["L"])), np.inf
+        return (-others["G"], others["G"]) if name == "L" else ratio._range(name, others)
+
+    return replace(
+        ratio,
+        names=("L", "G", "H", "l", "g"),
+        periods=(0.0, 0.0, 0.0, _TURN, _TURN),
+        domain="the coordinates need G > 0, -G <= L <= G and -G <= H <= G",
+        _every=every,
+        _point=point,
+        _range=span,
+    )
+
+
+def _directions(
+    system: System, level: Mapping[str, float], parameters: Parameters
+) -> StateCoordinates:
+    maps = Directions(system, level, parameters)
+    return StateCoordinates(
+        system=system,
+        parameters=parameters,
+        names=maps.names,
+        periods=(0.0, _TURN, _TURN, 0.0),
+        domain="the energy must be above its least value at this gamma",
+        _every=maps.states,
+        _point=maps.points,
+        _range=maps.span,
+    )
+
+
+#: The charts by name.
+CHARTS: Mapping[
+    str, Callable[[System, Mapping[str, float], Mapping[Any, Any]], StateCoordinates]
+] = {
+    "andoyer": _andoyer,
+    "andoyer-ratio": _ratio,
+    "directions": _directions,
+}
+
+
+@dataclass(frozen=True)
+class _Search:
+    """All values of one coordinate at which an integral has a value."""
+
+    chart: StateCoordinates
+    place: int
+    formula: Formulas
+    value: float
+
+    def every(self, points: FloatArray) -> tuple[IntArray, FloatArray]:
+        """All states over points (d − 1, k) of the other coordinates."""
+        chart, count = self.chart, points.shape[1]
+        names = [name for i, name in enumerate(chart.names) if i != self.place]
+        span = chart._range(chart.names[self.place], dict(zip(names, points, strict=True)))
+        low, high = (np.broadcast_to(np.asarray(end, dtype=float), (count,)) for end in span)
+        scale = self._scale(points, low)
+
+        def at(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
+            # ends are approached like squares: coordinates often end at a square root
+            with np.errstate(invalid="ignore", divide="ignore"):
+                finite = low[which] + (high - low)[which] * (1 - np.cos(np.pi * way)) / 2
+                beyond = low[which] + scale[which] * way**2 / (1 - way**2)
+            unbounded = np.isinf(high[which])
+            weight = np.where(unbounded, (1 - way**2) ** 2, 1.0)
+            return np.where(unbounded, beyond, finite), weight
+
+        def along(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
+            def value(shift: float) -> FloatArray:
+                there, weight = at(which, way + shift)
+                return self._defect(points[:, which], there) * weight
+
+            return value(0.0), (value(_STEP) - value(-_STEP)) / (2 * _STEP)
+
+        nodes = np.linspace(0.0, 1.0, _PIECES + 1)
+        nodes[0], nodes[-1] = 2 * _STEP, 1 - 2 * _STEP
+        which, way = crossings(along, count, nodes)
+        solved = self._newton_refined(points[:, which], at(which, way)[0])
+        owner, states = chart._every(self._whole(points[:, which], solved))
+        return which[owner], states
+
+    def _whole(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
+        return np.insert(points, self.place, unknowns, axis=0)
+
+    def _defect(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
+        owner, states = self.chart._every(self._whole(points, unknowns))
+        defect = np.full(unknowns.size, np.nan)
+        values = self.formula(np.ascontiguousarray(states.T), self.chart.parameters)[:, 0]
+        defect[owner] = values - self.value
+        return defect
+
+    def _scale(self, points: FloatArray, low: FloatArray) -> FloatArray:
+        """A size of the coordinate at which the integral has grown to about its value."""
+        big = 1e4 * (1 + np.abs(np.where(np.isfinite(low), low, 0.0)))
+        growth = np.abs(self._defect(points, big)) / big**2
+        with np.errstate(invalid="ignore", divide="ignore"):
+            reach = np.sqrt((abs(self.value) + 1e-3) / growth)
+        return np.where(np.isfinite(reach) & (reach > 0), reach, 1.0)
+
+    def _newton_refined(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
+        for _ in range(_NEWTON):
+            step = _STEP * (1e-3 + np.abs(unknowns))
+            rise = self._defect(points, unknowns + step) - self._defect(points, unknowns - step)
+            with np.errstate(invalid="ignore", divide="ignore"):
+                better = unknowns - self._defect(points, unknowns) * 2 * step / rise
+            near = np.abs(better - unknowns) < step
+            unknowns = np.where(near, better, unknowns)
+        return unknowns

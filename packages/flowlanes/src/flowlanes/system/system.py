@@ -1,0 +1,391 @@
+"""Systems: a vector field on a phase space, and the laws claimed of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TypeAlias
+
+import sympy as sp
+
+from ..arguments import Conditions, Formula, NamedFormulas, arguments_checked
+from ..errors import InputError, require_label, require_visible
+from .display import Displayed
+from .laws import Integral, Law
+from .named_formulas import Pairs, as_pairs, expand, needed_steps, require_names
+from .vectors import Diagonal, Symmetric, Vector, to_components
+
+Name: TypeAlias = Vector | sp.Symbol
+Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
+
+
+@arguments_checked
+@dataclass(frozen=True)
+class Parameter:
+    """A number that stays constant during motion.
+
+    Parameters
+    ----------
+    symbol : sympy.Symbol
+        The symbol by which formulas call it.
+    meaning : str
+        In words, with the frame if it has one.
+    default : float
+        Value used when none is given.
+    unit : str
+        SI unit of the examples; any consistent units will do.
+    admissible : tuple of sympy relations
+        Conditions on this and other parameters; ``(a > 1) | (a < -1)`` leaves two ranges.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import sympy as sp
+    >>> x, v, k = sp.symbols("x v k", real=True)
+    >>> stiffness = flowlanes.Parameter(k, "stiffness over mass", 4.0, "1/s^2", (k > 0,))
+    >>> flowlanes.System("spring", "Spring", {x: v, v: -k * x}, (stiffness,)).defaults
+    {k: 4.0}
+    """
+
+    symbol: sp.Symbol
+    meaning: str
+    default: float
+    unit: str = ""
+    admissible: Conditions = ()
+
+
+@dataclass(frozen=True)
+class Observable:
+    """A quantity worth recording along a motion.
+
+    `value` is a scalar or vector formula in the state, the definitions and the parameters;
+    `frame` is ``"body"`` or ``"space"`` for vectors and empty for scalars.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> disk = nonholonomic.from_catalogue("heavy-disk")
+    >>> disk.observables[0].unit, isinstance(disk.guards[0], flowlanes.system.Guard)
+    ('rad/s', True)
+    """
+
+    name: str
+    value: sp.Basic
+    meaning: str
+    unit: str = ""
+    frame: str = ""
+    source: str = ""
+
+
+@dataclass(frozen=True)
+class Guard:
+    """A quantity that must stay positive for the equations to describe the motion.
+
+    Parameters
+    ----------
+    name : str
+        Short name, such as ``"flat"``.
+    value : sympy.Expr
+        Positive inside the domain.
+    message : str
+        What has happened when it is no longer positive: "the disk lies flat".
+    lift_off : bool
+        Whether the equations remain valid beyond (a two-sided contact), so that a run may go on.
+    """
+
+    name: str
+    value: sp.Expr
+    message: str
+    lift_off: bool = False
+
+
+@dataclass(frozen=True)
+class Theorem:
+    """A proof by hand of laws of a system, for which identities remain to be certified.
+
+    Parameters
+    ----------
+    laws : tuple of str
+        The names of the laws that follow.
+    words : str
+        What it says, and where its proof is.
+    identities : callable
+        () ↦ systems whose laws are all that is left to be proven.
+    positive : tuple of sympy.Expr
+        Formulas that it shows to be positive.
+    """
+
+    laws: tuple[str, ...]
+    words: str
+    identities: Callable[[], tuple[System, ...]]
+    positive: tuple[sp.Expr, ...] = ()
+
+
+@dataclass(frozen=True)
+class Reconstruction:
+    """The lift of a reduced system back to space, as further equations.
+
+    `field` gives the time derivatives of the further variables in the reduced state and
+    themselves, `relations` vanish along the motion and tie both together; `observables` are
+    places and directions in space.
+    """
+
+    field: NamedFormulas
+    relations: tuple[sp.Expr, ...]
+    observables: tuple[Observable, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "field", as_pairs(self.field))
+
+
+def flat(names: Iterable[Quantity]) -> tuple[sp.Symbol, ...]:
+    """Named quantities as scalars, in order."""
+    return tuple(s for n in names for s in ((n,) if isinstance(n, sp.Symbol) else n.symbols))
+
+
+def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    """Pairs (named quantity, formula) as pairs (scalar symbol, scalar formula)."""
+    scalars: list[tuple[sp.Symbol, sp.Expr]] = []
+    for name, formula in pairs:
+        value = to_components(sp.sympify(formula))
+        if isinstance(name, sp.Symbol):
+            scalars.append((name, value))
+        elif isinstance(name, Vector):
+            scalars.extend(zip(name.symbols, value, strict=True))
+        else:
+            scalars.extend(zip(name.symbols, name.independent(value), strict=True))
+    return tuple(scalars)
+
+
+def unknown_names(formula: sp.Expr, scope: Collection[sp.Symbol]) -> str:
+    """The symbols of a formula that are not known, as text; empty if there are none.
+
+    A symbol with the name of a known one but other assumptions is reported with both.
+    """
+    missing = formula.free_symbols - set(scope)
+    if not missing:
+        return ""
+    symbols = {str(s): s for s in scope}
+    names = []
+    for symbol in sorted(missing, key=str):
+        like = symbols.get(str(symbol))
+        names.append(
+            str(symbol)
+            if like is None
+            else f"{symbol} ({_assumptions(symbol)}; the known {like} has {_assumptions(like)})"
+        )
+    return ", ".join(names)
+
+
+def _assumptions(symbol: sp.Symbol) -> str:
+    """The assumptions with which a symbol was created."""
+    text = [f"{key}={value}" for key, value in sorted(symbol._assumptions_orig.items())]
+    return ", ".join(text) or "no assumptions"
+
+
+@arguments_checked
+@dataclass(frozen=True, repr=False)
+class System(Displayed):
+    """A vector field on a phase space, with what is claimed of it.
+
+    Parameters
+    ----------
+    name, title : str
+        Identifier (``"chaplygin-ball"``) and its human form.
+    field : mapping of Vector or Symbol to formula
+        Time derivatives of the state; the order of declaration is the flat order.
+    definitions : mapping of Vector, tensor or Symbol to formula
+        Named intermediate quantities, each in terms of the state, the parameters and the
+        ones before it.
+    parameters : tuple of Parameter
+    relations : tuple of sympy.Expr
+        Vanish on the phase space.
+    laws : tuple of Law
+    observables : tuple of Observable
+    guards : tuple of Guard
+    reconstruction : Reconstruction, optional
+    source : str
+        Equation numbers in the paper.
+    summary : str
+        One or two sentences: what moves on what.
+    printed_definitions : pairs of quantity and formula
+        What a page shows in place of `definitions`: equations instead of the steps of their
+        solution.  Empty to show the definitions themselves.
+    start : mapping of Vector to formula
+        How state variables follow from ω and γ, in which a start is given; the others (γ itself,
+        or ω where it belongs to the state) are taken as given.
+    theorems : tuple of Theorem
+        Proofs by hand of some of the laws, which the prover completes.
+
+    Raises
+    ------
+    InputError
+        If a formula uses a symbol that is neither state, definition nor parameter, or two of
+        these have the same name.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import lawproof
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> energy = flowlanes.Integral("energy", v**2 / 2 - sp.cos(x))
+    >>> lawproof.prove(pendulum.with_laws(energy), "energy").decision
+    'proven'
+    """
+
+    name: str
+    title: str
+    field: NamedFormulas
+    parameters: tuple[Parameter, ...] = ()
+    definitions: NamedFormulas = ()
+    relations: tuple[sp.Expr, ...] = ()
+    laws: tuple[Law, ...] = ()
+    observables: tuple[Observable, ...] = ()
+    guards: tuple[Guard, ...] = ()
+    reconstruction: Reconstruction | None = None
+    source: str = ""
+    summary: str = ""
+    start: NamedFormulas = ()
+    printed_definitions: NamedFormulas = ()
+    theorems: tuple[Theorem, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "field", as_pairs(self.field))
+        object.__setattr__(self, "definitions", as_pairs(self.definitions))
+        object.__setattr__(self, "start", as_pairs(self.start))
+        object.__setattr__(self, "printed_definitions", as_pairs(self.printed_definitions))
+        self._check_symbols()
+
+    @cached_property
+    def start_vectors(self) -> tuple[Vector, ...]:
+        """The vectors besides ω and γ from which the state follows at a start."""
+        known = {s for s, _ in self.scalar_definitions} | {p.symbol for p in self.parameters}
+        known |= {s for s, _ in flat_pairs(self.start)} | set(self.symbols)
+        used = {s for _, formula in flat_pairs(self.start) for s in formula.free_symbols} - known
+        names = dict.fromkeys(sorted(str(s).rpartition("_")[0] for s in used))
+        return tuple(Vector(name) for name in names if name not in ("omega", "gamma"))
+
+    # --- flat view -------------------------------------------------------------------------
+
+    @cached_property
+    def state(self) -> tuple[Name, ...]:
+        """The state as declared: vectors and scalars."""
+        return tuple(name for name, _ in self.field)
+
+    @cached_property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The state as scalars, in flat order."""
+        return flat(self.state)
+
+    @cached_property
+    def slices(self) -> tuple[tuple[Name, slice], ...]:
+        """The variables of the state, each with its place in the flat order."""
+        ends = [len(flat(self.state[:i])) for i in range(len(self.state) + 1)]
+        return tuple((name, slice(*ends[i : i + 2])) for i, name in enumerate(self.state))
+
+    @cached_property
+    def rates(self) -> tuple[sp.Expr, ...]:
+        """Time derivatives of `symbols`, in terms of state, definitions and parameters."""
+        return tuple(rate for _, rate in flat_pairs(self.field))
+
+    @cached_property
+    def scalar_definitions(self) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+        """The definitions as scalar assignments, in order."""
+        return flat_pairs(self.definitions)
+
+    @arguments_checked
+    def required_definitions(
+        self, formulas: Iterable[Formula], inputs: Iterable[sp.Symbol] = ()
+    ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+        """The steps on which `formulas` depend, in order; `inputs` symbols are known."""
+        return needed_steps(self.scalar_definitions, map(to_components, formulas), inputs)
+
+    @arguments_checked
+    def expand(self, formula: Formula) -> sp.Expr:
+        """A scalar or vector formula by components, in the state and the parameters alone."""
+        return expand(to_components(sp.sympify(formula)), self.scalar_definitions)
+
+    @property
+    def integrals(self) -> tuple[Integral, ...]:
+        """The first integrals among the laws."""
+        return tuple(law for law in self.laws if isinstance(law, Integral))
+
+    @property
+    def defaults(self) -> dict[sp.Symbol, float]:
+        """Default value of every parameter."""
+        return {p.symbol: p.default for p in self.parameters}
+
+    @cached_property
+    def default_values(self) -> tuple[tuple[str, float], ...]:
+        """Name and default value of every parameter, as text and as a double."""
+        return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
+
+    def _check_symbols(self) -> None:
+        require_label(self.name, self.title, self.summary, *(p.meaning for p in self.parameters))
+        require_visible([o.meaning for o in self.observables] + [i.meaning for i in self.integrals])
+        for p in self.parameters:
+            if not math.isfinite(p.default):
+                raise InputError(f"{self.name}: {p.symbol} = {p.default} must be a finite number")
+        names = [p.symbol for p in self.parameters] + [
+            *self.symbols,
+            *(s for s, _ in self.scalar_definitions),
+        ]
+        moved = flat(name for name, _ in self.reconstruction.field) if self.reconstruction else ()
+        whole = [n for n, _ in (*self.field, *self.definitions) if not isinstance(n, sp.Symbol)]
+        # whatever is proved, recorded or printed later knows them by their names alone
+        require_names(self.name, (*names, *moved, *whole))
+        known = {p.symbol for p in self.parameters} | set(self.symbols)
+        for symbol, value in self.scalar_definitions:
+            self._require(value, known, f"the definition of {symbol}")
+            known.add(symbol)
+        for symbol, value in zip(self.symbols, self.rates, strict=True):
+            self._require(value, known, f"the rate of {symbol}")
+        for law in self.integrals:
+            self._require(to_components(law.value), known, f"the law {law.name!r}")
+        for relation in self.relations:
+            self._require(to_components(relation), known, f"the relation {relation}")
+
+    def _require(self, value: sp.Expr, symbols: set[sp.Symbol], where: str) -> None:
+        missing = unknown_names(value, symbols)
+        if missing:
+            raise InputError(
+                f"{self.name}: {where} uses {missing}, which is neither a state variable, an "
+                "earlier definition nor a parameter"
+            )
+
+    # --- making other systems --------------------------------------------------------------
+
+    @arguments_checked
+    def with_laws(self, *laws: Law) -> System:
+        """The system with further laws."""
+        return replace(self, laws=self.laws + laws)
+
+    def lifted(self) -> System:
+        """The system together with its motion in space, as one system.
+
+        Raises
+        ------
+        InputError
+            If the system has no motion in space.
+        """
+        if self.reconstruction is None:
+            raise InputError(f"{self.name}: this system has no motion in space to be lifted to")
+        return self._lifted
+
+    @cached_property
+    def _lifted(self) -> System:
+        motion = self.reconstruction
+        if motion is None:
+            return self
+        return replace(
+            self,
+            field=self.field + motion.field,
+            relations=self.relations + motion.relations,
+            observables=self.observables + motion.observables,
+            reconstruction=None,
+        )

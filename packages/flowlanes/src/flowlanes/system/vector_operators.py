@@ -1,0 +1,73 @@
+"""Unit vectors, dyads, skew matrices and gradients, made of the 3-vectors of `vectors`."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr, Transpose
+
+from ..arguments import arguments_checked
+from ..errors import InputError
+from .vectors import Components, Node, Scalar, Vector, constant, real_symbol, to_components, zero
+
+
+@arguments_checked
+def unit_vector(axis: int) -> MatrixExpr:
+    """The unit vector along an axis of the frame in which the components are meant.
+
+    Parameters
+    ----------
+    axis : int
+        1, 2 or 3; in the equations of a body these are its own axes.
+
+    Returns
+    -------
+    MatrixExpr (3, 1)
+
+    Raises
+    ------
+    InputError
+        If there is no such axis.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> flowlanes.system.to_components(
+    ...     flowlanes.system.dot(flowlanes.system.unit_vector(3), flowlanes.system.Vector("gamma"))
+    ... )
+    gamma_3
+    """
+    if axis not in (1, 2, 3):
+        raise InputError(f"unit_vector: axis must be 1, 2 or 3, not {axis}")
+    return constant([int(axis == i) for i in (1, 2, 3)])
+
+
+def outer(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
+    """The dyad u ⊗ v, as the matrix u vᵀ."""
+    return left * Transpose(right)
+
+
+def hat(vector: MatrixExpr) -> Components:
+    """The skew matrix with hat(u) v = u × v."""
+    x, y, z = to_components(vector)
+    return Components([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+class Gradient(Node, MatrixExpr):
+    """∂U/∂u for a scalar `U` written in the components of the vector `u`.
+
+    The name under which U is printed is the third argument.
+    """
+
+    shape = (sp.Integer(3), sp.S.One)
+
+    def as_explicit(self) -> Components:
+        """The partial derivatives."""
+        value, variable, _ = self.args
+        return Components([sp.diff(to_components(value), s) for s in variable.symbols])
+
+
+def gradient(value: Scalar, variable: Vector, name: str = "U") -> MatrixExpr:
+    """∂value/∂variable, shown as ∂U/∂γ; zero when `value` does not depend on it."""
+    if not to_components(value).has(*variable.symbols):
+        return zero
+    return Gradient(value, variable, real_symbol(name))

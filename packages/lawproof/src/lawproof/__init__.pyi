@@ -1,0 +1,7 @@
+from . import (
+    proof as proof,
+    search as search,
+)
+from ._version import __version__ as __version__
+from .proof.prover import prove as prove
+from .proof.verdict import Verdict as Verdict

@@ -1,0 +1,208 @@
+"""Conditions that hold functions but are linear in a variable: the phase space as a graph.
+
+Where a relation or a level is not polynomial, such as z = f(x, y) or (ω, ∇f) = 0, but linear in a
+state variable on which none of its functions depends, that variable is expressed by the others and
+leaves the state.  That its own rate agrees with this is proved along with the law.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from itertools import islice, permutations
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from flowlanes.formulas.errors import NeedMoreGeneratorsError, OutOfReachError
+from flowlanes.formulas.jets import Evaluator, Jet
+from flowlanes.system.isomorphism import Isomorphism
+from flowlanes.system.laws import Identity, Integral, Law, Measure, Rate, Reduction
+from flowlanes.system.named_formulas import expand
+from flowlanes.system.system import System
+from flowlanes.system.vectors import to_components
+
+from ..fields.function_field import FunctionField
+from ..fields.signs import Signs
+from .components import Decomposition
+from .triangular_set import numerator
+
+#: Laws that speak of functions on the phase space alone, or of its volume.
+KINDS = (Identity, Integral, Isomorphism, Measure, Reduction)
+
+MOST_ORDERS = 24
+"""Orders in which conditions are tried."""
+
+
+@dataclass(frozen=True)
+class Graph:
+    """A system and a law without the variables that conditions express.
+
+    Attributes
+    ----------
+    consistency : Identity
+        That the variables that are gone move as their expressions do.
+    excluded_factors : tuple of sympy.Expr
+        Factors of these variables that could vanish on a part of the level that is not in the
+        closure of the rest.
+    """
+
+    system: System
+    law: Law
+    consistency: Identity
+    excluded_factors: tuple[sp.Expr, ...] = ()
+
+
+def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None:
+    """Express variables by conditions that are not polynomial, or None where there are none.
+
+    Parameters
+    ----------
+    tame : tuple of type
+        Functions that are no obstacle in a condition.
+    """
+    if not isinstance(law, KINDS):
+        return None
+    steps = dict(system.scalar_definitions)
+    gone, factors, left = _choices(system, law, steps, tame)
+    if not gone:
+        return None
+    rates = dict(zip(system.symbols, system.rates, strict=True))
+    reduced = replace(
+        system,
+        field={s: rate for s, rate in rates.items() if s not in gone},
+        definitions=_in_order({**steps, **gone}),
+        relations=tuple(left),
+        laws=(),
+        observables=(),
+        reconstruction=None,
+        start=(),
+    )
+    changed: dict[str, Any] = {"on": (), "as_printed": None}
+    if isinstance(law, Measure):
+        # the volume d^n x divided by the differentials of the conditions
+        changed["density"] = (*law.density, *((factor, -sp.S.One) for factor in factors))
+    agreement = tuple(Rate(s) - rates[s] for s in gone)
+    consistency = Identity("the conditions are kept", agreement)
+    excluded = _excluded_factors(system, (*system.relations, *law.on), factors)
+    return Graph(reduced, replace(law, **changed), consistency, excluded)
+
+
+def _choices(
+    system: System, law: Law, steps: Mapping[sp.Symbol, sp.Expr], tame: tuple[type, ...]
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr], list[sp.Expr]]:
+    """Variables with their values, the factors of these, and the conditions that are left.
+
+    One condition may take a variable that another needs: where the order of the file leaves
+    conditions with functions, other orders are tried.
+    """
+    conditions = [to_components(c) for c in (*system.relations, *law.on)]
+    wild = [i for i, c in enumerate(conditions) if not _polynomial(expand(c, steps), tame)]
+    best: tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr], set[int]] | None = None
+    for order in islice(permutations(wild), MOST_ORDERS):
+        gone: dict[sp.Symbol, sp.Expr] = {}
+        factors: list[sp.Expr] = []
+        taken: set[int] = set()
+        for index in order:
+            free = [s for s in system.symbols if s not in gone]
+            choice = _linear(conditions[index], free, steps, gone)
+            if choice is not None:
+                symbol, value, factor = choice
+                gone[symbol] = value
+                factors.append(factor)
+                taken.add(index)
+        if best is None or len(taken) > len(best[2]):
+            best = gone, factors, taken
+        if len(taken) == len(wild):
+            break
+    gone, factors, taken = best or ({}, [], set())
+    return gone, factors, [c for i, c in enumerate(conditions) if i not in taken]
+
+
+def _excluded_factors(
+    system: System, conditions: Iterable[sp.Expr], factors: Iterable[sp.Expr]
+) -> tuple[sp.Expr, ...]:
+    """Factors whose zeros could hold a component of the level.
+
+    Values of functions are variables here like any other: what holds for all their values holds
+    for those that the functions have.
+    """
+    factors = [factor for factor in factors if not factor.is_number]
+    spare = 8
+    while factors:
+        try:
+            return tuple(f for f in factors if not _thin(system, tuple(conditions), f, spare))
+        except NeedMoreGeneratorsError:
+            spare *= 2
+        except OutOfReachError:
+            return tuple(factors)
+    return ()
+
+
+def _thin(system: System, conditions: tuple[sp.Expr, ...], factor: sp.Expr, spare: int) -> bool:
+    symbols = (*system.symbols, *(p.symbol for p in system.parameters))
+    draft = FunctionField([str(s) for s in symbols], spare)
+    seeds = {s: Jet(draft.generator(str(s)), {}) for s in symbols}
+    evaluate = Evaluator(draft, seeds.get, dict(system.scalar_definitions))
+    equations = [numerator(draft, evaluate.value(to_components(c))) for c in conditions]
+    lead = numerator(draft, evaluate.value(factor))
+    equations += [poly for _, poly, _ in draft.relations]
+    decomposition = Decomposition(
+        draft, draft.names, {str(s) for s in system.symbols}, Signs(draft.ring, {})
+    )
+    parts = [part for part, _ in lead.factor()[1]]
+    return all(decomposition.within((*equations, part), len(equations) + 1) for part in parts)
+
+
+def _polynomial(formula: sp.Expr, tame: tuple[type, ...]) -> bool:
+    """Whether no function or root occurs, but for tame ones; or it is a value of one alone."""
+    if isinstance(formula, AppliedUndef):
+        return True
+    functions = formula.atoms(sp.Function, sp.Derivative, sp.Subs)
+    whole = all(p.exp.is_Integer for p in formula.atoms(sp.Pow))
+    return whole and all(isinstance(f, tame) for f in functions)
+
+
+def _linear(
+    formula: sp.Expr,
+    symbols: Iterable[sp.Symbol],
+    steps: Mapping[sp.Symbol, sp.Expr],
+    expressions: Mapping[sp.Symbol, sp.Expr],
+) -> tuple[sp.Symbol, sp.Expr, sp.Expr] | None:
+    """A variable in which a condition is linear, its value, and its factor."""
+    known = {**steps, **expressions}
+    reached = expand(formula, steps).free_symbols
+    for symbol in reversed(list(symbols)):
+        if symbol not in reached:
+            continue
+        # names that do not hide the variable stay
+        written = expand(formula, _names_that_hide(symbol, steps))
+        factor = sp.diff(written, symbol)
+        remainder = written.xreplace({symbol: sp.S.Zero})
+        slope = expand(factor, known)
+        if slope != 0 and symbol not in slope.free_symbols | expand(remainder, known).free_symbols:
+            return symbol, -remainder / factor, factor
+    return None
+
+
+def _names_that_hide(
+    symbol: sp.Symbol, steps: Mapping[sp.Symbol, sp.Expr]
+) -> dict[sp.Symbol, sp.Expr]:
+    """The definitions in which a symbol occurs, itself or through others."""
+    hiding: dict[sp.Symbol, sp.Expr] = {}
+    # each definition stands after those that it uses
+    for name, value in steps.items():
+        if value.free_symbols & {symbol, *hiding}:
+            hiding[name] = value
+    return hiding
+
+
+def _in_order(steps: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    """Definitions in an order in which each can be computed."""
+    done: dict[sp.Symbol, sp.Expr] = {}
+    waiting = dict(steps)
+    while waiting:
+        ready = [s for s, e in waiting.items() if not e.free_symbols & waiting.keys()]
+        done |= {s: waiting.pop(s) for s in ready}
+    return tuple(done.items())

@@ -1,0 +1,66 @@
+"""Named formulas of a law as scalar symbols with scalar formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from flowlanes.errors import InputError
+from flowlanes.system.laws import Identity, Reduction
+from flowlanes.system.system import flat
+from flowlanes.system.vectors import Vector, to_components
+
+from .level_set import LevelSet
+
+
+def scalars(value: object) -> list[sp.Expr]:
+    """The scalar formulas of a scalar, vector, matrix or tuple of these."""
+    if isinstance(value, (tuple, list)):
+        return [scalar for part in value for scalar in scalars(part)]
+    components = to_components(sp.sympify(value))
+    return list(components) if isinstance(components, sp.MatrixBase) else [components]
+
+
+def components(
+    pairs: Sequence[tuple[sp.Symbol | Vector, sp.Expr]], level: LevelSet
+) -> dict[sp.Symbol, sp.Expr]:
+    """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
+    formulas_by_symbol: dict[sp.Symbol, sp.Expr] = {}
+    for name, formula in pairs:
+        formulas = (level.without_rates(scalar) for scalar in scalars(formula))
+        formulas_by_symbol.update(zip(flat([name]), formulas, strict=True))
+    return formulas_by_symbol
+
+
+def quantities_in_order(law: Reduction | Identity, level: LevelSet) -> dict[sp.Symbol, sp.Expr]:
+    """The quantities of a law, each in terms of the system and of earlier ones.
+
+    Raises
+    ------
+    InputError
+        If a quantity has the name of something else, or uses itself or a later one.
+    """
+    quantities = components(law.quantities, level)
+    system = level.system
+    kinds = {
+        "a state variable": set(system.symbols),
+        "a definition": {s for s, _ in system.scalar_definitions},
+        "a parameter": {p.symbol for p in system.parameters},
+    }
+    for symbol in quantities:
+        for kind, names in kinds.items():
+            if symbol in names:
+                raise InputError(
+                    f"the law {law.name!r} names a quantity {symbol}, which is {kind} of "
+                    f"{system.name}; it needs a name of its own"
+                )
+    waiting = set(quantities)
+    for symbol, formula in quantities.items():
+        if ahead := sorted(map(str, formula.free_symbols & waiting)):
+            raise InputError(
+                f"the law {law.name!r}: the formula of {symbol} uses {', '.join(ahead)}; a "
+                "quantity may use those named before it"
+            )
+        waiting.remove(symbol)
+    return quantities

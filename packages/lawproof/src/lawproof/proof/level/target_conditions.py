@@ -1,0 +1,89 @@
+"""What an isomorphism asks of the parameters of its target.
+
+The target is a system only for parameters that are admissible there.  An isomorphism says nothing
+where the parameters that it gives the target are not, as it says nothing where time would run
+backward.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from flowlanes.system.isomorphism import Isomorphism
+from flowlanes.system.laws import Law
+from flowlanes.system.parameters import conjuncts
+
+from ..fields.field import Field
+from ..fields.signs import Sign
+from .level_set import LevelSet, certain
+from .named_formulas import components
+
+
+def target_conditions(law: Law, level: LevelSet) -> tuple[sp.Basic, ...]:
+    """The conditions on the parameters of the target, in terms of this system.
+
+    One that is true already is left out; one that is false stays.
+    """
+    if not isinstance(law, Isomorphism):
+        return ()
+    values = components(law.constants, level)
+    asked: list[sp.Basic] = []
+    for parameter in law.target.parameters:
+        for condition in parameter.admissible:
+            asked += conjuncts(sp.sympify(condition).xreplace(values))
+    return tuple(dict.fromkeys(c for c in asked if c != sp.true))
+
+
+def is_admissible_target(law: Law, level: LevelSet, field: Field) -> bool:
+    """Whether the target's parameters are certainly admissible at a point."""
+    evaluate = level.evaluator(field)
+    return all(
+        condition != sp.false and certain(condition, evaluate)
+        for condition in target_conditions(law, level)
+    )
+
+
+def open_conditions(law: Law, level: LevelSet) -> tuple[sp.Basic, ...]:
+    """The conditions on the parameters of the target that are not known to hold on a level."""
+    return tuple(c for c in target_conditions(law, level) if not _is_known(c, level))
+
+
+def _is_known(condition: sp.Basic, level: LevelSet) -> bool:
+    if condition in level.requirements or _by_assumptions(condition, level) == sp.true:
+        return True
+    if isinstance(condition, sp.Or):
+        return any(_is_known(part, level) for part in condition.args)
+    if isinstance(condition, sp.And):
+        return all(_is_known(part, level) for part in condition.args)
+    if isinstance(condition, sp.Gt | sp.Lt):
+        return level.sign(condition.gts - condition.lts) is Sign.POSITIVE
+    if isinstance(condition, sp.Ge | sp.Le):
+        sign = level.sign(condition.gts - condition.lts)
+        return sign >= Sign.NOT_NEGATIVE
+    if isinstance(condition, sp.Ne):
+        return abs(level.sign(condition.lhs - condition.rhs)) == Sign.POSITIVE
+    return False
+
+
+def _by_assumptions(condition: sp.Basic, level: LevelSet) -> sp.Basic:
+    """A condition with its definitions written out and the known signs of single parameters."""
+    assumed = {
+        sp.Gt: {"positive": True},
+        sp.Lt: {"negative": True},
+        sp.Ge: {"nonnegative": True},
+        sp.Le: {"nonpositive": True},
+        sp.Ne: {"nonzero": True},
+    }
+    names: dict[sp.Symbol, sp.Symbol] = {}
+    for known in level.requirements:
+        if type(known) not in assumed:
+            continue
+        left, right = known.args
+        if left.is_Symbol and right == 0:
+            names.setdefault(left, sp.Dummy(str(left), real=True, **assumed[type(known)]))
+    written = [level.expand(side).xreplace(names) for side in condition.args]
+    if isinstance(condition, sp.Ne):
+        # a quotient vanishes with its numerator
+        above, _ = sp.fraction(sp.together(written[0] - written[1]))
+        return sp.Ne(above, 0)
+    return condition.func(*written)

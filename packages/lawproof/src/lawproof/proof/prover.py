@@ -1,0 +1,177 @@
+"""Proof and refutation of laws: arguments checked, verdicts kept."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import time
+from dataclasses import fields, replace
+from typing import Protocol, overload
+
+import sympy as sp
+
+from flowlanes.arguments import arguments_checked
+from flowlanes.errors import InputError
+from flowlanes.formulas.errors import OutOfReachError, UnknownSymbolError
+from flowlanes.formulas.number_fields import ball_precision
+from flowlanes.system.laws import Law
+from flowlanes.system.parameters import condition_words, conditions, satisfies
+from flowlanes.system.system import System, Theorem
+
+from .decision import verdict_of
+from .fields.budget import EFFORT, Budget, checked_effort
+from .theorems import identities_of, theorem_of
+from .verdict import Verdict
+from .verdict_cache import fingerprint, load_verdict, store_verdict
+
+POINTS_ALONE = 1
+"""Term operations that leave nothing for a proof: a law is tried at points."""
+
+
+@overload
+def prove(system: System, law: None = None, *, effort: int = ...) -> tuple[Verdict, ...]: ...
+@overload
+def prove(system: System, law: Law | str, *, effort: int = ...) -> Verdict: ...
+@arguments_checked
+def prove(
+    system: System, law: Law | str | None = None, *, effort: int = EFFORT
+) -> Verdict | tuple[Verdict, ...]:
+    """Prove or refute a law of a system, or all of its laws.
+
+    Parameters
+    ----------
+    system : System
+    law : Law or str, optional
+        One law, or the name of one of the system's; by default all of them.
+    effort : int
+        Term operations after which a law is left undecided; the same on every machine.
+
+    Returns
+    -------
+    Verdict or tuple of Verdict
+
+    Raises
+    ------
+    InputError
+        If the law uses an unknown symbol, its level is empty, or it is defined nowhere on it.  Of
+        all laws of a system, one of that kind is "refused", and the others are judged.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import lawproof
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> lawproof.prove(ball, "measure").decision
+    'proven'
+    >>> lawproof.prove(ball, flowlanes.Integral("M_3", ball.symbols[2])).decision
+    'refuted'
+    """
+    checked_effort(effort)
+    if law is None:
+        return tuple(judgement_of(prove, system, each, effort) for each in system.laws)
+    if isinstance(law, str):
+        law = _by_name(system, law)
+    _check_defaults(system)
+    _check_formulas(system, law)
+    theorem = theorem_of(system, law)
+    name = fingerprint(system, law, theorem)
+    stored = load_verdict(name, effort)
+    if stored is not None:
+        return stored
+    started = time.monotonic()
+    budget = Budget(effort=effort)
+    try:
+        with ball_precision():
+            if theorem is None:
+                verdict = verdict_of(system, law, budget)
+            else:
+                verdict = _by_theorem(system, law, theorem, budget)
+            verdict = replace(verdict, terms=budget.largest)
+    except UnknownSymbolError as symbol:
+        raise InputError(
+            f"{system.name}: the law {law.name!r} uses {symbol}, which is neither a state variable "
+            "nor a definition nor a parameter of the system"
+        ) from None
+    except OutOfReachError as reason:
+        verdict = Verdict(law.name, "undecided", reason=str(reason))
+    verdict = replace(verdict, effort=budget.used, seconds=time.monotonic() - started)
+    store_verdict(name, verdict, effort)
+    return verdict
+
+
+class Prover(Protocol):
+    """What proves or refutes a law: `prove`, or `prove_with_certificate`."""
+
+    def __call__(self, system: System, law: Law, *, effort: int) -> Verdict:
+        """The verdict on a law of a system."""
+        ...
+
+
+def judgement_of(prover: Prover, system: System, law: Law, effort: int) -> Verdict:
+    """The verdict on one law among several: one that states nothing is refused by itself."""
+    try:
+        return prover(system, law, effort=effort)
+    except InputError as problem:
+        return Verdict(law.name, "refused", reason=str(problem))
+
+
+def _by_theorem(system: System, law: Law, theorem: Theorem, budget: Budget) -> Verdict:
+    """The verdict on a law that a theorem has: points are tried, then its identities proven."""
+    with contextlib.suppress(OutOfReachError):
+        verdict = verdict_of(system, law, Budget(effort=POINTS_ALONE))
+        if verdict.decision != "undecided":
+            return verdict
+    wholes = identities_of(theorem, system, law)
+    parts = [v for whole in wholes for v in prove(whole, effort=budget.effort)]
+    budget.charge(sum(v.effort for v in parts))
+    if not parts or any(not part for part in parts):
+        return verdict_of(system, law, budget)
+    count = f"{len(parts)} identities are" if len(parts) > 1 else "1 identity is"
+    return Verdict(law.name, "proven", finding=f"{theorem.words}; {count} certified")
+
+
+def _check_defaults(system: System) -> None:
+    """Points are drawn near the defaults of the parameters, which must be admissible numbers."""
+    for parameter in system.parameters:
+        if not math.isfinite(parameter.default):
+            raise InputError(
+                f"{system.name}: the default {parameter.default} of {parameter.symbol} is no number"
+            )
+    for parameter, condition in conditions(system.parameters):
+        if condition.free_symbols <= set(system.defaults) and not satisfies(
+            condition, system.defaults
+        ):
+            raise InputError(
+                f"{system.name}: the default {parameter.symbol} = {parameter.default:g} is not "
+                f"admissible; {condition_words(condition)} must hold"
+            )
+
+
+def _check_formulas(system: System, law: Law) -> None:
+    """A law is made of formulas."""
+    if not isinstance(law.on, tuple | list):
+        raise InputError(
+            f"{system.name}: the level of the law {law.name!r} is {law.on}; it must be a tuple of "
+            "formulas that vanish, such as (x,)"
+        )
+    waiting = [
+        (f.name, getattr(law, f.name)) for f in fields(law) if f.name in ("value", "on", "time")
+    ]
+    while waiting:
+        name, value = waiting.pop()
+        if isinstance(value, tuple | list):
+            waiting += [(name, part) for part in value]
+        elif not isinstance(value, int | float | sp.Basic | sp.MatrixBase):
+            raise InputError(
+                f"{system.name}: the law {law.name!r} has {value!r} in its {name!r}, which is no "
+                "formula of SymPy"
+            )
+
+
+def _by_name(system: System, name: str) -> Law:
+    for law in system.laws:
+        if law.name == name:
+            return law
+    names = ", ".join(law.name for law in system.laws) or "none"
+    raise InputError(f"{system.name} has no law {name!r}; its laws are {names}")

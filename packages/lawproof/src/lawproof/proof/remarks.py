@@ -1,0 +1,53 @@
+"""Remarks on laws that hold: that they say little, or how they are meant."""
+
+from __future__ import annotations
+
+from functools import singledispatch
+
+from flowlanes.system.laws import Integral, Law, Reduction, Symmetry
+from flowlanes.system.vectors import to_components
+
+from .fields.field import Field
+from .level.closedness import up_to_time
+from .level.level_set import LevelSet
+from .level.named_formulas import components
+from .rank import rank
+
+
+@singledispatch
+def remark(law: Law, level: LevelSet, field: Field) -> str:
+    """A few words on a law that holds, or nothing.
+
+    Parameters
+    ----------
+    field
+        Numbers at a point: nothing found there settles that there is nothing to say.  Fractions
+        settle the rest.
+    """
+    return ""
+
+
+@remark.register
+def _(law: Integral, level: LevelSet, field: Field) -> str:
+    """Whether the function is constant, so that it distinguishes no motions."""
+    partial = level.partial(field)
+    size = len(level.system.symbols)
+    formulas = [*level.moving, level.without_rates(to_components(law.value))]
+    slopes = [partial(formula).slopes for formula in formulas]
+    rows = [[s.get(i, field.zero) for i in range(size)] for s in slopes]
+    same = rank(field, rows) == rank(field, rows[:-1])
+    return "a constant on the whole level" if same else ""
+
+
+@remark.register
+def _(law: Symmetry, level: LevelSet, field: Field) -> str:
+    """Whether the field is zero."""
+    evaluate = level.evaluator(field)
+    values = [evaluate.value(formula) for formula in components(law.field, level).values()]
+    return "the zero field" if all(map(field.vanishes, values)) else ""
+
+
+@remark.register
+def _(law: Reduction, level: LevelSet, field: Field) -> str:
+    """Whether the equations leave the time open."""
+    return "up to the time" if up_to_time(law, level) else ""

@@ -1,0 +1,113 @@
+"""Verdicts stored on disk between processes, each under a digest of everything it depends on.
+
+A verdict depends on the system, the law, the program text and the versions of the exact
+arithmetic; whatever changes one of them makes another digest, so that nothing stale is read.  A
+verdict counts as a proof, so it is only ever read as :mod:`flowlanes.files.private_files` reads.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from flowlanes.files import private_files
+from flowlanes.files.cache import entry_name, folder
+from flowlanes.formulas.digest import digest
+from flowlanes.system.laws import Law
+from flowlanes.system.system import Guard, Parameter, System, Theorem
+
+from .verdict import Verdict
+
+_LOG = logging.getLogger(__name__)
+
+FOR_THE_READER = frozenset({"as_printed", "meaning", "misprint", "source", "unit"})
+"""Fields of a law on which no proof depends."""
+
+
+def fingerprint(system: System, law: Law, theorem: Theorem | None = None) -> str:
+    """The name of the verdict on a law of a system, for which there may be a theorem."""
+    parts = [digest(_statement(system)), digest(_statement(law))]
+    if theorem is not None:
+        parts.append(digest(_statement(theorem)))
+    return entry_name("verdict", *parts)
+
+
+def _statement(value: object) -> object:
+    """A value without the names and texts on which no proof depends."""
+    match value:
+        case System():
+            shape = (value.field, value.definitions, value.relations)
+            return ("System", *map(_statement, (*shape, value.parameters, value.guards)))
+        case Parameter():
+            return ("Parameter", value.symbol, value.default, value.admissible)
+        case Guard():
+            return ("Guard", value.value, value.lift_off)
+        case Theorem():
+            return tuple(_statement(v) for v in vars(value).values() if not callable(v))
+        case Law():
+            fields = {name: v for name, v in vars(value).items() if name not in FOR_THE_READER}
+            return (type(value), _statement(fields))
+        case Mapping():
+            return {key: _statement(item) for key, item in value.items()}
+        case tuple() | list():
+            return tuple(map(_statement, value))
+        case _:
+            return value
+
+
+def load_verdict(name: str, effort: int | None = None) -> Verdict | None:
+    """The verdict stored under a name, if there is one that can be read.
+
+    Parameters
+    ----------
+    effort : int, optional
+        Term operations allowed.  The verdict is the one to which they lead by themselves: it took
+        fewer, or exactly as many were spent on it; any other one that is stored is ignored.
+    """
+    verdict = _read(name)
+    if effort is None or (verdict is not None and verdict.effort < effort):
+        return verdict
+    return _read(_name_at_effort(name, effort))
+
+
+def store_verdict(name: str, verdict: Verdict, effort: int | None = None) -> None:
+    """Store a verdict; if the disk does not allow it, it is computed again next time.
+
+    Parameters
+    ----------
+    effort : int, optional
+        Term operations that were allowed.  If all of them were spent, the verdict is stored for
+        this effort alone, since more may lead further and fewer not so far.
+    """
+    if effort is not None and verdict.effort >= effort:
+        name = _name_at_effort(name, effort)
+    left_out = ("certificate", "no_certificate", "identities")
+    content = {n: v for n, v in vars(verdict).items() if n not in left_out}
+    private_files.write_private(_file(name), json.dumps(content).encode())
+
+
+def _name_at_effort(name: str, effort: int) -> str:
+    """The name of the verdict on which the whole of an effort was spent."""
+    return f"{name}-{effort}"
+
+
+def _file(name: str) -> Path:
+    return folder() / f"{name}.json"
+
+
+def _read(name: str) -> Verdict | None:
+    stored = private_files.read_private(_file(name))
+    if stored is None:
+        return None
+    try:
+        content: dict[str, Any] = json.loads(stored)
+        for listed in ("conditions", "formulas"):
+            content[listed] = tuple(content.get(listed, ()))
+        verdict = Verdict(**content)
+        _LOG.debug("verdict about %s read from %s", verdict.law, _file(name))
+        return verdict
+    except (ValueError, TypeError, AttributeError, RecursionError):
+        return None

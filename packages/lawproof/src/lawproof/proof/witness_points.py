@@ -1,0 +1,137 @@
+"""Points of certificates: rational numbers, roots and formulas."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+from flint import arb, fmpq
+
+from certificate_checker import CheckError
+from certificate_checker.certificate_points import failing
+from certificate_checker.claim.claim import Claim as CheckedClaim
+from flowlanes.formulas.errors import NotExactError
+from flowlanes.formulas.jets import Evaluator
+from flowlanes.formulas.number_fields import Balls, Rationals
+from flowlanes.system.formula_text import short_text
+
+from .level.level_set import LevelSet
+from .level.polynomial_problems import Claim
+from .level.sample_points import number_text
+
+
+def witness_point(
+    claim: Claim, level: LevelSet, values: Mapping[str, fmpq | arb]
+) -> dict[str, object] | None:
+    """State and parameters of a system at a point, or None if one has no formula.
+
+    Parameters
+    ----------
+    claim : Claim
+        In the variables of the proof.
+    level : LevelSet
+        One of its components.
+    values : mapping of str to number
+        The generators at the point, rational where they are.
+    """
+    rational = Rationals({n: v for n, v in values.items() if isinstance(v, fmpq)})
+    evaluate = level.evaluator(rational)
+    coordinates: dict[sp.Symbol, object] = {}
+    for symbol in level.symbols:
+        if isinstance(values.get(str(symbol)), fmpq):
+            coordinates[symbol] = str(values[str(symbol)])
+            continue
+        # what hangs on numbers that are not rational has no value here
+        with contextlib.suppress(KeyError, NotExactError, ZeroDivisionError):
+            coordinates[symbol] = str(evaluate.value(symbol))
+    by_name = {str(s): s for s in level.symbols}
+    roots = level.roots(values)
+    for name, root in roots.items():
+        if name in by_name and by_name[name] not in coordinates:
+            coordinates[by_name[name]] = {"root": root}
+    for symbol in level.symbols:
+        if symbol not in coordinates and symbol in level.fixed_parameters:
+            coordinates[symbol] = {"formula": short_text(level.fixed_parameters[symbol])}
+    if set(level.symbols) - set(coordinates):
+        return None
+    return _original(claim, coordinates, level.evaluator(Balls(values)))
+
+
+def point_shown(claim: Claim, level: LevelSet, field: Rationals | Balls) -> dict[str, str]:
+    """State and parameters of a system at a point, for a reader."""
+    point = level.point_shown(field)
+    for angle, sine, cosine, unit in claim.circles:
+        evaluate = level.evaluator(Balls(field.values))
+        s, c, multiple = (evaluate.value(formula) for formula in (sine, cosine, unit))
+        radians = arb.pi() if 0 in s and c < 0 else arb.atan2(s, c)
+        del point[str(sine)], point[str(cosine)]
+        point[str(angle)] = number_text(radians / multiple)
+    return point
+
+
+def _angle(sine: object, cosine: object, s: arb, c: arb) -> str | None:
+    """An angle as a formula, from sine and cosine as they are written and as numbers."""
+    if sine == "0" or cosine in ("1", "-1"):
+        return "0" if c > 0 else "pi"
+    if isinstance(sine, str) and isinstance(cosine, str):
+        return f"atan2({sine}, {cosine})"
+    if isinstance(sine, str):
+        return f"asin({sine})" if c > 0 else f"pi - asin({sine})"
+    if isinstance(cosine, str):
+        return f"acos({cosine})" if s > 0 else f"-acos({cosine})"
+    return None
+
+
+def _original(
+    claim: Claim, coordinates: Mapping[sp.Symbol, object], evaluate: Evaluator
+) -> dict[str, object] | None:
+    """The point in the variables of the system, with angles and expressed variables."""
+    point = dict(coordinates)
+    for angle, sine, cosine, unit in claim.circles:
+        s, c = (evaluate.value(symbol) for symbol in (sine, cosine))
+        value = _angle(point.pop(sine), point.pop(cosine), s, c)
+        if value is None:
+            return None
+        point[angle] = {"formula": value if unit == 1 else f"({value})/({unit})"}
+    for symbol, formula in claim.expressions:
+        point[symbol] = {"formula": short_text(formula)}
+    # roots of one polynomial may be needed by another: rational numbers first
+    ordered = sorted(point.items(), key=lambda pair: not isinstance(pair[1], str))
+    return {str(symbol): value for symbol, value in ordered}
+
+
+@dataclass(frozen=True)
+class Witness:
+    """A point at which a law fails, as its check found.
+
+    Attributes
+    ----------
+    place : mapping
+        The point as a certificate gives it.
+    index : int
+        The number of the first residual that is not zero there.
+    value : str
+        That residual.
+    """
+
+    place: dict[str, object]
+    index: int
+    value: str
+
+
+def witness(
+    read: CheckedClaim, claim: Claim, level: LevelSet, values: Mapping[str, fmpq | arb]
+) -> Witness:
+    """A point at which a law fails by the check of certificates.
+
+    Raises
+    ------
+    CheckError
+        If it does not fail there by the check; the error says why.
+    """
+    point = witness_point(claim, level, values)
+    if point is None:
+        raise CheckError("the coordinates of the point cannot be written")
+    return Witness(point, *failing(read, point))

@@ -1,0 +1,20 @@
+"""The search for laws: integrals, measures and symmetries, from the equations alone.
+
+A question names an ansatz; its linear algebra is done modulo a large prime at random points of
+the phase space, and what is found there becomes a formula in the parameters and is proven.
+
+>>> from nonholonomic.catalogue import from_catalogue
+>>> from lawproof.search import search_request, integrals
+>>> for found in integrals(search_request(from_catalogue("veselova"))):
+...     print(found.formula, found.verdict.decision)
+Dot(omega, I*omega) proven
+Dot(I*omega, I*omega) - Dot(omega, I*gamma)**2 proven
+"""
+
+from .integrals import integrals
+from .measures import measures
+from .request import search_request
+from .result import Question, SearchResult
+from .symmetries import symmetries
+
+__all__ = ["Question", "SearchResult", "integrals", "measures", "search_request", "symmetries"]

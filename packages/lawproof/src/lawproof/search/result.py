@@ -1,0 +1,111 @@
+"""Results of a search, and the question that it answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import sympy as sp
+
+from flowlanes.system.laws import Integral, Measure, Symmetry
+
+from ..proof.fields.budget import EFFORT
+from ..proof.verdict import Verdict
+from .ansatz import Ansatz
+from .phase_space import SearchSpace
+
+Kind = Literal["integral", "measure", "symmetry"]
+Progress = Callable[[float, str], None]
+"""Called with the fraction done and a few words about what comes next."""
+
+
+def no_progress(fraction: float, words: str) -> None:
+    """Progress that nobody watches."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """Among which laws of a system to search.
+
+    Attributes
+    ----------
+    stage : SearchSpace
+        The system, conditions on its parameters, a level.
+    ansatz : Ansatz
+        Polynomials in momenta and coordinates.
+    also : tuple of Ansatz
+        Further polynomials of which an integral may be made, such as those in ω besides M.
+    divisors : tuple of sympy.Expr
+        What an integral may be divided by (one at a time, up to `powers`).
+    bases : tuple of sympy.Expr
+        Of whose powers the density of a measure is made.
+    powers : int
+        Largest power of a divisor.
+    parameter_degree : int
+        Largest degree in the parameters of a coefficient.
+    effort : int
+        Term operations that the proof of one law may take.
+
+    Examples
+    --------
+    >>> import lawproof
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> question.powers, question.parameter_degree
+    (1, 3)
+    """
+
+    stage: SearchSpace
+    ansatz: Ansatz
+    also: tuple[Ansatz, ...] = ()
+    divisors: tuple[sp.Expr, ...] = ()
+    bases: tuple[sp.Expr, ...] = ()
+    powers: int = 1
+    parameter_degree: int = 3
+    effort: int = EFFORT
+
+
+@dataclass(frozen=True)
+class SearchResult:
+    """A law that a search came upon.
+
+    Attributes
+    ----------
+    kind : ``"integral"``, ``"measure"`` or ``"symmetry"``
+    law : Integral, Measure, Symmetry or None
+        None where it was seen modulo a prime alone and not written as a formula.
+    verdict : Verdict or None
+        What the prover says of it.
+    catalogue_law : str
+        The law of the catalogue that it repeats (name, source); empty when it names none.
+    remark : str
+        What else was seen.
+
+    Examples
+    --------
+    >>> import lawproof
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> found = next(lawproof.search.integrals(question))
+    >>> found.kind, found.verdict.decision
+    ('integral', 'proven')
+    """
+
+    kind: Kind
+    law: Integral | Measure | Symmetry | None
+    verdict: Verdict | None
+    catalogue_law: str = ""
+    remark: str = ""
+
+    @property
+    def proven(self) -> bool:
+        """Whether an exact proof was found."""
+        return self.verdict is not None and bool(self.verdict)
+
+    @property
+    def formula(self) -> Any:
+        """The law as one formula (a tuple of pairs for a symmetry); None where there is none."""
+        return getattr(self.law, "value", getattr(self.law, "field", None))

@@ -1,0 +1,14 @@
+"""Nonholonomic mechanics: equations of motion, contact, closed forms, the catalogue.
+
+>>> import nonholonomic
+>>> ball = nonholonomic.Body(1.0, (1.0, 1.5, 2.1), nonholonomic.Ball(1.0))
+>>> system = nonholonomic.roll(ball, nonholonomic.Plane(), "marble")
+>>> print(system.title)
+Rolling body
+
+Names are imported when first used, so that importing the package costs nothing.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

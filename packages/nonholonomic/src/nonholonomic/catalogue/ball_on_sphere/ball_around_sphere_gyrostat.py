@@ -1,0 +1,82 @@
+"""The hollow ball with rotors around a sphere, in Bruns' field (§12, problem 1)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from flowlanes.system.laws import Integral, Law, Measure
+from flowlanes.system.system import System
+from flowlanes.system.vectors import norm_squared, vectors
+
+from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Sphere
+from ..catalogue_entry import Entry, Numbers, Start, bruns_factor, laws_for
+from ..chaplygin_ball.chaplygin_ball import BRUNS, MOMENTUM_UNIT, K
+from ..chaplygin_ball.chaplygin_bracket import DET_IQ
+from . import ball_on_sphere
+from .bruns_field import HALF, SOURCE
+
+M, k = vectors("M k")
+
+
+def build(p: Numbers) -> Rolling:
+    """The hollow ball around a sphere, with rotors, in the potential U = ½K(γ, Iγ)."""
+    ball = ball_on_sphere.build_around(p)
+    body = replace(ball.body, gyrostat=(p["k_1"], p["k_2"], p["k_3"]))
+    return replace(ball, body=body, field=Forces(potential=BRUNS, values=((K, p["K"]),)))
+
+
+@laws_for("marble", Sphere, Ball)
+def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+    """The measure in every potential U(γ); |M + k|² where Bruns' field is switched off."""
+    body, field = rolling.body, rolling.field
+    balanced = ball_on_sphere.ratio(replace(rolling, field=Forces())) is not None
+    if field.potential == 0 or field.gravity or not balanced:
+        return ()
+    if not (body.principal and any(body.gyrostat)):
+        return ()
+    measure = Measure("measure", {DET_IQ: -HALF}, "invariant measure ρ d³M d³γ", source=SOURCE)
+    if bruns_factor(field.potential) == K and not dict(field.values)[K]:
+        return (MOMENTUM, measure)
+    return (measure,)
+
+
+MOMENTUM = Integral(
+    "momentum",
+    norm_squared(M + k),
+    "square of the momentum",
+    on=(K,),
+    source=SOURCE,
+    unit=MOMENTUM_UNIT,
+)
+
+
+def general() -> System:
+    """With the integral of a ball without a field."""
+    system = build(NUMBERS).system("ball-around-sphere-gyrostat-bruns")
+    return replace(system, laws=(MOMENTUM,))
+
+
+NUMBERS = {
+    **ball_on_sphere.ENTRIES[1].defaults,
+    **{"k_1": 0.6, "k_2": 0.4, "k_3": -0.8, "K": 3.0},
+}
+
+ENTRIES = (
+    Entry(
+        name="ball-around-sphere-gyrostat-bruns",
+        title="Hollow ball with rotors around a sphere in Bruns' field",
+        summary=(
+            "A hollow ball that carries rotors rolls around a sphere in the potential "
+            "U = ½K(γ, Iγ): it has an invariant measure, but of its integrals only the energy is "
+            "left, also for k = −1."
+        ),
+        source=SOURCE,
+        defaults=NUMBERS,
+        build=build,
+        start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
+        laws=laws,
+        general=general,
+    ),
+)

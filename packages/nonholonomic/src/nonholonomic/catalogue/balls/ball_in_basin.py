@@ -1,0 +1,111 @@
+"""Homogeneous balls on surfaces given by an equation: those of a user, in a few examples.
+
+A basin z = h(ρ/s)⁴ carries the ball, so that the state is the contact point x; on a cushion
+x⁴ + y⁴ + z⁴ = s⁴ the centre moves.  Laws that hold on every surface are proven with f unspecified.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from flowlanes.system.laws import Integral, Law
+from flowlanes.system.system import Parameter
+from flowlanes.system.vector_operators import unit_vector
+from flowlanes.system.vectors import cross, dot, real_symbol, vectors
+
+from ...mechanics.ball.ball import RollingBall
+from ...mechanics.ball.surface import ImplicitSurface
+from ..catalogue_entry import Numbers
+from .ball_entry import ball_entry
+from .ball_laws import meridian_law
+from .ball_on_any_surface import any_marble, any_supported_marble, any_supported_rubber
+
+R, v = vectors("R v")
+h, s = real_symbol("h"), real_symbol("s")
+x, y, z = ImplicitSurface.coordinates
+BASIN = z - h * (x**2 + y**2) ** 2 / s**4
+CUSHION = (x**4 + y**4 + z**4) / s**4 - 1
+
+
+def _width(numbers: Numbers, meaning: str) -> Parameter:
+    return Parameter(s, meaning, numbers["s"], "m", (s > 0,))
+
+
+def _cushion(numbers: Numbers) -> RollingBall:
+    return RollingBall(
+        mass=numbers["m"],
+        inertia=numbers["mu"],
+        radius=numbers["b"],
+        surface=ImplicitSurface(CUSHION, (_width(numbers, "half width"),), side="inside"),
+        carrier="centre",
+    )
+
+
+def _basin(numbers: Numbers) -> RollingBall:
+    height = Parameter(h, "height of the rim", numbers["h"], "m")
+    return RollingBall(
+        mass=numbers["m"],
+        inertia=numbers["mu"],
+        radius=numbers["b"],
+        surface=ImplicitSurface(BASIN, (height, _width(numbers, "radius at that height"))),
+        gravity=numbers["g"],
+    )
+
+
+def _rubber_basin(numbers: Numbers) -> RollingBall:
+    return replace(_basin(numbers), contact="rubber")
+
+
+def _meridian(ball: RollingBall) -> tuple[Law, ...]:
+    return (meridian_law(),)
+
+
+def _area(ball: RollingBall) -> tuple[Law, ...]:
+    value = dot(cross(R, v), unit_vector(3))
+    meaning = "areal velocity about the axis"
+    return (Integral("area", value, meaning, source="Clairaut 1733", unit="m^2/s"),)
+
+
+_DEFAULTS = {"m": 1.0, "mu": 0.036, "b": 0.3, "h": 1.0, "s": 2.0, "g": 9.81}
+
+ENTRIES = (
+    ball_entry(
+        name="marble-ball-on-surface",
+        title="Marble ball in a cushion",
+        summary="A homogeneous ball rolls without slipping, free of gravity; its centre moves on "
+        "x⁴ + y⁴ + z⁴ = s⁴.",
+        defaults={"m": 1.0, "mu": 0.1, "b": 0.5, "s": 2.0},
+        ball=_cushion,
+        start={"R": (2.0, 0.0, 0.0), "omega": (1.0, 3.0, 2.0)},
+        until=30.0,
+        general=any_marble,
+    ),
+    ball_entry(
+        name="marble-ball-in-basin",
+        title="Marble ball in a basin",
+        summary=(
+            "A heavy homogeneous ball rolls without slipping in a flat-bottomed basin; its "
+            "position is given by the contact point."
+        ),
+        defaults=_DEFAULTS,
+        ball=_basin,
+        start={"x": (2.0, 0.0, 1.0), "omega": (1.0, 6.0, 5.0)},
+        until=10.0,
+        further=_meridian,
+        general=any_supported_marble,
+    ),
+    ball_entry(
+        name="rubber-ball-in-basin",
+        title="Rubber ball in a basin",
+        summary=(
+            "A heavy homogeneous ball rolls with neither slipping nor spinning in a flat-bottomed "
+            "basin; its position is given by the contact point."
+        ),
+        defaults=_DEFAULTS,
+        ball=_rubber_basin,
+        start={"x": (2.0, 0.0, 1.0), "omega": (3.0, 3.0, 6.0)},
+        until=10.0,
+        further=_area,
+        general=any_supported_rubber,
+    ),
+)

@@ -1,0 +1,99 @@
+"""A homogeneous ball in an upright funnel: its centre moves on a circular cone.
+
+Of the marble ball ω₃ is constant, and so is (ω, R) with R from the apex: the spin about the ruling
+falls off as the distance from the apex grows.  On a cone of any base (ω, R) is constant without
+gravity.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from flowlanes.system.laws import Integral
+from flowlanes.system.system import System
+from flowlanes.system.vector_operators import gradient
+from flowlanes.system.vectors import dot, norm_squared, to_components, vectors
+
+from ...mechanics.ball.ball import RollingBall
+from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
+from ...mechanics.ball.surface import Cone
+from ..catalogue_entry import Numbers
+from .ball_entry import ball_entry
+from .ball_laws import ROLLING
+
+R, omega, v, df = vectors("R omega v df")
+
+
+def _funnel(numbers: Numbers) -> RollingBall:
+    return RollingBall(
+        mass=numbers["m"],
+        inertia=numbers["mu"],
+        radius=numbers["b"],
+        surface=Cone(numbers["k"], side="inside"),
+        carrier="centre",
+        gravity=numbers["g"],
+    )
+
+
+def _rubber_funnel(numbers: Numbers) -> RollingBall:
+    return replace(_funnel(numbers), contact="rubber")
+
+
+def any_cone() -> System:
+    """A marble ball whose centre moves on any cone R₃ = R₁ h(R₂/R₁), drawn to the apex or not."""
+    first, second, third = R.symbols
+    shape = first * sp.Function("h")(second / first)
+    central = sp.Function("U")(to_components(norm_squared(R)))
+    system = equations_of_motion(
+        "marble",
+        centre_surface(third - shape),
+        -gradient(central, R),
+        ball_parameters(1.0, 0.4, 1.0),
+        name="marble-ball-on-any-cone",
+        title="Marble ball on any cone",
+    )
+    field = dict(system.field)
+    speed_1, speed_2, _ = v.symbols
+    on_cone = replace(
+        system,
+        field={first: speed_1, second: speed_2, omega: field[omega]},
+        definitions=((third, shape), *system.definitions),
+        reconstruction=None,
+    )
+    return on_cone.with_laws(
+        Integral(
+            "ray",
+            dot(omega, R),
+            "turning about the ruling times its length, on every cone",
+            source=ROLLING,
+            unit="m rad/s",
+        )
+    )
+
+
+_DEFAULTS = {"m": 1.0, "mu": 0.036, "b": 0.3, "k": 1.0, "g": 9.81}
+
+ENTRIES = (
+    ball_entry(
+        name="marble-ball-on-cone",
+        title="Marble ball in a funnel",
+        summary="A heavy homogeneous ball rolls without slipping in a funnel; its centre moves on "
+        "a circular cone.",
+        defaults=_DEFAULTS,
+        ball=_funnel,
+        start={"R": (2.0, 0.0, 2.0), "omega": (10.0, 1.0, -8.0)},
+        until=10.0,
+        general=any_cone,
+    ),
+    ball_entry(
+        name="rubber-ball-on-cone",
+        title="Rubber ball in a funnel",
+        summary="A heavy homogeneous ball rolls in a funnel with neither slipping nor spinning.",
+        defaults=_DEFAULTS,
+        ball=_rubber_funnel,
+        start={"R": (2.0, 0.0, 2.0), "omega": (-9.0, 1.0, -9.0)},
+        until=10.0,
+    ),
+)

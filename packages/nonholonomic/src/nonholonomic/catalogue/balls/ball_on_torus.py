@@ -1,0 +1,81 @@
+"""A heavy homogeneous ball on a ring lying flat: energy, area and two linear equations.
+
+The linear integrals of the marble ball exist, as on every surface of revolution, but on a torus no
+closed form of them is known; the law "meridian" gives the equations whose solutions they are.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from flowlanes.system.system import Parameter, System
+from flowlanes.system.vector_operators import unit_vector
+from flowlanes.system.vectors import real_symbol, vectors
+
+from ...mechanics.ball.ball import RollingBall
+from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
+from ...mechanics.ball.surface import Ring
+from ..catalogue_entry import Numbers
+from .ball_entry import ball_entry
+from .ball_laws import meridian_law
+
+(R,) = vectors("R")
+m, g = real_symbol("m"), real_symbol("g")
+
+
+def _ball(numbers: Numbers) -> RollingBall:
+    return RollingBall(
+        mass=numbers["m"],
+        inertia=numbers["mu"],
+        radius=numbers["b"],
+        surface=Ring(numbers["a"], numbers["c"], side="inside"),
+        gravity=numbers["g"],
+    )
+
+
+def _rubber_ball(numbers: Numbers) -> RollingBall:
+    return replace(_ball(numbers), contact="rubber")
+
+
+def any_revolution() -> System:
+    """A heavy marble ball whose centre moves on any surface of revolution, with its axis up."""
+    first, second, third = R.symbols
+    profile = sp.Function("h")(first**2 + second**2)
+    weight = Parameter(g, "acceleration of gravity", 9.81, "m/s^2")
+    system = equations_of_motion(
+        "marble",
+        centre_surface(third - profile),
+        -m * g * unit_vector(3),
+        (*ball_parameters(1.0, 0.4, 1.0), weight),
+        name="marble-ball-on-any-surface-of-revolution",
+        title="Marble ball on any surface of revolution",
+    )
+    return replace(system, reconstruction=None).with_laws(meridian_law())
+
+
+_DEFAULTS = {"m": 1.0, "mu": 0.036, "b": 0.3, "a": 3.0, "c": 1.0, "g": 9.81}
+
+ENTRIES = (
+    ball_entry(
+        name="marble-ball-on-torus",
+        title="Marble ball in a ring",
+        summary="A heavy homogeneous ball rolls without slipping inside a ring that lies flat.",
+        defaults=_DEFAULTS,
+        ball=_ball,
+        start={"R": (3.0, 0.0, -0.7), "omega": (-12.0, 5.0, 4.0)},
+        until=12.0,
+        general=any_revolution,
+    ),
+    ball_entry(
+        name="rubber-ball-on-torus",
+        title="Rubber ball in a ring",
+        summary="A heavy homogeneous ball rolls with neither slipping nor spinning inside a ring "
+        "that lies flat.",
+        defaults=_DEFAULTS,
+        ball=_rubber_ball,
+        start={"R": (3.0, 0.0, -0.7), "omega": (-12.0, 5.0, 0.0)},
+        until=12.0,
+    ),
+)

@@ -1,0 +1,232 @@
+"""Contact of a body of arbitrary support function with a plane or a sphere, for proofs (§1.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from flowlanes.system.laws import Identity, Integral
+from flowlanes.system.named_formulas import Pairs
+from flowlanes.system.system import Parameter, System
+from flowlanes.system.vector_operators import gradient
+from flowlanes.system.vectors import (
+    Diagonal,
+    Symmetric,
+    constant,
+    cross,
+    dot,
+    identity,
+    norm_squared,
+    real_symbol,
+    vectors,
+)
+
+from ...mechanics.rolling.body import Body
+from ...mechanics.rolling.equations import ContactModel, Forces, Rolling
+from ...mechanics.shapes.shapes import Ellipsoid
+from ...mechanics.shapes.surfaces import Sphere
+from ..catalogue_entry import Entry, Numbers, Start
+
+omega, gamma, r, rdot, gammadot = vectors("omega gamma r rdot gammadot")
+M, dh, torque, c = vectors("M dh torque c")
+I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
+H = Symmetric("H")
+m, h, tau, area = (real_symbol(name) for name in ("m", "h", "tau", "A_a"))
+
+#: A support function and a potential, both arbitrary.
+SUPPORT = sp.Function("h_s")(*gamma.symbols)
+POTENTIAL = sp.Function("U")(*gamma.symbols)
+
+#: Support function, its derivatives, and the contact point r = c − hγ − (∂h − (γ, ∂h)γ).
+SHAPE: Pairs = (
+    (h, SUPPORT),
+    (dh, gradient(SUPPORT, gamma, "h")),
+    (H, constant(sp.hessian(SUPPORT, gamma.symbols))),
+    (r, c + (dot(gamma, dh) - h) * gamma - dh),
+)
+
+#: J = I + m r² and its inverse.
+INERTIA: Pairs = ((J, I + m * norm_squared(r) * identity), (A, J**-1))
+
+#: The multiple of the identity in W.
+LIFT = h - dot(gamma, dh)
+#: Sum and product of the principal radii of curvature.
+TRACE = sp.Add(*(H.entries[i, i] for i in range(3))) - dot(gamma, H * gamma) + 2 * LIFT
+DETERMINANT = (
+    dot(gamma, constant(H.entries.adjugate()) * gamma) + LIFT * (TRACE - 2 * LIFT) + LIFT**2
+)
+
+
+def spread(vector: MatrixExpr) -> MatrixExpr:
+    """W u for a tangent vector u, with W = P∂²hP + (h − (γ, ∂h))E and P = E − γ⊗γ."""
+    turned = H * vector
+    return turned - dot(gamma, turned) * gamma + LIFT * vector
+
+
+@dataclass(frozen=True)
+class ContactKinematics:
+    """The contact of a body of any shape.
+
+    Attributes
+    ----------
+    parameters : tuple of Parameter
+        Of body and surface.
+    definitions : pairs
+        Rate ṙ and couple of the potential; they use ω.
+    gammadot : MatrixExpr
+        Rate of the normal, body axes.
+    where : str
+        ``"plane"`` or ``"sphere"``.
+    """
+
+    parameters: tuple[Parameter, ...]
+    definitions: Pairs
+    gammadot: MatrixExpr
+    where: str
+
+
+def contact_kinematics(curvature: sp.Expr = sp.S.Zero) -> ContactKinematics:
+    """The contact with a surface of the given curvature 1/a, zero for a plane.
+
+    h is the distance of a point c of the body from the tangent plane with inner normal γ; only
+    its values on the unit sphere matter.  Then ṙ = −Wγ̇ and γ̇ = (E + W/a)⁻¹γ×ω, so that the
+    couple γ×(E + W/a)⁻¹∂U/∂γ does the work of U.
+
+    Parameters
+    ----------
+    curvature : sympy.Expr
+        Its symbols become parameters.
+    """
+    swing, force = cross(gamma, omega), gradient(POTENTIAL, gamma)
+    if curvature == 0:
+        plain = ((rdot, -spread(swing)), (torque, cross(gamma, force)))
+        return ContactKinematics(_parameters(), plain, swing, "plane")
+
+    def solve(vector: MatrixExpr) -> MatrixExpr:
+        """(E + W/a)⁻¹ u on the tangent plane, by Cayley and Hamilton."""
+        return ((1 + curvature * tau) * vector - curvature * spread(vector)) / area
+
+    definitions = (
+        (tau, TRACE),
+        (area, 1 + curvature * tau + curvature**2 * DETERMINANT),
+        (gammadot, solve(swing)),
+        (rdot, -spread(gammadot)),
+        (torque, cross(gamma, solve(force - dot(gamma, force) * gamma))),
+    )
+    meaning = "radius of the supporting sphere, negative inside, or its reciprocal"
+    surface = (Parameter(s, meaning, 5.0) for s in sorted(curvature.free_symbols, key=str))
+    return ContactKinematics((*_parameters(), *surface), definitions, gammadot, "sphere")
+
+
+def _parameters() -> tuple[Parameter, ...]:
+    return (
+        Parameter(m, "mass", 1.0, "kg"),
+        *(
+            Parameter(s, f"a point of the body, body axis {i}", i / 8, "m")
+            for i, s in enumerate(c.symbols, 1)
+        ),
+        *(
+            Parameter(s, f"moment of inertia about body axis {i}", 1.0 + i / 4, "kg m^2")
+            for i, s in enumerate(I.symbols, 1)
+        ),
+    )
+
+
+def momentum(spin: MatrixExpr) -> MatrixExpr:
+    """Ĩu, the momentum about the contact point."""
+    return I * spin + m * cross(r, cross(spin, r))
+
+
+def inverse(vector: MatrixExpr) -> MatrixExpr:
+    """Ĩ⁻¹u, by Sherman and Morrison from J = I + m r²."""
+    lever = A * r
+    return A * vector + (m * dot(lever, vector) / (1 - m * dot(r, lever))) * lever
+
+
+def energy() -> Integral:
+    """½(M, ω) + U."""
+    value = sp.Rational(1, 2) * dot(M, omega) + POTENTIAL
+    return Integral("energy", value, "energy", source="(3.3), Theorem 1", unit="J")
+
+
+def kinematics(curvature: sp.Expr) -> Identity:
+    """γ̇ + ω×γ = ṙ/a."""
+    return Identity(
+        "kinematics",
+        gammadot + cross(omega, gamma) - curvature * rdot,
+        "the contact wanders over the body as fast as over the sphere",
+        source="(1.23)",
+    )
+
+
+# --- an example that can be run ------------------------------------------------------------
+
+#: An ellipsoid with three different axes and its centre of mass away from its centre.
+ELLIPSOID: Numbers = {
+    "m": 1.0,
+    "I_1": 1.0,
+    "I_2": 1.5,
+    "I_3": 2.1,
+    "b_1": 1.0,
+    "b_2": 0.9,
+    "b_3": 0.8,
+    "c_1": 0.1,
+    "c_2": -0.05,
+    "c_3": 0.1,
+}
+
+
+def ellipsoid(p: Numbers) -> Body:
+    """The body with the numbers of `ELLIPSOID`."""
+    shape = Ellipsoid((p["b_1"], p["b_2"], p["b_3"]), centre=(p["c_1"], p["c_2"], p["c_3"]))
+    return Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), shape)
+
+
+def ellipsoid_entries(
+    contact: ContactModel,
+    general: tuple[Callable[[], System], Callable[[], System]],
+    omega: tuple[float, float, float],
+    sources: tuple[str, str],
+) -> tuple[Entry, Entry]:
+    """The entries of a body of any shape on a plane and on a sphere, run as an ellipsoid.
+
+    Parameters
+    ----------
+    contact : str
+        ``"marble"`` or ``"rubber"``.
+    general : 2 callables
+        The systems with any shape and potential, on a plane and on a sphere.
+    omega : 3 floats
+        Angular velocity of the start.
+    sources : 2 str
+    """
+    manner = {"marble": "without slipping", "rubber": "with neither slipping nor spinning"}[contact]
+    about = "; it may spin about the {}." if contact == "marble" else "."
+    start = Start(omega=omega, gamma=(0.2, -0.3, 0.93), until=30.0)
+    return (
+        Entry(
+            name=f"{contact}-body",
+            title=f"{contact.capitalize()} body on a plane",
+            summary="A heavy body of any convex shape, here an ellipsoid, rolls on a horizontal "
+            f"plane {manner}{about.format('vertical')}",
+            source=sources[0],
+            defaults={**ELLIPSOID, "g": 9.81},
+            build=lambda p: Rolling(ellipsoid(p), contact=contact, field=Forces(p["g"])),
+            start=start,
+            general=general[0],
+        ),
+        Entry(
+            name=f"{contact}-body-on-sphere",
+            title=f"{contact.capitalize()} body on a sphere",
+            summary=f"A body of any convex shape, here an ellipsoid, rolls {manner} on a fixed "
+            f"sphere of radius a, outside (a > 0) or inside (a < 0){about.format('normal')}",
+            source=sources[1],
+            defaults={**ELLIPSOID, "a": 5.0},
+            build=lambda p: Rolling(ellipsoid(p), Sphere.of_signed_radius(p["a"]), contact),
+            start=start,
+            general=general[1],
+        ),
+    )

@@ -1,0 +1,82 @@
+"""A heavy disk with a sharp edge, marble contact: the classical rolling coin."""
+
+from __future__ import annotations
+
+from flowlanes.system.laws import Law, Measure, Rate, Reduction, Symmetry
+from flowlanes.system.system import System
+from flowlanes.system.vectors import dot, real_symbol, vectors
+
+from ...mechanics.rolling.body import Body
+from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.shapes.shapes import Disk
+from ...mechanics.shapes.surfaces import Plane
+from ..catalogue_entry import Entry, Numbers, Start, laws_for
+
+M, gamma = vectors("M gamma")
+m, R, I_1, I_2, I_3 = (real_symbol(name) for name in ("m", "R", "I_1", "I_2", "I_3"))
+#: γ₃, the vertical momentum and the momentum about the axis.
+u, p, q = (real_symbol(name) for name in ("u", "p", "q"))
+
+M_1, M_2, M_3 = M.symbols
+g_1, g_2, g_3 = gamma.symbols
+SOURCE = "§4.1, §11.4"
+
+
+def build(p: Numbers) -> Rolling:
+    """A disk of radius R with axis of symmetry along body axis 3."""
+    body = Body(p["m"], (p["I_1"], p["I_1"], p["I_3"]), Disk(p["R"]))
+    return Rolling(body, field=Forces(p["g"]))
+
+
+@laws_for("marble", Plane(), Disk)
+def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+    """Symmetry, measure and the linear equations for the two momenta as functions of γ₃."""
+    body = rolling.body
+    if (
+        any(body.shape.centre)
+        or rolling.field.potential != 0
+        or any(body.gyrostat)
+        or not body.principal
+        or body.inertia[0] != body.inertia[1]
+    ):
+        return ()
+    level = (I_1 - I_2,)
+    share = (p - u * q) / (I_1 * (1 - u**2))
+    reach = m * R**2
+    return (
+        Symmetry(
+            "rotation",
+            {M_1: -M_2, M_2: M_1, g_1: -g_2, g_2: g_1},
+            "rotation about the axis of symmetry",
+            on=level,
+            source=SOURCE,
+        ),
+        Measure("measure", {}, "invariant measure d³M d³γ", on=level, source=SOURCE),
+        Reduction(
+            "momenta",
+            {u: g_3, p: dot(M, gamma), q: M_3},
+            (
+                Rate(q) + reach * share * Rate(u),
+                Rate(p) - reach * (q / (I_3 + reach) - u * share) * Rate(u),
+            ),
+            "linear equations for the vertical momentum p and the axial momentum q by u = γ₃",
+            on=level,
+            source=SOURCE,
+        ),
+    )
+
+
+ENTRIES = (
+    Entry(
+        name="heavy-disk",
+        title="Heavy disk",
+        summary="A heavy disk with a sharp edge rolls on a horizontal plane without slipping, as "
+        "a coin does; its two integrals linear in ω are not elementary functions.",
+        source=SOURCE,
+        # a uniform thin disk
+        defaults={"m": 1.0, "I_1": 0.25, "I_3": 0.5, "R": 1.0, "g": 9.81},
+        build=build,
+        start=Start(omega=(0.3, 0.4, 3.0), gamma=(0.8, 0.2, 0.5656854249492381), until=12.0),
+        laws=laws,
+    ),
+)

@@ -1,0 +1,258 @@
+"""A heavy body of revolution with rubber contact on a plane (§5)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from flowlanes.system.isomorphism import Isomorphism, with_any_parameters
+from flowlanes.system.laws import Integral, Law, Measure, Rate, Reduction, Symmetry
+from flowlanes.system.system import System
+from flowlanes.system.vectors import dot, norm_squared, real_symbol, vectors
+
+from ...mechanics.rolling.body import AnyBody, Body
+from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.shapes.implicit import Implicit
+from ...mechanics.shapes.revolution import Revolution
+from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
+from ...mechanics.shapes.surfaces import Plane
+from ..catalogue_entry import Entry, Numbers, Start, laws_for
+from .rubber_profile import HEIGHT, POTENTIAL, from_support, profile_system
+
+M, omega, gamma, r, c = vectors("M omega gamma r c")
+m, R, I_1, I_2, I_3 = (real_symbol(name) for name in ("m", "R", "I_1", "I_2", "I_3"))
+#: γ₃ and the constants of the motion in the reduction to quadratures.
+u, K, h = (real_symbol(name) for name in ("u", "K", "h"))
+
+HALF = sp.Rational(1, 2)
+g_1, g_2, g_3 = gamma.symbols
+w_1, w_2, w_3 = omega.symbols
+
+
+def build(p: Numbers) -> Rolling:
+    """An ellipsoid of revolution with its centre of mass on the axis."""
+    shape = Ellipsoid((p["b_1"], p["b_1"], p["b_3"]), centre=(0.0, 0.0, p["c_3"]))
+    return _rubber(p, shape)
+
+
+def build_disk(p: Numbers) -> Rolling:
+    """A disk whose centre lies at −a on the axis."""
+    return _rubber(p, Disk(p["R"], centre=(0.0, 0.0, p["c_3"])))
+
+
+def build_ball(p: Numbers) -> Rolling:
+    """A ball whose centre lies at −a on the axis of symmetry."""
+    return _rubber(p, Ball(p["R"], centre=(0.0, 0.0, p["c_3"])))
+
+
+def _rubber(p: Numbers, shape: Ball | Disk | Ellipsoid) -> Rolling:
+    body = Body(p["m"], (p["I_1"], p["I_1"], p["I_3"]), shape)
+    return Rolling(body, contact="rubber", field=Forces(p["g"]))
+
+
+def _symmetric(body: AnyBody) -> bool:
+    """Whether shape and inertia are those of a body of revolution about body axis 3."""
+    shape = body.shape
+    if isinstance(shape, Implicit) or not body.principal or any(shape.centre[:2]):
+        return False
+    round_shape = isinstance(shape, (Ball, Disk, Torus, Revolution)) or (
+        isinstance(shape, Ellipsoid) and shape.axes[0] == shape.axes[1]
+    )
+    return round_shape and body.inertia[0] == body.inertia[1]
+
+
+@laws_for("rubber", Plane())
+def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+    """(5.1) and (5.2), for every profile and every potential U(γ₃); symmetry and measure."""
+    body = rolling.body
+    depends = rolling.field.potential.free_symbols & {g_1, g_2}
+    if depends or any(body.gyrostat) or not _symmetric(body):
+        return ()
+    level: tuple[sp.Expr, ...] = (I_1 - I_2,)
+    if any(body.shape.centre):
+        level += tuple(c.symbols[:2])
+    if isinstance(body.shape, Ellipsoid):
+        level += (real_symbol("b_1") - real_symbol("b_2"),)
+    reach, height = r + 0 * gamma, dot(r, gamma)
+    if isinstance(body.shape, Ball):
+        reach = body.shape.offset - R * gamma
+        height = dot(body.shape.offset, gamma) - R
+    known: tuple[Law, ...] = (
+        spin(height, level),
+        quadratures(system, reach, height, level),
+    )
+    if isinstance(body.shape, (Ball, Disk)):
+        # for other shapes these are proven once for all, in `general`: one by one it takes minutes
+        known += (rotation(level), measure(reach, height, level))
+    return known
+
+
+# --- laws ----------------------------------------------------------------------------------
+
+
+def _square(height: sp.Expr) -> sp.Expr:
+    """A² of (5.1), for (r, γ) = `height`."""
+    return I_1 * g_3**2 + I_3 * (1 - g_3**2) + m * height**2
+
+
+def spin(height: sp.Expr, level: tuple[sp.Expr, ...]) -> Integral:
+    """(5.1); `level` vanishes when the body is one of revolution."""
+    return Integral(
+        "spin",
+        sp.sqrt(_square(height)) * w_3,
+        "integral linear in ω",
+        on=level,
+        source="(5.1)",
+        unit="kg^0.5 m/s",
+    )
+
+
+def quadratures(
+    system: System, reach: MatrixExpr, height: sp.Expr, level: tuple[sp.Expr, ...]
+) -> Reduction:
+    """(5.2), with γ₃ = cos θ and the angle φ from γ₁ : γ₂.
+
+    Parameters
+    ----------
+    system : System
+        State ω, γ, with the energy among its laws.
+    reach, height : formulas
+        r and (r, γ).
+    level : tuple of sympy.Expr
+        Vanish when the body is one of revolution.
+    """
+    (energy,) = (law.value for law in system.integrals if law.name == "energy")
+    potential = energy - HALF * dot(M, omega)
+    factor, principal = sp.sqrt(_square(height)), I_1 + m * norm_squared(reach)
+    return Reduction(
+        "quadratures",
+        {u: g_3, K: factor * w_3, h: energy},
+        (
+            Rate(K),
+            Rate(h),
+            HALF * (principal * Rate(u) ** 2 + K**2) - (h - potential) * (1 - u**2),
+            g_2 * Rate(g_1) - g_1 * Rate(g_2) - K / factor,
+        ),
+        "quadratures for γ₃ = cos θ and φ",
+        on=level,
+        source="(5.2)",
+    )
+
+
+def rotation(level: tuple[sp.Expr, ...] = ()) -> Symmetry:
+    """The rotation of ω and γ about the axis."""
+    return Symmetry(
+        "rotation",
+        {w_1: -w_2, w_2: w_1, g_1: -g_2, g_2: g_1},
+        "rotation about the axis of symmetry",
+        on=level,
+        source="§5, before (5.1)",
+    )
+
+
+def measure(reach: MatrixExpr, height: sp.Expr, level: tuple[sp.Expr, ...] = ()) -> Measure:
+    """ρ = BA, for the contact vector `reach` and (r, γ) = `height`."""
+    return Measure(
+        "measure",
+        {I_1 + m * norm_squared(reach): sp.S.One, _square(height): HALF},
+        "invariant measure ρ d³ω d³γ, ρ = BA",
+        on=level,
+        source="§5, after (5.2)",
+    )
+
+
+# --- every profile -------------------------------------------------------------------------
+
+
+def general_system(potential: sp.Expr = POTENTIAL) -> System:
+    """Any profile, in any potential U(γ₃) such as its weight, with all laws of §5."""
+    return _with_all_laws(from_support(HEIGHT), potential)
+
+
+def _with_all_laws(chi: tuple[sp.Expr, sp.Expr], potential: sp.Expr = POTENTIAL) -> System:
+    system = profile_system(chi, potential)
+    reach, height = r + 0 * gamma, dot(r, gamma)
+    return system.with_laws(
+        spin(height, ()),
+        rotation(),
+        measure(reach, height),
+        quadratures(system, reach, height, ()),
+    )
+
+
+def rolling_equations(gravity: float = 0.0) -> System:
+    """The body from the equations of any rolling body, with I_2 as a symbol."""
+    body = Body(1.0, (0.3, 0.3, 0.2), Revolution(1 + g_3**2 / 4))
+    field = Forces(gravity, POTENTIAL)
+    system = Rolling(body, contact="rubber", field=field).system("rubber-body-of-revolution")
+    profile = {
+        real_symbol("p"): HEIGHT,
+        real_symbol("pprime"): HEIGHT.diff(g_3),
+        real_symbol("pprime2"): HEIGHT.diff(g_3, 2),
+    }
+    return replace(
+        system,
+        definitions=tuple((name, profile.get(name, value)) for name, value in system.definitions),
+    )
+
+
+def onto_rolled() -> Isomorphism:
+    """The equations of `unspecified` are those of `rolled`."""
+    return Isomorphism(
+        "rolling",
+        with_any_parameters(rolling_equations()),
+        {omega: omega, gamma: gamma},
+        constants={I_2: I_1},
+        meaning="the equations of any rubber body on a plane",
+        source="(1.18)",
+    )
+
+
+def general() -> System:
+    """Any profile, with the proof that its equations are the general ones."""
+    return general_system().with_laws(onto_rolled())
+
+
+# --- catalogue -----------------------------------------------------------------------------
+
+
+_INERTIA = {"m": 1.0, "I_1": 0.3, "I_3": 0.2}
+
+ENTRIES = (
+    Entry(
+        name="rubber-body-of-revolution",
+        title="Heavy rubber body of revolution",
+        summary="A heavy body of revolution, here an ellipsoid with its centre of mass on the "
+        "axis, rolls on a horizontal plane with neither slipping nor spinning.",
+        source="§5, (1.18), (5.1)",
+        defaults={**_INERTIA, "b_1": 0.8, "b_3": 1.1, "c_3": 0.15, "g": 9.81},
+        build=build,
+        start=Start(omega=(1.0, 0.8, -1.0), gamma=(0.4, 0.5, 0.8), until=12.0),
+        laws=laws,
+        general=general,
+    ),
+    Entry(
+        name="rubber-disk",
+        title="Heavy rubber disk",
+        summary="A heavy disk with a sharp edge and its centre of mass on the axis rolls on a "
+        "horizontal plane with neither slipping nor spinning.",
+        source="§5, after Proposition 5",
+        defaults={"m": 1.0, "I_1": 0.3, "I_3": 0.5, "R": 1.0, "c_3": -0.2, "g": 9.81},
+        build=build_disk,
+        start=Start(omega=(1.0, 0.8, -1.0), gamma=(0.4, 0.5, 0.8), until=12.0),
+        laws=laws,
+    ),
+    Entry(
+        name="rubber-routh-sphere",
+        title="Routh's sphere with rubber contact",
+        summary="A heavy ball with its centre of mass on an axis of dynamical symmetry rolls on "
+        "a horizontal plane with neither slipping nor spinning.",
+        source="§5, after Proposition 5",
+        defaults={**_INERTIA, "R": 1.0, "c_3": -0.2, "g": 9.81},
+        build=build_ball,
+        start=Start(omega=(1.0, 0.8, -1.0), gamma=(0.4, 0.5, 0.8), until=12.0),
+        laws=laws,
+    ),
+)

@@ -1,0 +1,158 @@
+"""A homogeneous marble ball on a plane under a force at its centre (§2.2): a particle in a plane.
+
+Everything is written in space axes.  The ball of radius b has the moment of inertia μ about every
+axis through its centre; its velocity is v = r×ω with r = −b e_z.  Eliminating the reaction N of
+m v̇ = N + F, μ ω̇ = r×N gives (μ + mb²) ω̇ = −r×F.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from flowlanes.system.isomorphism import Isomorphism
+from flowlanes.system.laws import Identity, Integral, Law
+from flowlanes.system.system import Observable, Parameter, System
+from flowlanes.system.vector_operators import unit_vector
+from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
+
+from ...mechanics.rolling.body import check_mass
+from ...mechanics.rolling.inertia import check_inertia
+from ..catalogue_entry import Entry, Numbers, Start
+from ..vector_rates import rate
+
+R, omega, v, r, N, F = vectors("R omega v r N F")
+m, mu, b, kappa, mtilde = (real_symbol(name) for name in ("m", "mu", "b", "kappa", "mtilde"))
+
+NAME = "marble-ball"
+TITLE = "Homogeneous marble ball"
+SUMMARY = (
+    "A homogeneous ball rolls on a horizontal plane without slipping, pulled towards a point by a "
+    "spring; its centre moves like a particle of larger mass."
+)
+SOURCE = "§2.2, (2.5), (2.6)"
+
+#: A force that may depend on place and angular velocity, and thereby on the velocity.
+FORCE = constant([sp.Function(f"F_{i}")(*R.symbols, *omega.symbols) for i in (1, 2, 3)])
+SPRING = constant([-kappa * R.symbols[0], -kappa * R.symbols[1], 0])
+
+
+def ball(numbers: Numbers, force: MatrixExpr, *further: Parameter) -> System:
+    """The ball under a force at its centre, given in space axes."""
+    check_mass(numbers["m"])
+    check_inertia((numbers["mu"],) * 3)
+    heavier = m + mu / b**2
+    return System(
+        name=NAME,
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        parameters=(
+            Parameter(m, "mass", numbers["m"], "kg", (m > 0,)),
+            Parameter(mu, "moment of inertia about the centre", numbers["mu"], "kg m^2", (mu > 0,)),
+            Parameter(b, "radius of the ball", numbers["b"], "m", (b > 0,)),
+            *further,
+        ),
+        definitions={
+            r: -b * unit_vector(3),
+            F: force,
+            v: cross(r, omega),
+            N: (m / heavier) * (F - dot(F, unit_vector(3)) * unit_vector(3)) - F,
+        },
+        field={R: v, omega: cross(F, r) / (mu + m * b**2)},
+        observables=(
+            Observable("velocity", v, "velocity of the centre", "m/s", "space", "(2.5)"),
+            Observable("reaction", N, "reaction of the plane", "N", "space", "(2.6)"),
+        ),
+    )
+
+
+def laws() -> tuple[Law, ...]:
+    """The laws that hold under every force."""
+    heavier = m + mu / b**2
+    return (
+        Integral("height", R.symbols[2], "height of the centre", source="§2.2", unit="m"),
+        Integral(
+            "spin",
+            omega.symbols[2],
+            "angular velocity about the vertical",
+            source="(2.6)",
+            unit="rad/s",
+        ),
+        Identity(
+            "balance",
+            (m * rate(v) - N - F, mu * rate(omega) - cross(r, N)),
+            "Newton's and Euler's equations with the reaction of the plane",
+            source="(2.6)",
+        ),
+        Identity(
+            "particle",
+            (rate(R) - v, heavier * rate(v) - F + dot(F, unit_vector(3)) * unit_vector(3)),
+            "the centre moves in a horizontal plane as a particle of mass m + μ/b²",
+            source="Proposition 2",
+        ),
+    )
+
+
+def _particle(stiffness: Parameter) -> System:
+    """A particle on a spring in a plane, beside a height and a spin that never change."""
+    (x_1, x_2, x_3), (v_1, v_2, _), spin = R.symbols, v.symbols, omega.symbols[2]
+    return System(
+        name="particle-on-a-spring",
+        title="Particle on a spring in a plane",
+        field={
+            x_1: v_1,
+            x_2: v_2,
+            x_3: sp.S.Zero,
+            v_1: -kappa * x_1 / mtilde,
+            v_2: -kappa * x_2 / mtilde,
+            spin: sp.S.Zero,
+        },
+        parameters=(Parameter(mtilde, "mass", 1.4, "kg", (mtilde > 0,)), stiffness),
+        source="Proposition 2",
+    )
+
+
+def build(numbers: Numbers) -> System:
+    """The ball on a spring."""
+    stiffness = Parameter(kappa, "stiffness of the spring", numbers["kappa"], "N/m", (kappa > 0,))
+    half, (x_1, x_2, _), (v_1, v_2, _) = sp.Rational(1, 2), R.symbols, v.symbols
+    kinetic = half * m * norm_squared(v) + half * mu * norm_squared(omega)
+    return ball(numbers, SPRING, stiffness).with_laws(
+        Integral(
+            "energy", kinetic + half * kappa * (x_1**2 + x_2**2), "energy", source="(2.6)", unit="J"
+        ),
+        Integral(
+            "area", x_1 * v_2 - x_2 * v_1, "areal velocity", source="Proposition 2", unit="m^2/s"
+        ),
+        *laws(),
+        Isomorphism(
+            "particle_in_plane",
+            _particle(stiffness),
+            {s: s for s in (*R.symbols, v_1, v_2, omega.symbols[2])},
+            constants={mtilde: m + mu / b**2},
+            meaning="the centre is a particle of mass m + μ/b² in a plane",
+            source="Proposition 2",
+        ),
+    )
+
+
+def general() -> System:
+    """Under any force at the centre."""
+    return ball(_DEFAULTS, FORCE).with_laws(*laws())
+
+
+_DEFAULTS = {"m": 1.0, "mu": 0.4, "b": 1.0, "kappa": 1.0}
+
+ENTRIES = (
+    Entry(
+        name=NAME,
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        defaults=_DEFAULTS,
+        build=build,
+        start=Start(state={"R": (1.0, 0.0, 1.0), "omega": (-0.6, 0.2, 0.5)}, until=60.0),
+        general=general,
+    ),
+)

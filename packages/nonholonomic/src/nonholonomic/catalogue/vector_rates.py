@@ -1,0 +1,13 @@
+"""Time derivatives of vectors in laws."""
+
+from __future__ import annotations
+
+from sympy.matrices.expressions import MatrixExpr
+
+from flowlanes.system.laws import Rate
+from flowlanes.system.vectors import constant, to_components
+
+
+def rate(vector: MatrixExpr) -> MatrixExpr:
+    """The rates of the components of a vector formula along the field of its system."""
+    return constant([Rate(component) for component in to_components(vector)])

@@ -1,0 +1,117 @@
+"""Verdicts within a given effort, and proven laws as facts to be cited."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from flowlanes.arguments import arguments_checked
+from flowlanes.printing.laws import heading
+from flowlanes.system.laws import Law
+from flowlanes.system.system import System
+from lawproof.proof.prover import judgement_of, prove
+from lawproof.proof.verdict import NOT_TRIED, Verdict
+
+EFFORT_SPENT = f"{NOT_TRIED}, as the effort for all laws together was spent"
+"""Why a law is left undecided that no work was left for."""
+LEFT_OUT = f"{NOT_TRIED}, as proofs were left out"
+"""Why a law is left undecided where none was to be tried."""
+HERE = "found here"
+"""Source of a law that is not claimed of a system but was tried and proven."""
+
+
+@dataclass(frozen=True)
+class Fact:
+    """A proven law on which a statement rests.
+
+    Attributes
+    ----------
+    law : str
+        Its name.
+    words : str
+        The fact in a few words.
+    source : str
+        The place in the literature.
+    system : str
+        Title of the system whose law it is, where that is not the system spoken of.
+    functions : int
+        Number of independent functions, if there are several.
+    """
+
+    law: str
+    words: str
+    source: str = ""
+    system: str = ""
+    functions: int = 1
+
+    @property
+    def is_own_law(self) -> bool:
+        """Whether it is a law that the system itself states; the page of a report asks."""
+        return not self.system and self.source != HERE
+
+    def __str__(self) -> str:
+        several = f"({self.functions} functions)" if self.functions > 1 else ""
+        elsewhere = f"by the laws of: {self.system}" if self.system else ""
+        return " ".join(filter(None, (self.law, self.source, several, elsewhere)))
+
+
+def fact_of(law: Law, system: str = "") -> Fact:
+    """A law as something to point to."""
+    return Fact(law.name, str(getattr(law, "meaning", "")) or heading(law), law.source, system)
+
+
+@arguments_checked
+@dataclass
+class ProofBudget:
+    """The effort that proofs may take, counted alike on every machine.
+
+    The cost of a verdict is that of its proof, whether it is new or read from the cache, and a
+    proof that took more than is allowed here does not count: the result depends neither on the
+    machine nor on what was proven before.
+
+    Parameters
+    ----------
+    effort : int
+        Term operations for one law.
+    altogether : int, optional
+        Term operations after which no further law is tried; with 0 none is.
+    report : callable
+        Called with a description of the next attempt.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> budget = nonholonomic.classification.ProofBudget(effort=10**8)
+    >>> nonholonomic.classify(pendulum, budget=budget).variables
+    2
+    """
+
+    effort: int
+    altogether: int | None = None
+    report: Callable[[str], object] = field(default=lambda _: None, compare=False)
+    effort_used: int = field(default=0, init=False)
+
+    @property
+    def over(self) -> bool:
+        """Whether no further law is tried."""
+        return self.altogether is not None and self.effort_used >= self.altogether
+
+    @arguments_checked
+    def verdict(self, system: System, law: Law) -> Verdict:
+        """The verdict on a law with the effort allowed."""
+        if self.over:
+            reason = EFFORT_SPENT if self.altogether else LEFT_OUT
+            return Verdict(law.name, "undecided", reason=reason)
+        self.report(f"{law.name} of {system.title}")
+        verdict = judgement_of(prove, system, law, self.effort)
+        self.effort_used += verdict.effort
+        return verdict
+
+    @arguments_checked
+    def verdicts(self, system: System) -> dict[str, Verdict]:
+        """The verdicts on all laws of a system, by name."""
+        return {law.name: self.verdict(system, law) for law in system.laws}

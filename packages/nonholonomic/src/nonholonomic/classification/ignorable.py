@@ -1,0 +1,68 @@
+"""Variables that follow by a quadrature, as nothing else in a system depends on them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import sympy as sp
+
+from flowlanes.system.laws import Law, Measure, Symmetry
+from flowlanes.system.system import System
+from flowlanes.system.vectors import to_components
+from lawproof.proof.level.named_formulas import components
+
+from .conserved_covectors import AnnihilatingCovectors
+from .facts import Fact, fact_of
+from .ranks import RankSample
+
+
+def ignorable_shifts(
+    sample: RankSample,
+    sources: Sequence[AnnihilatingCovectors],
+    symmetries: Sequence[Symmetry],
+    laws: Sequence[Law],
+    volume: str,
+) -> tuple[Fact, ...]:
+    """The shifts of single variables on which equations, integrals and measure do not depend.
+
+    Without these variables the system is one of its own, with the same integrals, and the density
+    of its measure is the same: dx is a factor of the volume.
+
+    Parameters
+    ----------
+    sample : RankSample
+    sources : sequence of AnnihilatingCovectors
+        The independent integrals.
+    symmetries : sequence of Symmetry
+        Proven.
+    laws : sequence of Law
+        Proven.
+    volume : str
+        The name of the measure.
+    """
+    system = sample.level_set.system
+    measure = next((x for x in laws if isinstance(x, Measure) and x.name == volume), None)
+    if measure is None or not all(source.functions for source in sources):
+        return ()
+    formulas = [
+        *system.rates,
+        *system.relations,
+        *(base for base, _ in measure.density),
+        *(formula for source in sources for formula in source.functions),
+    ]
+    used = _symbols(system, formulas)
+    found = []
+    for law in symmetries:
+        field = {s: f for s, f in components(law.field, sample.level_set).items() if f != 0}
+        if len(field) == 1:
+            ((variable, rate),) = field.items()
+            if variable not in used and not rate.free_symbols & set(system.symbols):
+                found.append(fact_of(law))
+    return tuple(found)
+
+
+def _symbols(system: System, formulas: Iterable[sp.Expr]) -> set[sp.Symbol]:
+    """The symbols in formulas and in the definitions that they use."""
+    plain = [to_components(formula) for formula in formulas]
+    parts = [*plain, *(formula for _, formula in system.required_definitions(plain))]
+    return {s for part in parts for s in sp.sympify(part).free_symbols}

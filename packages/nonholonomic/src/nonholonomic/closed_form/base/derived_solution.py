@@ -1,0 +1,45 @@
+"""Motions known by the closed form of another motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from flowlanes.arguments import NumberOrText
+from flowlanes.system.system import System
+
+from .solution import ClosedForm, Solution
+
+
+@dataclass(frozen=True, repr=False)
+class DerivedSolution(Solution):
+    """A motion whose states are functions of those of another one, at the same times.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    inner : Solution
+        The other motion, whose closed form this is.
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, NumberOrText]
+    inner: Solution
+
+    @property
+    def form(self) -> ClosedForm:
+        """That of the other motion."""
+        return self.inner.form
+
+    @property
+    def pace(self) -> float:
+        """That of the other motion."""
+        return self.inner.pace
+
+    @property
+    def left_open(self) -> str:
+        """That of the other motion."""
+        return self.inner.left_open

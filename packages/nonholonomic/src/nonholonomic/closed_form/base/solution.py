@@ -1,0 +1,254 @@
+"""Base classes of closed-form solutions: motions that are known at every time."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+from flint import arb
+
+from flowlanes.arguments import NumberOrText, arguments_checked
+from flowlanes.errors import InputError
+from flowlanes.flow.trajectory import by_name
+from flowlanes.formulas.array_evaluation import as_float_array
+from flowlanes.system.arrays import FloatArray
+from flowlanes.system.overview import Overview, WithOverview, WithShortRepr
+from flowlanes.system.system import System
+
+#: The largest phase Ωt in double precision; its digits are lost beyond 1e15.
+LATEST = 1e13
+
+
+@dataclass(frozen=True)
+class NamedConstant:
+    """A number that belongs to a closed form.
+
+    Attributes
+    ----------
+    symbol : str
+        As it is written, such as ``"Omega_1"``.
+    value : flint.arb
+        With its error bound.
+    meaning, unit : str
+
+    Examples
+    --------
+    >>> import nonholonomic
+    >>> from flint import arb
+    >>> print(nonholonomic.closed_form.NamedConstant("h", arb(2), "energy", "J").meaning)
+    energy
+    """
+
+    symbol: str
+    value: arb
+    meaning: str
+    unit: str = ""
+
+    def text(self) -> str:
+        """Value to ten digits, unit and meaning."""
+        number = f"{float(self.value):.10g} {self.unit}".rstrip()
+        return f"{number}, {self.meaning}" if self.meaning else number
+
+
+@dataclass(frozen=True, repr=False)
+class ClosedForm(WithOverview):
+    """The formulas and constants of a closed form.
+
+    Attributes
+    ----------
+    title : str
+        Which system it is, in words.
+    motion : str
+        The kind of motion: "two-frequency motion on a torus", "periodic", "asymptotic to a
+        permanent rotation", …
+    equations : tuple of (left, right)
+        SymPy formulas: the curve, the differential equations, the clock.
+    constants : tuple of NamedConstant
+        Constants, roots, frequencies, periods, rotation number.
+    ovals : tuple of (low, high)
+        Where the separated variables live (floats).
+    source : str
+
+    Examples
+    --------
+    >>> import nonholonomic
+    >>> disk = nonholonomic.from_catalogue("rubber-disk")
+    >>> form = nonholonomic.solve(disk, nonholonomic.CATALOGUE["rubber-disk"].start.values).form
+    >>> round(float(form["T"].value), 6), form["T"].meaning
+    (1.255333, 'period of the nutation')
+    """
+
+    title: str
+    motion: str
+    equations: tuple[tuple[sp.Expr, sp.Expr], ...]
+    constants: tuple[NamedConstant, ...]
+    ovals: tuple[tuple[float, float], ...] = ()
+    source: str = ""
+
+    def __getitem__(self, symbol: str) -> NamedConstant:
+        """A constant by its symbol, such as ``"T"``.
+
+        Raises
+        ------
+        InputError
+            If the closed form has no constant of this symbol.
+        """
+        for constant in self.constants:
+            if constant.symbol == symbol:
+                return constant
+        known = ", ".join(constant.symbol for constant in self.constants)
+        raise InputError(f"{self.title}: no constant {symbol!r} in the closed form; it has {known}")
+
+    def overview(self) -> Overview:
+        """System, kind of motion, source, and the constants."""
+        ovals = ", ".join(f"[{low:.9g}, {high:.9g}]" for low, high in self.ovals)
+        return Overview(
+            f"{self.title}: {self.motion}",
+            (
+                ("source", self.source),
+                ("separated variables in", ovals),
+                *((one.symbol, one.text()) for one in self.constants),
+            ),
+        )
+
+
+@dataclass(frozen=True, repr=False)
+class States(WithShortRepr):
+    """States at chosen times, by name.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    times : array (n,)
+    values : array (n, size)
+        In the flat order of ``system.symbols``.
+    """
+
+    system: System
+    times: FloatArray
+    values: FloatArray
+
+    def __getitem__(self, name: str) -> FloatArray:
+        """A state variable by name, (n, components) or (n,)."""
+        values: FloatArray = by_name(self.system, self.values, name)
+        return values
+
+
+def finite_times(times: npt.ArrayLike) -> FloatArray:
+    """Times as doubles (n,).
+
+    Raises
+    ------
+    InputError
+        If one is not finite, or they lie in a table.
+    """
+    moments = np.atleast_1d(as_float_array("times", times))
+    if moments.ndim != 1:
+        raise InputError("times: they must be one number or a sequence of numbers")
+    if not np.all(np.isfinite(moments)):
+        raise InputError("times: all of them must be finite numbers")
+    return moments
+
+
+def times_in_range(times: npt.ArrayLike, pace: float) -> FloatArray:
+    """Times (n,) at which states in double precision have a meaning.
+
+    Parameters
+    ----------
+    times : numbers (n,)
+    pace : float
+        That of the motion.
+
+    Raises
+    ------
+    InputError
+        If one is not finite, or the phases there are beyond `LATEST`.
+    """
+    moments = finite_times(times)
+    if np.any(np.abs(moments) * pace > LATEST):
+        raise InputError(
+            f"times: in double precision they must be within ±{LATEST / (pace or 1.0):.3g}, beyond "
+            "which the phase of the motion is lost; evaluation with error bounds (--digits, "
+            "rigorous) goes further"
+        )
+    return moments
+
+
+class Solution(WithOverview):
+    """A motion in closed form.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    parameters : mapping of Symbol to number
+
+    Examples
+    --------
+    >>> import nonholonomic
+    >>> disk = nonholonomic.from_catalogue("rubber-disk")
+    >>> solution = nonholonomic.solve(disk, nonholonomic.CATALOGUE["rubber-disk"].start.values)
+    >>> solution.form.motion
+    'periodic in shape: the axis nods while it precesses, with two frequencies'
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, NumberOrText]
+
+    @property
+    @abstractmethod
+    def form(self) -> ClosedForm:
+        """The formulas and constants of the closed form."""
+
+    @abstractmethod
+    def states(self, times: npt.ArrayLike) -> FloatArray:
+        """Lifted states at `times` (n,), as an array (n, size), in double precision."""
+
+    @property
+    @abstractmethod
+    def pace(self) -> float:
+        """The rate at which the phases of the motion grow, about; 0 at rest."""
+
+    @property
+    def left_open(self) -> str:
+        """A sentence on the part of the state that :meth:`rigorous` leaves open; or ""."""
+        return ""
+
+    @abstractmethod
+    def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
+        """The lifted state at one time as balls (``flint.arb``) that contain the exact one.
+
+        Parameters
+        ----------
+        time : float, int, str, Fraction or arb
+        digits : int
+            Relative accuracy aimed at; the radii of the balls say what was reached.  They are
+            infinite for a place in space, and for an attitude, that is left open.
+
+        Raises
+        ------
+        InputError
+            If so many digits cannot be had.
+        """
+
+    def overview(self) -> Overview:
+        """The overview of the closed form, and what it leaves open."""
+        form = self.form.overview()
+        return Overview(form.heading, (*form.rows, ("left open", self.left_open)))
+
+    @arguments_checked
+    def __call__(self, times: npt.ArrayLike) -> States:
+        """States at `times`, by name.
+
+        Raises
+        ------
+        InputError
+            If a time is not finite, or so large that doubles lose the phase.
+        """
+        moments = times_in_range(times, self.pace)
+        return States(self.system, moments, self.states(moments))

@@ -1,0 +1,53 @@
+"""Large phases brought into one period without losing digits.
+
+A period known to forty digits is kept as the sum of two doubles, and its multiples are subtracted
+in exact products, so that what is left of a time t is as good as t itself: the error of a reduced
+phase does not grow with the number of periods, until that number times 2⁻¹⁰⁶ is noticeable.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from flint import arb
+
+from flowlanes.system.arrays import FloatArray
+
+#: A number as the sum of two doubles.
+Pair = tuple[float, float]
+
+#: Veltkamp's constant 2²⁷ + 1.
+_SPLIT = 134217729.0
+
+
+def pair(ball: arb) -> Pair:
+    """The middle of a ball as two doubles."""
+    high = float(ball.mid())
+    return high, float((ball - high).mid())
+
+
+def exact_product(a: FloatArray, b: float) -> tuple[FloatArray, FloatArray]:
+    """a·b as the sum of two doubles, exactly (Dekker)."""
+    p = a * b
+    a_high = _SPLIT * a - (_SPLIT * a - a)
+    b_high = _SPLIT * b - (_SPLIT * b - b)
+    a_low, b_low = a - a_high, b - b_high
+    return p, ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
+
+
+def reduced_phase(times: FloatArray, offset: Pair, period: Pair) -> tuple[FloatArray, FloatArray]:
+    """Whole numbers n and remainders with t + offset = n·period + remainder.
+
+    Parameters
+    ----------
+    times : array (n,)
+    offset, period : pairs of doubles
+    """
+    count = np.rint((times + offset[0]) / period[0])
+    whole, remainder = exact_product(count, period[0])
+    return count, ((times - whole) + offset[0]) - remainder - count * period[1] + offset[1]
+
+
+def fraction(counts: FloatArray, share: Pair) -> FloatArray:
+    """counts·share less the nearest whole number."""
+    whole, remainder = exact_product(counts, share[0])
+    return (whole - np.rint(whole)) + remainder + counts * share[1]

@@ -1,0 +1,272 @@
+"""Equations of motion of a body that touches a support with friction, and of its flight.
+
+In body axes, with the velocity v of the centre of mass, force R and couple K of the support,
+
+    m (v̇ + ω×v) = F + R,      I ω̇ + ω×(Iω + k) = T + r×R + K.
+
+The touching particle of the body moves over the support with u = v + ω×r − V, V the velocity of the
+support there.  Its acceleration is affine in the reaction,
+
+    u̇ = b + A R + (I⁻¹K)×r,      A = E/m − r̂ I⁻¹ r̂,
+
+and in contact its part along the normal γ follows from (γ, u) = 0: (γ, u̇) + (γ̇, u) = 0.  This and
+what else a mode holds determine the reaction.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from flowlanes.system.laws import Integral
+from flowlanes.system.named_formulas import Pairs
+from flowlanes.system.system import Guard, Observable, Parameter, System
+from flowlanes.system.vectors import (
+    constant,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+    zero,
+)
+
+from ...mechanics.rolling.attitude import (
+    attitude,
+    attitude_observable,
+    attitude_relations,
+    quaternion_rate,
+    rotation,
+    unit_length,
+)
+from ...mechanics.shapes.surfaces import Plane
+from ..friction.friction_law import FrictionLaw, Reaction
+from ..friction.modes import Mode
+from ..friction.rolling_friction import ContourResistance
+from ..friction.symbols import (
+    N,
+    contact_velocity,
+    contour_couple,
+    couple,
+    free_acceleration,
+    free_turn,
+    friction,
+    gamma,
+    height,
+    normal_response,
+    omega,
+    position,
+    r,
+    reach,
+    reaction,
+    rolling,
+    rolling_floor,
+    slip,
+    slip_floor,
+    spin,
+    spin_sign,
+    v,
+)
+from .free_body import FreeBody, a, free_body, m, wandering
+from .held_rolling import contour_hold_definitions, holding_couple_of_rolling, with_held_rolling
+from .reaction import normal_excess, normal_rate_free, reaction_definitions
+from .situation import FrictionalContact
+
+#: What the equations lack where a force of friction grows with the normal force beyond measure.
+PARADOX = "no motion in contact is possible (Painlevé's paradox)"
+
+#: Part of B without friction, to which B is followed where it tends to zero.
+JAM = 1e-6
+
+#: What they lack where a force of friction depends on the normal force too strongly.
+NOT_FOUND = "no normal force was found for a law of friction that depends on it"
+
+
+def work_symbol(name: str) -> sp.Symbol:
+    """The work lost to a law of friction, to impacts, or to the support (J)."""
+    return real_symbol(f"work_{name}")
+
+
+def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
+    """The equations of motion of a body in one mode of its contact.
+
+    Parameters
+    ----------
+    situation : FrictionalContact
+    mode : Mode
+
+    Returns
+    -------
+    System
+        State: attitude (quaternion), position of the centre of mass (space axes), its velocity v,
+        ω and γ (body axes; r for an implicit shape), and the work lost to each law.  The states of
+        all modes have the same order; in flight a last variable is the height above the support.
+        Guards say when the mode ends.
+    """
+    free = free_body(situation, mode.touching)
+    definitions, powers, guards = _reaction(situation, mode, free)
+    # the same columns for all situations come first
+    first = {"impact": sp.S.Zero}
+    if free.turning != 0:
+        power = -dot(reaction, free.support_velocity) - free.turning * dot(couple, free.vertical)
+        first["support"] = power
+    powers = first | powers
+    work: Pairs = tuple((work_symbol(name), power) for name, power in powers.items())
+    turn = free.inverse_inertia * (cross(r, reaction) + couple)
+    at_rest = _at_rest(mode, free)
+    field: Pairs = (
+        (attitude, quaternion_rate(omega)),
+        (position, constant(to_components(rotation()) * to_components(v))),
+        (v, free_acceleration + reaction / m),
+        (omega, free_turn + turn),
+        *free.kinematics.state,
+        *work,
+        *(pair for law in situation.laws for pair in law.clocks),
+    )
+    if not mode.touching:
+        field += ((height, dot(gamma, contact_velocity)),)
+    if at_rest:
+        field = tuple((name, 0 * formula) for name, formula in field)
+    energy = free.kinetic + free.potential
+    balance = Integral(
+        "energy_balance",
+        energy + sp.Add(*(name for name, _ in work)),
+        "energy with all work lost",
+        unit="J",
+    )
+    parameters = free.parameters + tuple(p for law in situation.laws for p in law.parameters)
+    parameters += _RUN_PARAMETERS
+    return System(
+        name=f"contact-{mode.name.replace(' ', '-')}",
+        title=f"Body in contact with friction: {mode.name}",
+        field=field,
+        parameters=parameters,
+        definitions=definitions,
+        relations=_relations(situation, mode, free),
+        laws=(balance,),
+        observables=_observables(situation, energy, powers),
+        guards=(*free.kinematics.guards, *guards),
+        source="§11.1",
+    )
+
+
+#: What the course of a motion sets: sign of the spin, and sizes at which a motion comes to its end.
+_RUN_PARAMETERS = (
+    Parameter(spin_sign, "sign of the spin", 1.0, "1"),
+    Parameter(slip_floor, "speed at which sliding is followed in logarithmic time", 1e-9, "m/s"),
+    Parameter(rolling_floor, "angular velocity at which rolling is so followed", 1e-9, "rad/s"),
+)
+
+
+def _reaction(
+    situation: FrictionalContact, mode: Mode, free: FreeBody
+) -> tuple[Pairs, dict[str, sp.Expr], tuple[Guard, ...]]:
+    """Definitions with the reaction, the power lost to each law, and the guards of the mode."""
+    laws, definitions = situation.laws, free.definitions
+    powers: dict[str, sp.Expr] = {law.name: sp.S.Zero for law in laws}
+    none = constant([0, 0, 0])
+    if not mode.touching:
+        definitions += ((reaction, none), (couple, none), (N, sp.S.Zero), (friction, none))
+        return definitions, powers, (Guard("landing", height, "the body lands"),)
+    total = sum((law.reaction(mode) for law in laws), Reaction())
+    definitions += tuple(pair for law in laws for pair in law.definitions(mode))
+    definitions = _with_prescribed_rolling(laws, free, definitions)
+    if mode.rolling:
+        definitions += reaction_definitions(free, mode, total)
+    else:
+        without_rolling, held = with_held_rolling(free)
+        along_normal = reaction_definitions(held, mode, total)
+        definitions += without_rolling + holding_couple_of_rolling(free, held, along_normal)
+        if any(isinstance(law, ContourResistance) for law in laws):
+            definitions += contour_hold_definitions(free)
+    definitions += ((friction, reaction - N * gamma),)
+    powers = {law.name: law.reaction(mode).power for law in laws}
+    guards = [Guard("lift-off", N, "the body leaves the support")]
+    guards += [guard for law in laws for guard in law.guards(mode)]
+    if mode.sliding and not total.p == total.q == zero:
+        # the normal force tends to infinity with 1/B, and no step ends at B = 0
+        least = JAM * dot(gamma, free.mobility * gamma)
+        guards.append(Guard("paradox", normal_response - least, PARADOX))
+    if normal_excess in dict(definitions):
+        # compared with accelerations, so that it says nothing where the body leaves
+        size = normal_rate_free**2 + norm_squared(free_acceleration)
+        guards.append(Guard("normal force", 1e-20 * size - normal_excess**2, NOT_FOUND))
+    return definitions, powers, tuple(guards)
+
+
+def _with_prescribed_rolling(
+    laws: tuple[FrictionLaw, ...], free: FreeBody, definitions: Pairs
+) -> Pairs:
+    """Definitions in which the contact wanders as a law prescribes the rolling, if one does."""
+    for law in laws:
+        direction = law.rolling_direction
+        if direction is not None:
+            wanders = -free.kinematics.spread(cross(gamma, direction))
+            moved = {wandering: wanders, contour_couple: dict(definitions)[contour_couple]}
+            others = tuple(pair for pair in definitions if pair[0] not in moved)
+            return (*others, *moved.items())
+    return definitions
+
+
+def _at_rest(mode: Mode, free: FreeBody) -> bool:
+    """Whether nothing moves in a mode; a body at rest on a turning support moves with it."""
+    moving = mode.sliding or mode.spinning or mode.rolling
+    return mode.touching and not moving and free.turning == 0
+
+
+def _relations(situation: FrictionalContact, mode: Mode, free: FreeBody) -> tuple[sp.Expr, ...]:
+    """The relations of a mode: unit lengths, the position of the contact, vanishing velocities."""
+    on_plane = isinstance(situation.surface, Plane)
+    relations = (*free.kinematics.relations, unit_length())
+    if on_plane:
+        relations += attitude_relations(gamma)
+    if not mode.touching:
+        # the nearest point of the support lies below the nearest point of the body
+        return relations if on_plane else (*relations, *to_components(cross(gamma, reach)))
+    if on_plane:
+        relations += (dot(reach, gamma),)
+    else:
+        relations += tuple(to_components(reach - a * gamma))
+    if mode.sliding:
+        relations += (dot(gamma, contact_velocity),)
+    else:
+        relations += tuple(to_components(slip))
+    if not mode.spinning:
+        relations += (spin,)
+    if not mode.rolling:
+        relations += tuple(to_components(omega if _at_rest(mode, free) else rolling))
+    return relations
+
+
+def _observables(
+    situation: FrictionalContact, energy: sp.Expr, powers: dict[str, sp.Expr]
+) -> tuple[Observable, ...]:
+    """The quantities recorded besides the state."""
+    turn = to_components(rotation())
+    contact_place = constant(to_components(position) + turn * to_components(r))
+    power = sp.Add(*powers.values())
+    return (
+        attitude_observable(),
+        Observable("gamma", gamma, "normal of the support at the contact", "", "body"),
+        Observable("centre", position, "centre of mass", "m", "space", "(1.17)"),
+        Observable(
+            "velocity",
+            constant(turn * to_components(v)),
+            "velocity of the centre of mass",
+            "m/s",
+            "space",
+        ),
+        Observable("contact", contact_place, "nearest point of the body", "m", "space", "(1.14)"),
+        Observable(
+            "gap",
+            dot(reach, gamma) - (0 if isinstance(situation.surface, Plane) else a),
+            "distance of the body from the support",
+            "m",
+        ),
+        Observable("slip", slip, "velocity of the contact over the support", "m/s", "body"),
+        Observable("spin", spin, "angular velocity about the normal", "rad/s"),
+        Observable("normal_force", N, "normal force", "N", source="(1.17)"),
+        Observable("friction_force", friction, "friction force", "N", "body", "§11.1"),
+        Observable("friction_couple", couple, "couple of the support", "N m", "body", "§11.1"),
+        Observable("power_lost", power, "power lost to friction", "W"),
+        Observable("energy", energy, "energy", "J"),
+    )

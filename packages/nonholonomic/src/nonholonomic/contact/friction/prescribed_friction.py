@@ -1,0 +1,279 @@
+"""Friction, or resistance to rolling, whose direction or force is prescribed in time.
+
+Where a held contact begins to slide, the slip grows like t² and its direction is that of the
+friction force: the equations are smooth in time only if the direction is known.  So it is taken as
+a polynomial of the time, whose coefficients are chosen such that the slip that it causes has it.
+It is the same with a rolling that a resistance has held.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from flowlanes.system.arrays import FloatArray
+from flowlanes.system.named_formulas import Pairs
+from flowlanes.system.system import Parameter
+from flowlanes.system.vectors import Vector, cross, dot, norm_squared, real_symbol
+
+from .contensou import shares
+from .dry_friction import mu, patch
+from .friction_law import FrictionLaw, Reaction
+from .modes import Mode, Range
+from .rolling_friction import ContourResistance, RollingResistance
+from .symbols import contour_couple, gamma, slip
+from .user_friction import UserFriction
+from .viscous_friction import PowerFriction, power_viscous
+
+#: Time since sliding began, in units of its length, which is a parameter.
+clock, duration = real_symbol("clock"), real_symbol("duration")
+
+#: Direction at the start, body axes; the direction at a time; its angle from the first one.
+first_direction, direction = Vector("n_0"), Vector("direction")
+heading, latitude = real_symbol("phi_n"), real_symbol("theta_n")
+first_latitude = real_symbol("theta_0")
+
+DEGREE = 7
+HEADING_COEFFICIENTS = tuple(real_symbol(f"phi_{i}") for i in range(1, DEGREE + 1))
+LATITUDE_COEFFICIENTS = tuple(real_symbol(f"theta_{i}") for i in range(1, DEGREE + 1))
+SIZE_COEFFICIENTS = tuple(real_symbol(f"size_{i}") for i in range(1, DEGREE + 1))
+
+#: Components of a prescribed force per unit of normal force, along `_across` and γ×`_across`.
+FORCE_COEFFICIENTS = tuple(
+    tuple(real_symbol(f"force_{axis}_{i}") for i in range(DEGREE + 1)) for axis in (1, 2)
+)
+
+_across, _force = Vector("across"), Vector("force_n")
+
+
+def _polynomial(first: sp.Expr, coefficients: tuple[sp.Symbol, ...]) -> sp.Expr:
+    value: sp.Expr = sp.S.Zero
+    for coefficient in reversed(coefficients):
+        value = (value + coefficient) * clock
+    return first + value
+
+
+def first_direction_values(first: FloatArray) -> dict[str, float]:
+    """The parameters that are a first direction (3,), by name."""
+    return {str(symbol): float(x) for symbol, x in zip(first_direction.symbols, first, strict=True)}
+
+
+_MEANING = "of the beginning of a motion that was held"
+
+_TANGENTIAL = first_direction - dot(gamma, first_direction) * gamma
+
+_ACROSS: Pairs = ((_across, _TANGENTIAL / sp.sqrt(norm_squared(_TANGENTIAL))),)
+
+_DIRECTION: Pairs = (
+    (heading, _polynomial(sp.S.Zero, HEADING_COEFFICIENTS)),
+    *_ACROSS,
+    (direction, sp.cos(heading) * _across + sp.sin(heading) * cross(gamma, _across)),
+)
+
+
+@dataclass(frozen=True)
+class PrescribedRolling(FrictionLaw):
+    """A resistance to rolling with the direction of the rolling prescribed.
+
+    Parameters
+    ----------
+    law : RollingResistance or ContourResistance
+        The law in whose place it stands.
+    """
+
+    law: RollingResistance | ContourResistance
+    words = "resistance to a rolling of prescribed direction"
+
+    @property
+    def name(self) -> str:
+        """That of the law in whose place it stands."""
+        return self.law.name
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The coefficient of the law, and those of the polynomial; these are set later."""
+        symbols = (duration, *first_direction.symbols, *HEADING_COEFFICIENTS)
+        return self.law.parameters + tuple(Parameter(symbol, _MEANING, 1.0) for symbol in symbols)
+
+    @property
+    def clocks(self) -> Pairs:
+        """The time in units of the duration."""
+        return ((clock, 1 / duration),)
+
+    @property
+    def rolling_direction(self) -> Vector:
+        """The direction that stands for that of the rolling."""
+        return direction
+
+    def definitions(self, mode: Mode) -> Pairs:
+        """The direction as a function of the time."""
+        return _DIRECTION
+
+    def reaction(self, mode: Mode) -> Reaction:
+        """The couple against a rolling of this direction."""
+        (coefficient,) = (p.symbol for p in self.law.parameters)
+        along_contour = isinstance(self.law, ContourResistance)
+        return Reaction(q=-coefficient * (contour_couple if along_contour else direction))
+
+
+@dataclass(frozen=True)
+class PrescribedPower(FrictionLaw):
+    """Friction of a power of the slip along the prescribed direction of a slip that begins.
+
+    A power that is not whole is no smooth function of a slip that begins, and is a polynomial of
+    the time as well.
+
+    Parameters
+    ----------
+    law : PowerFriction
+        The law in whose place it stands.
+    """
+
+    law: PowerFriction
+    words = "friction of a power of the slip, of prescribed direction"
+
+    @property
+    def name(self) -> str:
+        """That of the law in whose place it stands."""
+        return self.law.name
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """ν, and the coefficients of the polynomial, if there is one."""
+        symbols = () if self.law.order.is_integer() else SIZE_COEFFICIENTS
+        return self.law.parameters + tuple(Parameter(symbol, _MEANING, 0.0) for symbol in symbols)
+
+    def reaction(self, mode: Mode) -> Reaction:
+        """The force against the direction; the length of the slip is not smooth at its start."""
+        if self.law.order.is_integer():
+            size = dot(slip, direction) ** int(self.law.order)
+        else:
+            size = _polynomial(sp.S.Zero, SIZE_COEFFICIENTS)
+        return Reaction(p=-power_viscous * size * direction)
+
+
+@dataclass(frozen=True)
+class PrescribedForce(FrictionLaw):
+    """The part of a law in a friction whose force per normal force is prescribed as a whole.
+
+    Parameters
+    ----------
+    name : str
+        That of the law in whose place it stands.
+    is_dry : bool
+        Whether the part is that of dry friction, with the size μ; otherwise it is the rest.
+    beside_dry : bool
+        Whether there is such a part.
+    """
+
+    name: str = "power"
+    is_dry: bool = False
+    beside_dry: bool = False
+    words = "friction of prescribed force"
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The coefficients of the polynomials, and μ; these are set later."""
+        of_force = (symbol for row in FORCE_COEFFICIENTS for symbol in row)
+        symbols = (mu,) if self.is_dry else (duration, *first_direction.symbols, *of_force)
+        return tuple(Parameter(symbol, _MEANING, 1.0) for symbol in symbols)
+
+    @property
+    def clocks(self) -> Pairs:
+        """The time in units of the duration."""
+        return () if self.is_dry else ((clock, 1 / duration),)
+
+    def definitions(self, mode: Mode) -> Pairs:
+        """The force as a function of the time."""
+        if self.is_dry:
+            return ()
+        along, aside = (_polynomial(row[0], row[1:]) for row in FORCE_COEFFICIENTS)
+        return (*_ACROSS, (_force, along * _across + aside * cross(gamma, _across)))
+
+    def reaction(self, mode: Mode) -> Reaction:
+        """The force of size μ, or what is left of the whole force."""
+        if not self.beside_dry:
+            return Reaction(p=_force)
+        share = mu / sp.sqrt(norm_squared(_force))
+        return Reaction(p=(share if self.is_dry else 1 - share) * _force)
+
+
+@dataclass(frozen=True)
+class PrescribedDirection(FrictionLaw):
+    """A law of dry friction with the direction of slip (and spin) prescribed.
+
+    Parameters
+    ----------
+    name : str
+        That of the law in whose place it stands.
+    range : str
+        The range of Contensou's law; empty for others.
+    user : UserFriction, optional
+        The law in whose place it stands, if its force depends on the speed of the slip.
+    """
+
+    name: str = "coulomb"
+    range: Range = ""
+    user: UserFriction | None = None
+    words = "friction of prescribed direction"
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The coefficients of the law and of the polynomials; their values are set later."""
+        symbols: tuple[sp.Symbol, ...] = (duration, *first_direction.symbols)
+        if self.range:
+            symbols = (mu, patch, *symbols, first_latitude, *LATITUDE_COEFFICIENTS)
+        elif self.user is None:
+            symbols = (mu, *symbols)
+        own = self.user.parameters if self.user else ()
+        return own + tuple(
+            Parameter(symbol, _MEANING, 1.0) for symbol in (*symbols, *HEADING_COEFFICIENTS)
+        )
+
+    @property
+    def clocks(self) -> Pairs:
+        """The time in units of the duration."""
+        return ((clock, 1 / duration),)
+
+    def definitions(self, mode: Mode) -> Pairs:
+        """The direction as a function of the time."""
+        if self.range:
+            angle = _polynomial(first_latitude, LATITUDE_COEFFICIENTS)
+            return ((latitude, angle), *_DIRECTION)
+        return _DIRECTION
+
+    def reaction(self, mode: Mode) -> Reaction:
+        """The force against the direction, and the couple that belongs to it."""
+        if self.user:
+            # the length of the slip itself is not smooth where it begins
+            speed = dot(slip, direction)
+            return Reaction(
+                p=self.user.force_along(direction, speed, mode),
+                q=self.user.couple_at(speed, mode),
+            )
+        if not self.range:
+            return Reaction(p=-mu * direction)
+        sine = sp.sin(latitude)
+        force, couple = shares(self.range, sine, sine**2, sp.cos(latitude))
+        return Reaction(p=-mu * force * sine * direction, q=-mu * patch * couple * gamma)
+
+
+def prescribed_direction(law: FrictionLaw, span: Range = "") -> PrescribedDirection:
+    """A force of prescribed direction, in place of dry friction while sliding begins.
+
+    Parameters
+    ----------
+    law : FrictionLaw
+        A law whose `static_mu` is a number.
+    span : str
+        The range of Contensou's law.
+
+    Examples
+    --------
+    >>> from nonholonomic.contact.friction.dry_friction import Coulomb
+    >>> from nonholonomic.contact.friction.prescribed_friction import prescribed_direction
+    >>> prescribed_direction(Coulomb(0.3)).name
+    'coulomb'
+    """
+    return PrescribedDirection(law.name, span, law if isinstance(law, UserFriction) else None)

@@ -1,0 +1,323 @@
+"""A law of friction given by formulas in slip speed, spin and normal force."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import cast
+
+import numpy as np
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from flowlanes.arguments import Parameters, Quantity, arguments_checked
+from flowlanes.errors import InputError
+from flowlanes.parsing import RESERVED_WORDS, parse
+from flowlanes.system.system import Guard, Parameter
+from flowlanes.system.vectors import norm_squared, real_symbol
+
+from .friction_law import FrictionLaw, Reaction
+from .modes import Mode
+from .symbols import (
+    N,
+    friction,
+    gamma,
+    holding_couple,
+    slip,
+    slip_floor,
+    slip_speed,
+    spin,
+    spin_sign,
+)
+from .viscous_friction import creep_guard
+
+#: Names that formulas of force and couple may use; `spin` stands for the size |Ω| in them.
+VARIABLES: Mapping[str, Mapping[str, sp.Symbol]] = {
+    "force": {"slip_speed": slip_speed, "spin": spin, "normal_force": N},
+    "couple": {"slip_speed": slip_speed, "spin": spin},
+}
+
+_static = real_symbol("mu_static")
+
+#: Speeds (m/s), angular velocities (rad/s) and normal forces (N) at which a law is tried.
+_TRIALS = np.geomspace(1e-6, 1e3, 19)
+
+
+@arguments_checked
+@dataclass(frozen=True)
+class UserFriction(FrictionLaw):
+    """Friction for each unit of normal force by formulas in slip speed, spin and normal force.
+
+    Parameters
+    ----------
+    force : str or sympy.Expr
+        Force against the slip for each unit of normal force, in ``slip_speed`` = |u| (m/s),
+        ``spin`` = |Ω| (rad/s) and ``normal_force`` (N).  Its limit at zero slip is one number; it
+        holds the contact, unless it is zero.
+    couple : str or sympy.Expr
+        Couple against the spin for each unit of normal force (m), in ``slip_speed`` and ``spin``.
+        Its value at zero spin is the greatest couple that prevents spinning, and may not depend on
+        the slip.
+    mu_static : float, optional
+        Coefficient of static friction, where it exceeds the limit of `force` at zero slip.
+    values : mapping of str to float, optional
+        Further names in the formulas.
+
+    Raises
+    ------
+    InputError
+        If a formula is none, or negative at one of many values from 1e-6 to 1e3 of its variables,
+        or its limit at rest is not one number.
+
+    Examples
+    --------
+    Friction after Stribeck: more at rest than in motion.
+
+    >>> from nonholonomic.contact.friction.user_friction import UserFriction
+    >>> law = UserFriction(
+    ...     "mu*(1 + 0.3*exp(-slip_speed/v))", mu_static=0.3, values={"mu": 0.2, "v": 0.1}
+    ... )
+    >>> law.words
+    'friction mu*(1 + 3*exp(-slip_speed/v)/10), mu_static = 0.3'
+    >>> round(law.kinetic_mu, 12), law.static_mu
+    (0.26, 0.3)
+    """
+
+    force: Quantity
+    couple: Quantity = sp.S.Zero
+    mu_static: float | None = None
+    values: Parameters = field(default=None, compare=False)
+    _values: tuple[tuple[str, float], ...] = field(init=False, repr=False)
+    name = "user"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_values", _checked_values(self.values))
+        own = {name: _parameter(name) for name, _ in self._values}
+        for key, variables in VARIABLES.items():
+            known = {**variables, **own}
+            object.__setattr__(self, key, _formula(key, getattr(self, key), known))
+            self._require_dissipation(key)
+        kinetic = self.kinetic_mu
+        self._spin_limit  # noqa: B018  (refuses a limit that is not one number)
+        if self.mu_static is not None and not (
+            kinetic is not None and math.isfinite(self.mu_static) and self.mu_static >= kinetic
+        ):
+            least = "a force that does not vanish there" if kinetic is None else f"{kinetic:g}"
+            raise InputError(
+                f"mu_static {self.mu_static}: it must be a finite number and at least the force "
+                f"at zero slip, {least}"
+            )
+
+    # --- numbers ---------------------------------------------------------------------------
+
+    @cached_property
+    def _numbers(self) -> dict[sp.Symbol, sp.Float]:
+        return {_parameter(name): sp.Float(value) for name, value in self._values}
+
+    def _limit(self, key: str, at_rest: sp.Symbol, what: str) -> float:
+        """The one number that a formula is where a variable is zero."""
+        rest = getattr(self, key).subs(at_rest, 0).xreplace(self._numbers)
+        others = [name for name, symbol in VARIABLES[key].items() if rest.has(symbol)]
+        if others:
+            raise InputError(
+                f"{key}: at zero {what} it depends on {' and '.join(others)}; there it must be one "
+                "number"
+            )
+        if not rest.is_real or not math.isfinite(float(rest)):
+            raise InputError(
+                f"{key}: at zero {what} it has no finite value; write it so that {at_rest} = 0 "
+                "can be inserted"
+            )
+        return float(rest)
+
+    @property
+    def static_mu(self) -> float | None:
+        """`mu_static`, or else the limit of the force; None if that is zero."""
+        return self.kinetic_mu if self.mu_static is None else self.mu_static
+
+    @cached_property
+    def kinetic_mu(self) -> float | None:
+        """The limit of the force as the slip tends to zero; None if that is zero."""
+        return self._limit("force", slip_speed, "slip") or None
+
+    @cached_property
+    def _spin_limit(self) -> float:
+        return self._limit("couple", spin, "spin")
+
+    @property
+    def spin_arm(self) -> float:
+        """The couple at zero spin."""
+        return self._spin_limit
+
+    @property
+    def force_of_slip(self) -> sp.Expr | None:
+        """The force, unless it is the same at each slip."""
+        force = self.force.xreplace(self._numbers)
+        return force if force.has(slip_speed) and not self.unknown_in_impacts else None
+
+    @property
+    def unknown_in_impacts(self) -> str:
+        """Variables other than the slip speed in `force`, and any in `couple`."""
+        others = [name for name, s in VARIABLES["force"].items() if self.force.has(s)]
+        others = [f"force depends on {name}" for name in others if name != "slip_speed"]
+        couple = [name for name, s in VARIABLES["couple"].items() if self.couple.has(s)]
+        return "; ".join([*others, *(f"couple depends on {name}" for name in couple)])
+
+    def _require_dissipation(self, key: str) -> None:
+        variables = VARIABLES[key]
+        formula = getattr(self, key).xreplace(self._numbers)
+        function = sp.lambdify(list(variables.values()), formula, "numpy")
+        trials = np.meshgrid(*[_TRIALS] * len(variables))
+        with np.errstate(all="ignore"):
+            values = np.broadcast_to(function(*trials), trials[0].shape)
+        wrong = np.argwhere(~(np.isfinite(values) & (values >= 0)))
+        if len(wrong):
+            place = tuple(wrong[0])
+            at = ", ".join(f"{n} = {x[place]:g}" for n, x in zip(variables, trials, strict=True))
+            raise InputError(
+                f"{key}: at {at} it is {values[place]:g}; it must be a number not below zero"
+            )
+
+    # --- the law ---------------------------------------------------------------------------
+
+    @property
+    def words(self) -> str:
+        """The law in words."""
+        plain = {_parameter(name): sp.Symbol(name) for name, _ in self._values}
+        plain[N] = sp.Symbol("normal_force")
+        text = f"friction {self.force.xreplace(plain)}"
+        if self.couple != 0:
+            text += f", couple {self.couple.xreplace(plain)} m"
+        return text if self.mu_static is None else f"{text}, mu_static = {self.mu_static:g}"
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The further names of the formulas, and the coefficient of static friction."""
+        named = tuple(
+            Parameter(symbol, "parameter of the law of friction", float(value))
+            for symbol, value in self._numbers.items()
+        )
+        if self.static_mu is None:
+            return named
+        static = Parameter(_static, "coefficient of static friction", self.static_mu, "1")
+        return (*named, static)
+
+    def force_along(self, direction: MatrixExpr, speed: sp.Expr, mode: Mode) -> MatrixExpr:
+        """Force per normal force of a slip with a direction and a speed; smooth from rest on."""
+        return -self._at(self.force, speed, mode) * direction
+
+    def reaction(self, mode: Mode) -> Reaction:
+        """Force against the slip and couple against the spin, where these are not held."""
+        p: MatrixExpr = Reaction().p
+        if mode.sliding:
+            per_slip = _even(self.force, slip_speed)
+            if per_slip is not None and per_slip.is_polynomial(slip_speed):
+                square = norm_squared(slip)
+                ratio = self._at(per_slip, sp.sqrt(square), mode)
+            else:
+                ratio = self._at(self.force, slip_speed, mode) / slip_speed
+            p = -ratio * slip
+        return Reaction(p=p, q=self.couple_at(slip_speed if mode.sliding else sp.S.Zero, mode))
+
+    def couple_at(self, speed: sp.Expr, mode: Mode) -> MatrixExpr:
+        """Couple per normal force at a speed of slip."""
+        if not mode.spinning or self.couple == 0:
+            return Reaction().q
+        per_spin = _even(self.couple, spin)
+        if per_spin is not None:
+            return -per_spin.xreplace({slip_speed: speed}) * spin * gamma
+        return -self._at(self.couple, speed, mode) * spin_sign * gamma
+
+    @property
+    def reaction_at_rest(self) -> Reaction:
+        """The couple without slip, less what holds the spin; by numbers instead of parameters."""
+        couple = (self.couple - sp.Float(self.spin_arm)).xreplace(self._numbers)
+        size = sp.Abs(spin) + sp.Float(1e-300)
+        per_spin = sp.expand(couple.xreplace({slip_speed: sp.S.Zero}) / spin)
+        return Reaction(q=-per_spin.xreplace({spin: size}) * spin * gamma)
+
+    def _at(self, formula: sp.Expr, speed: sp.Expr, mode: Mode) -> sp.Expr:
+        turn = spin_sign * spin if mode.spinning else sp.S.Zero
+        if mode.spinning and formula.xreplace({spin: -spin}) == formula:
+            turn = spin
+        return formula.xreplace({slip_speed: speed, spin: turn})
+
+    @property
+    def _knows_sign(self) -> bool:
+        """Whether the formulas change with the sign of the spin, so that a mode keeps one."""
+        force, couple = self.force, self.couple
+        odd = couple != 0 and _even(couple, spin) is None
+        return odd or force.xreplace({spin: -spin}) != force
+
+    def guards(self, mode: Mode) -> tuple[Guard, ...]:
+        """Slip and spin while there are any, and the limits of friction while they are held."""
+        guards: tuple[Guard, ...] = ()
+        if not mode.sliding:
+            if self.static_mu is not None:
+                margin = _static**2 * N**2 - norm_squared(friction)
+                guards += (Guard("slip", margin, "sliding begins"),)
+        elif self.kinetic_mu is not None:
+            margin = slip_speed - slip_floor
+            guards += (Guard("stick", margin, "sliding ends"),)
+        elif not _is_smooth(self.force):
+            guards += (creep_guard("this law of friction"),)
+        if mode.spinning and self._knows_sign:
+            guards += (Guard("spin stop", spin_sign * spin, "spinning ends"),)
+        if not mode.spinning and self._spin_limit:
+            limit = self._at(self.couple, sp.S.Zero, mode)
+            guards += (Guard("spin start", limit**2 * N**2 - holding_couple**2, "spinning begins"),)
+        return guards
+
+
+def _even(formula: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
+    """A formula over a variable, if that is smooth and even in the variable."""
+    ratio = sp.expand(formula / variable)
+    at_zero = ratio.subs(variable, 0)
+    if at_zero.has(sp.zoo, sp.nan, sp.oo, -sp.oo):
+        return None
+    return ratio if sp.expand(ratio - ratio.xreplace({variable: -variable})) == 0 else None
+
+
+def _is_smooth(formula: sp.Expr) -> bool:
+    """Whether the force of a slip is a smooth function of it, without a square root."""
+    ratio = _even(formula, slip_speed)
+    return ratio is not None and bool(ratio.is_polynomial(slip_speed))
+
+
+def _parameter(name: str) -> sp.Symbol:
+    """The symbol of a name of the user, which is no name of the equations of motion."""
+    return real_symbol(f"user_{name}")
+
+
+def _formula(key: str, text: Quantity, symbols: Mapping[str, sp.Symbol]) -> sp.Expr:
+    """A formula as typed or as a SymPy expression, in known symbols."""
+    if isinstance(text, str):
+        try:
+            return parse(text, symbols)
+        except InputError as error:
+            raise InputError(f"{key}: {error.message}") from None
+    formula = sp.sympify(text)
+    formula = formula.xreplace(
+        {s: symbols[s.name] for s in formula.free_symbols if s.name in symbols}
+    )
+    unknown = sorted(map(str, formula.free_symbols - set(symbols.values())))
+    if unknown:
+        raise InputError(
+            f"{key}: {', '.join(unknown)} is not known; it may use {', '.join(symbols)}"
+        )
+    return formula
+
+
+def _checked_values(values: Parameters) -> tuple[tuple[str, float], ...]:
+    given = {str(name): float(cast(float, value)) for name, value in (values or {}).items()}
+    for name, value in given.items():
+        if not name.isidentifier() or name in RESERVED_WORDS or name in VARIABLES["force"]:
+            raise InputError(
+                f"values: {name!r} is no free name; a name is a letter followed by letters, digits "
+                "and underscores, and neither a function nor a variable"
+            )
+        if not math.isfinite(value):
+            raise InputError(f"values: {name} = {value}: it must be a finite number")
+    return tuple(given.items())

@@ -1,0 +1,262 @@
+"""Motions of a body with friction, through all changes of its contact."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import groupby
+
+import numpy as np
+import numpy.typing as npt
+
+from flowlanes.arguments import arguments_checked
+from flowlanes.errors import InputError
+from flowlanes.formulas.array_evaluation import as_float_array
+from flowlanes.system.arrays import FloatArray
+
+from .equations.situation import FrictionalContact
+from .friction.modes import MODE_NAMES
+from .simulation.compiled import ATTITUDE, WORK, CompiledContact
+from .simulation.course import Course
+from .simulation.course_state import Piece
+from .simulation.end_reasons import EndReason
+from .simulation.event_rules import EventRules
+from .simulation.events import ContactEvent
+
+#: The body may lie so deep in the support at the start, relative to its size: rounding of decimals.
+DEEPEST = 1e-9
+
+
+@dataclass(frozen=True)
+class Interval:
+    """A time in which the contact does not change.
+
+    Attributes
+    ----------
+    mode : str
+        One of ``MODE_NAMES``.
+    begin, end : float
+        In s.
+    """
+
+    mode: str
+    begin: float
+    end: float
+
+
+class InterruptedMotionError(KeyboardInterrupt):
+    """Ctrl-C while a motion with friction is computed; `partial` is the motion so far."""
+
+    def __init__(self, partial: ContactMotion) -> None:
+        super().__init__()
+        self.partial = partial
+
+
+@dataclass(frozen=True, eq=False)
+class ContactMotion:
+    """A motion with friction.
+
+    Attributes
+    ----------
+    times : array (n,)
+        The sample times that it reached and, if it ended before the last of them, its end.
+    states : array (n, size)
+        Attitude (quaternion), centre of mass (space axes), its velocity, ω, γ (body axes), works.
+    modes : int array (n,)
+        Mode at each sample, by its place in ``MODE_NAMES``.
+    events : tuple of ContactEvent
+    intervals : tuple of Interval
+        The times between changes of the mode.
+    end_time : float
+    end_state : array (size,)
+    reason : str
+        Why it ended before the last sample time; empty if it did not.
+    steps : int
+        Steps of integration.
+    ending : str
+        The reason in short, one of ``END_REASONS``.
+
+    Examples
+    --------
+    >>> import nonholonomic
+    >>> from nonholonomic.contact import Coulomb, FrictionalContact, contact_motion
+    >>> ball = nonholonomic.Body(0.2, (2e-4, 2e-4, 2e-4), nonholonomic.Ball(0.05))
+    >>> table = FrictionalContact(
+    ...     ball, laws=(Coulomb(0.2),), field=nonholonomic.Forces(gravity=9.81)
+    ... )
+    >>> start = [1, 0, 0, 0, 0, 0, 0.05, 1.4, 0, 0, 0, 0, 0, 0, 0, 1]
+    >>> motion = contact_motion(table, start, [0.0, 1.0])
+    >>> motion.times.tolist(), len(motion.events)
+    ([0.0, 1.0], 1)
+    """
+
+    times: FloatArray
+    states: FloatArray
+    modes: npt.NDArray[np.int8]
+    events: tuple[ContactEvent, ...]
+    intervals: tuple[Interval, ...]
+    end_time: float
+    end_state: FloatArray
+    reason: str
+    steps: int
+    ending: EndReason
+    _pieces: tuple[Piece, ...] = field(repr=False)
+    _columns: Mapping[str, slice] = field(repr=False)
+
+    def variables(self) -> dict[str, FloatArray]:
+        """The variables of the state at the samples, (n,) or (n, size), by name."""
+        return {
+            name: self.states[:, place]
+            if place.stop - place.start > 1
+            else self.states[:, place.start]
+            for name, place in self._columns.items()
+        }
+
+    @property
+    def energy_lost(self) -> float:
+        """The energy lost to friction and impacts until the end (J)."""
+        works = (place for name, place in self._columns.items() if name.startswith("work_"))
+        return float(sum(self.end_state[place].sum() for place in works))
+
+    def observables(self) -> dict[str, FloatArray]:
+        """Recorded quantities at the samples, (n,) or (n, 3), each in its own mode; by name."""
+        blocks = [p.integrator.outputs(p.states) for p in self._pieces if len(p.times)]
+        return {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
+
+
+@arguments_checked
+def contact_motion(
+    contact: FrictionalContact | CompiledContact,
+    state: Sequence[float] | FloatArray,
+    times: Sequence[float] | FloatArray,
+    rules: EventRules = EventRules(),  # noqa: B008  (immutable)
+    *,
+    tolerance: float = 1e-16,
+    progress: Callable[[float], None] | None = None,
+) -> ContactMotion:
+    """The motion of a body with friction, through all changes of its contact.
+
+    Parameters
+    ----------
+    contact : FrictionalContact or CompiledContact
+        The latter saves the preparation of several motions of one body.
+    state : array (16,) or (size,)
+        At the first time, as from `start_in_contact` or `start_in_space`; without works, those are
+        zero.
+    times : array (n,)
+        Sample times, increasing.
+    rules : EventRules
+        What happens at lift-off and landing.
+    tolerance : float
+        Relative error of each step.
+    progress : callable, optional
+        Called with the fraction done.
+
+    Returns
+    -------
+    ContactMotion
+
+    Raises
+    ------
+    InputError
+        If the times do not increase, or the body lies in its support.
+
+    Examples
+    --------
+    A billiard ball slides for 2|u|/(7μg) and then rolls with 5/7 of its velocity.
+
+    >>> import numpy as np
+    >>> import nonholonomic
+    >>> from nonholonomic.contact import Coulomb, FrictionalContact, contact_motion
+    >>> ball = nonholonomic.Body(0.2, (2e-4, 2e-4, 2e-4), nonholonomic.Ball(0.05))
+    >>> table = FrictionalContact(
+    ...     ball, laws=(Coulomb(0.2),), field=nonholonomic.Forces(gravity=9.81)
+    ... )
+    >>> start = [1, 0, 0, 0, 0, 0, 0.05, 1.4, 0, 0, 0, 0, 0, 0, 0, 1]
+    >>> motion = contact_motion(table, start, [0.0, 1.0])
+    >>> print(motion.events[0])
+    t = 0.203873598: stick, then rolling
+    >>> round(float(motion.observables()["velocity"][-1, 0]), 12)
+    1.0
+    """
+    moments = as_float_array("times", times)
+    increasing = moments.ndim == 1 and len(moments) and np.all(np.diff(moments) > 0)
+    if not increasing or not np.isfinite(moments).all():
+        raise InputError("times: they must be finite numbers that increase")
+    compiled = contact
+    if not isinstance(compiled, CompiledContact):
+        compiled = CompiledContact(compiled, tolerance)
+    course = Course(compiled, _start(compiled, state), moments, rules)
+    span = float(moments[-1] - moments[0]) or 1.0
+    try:
+        course.run(progress and (lambda time: progress((time - float(moments[0])) / span)))
+    except KeyboardInterrupt:
+        if not any(len(piece.times) for piece in course.pieces):
+            raise
+        raise InterruptedMotionError(_motion_to_last_sample(course)) from None
+    return _motion(course, course.pieces)
+
+
+def _motion(course: Course, pieces: Sequence[Piece]) -> ContactMotion:
+    """The motion that a course has computed."""
+    samples = [p.states[:, : course.contact.size] for p in pieces]
+    modes = [np.full(len(p.times), MODE_NAMES.index(p.mode.name), np.int8) for p in pieces]
+    return ContactMotion(
+        times=np.concatenate([p.times for p in pieces]),
+        states=np.concatenate(samples),
+        modes=np.concatenate(modes),
+        events=tuple(course.events),
+        intervals=_intervals(pieces),
+        end_time=course.time,
+        end_state=course.state,
+        reason=course.reason,
+        steps=course.steps,
+        ending=course.ending,
+        _pieces=tuple(pieces),
+        _columns=course.contact.columns,
+    )
+
+
+def _motion_to_last_sample(course: Course) -> ContactMotion:
+    """The motion of a course that may have been interrupted within an event."""
+    motion = _motion(course, course.pieces)
+    end = float(motion.times[-1])
+    return replace(
+        motion,
+        events=tuple(event for event in motion.events if event.time <= end),
+        end_time=end,
+        end_state=motion.states[-1],
+        reason="interrupted",
+        ending="failure",
+    )
+
+
+def _start(contact: CompiledContact, state: Sequence[float] | FloatArray) -> FloatArray:
+    """The state with all its works, in or above contact."""
+    start = as_float_array("state", state).copy()
+    if start.shape not in ((WORK,), (contact.size,)):
+        raise InputError(
+            f"state: {start.shape} numbers; a state has {WORK}, or {contact.size} "
+            "with the works lost"
+        )
+    if not np.isfinite(start).all():
+        raise InputError("state: all its numbers must be finite")
+    if not start[ATTITUDE].any():
+        raise InputError("state: its first four numbers, the attitude, are zero")
+    if obstacle := contact.obstacle(start):
+        raise InputError(f"state: {obstacle}")
+    if len(start) == WORK:
+        start = np.append(start, np.zeros(contact.size - WORK))
+    known = contact.numbers(start)
+    if known.gap < -DEEPEST * float(np.linalg.norm(known.r)):
+        raise InputError(
+            f"position: the body lies {-known.gap:.6g} m inside the support; raise it at least so "
+            "much"
+        )
+    return start
+
+
+def _intervals(pieces: Sequence[Piece]) -> tuple[Interval, ...]:
+    """The times between changes of the mode; pieces of one mode that follow each other are one."""
+    groups = [list(group) for _, group in groupby(pieces, key=lambda p: p.mode.name)]
+    return tuple(Interval(g[0].mode.name, g[0].begin, g[-1].end) for g in groups)

@@ -1,0 +1,387 @@
+"""The state of a motion in contact while it is computed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from flowlanes.flow.cost import TooMuchError
+from flowlanes.flow.validation import extremes_in_words
+from flowlanes.system.arrays import FloatArray
+
+from ..friction.contensou import held_range_of, range_of
+from ..friction.modes import FLIGHT, Mode, Range
+from ..impact.impact import Impact, impact
+from .compiled import ATTITUDE, OMEGA, POSITION, VELOCITY, WORK, CompiledContact, ContactNumbers
+from .dynamic_jam import ends_in_jam
+from .end_reasons import SINGULAR, EndError, EndReason
+from .event_rules import EventRules
+from .events import ContactEvent, EventKind
+from .mode_integrator import PAUSE, ModeIntegrator, with_values
+from .near_rest import Departure, dry_friction
+
+#: Speeds relative to the typical one of a motion: from which on a slide is followed in
+#: logarithmic time, and below which there is no slip.
+SLIP_FLOOR, NO_SLIP = 1e-8, 1e-12
+
+#: Likewise the angular velocity, in lengths, from which on a rolling goes straight to its end.
+ROLLING_FLOOR = 1e-10
+
+#: Likewise of a bounce that is the last one, though those to come would be no lower.
+LAST_BOUNCE = 1e-7
+
+#: Other last bounces are so low that a body falling freely in their time sinks by so little,
+#: relative to its size.
+_LEAST_DEPTH = 1e-14
+
+#: A body that begins to fly has risen for this part of its hop, or by this part of its size, which
+#: hides the rounding of its velocity.
+_FIRST_RISE = 1e-20
+
+#: The first step of a flight lasts so many hops, so that a landing is not at its very beginning.
+_HOPS = 4
+
+#: So much of the time must be made in a stretch.
+_LEAST_PROGRESS = 1e-12
+
+#: A motion that ends within this share of its time has hardly begun.
+_SOON = 1e-6
+
+#: So many events without progress of time end a motion.
+_MOST_AT_ONE_INSTANT = 60
+
+#: After so many steps in one mode Python says how far the motion has come, and acts on Ctrl-C.
+_STRETCH = 2000
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A part of a motion in one mode.
+
+    Attributes
+    ----------
+    mode : Mode
+    integrator : ModeIntegrator
+    begin, end : float
+        Times.
+    times : array (n,)
+        Sample times within.
+    states : array (n, columns)
+        Of the integrator's system, whose first columns are those of all modes.
+    """
+
+    mode: Mode
+    integrator: ModeIntegrator
+    begin: float
+    end: float
+    times: FloatArray
+    states: FloatArray
+
+
+class CourseState:
+    """The state of a computation of a motion, with all that a transition needs.
+
+    Parameters
+    ----------
+    contact : CompiledContact
+    state : array (size,)
+        At the first of the moments.
+    moments : array (n,)
+        Sample times, increasing.
+    rules : EventRules
+    """
+
+    def __init__(
+        self, contact: CompiledContact, state: FloatArray, moments: FloatArray, rules: EventRules
+    ) -> None:
+        self.contact, self.rules, self.moments = contact, rules, moments
+        self.time, self.state = float(moments[0]), state
+        self.mode = Mode()
+        self.pieces: list[Piece] = []
+        self.events: list[ContactEvent] = []
+        self.steps, self.reason = 0, ""
+        self.ending: EndReason = ""
+        self._height, self._hop = 0.0, math.inf
+        self._dry = dry_friction(contact.situation)
+        self._spin_sign = 1.0
+        self._next_moment = self._idle = 0
+        self._floor_factor = self._rolling_factor = 1.0
+        known = contact.numbers(state)
+        body = contact.situation.body
+        # a body may touch its support with its centre of mass
+        gyration = math.sqrt(float(np.trace(body.tensor)) / (2 * body.mass))
+        self._length = float(np.linalg.norm(known.r)) or gyration
+        fall = math.sqrt(1e-6 * float(np.linalg.norm(known.free_acceleration)) * self._length)
+        turning = float(np.linalg.norm(state[OMEGA])) * self._length
+        slip = float(np.linalg.norm(known.slip))
+        self._speed = max(fall, turning, slip, float(np.linalg.norm(state[VELOCITY])))
+
+    def _end(self, ending: EndReason, reason: str) -> None:
+        """End before the last moment, with the state there as the last sample."""
+        self.ending, self.reason = ending, reason
+        if not self.pieces:
+            self._add_piece(self._integrator(self.mode), self.time, self.state[None])
+            return
+        last = self.pieces[-1]
+        if not any(self.time in piece.times for piece in self.pieces[-2:]):
+            columns = last.integrator.state_of_system(self.state)
+            sample = np.array([self.time])
+            self.pieces.append(replace(last, begin=self.time, times=sample, states=columns[None]))
+
+    def _integrate(self) -> str:
+        """Integrate in the present mode up to the next event or pause; return its guard."""
+        integrator = self._integrator(self.mode)
+        last = float(self.moments[-1])
+        end = min(last, self.time + _HOPS * self._hop)
+        state, wanted = self._with_height(self.state), self._moments_until(end)
+        outcome = integrator.advance(self.time, state, wanted, end, _STRETCH)
+        self._hop = math.inf
+        self._add_piece(integrator, outcome.time, outcome.samples)
+        # towards a singularity the steps tend to zero
+        least = _LEAST_PROGRESS * max(abs(self.time), min(last - self.time, self._usual_time))
+        progress = outcome.time - self.time
+        stalls = outcome.guard == PAUSE and progress <= least
+        self.steps += outcome.steps
+        self._idle = 0 if outcome.time > self.time else self._idle + 1
+        self.time, self.state = outcome.time, outcome.state[: len(self.state)]
+        if not self.mode.touching:
+            self._height = float(outcome.state[-1])
+        if outcome.guard == "failure" or stalls:
+            if ends_in_jam(integrator, self._numbers(), self.state):
+                return "paradox"
+            self._require_smooth(integrator)
+            raise EndError("singular", "; ".join(filter(None, (SINGULAR, self._extremes()))))
+        if self._idle > _MOST_AT_ONE_INSTANT:
+            raise EndError("many events", f"more and more events at t = {self.time:.9g}")
+        rates = [float(np.linalg.norm(self.state[part])) for part in (OMEGA, VELOCITY)]
+        times = float(self.moments[0]), self.time, last
+        self.rules.require_few(len(self.events), self.steps, *times, *rates)
+        if outcome.guard == PAUSE and progress <= _LEAST_PROGRESS * (last - self.time):
+            raise TooMuchError(
+                f"to follow a motion for {last - float(self.moments[0]):g} s would take more than "
+                f"{_STRETCH / _LEAST_PROGRESS:.0e} steps"
+            )
+        return outcome.guard or (PAUSE if self.time < last else "")
+
+    def _require_smooth(self, integrator: ModeIntegrator) -> None:
+        """End the motion with the reason why a law is not smooth here, if one is not."""
+        values = integrator.guard_values(self.state)
+        for guard, value in zip(integrator.system.guards, values, strict=True):
+            if guard.name == "creep" and value <= 0:
+                raise EndError("guard", guard.message)
+
+    @property
+    def _usual_time(self) -> float:
+        """A typical time of the motion, in which it passes its own length."""
+        return self._length / self._speed if self._speed else math.inf
+
+    def _extremes(self) -> str:
+        """The numbers that make a step impossible, in words, or that may; empty later on."""
+        if (passed := self.time - self.moments[0]) > _SOON * np.ptp(self.moments):
+            return ""
+        integrator, state = self._integrator(self.mode), self._with_height(self.state)
+        if passed:
+            numbers = zip(integrator.places, integrator.values, strict=True)
+            place, value = max(numbers, key=lambda pair: abs(math.log10(abs(pair[1] or 1.0))))
+            return f"of the numbers given, {place} = {value:g} is the farthest from 1"
+        size = len(state)
+        names = [*map(str, integrator.system.symbols), *integrator.places]
+
+        def finite(numbers: Sequence[float]) -> bool:
+            return integrator.has_step(np.array(numbers[:size]), np.array(numbers[size:]))
+
+        return extremes_in_words(names, [*state, *integrator.values], finite)
+
+    def _moments_until(self, end: float) -> list[float]:
+        """The sample times to come, up to an end."""
+        count = int(np.searchsorted(self.moments, end, side="right"))
+        return list(self.moments[self._next_moment : count])
+
+    def _with_height(self, state: FloatArray) -> FloatArray:
+        """A state (size,) with the variable that flight has besides."""
+        return state if self.mode.touching else np.append(state, self._height)
+
+    def _add_piece(self, integrator: ModeIntegrator, end: float, states: FloatArray) -> None:
+        times = self.moments[self._next_moment : self._next_moment + len(states)]
+        self.pieces.append(Piece(self.mode, integrator, self.time, end, times, states))
+        self._next_moment += len(states)
+
+    def _integrator(self, mode: Mode) -> ModeIntegrator:
+        return with_values(self.contact.mode(mode), self._run_values)
+
+    @property
+    def _run_values(self) -> dict[str, float]:
+        """The parameters that are set while a motion is computed, by name."""
+        floor = SLIP_FLOOR * self._speed * self._floor_factor
+        return {
+            "spin_sign": self._spin_sign,
+            "slip_floor": floor,
+            "rolling_floor": self._rolling_floor,
+        }
+
+    @property
+    def _rolling_floor(self) -> float:
+        """Angular velocity of rolling below which it comes to its end."""
+        return ROLLING_FLOOR * self._speed / self._length * self._rolling_factor
+
+    def _numbers(self) -> ContactNumbers:
+        known = self.contact.numbers(self.state)
+        if self.mode.touching and not self.mode.rolling:
+            return self.contact.without_rolling(known)
+        return known
+
+    def _balance(self) -> float:
+        """Energy with all work lost."""
+        return self._numbers().energy + float(self.state[WORK:].sum())
+
+    def _project(self, mode: Mode) -> None:
+        self.state = self._integrator(mode).project(self.state)
+
+    def _record(
+        self,
+        kind: EventKind,
+        before: FloatArray,
+        *impacts: Impact,
+        unique: bool = True,
+    ) -> None:
+        impulse = sum((item.impulse for item in impacts), np.zeros(3))
+        couple = sum(item.couple_impulse for item in impacts)
+        self.events.append(
+            ContactEvent(
+                self.time,
+                kind,
+                self.mode.name,
+                before.copy(),
+                self.state.copy(),
+                impulse,
+                couple,
+                unique,
+            )
+        )
+
+    def _amend(self, time: float) -> None:
+        """Let an event at a time lead to the present mode and state, if these were decided later.
+
+        The state after it stays where the motion has continued since.
+        """
+        if not self.events or self.events[-1].time != time:
+            return
+        last, kind = self.events[-1], self.events[-1].kind
+        after = self.state.copy() if self.time == time else last.after
+        if kind in ("stick", "rolling stop") and self.mode.name == "rest":
+            kind = "rest"
+        self.events[-1] = replace(last, kind=kind, mode=self.mode.name, after=after)
+
+    def _range_of(self, numbers: ContactNumbers) -> Range:
+        if not self._dry.patch:
+            return ""
+        return range_of(float(np.linalg.norm(numbers.slip)), numbers.spin, self._dry.patch)
+
+    def _mode_at_rest(self, spin_at_rest: bool) -> Mode:
+        if self._dry.patch:
+            return self._mode_without_slip(spinning=False, span="above")
+        return self._mode_without_slip(spinning=not spin_at_rest)
+
+    def _mode_without_slip(self, spinning: bool, span: Range = "") -> Mode:
+        return Mode(sliding=False, spinning=spinning, rolling=self.mode.rolling, range=span)
+
+    def _normal_force_and_couple(self, mode: Mode) -> tuple[float, float]:
+        """Normal force, and couple about the normal besides that of resistance to rolling."""
+        values = self._integrator(mode).outputs(self.state)
+        N = float(values["normal_force"])
+        return N, float(values["gamma"] @ (values["friction_couple"] - N * self._numbers().q))
+
+    def _least_rebound(self, ratio: float) -> float:
+        """Normal velocity of the bounces that are taken together with all that follow them.
+
+        Parameters
+        ----------
+        ratio : float
+            Of the normal velocities after and before the present bounce.
+        """
+        if not ratio < 1:
+            return LAST_BOUNCE * self._speed
+        depth = _LEAST_DEPTH * self._length * abs(self._numbers().unheld_rise)
+        return max((1 - ratio) * math.sqrt(depth), NO_SLIP * self._speed)
+
+    def _pass_bounces(self, rebound: float, ratio: float) -> None:
+        """Pass the time of infinitely many bounces, which tend to rest as a geometric series.
+
+        The body falls freely all the time, and an impact at the end gives it the impulses of all
+        bounces.  Bounces that do not become lower count as one.
+        """
+        fall = -self._numbers().unheld_rise
+        end = self.time + 2 * rebound / (fall * (1 - ratio if ratio < 1 else 1))
+        flight = self._integrator(FLIGHT)
+        state, wanted = flight.state_of_system(self.state), self._moments_until(end)
+        outcome = flight.advance(self.time, state, wanted, end)
+        self.mode = FLIGHT
+        self._add_piece(flight, end, outcome.samples)
+        self.time, self.state = end, outcome.state[: len(self.state)]
+
+    def _rise(self) -> None:
+        """Let a body begin to fly; its height is zero but for a start above the support."""
+        known = self._numbers()
+        if known.gap > 1e-14 * (self._length + float(np.abs(self.state[POSITION]).max())):
+            self._height = known.gap
+            return
+        from scipy.spatial.transform import Rotation
+
+        up = Rotation.from_quat(self.state[ATTITUDE], scalar_first=True).apply(known.mobility.gamma)
+        self.state = self.state.copy()
+        self.state[POSITION] -= known.gap * up
+        rising = float(known.mobility.gamma @ known.contact_velocity)
+        if rising > NO_SLIP * self._speed and known.unheld_rise < 0:
+            self._hop = -2 * rising / known.unheld_rise
+            self._height = _FIRST_RISE * rising * self._hop
+        else:
+            # where the normal force falls to zero the height grows as slowly as t³
+            self._height = _FIRST_RISE * self._length
+
+    def _collide(self, restitution: float) -> Impact:
+        known = self._numbers()
+        if self._dry.unknown_in_impacts:
+            raise EndError(
+                "impact",
+                f"the friction of an impact is not known: {self._dry.unknown_in_impacts}, and "
+                "impacts follow formulas in slip_speed alone, with a constant couple",
+            )
+        receding = float(known.mobility.gamma @ known.slip)
+        result = impact(
+            known.mobility,
+            known.slip - max(receding, 0.0) * known.mobility.gamma,
+            known.spin if self._dry.spin_arm else 0.0,
+            mu=self._dry.mu,
+            spin_arm=self._dry.spin_arm,
+            viscous=self._dry.viscous,
+            order=self._dry.order,
+            force=self._dry.force,
+            restitution=restitution,
+            law=self.rules.impact_law,
+        )
+        self._push(result.impulse, result.couple_impulse)
+        return result
+
+    def _push(self, impulse: FloatArray, couple_impulse: float) -> None:
+        """Change the velocities by an impulse; the energy lost is work of the impact."""
+        known, state = self._numbers(), self.state.copy()
+        mobility = known.mobility
+        state[VELOCITY] += mobility.velocity_jump(impulse)
+        state[OMEGA] += mobility.angular_velocity_jump(impulse, couple_impulse)
+        state[WORK] += known.energy - self.contact.numbers(state).energy
+        self.state = state
+
+    def _hold(self, choice: Departure) -> None:
+        if self._dry.patch:
+            span = held_range_of(
+                choice.couple / self._dry.patch, self._dry.mu * choice.normal_force
+            )
+            self.mode = self._mode_without_slip(spinning=False, span=span)
+            self._spin_sign = math.copysign(1.0, choice.couple)
+            return
+        spinning = bool(choice.spin_sign) or not self._dry.spin_arm
+        self.mode = self._mode_without_slip(spinning)
+        self._spin_sign = choice.spin_sign or self._spin_sign

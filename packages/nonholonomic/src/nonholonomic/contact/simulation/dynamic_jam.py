@@ -1,0 +1,91 @@
+"""Dynamic jam: the normal force grows without bound in a finite time, as B tends to zero.
+
+B is the normal acceleration of the contact for each unit of normal force.  With N ∝ 1/B the square
+of B is linear in time, and the impulse ∫N dt that is left is finite.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from flowlanes.system.arrays import FloatArray
+
+from ..equations.equations_of_motion import JAM
+from .compiled import OMEGA, VELOCITY, WORK, ContactNumbers
+from .mode_integrator import ModeIntegrator
+
+#: B below this part of its value without friction tends to zero where integration fails.
+_JAMMING = 1e-3
+
+
+def ends_in_jam(integrator: ModeIntegrator, numbers: ContactNumbers, state: FloatArray) -> bool:
+    """Whether integration ended where B falls to zero, faster than time is resolved.
+
+    Parameters
+    ----------
+    integrator : ModeIntegrator
+    numbers : ContactNumbers
+        At `state`.
+    state : array (size,)
+    """
+    response = normal_response(integrator, numbers, state)
+    mobility = numbers.mobility
+    least = _JAMMING * float(mobility.gamma @ mobility.A @ mobility.gamma)
+    return bool(np.isfinite(state).all()) and response < least
+
+
+def state_after_jam(
+    integrator: ModeIntegrator,
+    numbers: ContactNumbers,
+    state: FloatArray,
+    speed: float,
+    part: float,
+) -> tuple[FloatArray, float] | None:
+    """State and duration of the fall of B to zero; None if B does not fall.
+
+    A quantity changed by a force grows as ∫N dt, that is by twice the rate at first.
+
+    Parameters
+    ----------
+    integrator : ModeIntegrator
+    numbers : ContactNumbers
+        At `state`.
+    state : array (size,)
+    speed : float
+        A typical one (m/s).
+    part : float
+        1, or 2 for a B that is negative by as much as it was positive.
+    """
+    response = normal_response(integrator, numbers, state)
+    rates = integrator.rates(state)
+    short = 1e-9 * speed / float(np.linalg.norm(rates[VELOCITY]))
+    later = normal_response(integrator, numbers, state + short * rates)
+    if not 0 < later < response < math.inf:
+        return None
+    lasting = 0.5 * response * short / (response - later)
+    pushed = 2 * part * lasting * rates
+    pushed[: VELOCITY.start] = lasting * rates[: VELOCITY.start]
+    pushed[OMEGA.stop : WORK] = lasting * rates[OMEGA.stop : WORK]
+    return state + pushed, lasting
+
+
+def normal_response(
+    integrator: ModeIntegrator, numbers: ContactNumbers, state: FloatArray
+) -> float:
+    """B at a state; infinite in a mode without friction in proportion to the normal force.
+
+    Parameters
+    ----------
+    integrator : ModeIntegrator
+    numbers : ContactNumbers
+        At `state`.
+    state : array (size,)
+    """
+    names = [guard.name for guard in integrator.system.guards]
+    if "paradox" not in names:
+        return math.inf
+    margin = float(integrator.guard_values(state)[names.index("paradox")])
+    mobility = numbers.mobility
+    return margin + JAM * float(mobility.gamma @ mobility.A @ mobility.gamma)

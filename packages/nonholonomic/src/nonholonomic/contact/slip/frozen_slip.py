@@ -1,0 +1,201 @@
+"""Slipping near zero: the rates of the slip with everything but its direction frozen.
+
+Near the end or the start of sliding the slip x = s n has a small size s and a direction n that
+matters at every size.  With the rest of the state frozen its rate X depends on n alone, and
+
+    ẋ = X(n),   ṡ = H = (n, X),   s ṅ = G = X − H n,
+
+with the normal force N(n) from the condition that the contact lasts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from flowlanes.system.arrays import FloatArray
+
+from ..impact.friction_response import (
+    FrictionResponse,
+    response_while_spinning,
+    response_with_spin_at_rest,
+)
+from ..impact.mobility import Mobility
+
+
+class FrozenSlip(Protocol):
+    """A law of friction near zero slip, everything frozen but the direction of the slip."""
+
+    def force(self, n: FloatArray) -> tuple[float, FloatArray, float]:
+        """Normal force, friction force (2,) and couple of the slip in the direction n."""
+        ...
+
+    def rate(self, n: FloatArray) -> FloatArray:
+        """X(n): the rate of the slip."""
+        ...
+
+
+def growth_and_turning(slip: FrozenSlip, n: FloatArray) -> tuple[float, FloatArray]:
+    """H = (n, X), the growth of the slip, and G = X − H n, what turns it."""
+    rate = slip.rate(n)
+    growth = float(n @ rate)
+    return growth, rate - growth * n
+
+
+@dataclass(frozen=True, eq=False)
+class PointSlip:
+    """Coulomb friction at a point: n in the tangent plane, along the tangents of the mobility.
+
+    Attributes
+    ----------
+    response : FrictionResponse
+    mu : float
+    tangential : (2,) array
+        Acceleration of the contact without contact force, along the tangents.
+    normal : float
+        b_n, likewise: normal acceleration of the free body.
+    couple : float
+        Spin couple besides the one per normal force.
+    """
+
+    response: FrictionResponse
+    mu: float
+    tangential: FloatArray
+    normal: float
+    couple: float = 0.0
+
+    def force(self, n: FloatArray) -> tuple[float, FloatArray, float]:
+        """Normal force, friction force (2,) and couple of the slip in the direction n."""
+        friction = -self.mu * n
+        response = self.response
+        pressure = -self.normal / (response.normal[0] + float(response.normal[1] @ friction))
+        couple = response.couple[0] + float(response.couple[1] @ friction)
+        return pressure, pressure * friction, pressure * couple + self.couple
+
+    def rate(self, n: FloatArray) -> FloatArray:
+        """X(n): the rate of the slip."""
+        pressure, friction, _ = self.force(n)
+        beta, A = self.response.tangential
+        return self.tangential + pressure * beta + A @ friction
+
+
+def point_slip(
+    mobility: Mobility,
+    acceleration: FloatArray,
+    mu: float,
+    couple: float = 0.0,
+    resistance: FloatArray | None = None,
+) -> PointSlip:
+    """Slip under Coulomb friction while the spin has a sign, or without spin friction.
+
+    Parameters
+    ----------
+    mobility : Mobility
+    acceleration : (3,) array
+        b, body axes: of the contact without contact force; its normal part is b_n.
+    mu : float
+    couple : float
+        Spin couple per normal force: −μ_s sgn Ω.
+    resistance : (3,) array, optional
+        Further couple per normal force, as of resistance to rolling; body axes.
+    """
+    response = response_while_spinning(mobility, couple, resistance)
+    normal = float(mobility.gamma @ acceleration)
+    return PointSlip(response, mu, mobility.tangents @ acceleration, normal)
+
+
+def point_slip_with_spin_at_rest(
+    mobility: Mobility,
+    acceleration: FloatArray,
+    spin_acceleration: float,
+    mu: float,
+    resistance: FloatArray | None = None,
+) -> PointSlip:
+    """Slip under Coulomb friction while a couple of spin friction holds the spin at zero.
+
+    The couple has a part in proportion to the normal force, and the part −b_Ω/σ besides.
+
+    Parameters
+    ----------
+    mobility, acceleration, mu, resistance
+        As of :func:`point_slip`.
+    spin_acceleration : float
+        b_Ω: acceleration of the spin without contact force.
+    """
+    holding = -spin_acceleration / mobility.spin
+    held = acceleration + holding * mobility.spin_force
+    response = response_with_spin_at_rest(mobility, resistance)
+    return PointSlip(response, mu, mobility.tangents @ held, float(mobility.gamma @ held), holding)
+
+
+@dataclass(frozen=True, eq=False)
+class CoupledSlip:
+    """Coupled sliding and spinning on a round patch: n on the sphere, slip (u₁, u₂, aΩ).
+
+    Attributes
+    ----------
+    mobility : Mobility
+    mu, patch : float
+        Coefficient of friction, and radius a of the patch.
+    force_factor, couple_factor : callable
+        𝓕(k) and 𝓜(k), k = |u|/(a|Ω|) in [0, ∞]: the friction force is μN𝓕 against the sliding,
+        the couple μNa𝓜 against the spin.
+    acceleration : (3,) array
+        b, body axes: of the contact without contact force; its normal part is b_n.
+    spin_acceleration : float
+        b_Ω, likewise.
+    resistance : (3,) array
+        Further couple per normal force, as of resistance to rolling; body axes.
+    """
+
+    mobility: Mobility
+    mu: float
+    patch: float
+    force_factor: Callable[[float], float]
+    couple_factor: Callable[[float], float]
+    acceleration: FloatArray
+    spin_acceleration: float = 0.0
+    resistance: FloatArray = field(default_factory=lambda: np.zeros(3))
+
+    def force(self, n: FloatArray) -> tuple[float, FloatArray, float]:
+        """Normal force, friction force (2,) and couple of the slip in the direction n."""
+        sliding = float(np.hypot(n[0], n[1]))
+        k = sliding / abs(n[2]) if n[2] else np.inf
+        friction = np.zeros(2)
+        if sliding:
+            friction = -self.mu * float(self.force_factor(k)) / sliding * n[:2]
+        couple = 0.0
+        if n[2]:
+            sign = float(np.sign(n[2]))
+            couple = -self.mu * self.patch * sign * float(self.couple_factor(k))
+        row = self.matrix[2]
+        lift = float(row[:2] @ friction) + row[2] + row[3] * couple
+        pressure = -self.free[2] / lift
+        return pressure, pressure * friction, pressure * couple
+
+    def rate(self, n: FloatArray) -> FloatArray:
+        """X(n): the rate of the slip."""
+        pressure, friction, couple = self.force(n)
+        rate = self.free + self.matrix @ np.array([*friction, pressure, couple])
+        return np.array([rate[0], rate[1], self.patch * rate[3]])
+
+    @cached_property
+    def matrix(self) -> FloatArray:
+        """The mobility (4, 4) of tangents, normal (with the further couple) and spin."""
+        m = self.mobility
+        axes = np.vstack([m.tangents, m.gamma])
+        c = axes @ m.spin_force
+        result = np.block([[axes @ m.A @ axes.T, c[:, None]], [c, np.array([m.spin])]])
+        turn = m.inverse_inertia @ self.resistance
+        result[:, 2] += np.append(axes @ np.cross(turn, m.r), m.gamma @ turn)
+        return result
+
+    @cached_property
+    def free(self) -> FloatArray:
+        """Accelerations (4,) of tangents, normal and spin without contact force."""
+        axes = np.vstack([self.mobility.tangents, self.mobility.gamma])
+        return np.append(axes @ self.acceleration, self.spin_acceleration)

@@ -1,0 +1,120 @@
+"""Whether a robot whose motion has a drift is accessible.
+
+The rates are not affine in the speeds of rotors and joints (ω depends on them, and Ṁ on products
+of ω with them), but the speeds themselves are states, and their rates the controls v:
+
+    ẋ = f(x, u),   u̇ = v.
+
+If f and the fields ∂/∂u span the state space together with all their commutators, the states that
+can be reached from a generic one in any time fill an open set (Sussmann and Jurdjevic).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from flowlanes.arguments import arguments_checked
+from flowlanes.system.system import flat_pairs
+from flowlanes.system.vectors import real_symbol
+
+from ..mechanics.constraints.distribution import Distribution
+from ..mechanics.constraints.growth import generic
+from .equations import controlled_system
+from .robot import SphericalRobot
+
+
+@dataclass(frozen=True)
+class Accessibility:
+    """The space that drift and controls of a robot span.
+
+    Attributes
+    ----------
+    growth : tuple of int
+        Dimensions spanned at a generic state by the drift and the controls, with the commutators
+        of two, of three, …, until they grow no more.
+    dimension : int
+        Of the state space: attitude, place, M, joints, and the speeds of rotors and joints.
+    exact : bool
+        Whether the growth was found by rational numbers at a point; otherwise modulo a prime, and
+        no dimension is smaller.
+
+    Examples
+    --------
+    >>> import nonholonomic
+    >>> from nonholonomic.control import SphericalRobot, accessibility, pendulum
+    >>> robot = SphericalRobot(
+    ...     1.0, (0.4, 0.4, 0.4), 1.0, moving_mass=pendulum(1.0, 0.5), gravity=9.81
+    ... )
+    >>> verdict = accessibility(robot)
+    >>> isinstance(verdict, nonholonomic.control.Accessibility), verdict.growth
+    (True, (3, 5, 9, 12))
+    """
+
+    growth: tuple[int, ...]
+    dimension: int
+    exact: bool
+
+    @property
+    def accessible(self) -> bool:
+        """Whether everything is spanned: proven, since dimensions that are reached are certain."""
+        return self.growth[-1] == self.dimension
+
+    def __str__(self) -> str:
+        spans = f"drift and controls span {', '.join(map(str, self.growth))} of {self.dimension}"
+        if self.accessible:
+            return f"{spans} dimensions: accessible from generic states, proven"
+        return f"{spans} dimensions: not all of the state space"
+
+
+@arguments_checked
+def accessibility(robot: SphericalRobot) -> Accessibility:
+    """The growth of drift and controls of a robot, with any momentum.
+
+    Accessible is less than controllable: which of two states can be reached from the other is not
+    decided.
+
+    Parameters
+    ----------
+    robot : SphericalRobot
+
+    Returns
+    -------
+    Accessibility
+        Of a balanced ball the momentum stays constant, so that not everything is spanned; see
+        :func:`~nonholonomic.control.controllable.controllability` for its motions from rest.
+
+    Raises
+    ------
+    InputError
+        If the names of joints are those of other variables.
+
+    Examples
+    --------
+    >>> from nonholonomic.control import SphericalRobot, accessibility, pendulum
+    >>> robot = SphericalRobot(
+    ...     1.0, (0.4, 0.4, 0.4), 1.0, moving_mass=pendulum(1.0, 0.5), gravity=9.81
+    ... )
+    >>> accessibility(robot).growth
+    (3, 5, 9, 12)
+    """
+    system = controlled_system(robot)
+    rates = dict(flat_pairs(system.field))
+    fields = (
+        {name: rate for name, rate in rates.items() if rate != 0},
+        *({u: sp.S.One} for u in system.inputs),
+    )
+    parameters = tuple((p.symbol, p.default) for p in system.parameters)
+    found = generic(
+        Distribution(
+            "drift and controls",
+            (*system.state, *system.inputs),
+            system.relations,
+            tuple(real_symbol(f"c_{i}") for i, _ in enumerate(fields)),
+            fields,
+            steps=flat_pairs(system.definitions),
+            constants=parameters,
+        )
+    )
+    return Accessibility(found.growth, found.dimension, found.exact)

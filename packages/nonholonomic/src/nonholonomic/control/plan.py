@@ -1,0 +1,195 @@
+"""The result of planning: inputs over time, the motion they give, and its distance to the path."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.interpolate import BarycentricInterpolator
+
+from flowlanes.system.arrays import FloatArray
+
+from .collocation import Transcription, radau
+from .guess import rotation
+from .path import PlanePath
+from .robot import SphericalRobot
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+TOLERANCE = 1e-13
+"""Of the integration that checks a plan, relative; absolute a tenth of it."""
+SAMPLES = 8
+"""Instants in each interval at which the distance to the path is measured."""
+
+
+@dataclass(frozen=True, eq=False)
+class MotionPlan:
+    """Inputs that lead the contact point along a path, and the motion integrated with them.
+
+    Attributes
+    ----------
+    robot : SphericalRobot
+    path : PlanePath
+    inputs : tuple of str
+        Names: speeds ``u_1``, … of the rotors (rad/s), rates of the joints.
+    states : tuple of str
+    start : array (n,)
+        The state at t = 0, in the order of `states`.
+    node_times : array (k,)
+        Ends of the intervals of time, and the nodes in them at which the inputs are given.
+    node_inputs : array (k, m)
+        The inputs are polynomials between them in each interval.
+    intervals : int
+    effort : float
+        ½ ∫ |inputs|² dt / T.
+    times : array (l,)
+        Instants of the check.
+    motion : array (l, n)
+        States integrated from the start with these inputs at a tolerance of 1e-13.
+    path_error : float
+        The greatest distance from the contact to where the path is at that instant (m).
+    iterations : int
+        Of the optimiser.
+    seconds : float
+        Time that planning took.
+    """
+
+    robot: SphericalRobot
+    path: PlanePath
+    inputs: tuple[str, ...]
+    states: tuple[str, ...]
+    start: FloatArray
+    node_times: FloatArray
+    node_inputs: FloatArray
+    intervals: int
+    effort: float
+    times: FloatArray
+    motion: FloatArray
+    path_error: float
+    iterations: int
+    seconds: float
+
+    @property
+    def relative_error(self) -> float:
+        """The path error in diameters of the path."""
+        return self.path_error / self.path.diameter
+
+    def __str__(self) -> str:
+        return (
+            f"{len(self.inputs)} inputs, effort {self.effort:.6g}, path error "
+            f"{self.path_error:.2g} m = {self.relative_error:.2g} of the diameter; "
+            f"{self.iterations} iterations, {self.seconds:.1f} s"
+        )
+
+    def inputs_at(self, times: FloatArray) -> FloatArray:
+        """Inputs (l, m) at times (l,) of the period."""
+        moments = np.asarray(times, dtype=float)
+        step = self.path.period / self.intervals
+        number = np.clip((moments // step).astype(int), 0, self.intervals - 1)
+        values = self.node_inputs.reshape(self.intervals, -1, len(self.inputs))
+        c, _ = radau(values.shape[1])
+        result = np.empty((len(moments), len(self.inputs)))
+        for e in np.unique(number):
+            here = number == e
+            result[here] = BarycentricInterpolator(c, values[e])(moments[here] / step - e)
+        return result
+
+    @property
+    def errors(self) -> FloatArray:
+        """Distances (l,) to the path at the instants of the check."""
+        return distances(self.path, self.times, self.motion)
+
+    def dataset(self) -> xr.Dataset:
+        """The motion as other trajectories are recorded.
+
+        Returns
+        -------
+        xarray.Dataset
+            `attitude`, `contact`, `centre`, `gamma`, `input` and `path_error` over `time`.
+        """
+        import xarray as xr
+
+        radius = self.robot.radius
+        matrices = np.array([rotation(q) for q in self.motion[:, :4]])
+        places = self.motion[:, 4:6]
+        contact = np.column_stack([places, np.zeros(len(places))])
+        labels = {"axis": [1, 2, 3], "space": ["x", "y", "z"], "quaternion": ["w", "x", "y", "z"]}
+        return xr.Dataset(
+            {
+                "attitude": (
+                    ("time", "quaternion"),
+                    self.motion[:, :4],
+                    {"long_name": "attitude quaternion, body to space", "units": ""},
+                ),
+                "contact": (
+                    ("time", "space"),
+                    contact,
+                    {"long_name": "contact point", "units": "m"},
+                ),
+                "centre": (
+                    ("time", "space"),
+                    np.add(contact, [0, 0, radius]),
+                    {"long_name": "geometric centre", "units": "m"},
+                ),
+                "gamma": (
+                    ("time", "axis"),
+                    matrices[:, 2],
+                    {"long_name": "vertical", "units": ""},
+                ),
+                "input": (
+                    ("time", "name"),
+                    self.inputs_at(self.times),
+                    {"long_name": "speed of a rotor or joint", "units": "rad/s"},
+                ),
+                "path_error": (
+                    "time",
+                    self.errors,
+                    {"long_name": "distance to the path", "units": "m"},
+                ),
+            },
+            {"time": ("time", self.times, {"units": "s"}), "name": list(self.inputs), **labels},
+            {"system": "spherical-robot", "title": "Spherical robot"},
+        )
+
+
+def distances(path: PlanePath, times: FloatArray, motion: FloatArray) -> FloatArray:
+    """Distances from the contact to the path at the same instant."""
+    result: FloatArray = np.linalg.norm(motion[:, 4:6] - path.places(times), axis=1)
+    return result
+
+
+def inputs_motion(
+    plan: Transcription, start: FloatArray, inputs: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Times and states of the motion with given inputs, by DOP853, interval by interval.
+
+    It shares with the collocation the rates alone; the inputs are those polynomials.
+    """
+    c, _ = radau(plan.stages)
+    values = inputs.reshape(plan.intervals, plan.stages, -1)
+    times, states = [np.zeros(1)], [start[None]]
+    for e in range(plan.intervals):
+        speeds = BarycentricInterpolator(c, values[e])
+        begin = e * plan.step
+        moments = begin + plan.step * np.arange(1, SAMPLES + 1) / SAMPLES
+
+        def rates(t: float, z: FloatArray) -> FloatArray:
+            point = np.append(z, speeds((t - begin) / plan.step))  # noqa: B023
+            rate: FloatArray = plan.equations.rates(point[None])[0]
+            return rate
+
+        run = solve_ivp(
+            rates,
+            (begin, moments[-1]),
+            states[-1][-1],
+            method="DOP853",
+            rtol=TOLERANCE,
+            atol=TOLERANCE / 10,
+            t_eval=moments,
+        )
+        times.append(moments)
+        states.append(run.y.T)
+    return np.concatenate(times), np.concatenate(states)

@@ -1,0 +1,316 @@
+"""The initial state of a rolling body, from angular velocity and normal.
+
+Everything here is computed with 50 digits and rounded once, so that a start is as good as the
+numbers in which it is given; a decimal such as 0.1 means one tenth at any precision.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, SupportsFloat
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from flowlanes.arguments import Finite, Parameters, arguments_checked
+from flowlanes.errors import InputError
+from flowlanes.formulas.multiprecision import Multiprecision
+from flowlanes.system.named_formulas import Pairs, in_words, scalar_names
+from flowlanes.system.parameters import parameter_values
+from flowlanes.system.system import System, flat
+from flowlanes.system.vectors import Vector, to_components
+
+from ..shapes.gauss_map import contact_points_of_normals
+from .attitude import attitude
+
+DIGITS = 50
+
+#: A start may miss a constraint by this much, relative to its size; more is refused.
+SLACK = 1e-12
+
+omega, gamma, zeta, r = Vector("omega"), Vector("gamma"), Vector("zeta"), Vector("r")
+place = Vector("place", 2)
+
+
+@arguments_checked
+def initial_state(
+    system: System,
+    omega: Sequence[float],
+    gamma: Sequence[float],
+    *,
+    heading: Finite = 0.0,
+    normal: Sequence[float] = (0.0, 0.0, 1.0),
+    parameters: Parameters = None,
+    fluid: Sequence[float] | Sequence[Sequence[float]] = (),
+) -> tuple[Any, ...]:
+    """The state of a system, lifted to space, that begins with given ω and γ.
+
+    Parameters
+    ----------
+    system : System
+    omega : 3 floats
+        Angular velocity, body axes (rad/s).
+    gamma : 3 floats
+        Outward normal of the supporting surface at the contact, body axes; normalised here.
+    heading : float
+        Angle (rad) by which the body is turned about the normal, from the attitude that takes γ to
+        `normal` along the shortest way.
+    normal : 3 floats
+        The normal in space axes; (0, 0, 1) on a plane.
+    parameters : mapping of Symbol to number, optional
+        Values that replace the system's defaults.
+    fluid : 3 floats, or a sequence of these
+        Motion ξ of the fluid in a cavity relative to the body, body axes (rad/s): its velocity
+        there is A(ξ×A⁻¹x).  For several cavities one for each; empty for fluids at rest in the
+        body.
+
+    Returns
+    -------
+    tuple of mpmath.mpf
+        In the flat order of ``system.lifted().symbols``.  The contact point starts above or below
+        the origin of space.
+
+    Raises
+    ------
+    InputError
+        If γ or the normal is zero or outside the domain of the equations (a body lying flat), or
+        ω breaks the constraint (ω, γ) = 0 of a rubber contact; the message then names the
+        nearest admissible ω; or if `fluid` does not fit the cavities.
+
+    Examples
+    --------
+    >>> import nonholonomic
+    >>> ball = nonholonomic.roll(nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0)))
+    >>> start = nonholonomic.initial_state(ball, omega=(1, 0, 2), gamma=(0, 0, 1))
+    >>> [float(x) for x in start[:6]]
+    [1.4, 0.0, 1.2, 0.0, 0.0, 1.0]
+    """
+    with mpmath.workdps(DIGITS):
+        lifted = system.lifted() if system.reconstruction else system
+        _check_determined(system, lifted)
+        values = parameter_values(system, parameters)
+        known = {s: _number(v) for s, v in values.items()}
+        spin = _vector(omega, "omega")
+        up = _direction(gamma, "gamma")
+        _check_spin(system, spin, up)
+        known |= dict(zip(_OMEGA, spin, strict=True)) | dict(zip(_GAMMA, up, strict=True))
+        known |= _moving_fluids(system, fluid)
+        if r in system.state:
+            known |= dict(zip(r.symbols, _contact_point(system, up, known), strict=True))
+        turn = attitude_of_normal(up, _direction(normal, "normal"), _number(heading))
+        _check_domain(system, known)
+        known |= dict(zip(attitude.symbols, turn, strict=True))
+        known |= dict(zip(zeta.symbols, _third_row(turn), strict=True))
+        known |= _evaluate(system, system.start, known)
+        known |= dict(zip(place.symbols, _place(system, known), strict=True))
+        return tuple(known[s] for s in lifted.symbols)
+
+
+_OMEGA, _GAMMA = omega.symbols, gamma.symbols
+
+
+def _check_determined(system: System, lifted: System) -> None:
+    """Refuse a system whose state does not follow from ω and γ of a body in three dimensions."""
+    names = (omega, gamma, r, attitude, zeta, place, *system.start_vectors)
+    following = {s for name in names for s in name.symbols}
+    following |= set(scalar_names(system.start))
+    missing = [s for s in lifted.symbols if s not in following]
+    if missing:
+        what = ", ".join(str(n) for n in lifted.state if set(flat([n])) & set(missing))
+        raise InputError(
+            f"{system.name}: omega and gamma, of three numbers each, do not determine {what}; give "
+            f"a state by name instead of initial_state: {in_words(system.state)}"
+        )
+
+
+def _moving_fluids(system: System, fluid: Sequence[Any]) -> dict[sp.Symbol, mpmath.mpf]:
+    """The motion of each fluid relative to the body, by component."""
+    names = system.start_vectors
+    plain = all(isinstance(x, SupportsFloat) for x in fluid)
+    rows = list(fluid) if not plain else [fluid] if len(fluid) else []
+    if rows and not names:
+        raise InputError("fluid: the body has no cavity with fluid in it; leave it out")
+    if rows and len(rows) != len(names):
+        several = "s" if len(names) > 1 else ""
+        raise InputError(
+            f"fluid: {len(names)} vector{several} of three numbers are needed, one for each cavity "
+            f"with fluid in it, not {len(rows)}"
+        )
+    rows = rows or [[0.0, 0.0, 0.0]] * len(names)
+    return {
+        s: x
+        for name, row in zip(names, rows, strict=True)
+        for s, x in zip(name.symbols, _vector(row, "fluid"), strict=True)
+    }
+
+
+def _number(value: object) -> mpmath.mpf:
+    return mpmath.mpf(repr(float(value))) if isinstance(value, (int, float)) else mpmath.mpf(value)
+
+
+def _vector(values: Sequence[float], name: str) -> list[mpmath.mpf]:
+    if len(values) != 3:
+        raise InputError(f"{name}: three numbers are needed, not {len(values)}")
+    numbers = [_number(x) for x in values]
+    if not all(mpmath.isfinite(x) for x in numbers):
+        raise InputError(f"{name} {tuple(values)}: all three numbers must be finite")
+    return numbers
+
+
+def _direction(values: Sequence[float], name: str) -> list[mpmath.mpf]:
+    numbers = _vector(values, name)
+    length = mpmath.sqrt(sum(x * x for x in numbers))
+    if length == 0:
+        raise InputError(f"{name} is zero: it must point along the normal")
+    return [x / length for x in numbers]
+
+
+def _check_spin(system: System, spin: list[mpmath.mpf], up: list[mpmath.mpf]) -> None:
+    """Remove a spin at rounding level; refuse a larger one."""
+    if not any(is_no_spin(relation) for relation in system.relations):
+        return
+    excess = sum(x * y for x, y in zip(spin, up, strict=True))
+    size = max(abs(x) for x in spin)
+    nearest = [x - excess * y for x, y in zip(spin, up, strict=True)]
+    # what the working precision leaves of a spin along the normal is zero
+    nearest = [x if abs(x) > mpmath.mpf(10) ** (10 - DIGITS) * size else 0 * x for x in nearest]
+    if abs(excess) > SLACK * size:
+        shown = ", ".join(repr(float(x)) for x in nearest)
+        raise InputError(
+            f"omega: (omega, gamma) = {float(excess):.6g}, and a body that must not spin about "
+            f"the normal needs 0; the nearest admissible omega is [{shown}]"
+        )
+    spin[:] = nearest
+
+
+def is_no_spin(relation: sp.Expr) -> bool:
+    """Whether a relation is (ω, γ) = 0."""
+    product = sp.Add(*(x * y for x, y in zip(_OMEGA, _GAMMA, strict=True)))
+    return bool(to_components(relation) == product)
+
+
+def _check_domain(system: System, known_values: Mapping[sp.Symbol, mpmath.mpf]) -> None:
+    """Refuse a position outside the domain of the equations."""
+    for guard in system.guards:
+        if guard.lift_off:
+            continue
+        try:
+            value = evaluate(system, [to_components(guard.value)], known_values)[0]
+        except ZeroDivisionError:
+            value = mpmath.mpf(0)
+        if not value > 0:
+            raise InputError(f"gamma: this start is outside the domain; {guard.message}")
+
+
+def attitude_of_normal(
+    up: list[mpmath.mpf], normal: list[mpmath.mpf], heading: mpmath.mpf
+) -> list[mpmath.mpf]:
+    """The quaternion from `up` (body) to `normal` (space), turned by `heading`."""
+    cosine = sum(x * y for x, y in zip(up, normal, strict=True))
+    axis = _cross(up, normal)
+    if cosine < -1 + mpmath.mpf(10) ** -20:
+        # opposite: any half turn about a perpendicular axis will do; take the most lateral one
+        least = min(range(3), key=lambda i: abs(up[i]))
+        axis = _cross(up, [mpmath.mpf(int(i == least)) for i in range(3)])
+        short = [mpmath.mpf(0), *axis]
+    else:
+        short = [1 + cosine, *axis]
+    half = heading / 2
+    turn = [mpmath.cos(half), *(mpmath.sin(half) * x for x in normal)]
+    product = _times(turn, short)
+    length = mpmath.sqrt(sum(x * x for x in product))
+    return [x / length for x in product]
+
+
+def _cross(u: list[mpmath.mpf], v: list[mpmath.mpf]) -> list[mpmath.mpf]:
+    return [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ]
+
+
+def _times(p: list[mpmath.mpf], q: list[mpmath.mpf]) -> list[mpmath.mpf]:
+    scalar = p[0] * q[0] - sum(x * y for x, y in zip(p[1:], q[1:], strict=True))
+    vector = _cross(p[1:], q[1:])
+    return [
+        scalar,
+        *(p[0] * y + q[0] * x + z for x, y, z in zip(p[1:], q[1:], vector, strict=True)),
+    ]
+
+
+def _third_row(turn: list[mpmath.mpf]) -> list[mpmath.mpf]:
+    """The vertical of space seen from the body."""
+    w, x, y, z = turn
+    return [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]
+
+
+def _evaluate(
+    system: System, pairs: Pairs, known_values: Mapping[sp.Symbol, mpmath.mpf]
+) -> dict[sp.Symbol, mpmath.mpf]:
+    """Values of named formulas at known symbols."""
+    symbols = [s for name, _ in pairs for s in name.symbols]
+    formulas = [e for _, formula in pairs for e in to_components(formula)]
+    return dict(zip(symbols, evaluate(system, formulas, known_values), strict=True))
+
+
+def evaluate(
+    system: System, formulas: Sequence[sp.Expr], known_values: Mapping[sp.Symbol, Any]
+) -> list[Any]:
+    """Values of scalar formulas of a system, in the working precision of mpmath."""
+    numbers = Multiprecision(known_values)
+    numbers.define(system.required_definitions(formulas, inputs=known_values))
+    return [numbers(formula) for formula in formulas]
+
+
+def _contact_point(
+    system: System, up: list[mpmath.mpf], known_values: Mapping[sp.Symbol, mpmath.mpf]
+) -> list[mpmath.mpf]:
+    """The point r of an implicit surface f(r − c) = 0 whose outward normal is −γ.
+
+    A point good to double precision is polished by Newton's method for ∇f + ℓγ = 0, f = 0, with
+    the length ℓ of the gradient as fourth unknown.
+    """
+    surface, coordinates = to_components(system.relations[0]), r.symbols
+    values = {s: v for s, v in known_values.items() if s in surface.free_symbols}
+    centre = [known_values.get(s, mpmath.mpf(0)) for s in Vector("c").symbols]
+    shifted = surface.subs(values).subs(
+        {s: s + v for s, v in zip(coordinates, centre, strict=True)}, simultaneous=True
+    )
+    guess = contact_points_of_normals(shifted, coordinates, np.array([[float(x) for x in up]]))[0]
+    slopes = [shifted.diff(s) for s in coordinates]
+    formulas = [shifted, *slopes, *sp.hessian(shifted, coordinates)]
+    x = mpmath.matrix([mpmath.mpf(float(v)) for v in guess])
+    for _ in range(8):
+        numbers = Multiprecision(dict(zip(coordinates, x, strict=True)))
+        f, *rest = map(numbers, formulas)
+        slope, hessian = rest[:3], rest[3:]
+        length = mpmath.sqrt(sum(v * v for v in slope))
+        matrix = mpmath.matrix(
+            [[*hessian[3 * i : 3 * i + 3], up[i]] for i in range(3)] + [[*slope, 0]]
+        )
+        defect = mpmath.matrix([*(v + length * u for v, u in zip(slope, up, strict=True)), f])
+        try:
+            step = mpmath.lu_solve(matrix, -defect)
+        except ZeroDivisionError:
+            break
+        x = x + step[:3, 0]
+        if mpmath.norm(step[:3, 0]) < mpmath.mpf(10) ** (5 - DIGITS) * mpmath.norm(x):
+            return [v + shift for v, shift in zip(x, centre, strict=True)]
+    raise InputError(
+        "gamma: no contact point with this normal was found; the surface must be smooth and "
+        "strictly convex there"
+    )
+
+
+def _place(system: System, known_values: Mapping[sp.Symbol, mpmath.mpf]) -> list[mpmath.mpf]:
+    """The centre of mass that puts the contact point at the origin of the plane."""
+    zero = mpmath.mpf(0)
+    if system.reconstruction is None or all(
+        name != place for name, _ in system.reconstruction.field
+    ):
+        return [zero, zero]
+    origin = {**known_values, **dict.fromkeys(place.symbols, zero)}
+    contact = next(o.value for o in system.reconstruction.observables if o.name == "contact")
+    return [-x for x in evaluate(system, list(to_components(contact))[:2], origin)]

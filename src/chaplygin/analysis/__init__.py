@@ -1,5 +1,0 @@
-"""Analysis of the dynamics: Lyapunov exponents, orbits, scans, classification."""
-
-import lazy_loader
-
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

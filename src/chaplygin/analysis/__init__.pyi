@@ -1,6 +1,0 @@
-from . import (
-    classification as classification,
-    lyapunov as lyapunov,
-    orbits as orbits,
-    scans as scans,
-)

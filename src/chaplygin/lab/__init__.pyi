@@ -1,1 +1,0 @@
-from .server.notebook import widget as widget
