@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PYTEST_FLAGS ?= -n 2
 SITE_FLAGS ?=
-SOURCES := pyproject.toml constraints.txt scripts/setup.sh
+SOURCES := $(wildcard packages/*/pyproject.toml requirements/*.txt) constraints.txt scripts/setup.sh
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -50,9 +50,10 @@ site: $(VENV)/site ## build the site into build/site; SITE_FLAGS="--exhibits 12"
 	@$(BIN)/python website/build.py $(SITE_FLAGS)
 	@echo "Open build/site/index.html in a browser."
 
-dist: $(VENV)/release ## build the wheel and the source archive into dist/, check them, and try the wheel
+dist: $(VENV)/release ## build the wheels and the source archives into dist/, check them, and try the wheels
 	@rm -rf dist
-	@$(BIN)/python -m build --outdir dist . >build.log || { tail -n 20 build.log >&2; exit 1; }
+	@for package in packages/*; do \
+	  $(BIN)/python -m build --outdir dist $$package >build.log || { tail -n 20 build.log >&2; exit 1; }; done
 	@rm -f build.log
 	@$(BIN)/python -m twine check --strict dist/*
 	@sh scripts/try_wheel.sh $(BIN)/python dist/*.whl
@@ -74,7 +75,7 @@ bench: $(VENV)/dev ## run the benchmarks
 
 clean: ## remove all that make has made: .venv/, demo/, caches
 	@rm -rf $(VENV) demo build dist packages/chaplygin/web/build packages/chaplygin/web/node_modules .hypothesis .mypy_cache .pytest_cache .ruff_cache
-	@find src tests -type d -name __pycache__ -exec rm -rf {} +
+	@find packages tests -type d -name __pycache__ -exec rm -rf {} +
 
 $(VENV)/core $(VENV)/dev $(VENV)/site $(VENV)/release: $(SOURCES)
 	@sh scripts/setup.sh $(VENV) $(@F)

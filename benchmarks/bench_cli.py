@@ -18,7 +18,7 @@ COMMAND = str(Path(sys.executable).with_name("chaplygin"))
 
 def process(arguments: list[str], cache: Path) -> tuple[float, float]:
     """Wall-clock seconds and peak memory in MB of one process."""
-    environment = os.environ | {"CHAPLYGIN_CACHE": str(cache)}
+    environment = os.environ | {"FLOWLANES_CACHE": str(cache)}
     began = time.perf_counter()
     child = subprocess.Popen(
         [COMMAND, *arguments],

@@ -74,7 +74,7 @@ def timed(road: str, name: str, law: str, limit: float) -> float | None:
                 text=True,
                 timeout=limit,
                 check=False,
-                env={**os.environ, "CHAPLYGIN_CACHE": empty},
+                env={**os.environ, "FLOWLANES_CACHE": empty},
             )
         except subprocess.TimeoutExpired:
             return None

@@ -25,7 +25,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-UNSET = ("CHAPLYGIN_CACHE", "MPLCONFIGDIR", "PYTHONDONTWRITEBYTECODE")
+UNSET = ("FLOWLANES_CACHE", "MPLCONFIGDIR", "PYTHONDONTWRITEBYTECODE")
 
 
 def studied(name: str, folder: Path) -> dict[str, float | str]:

@@ -3,7 +3,7 @@
     python scripts/files_entered.py study|report|verdict|solution [--list]
 
 What runs while a module is imported is not counted.  The report is written to a folder of its own
-that is removed; a verdict that is cached takes fewer files: point CHAPLYGIN_CACHE at an empty one.
+that is removed; a verdict that is cached takes fewer files: point FLOWLANES_CACHE at an empty one.
 """
 
 from __future__ import annotations

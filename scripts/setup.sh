@@ -86,11 +86,18 @@ else
 fi
 
 case $wanted in
-core) what="." named="chaplygin" size="0.8 GB" ;;
-dev) what=".[dev]" named="chaplygin and the tools for work on it" size="2.4 GB" ;;
-release) what=".[release]" named="chaplygin and the tools that release it" size="0.9 GB" ;;
-site) what=".[dev,site]" named="chaplygin and the tools for work on it and its site" size="2.5 GB" ;;
+core) tools="" named="chaplygin" size="0.8 GB" ;;
+dev) tools="dev" named="chaplygin and the tools for work on it" size="2.4 GB" ;;
+release) tools="release" named="chaplygin and the tools that release it" size="0.9 GB" ;;
+site) tools="site" named="chaplygin and the tools for work on it and its site" size="2.5 GB" ;;
 esac
+set --
+for package in packages/*; do
+    set -- "$@" --editable "$package"
+done
+for tool in $tools; do
+    set -- "$@" --requirement "requirements/$tool.txt"
+done
 echo "Installing $named into $venv (Python $(version_of "$python"), $size); this happens once and takes a minute or two."
 
 if test ! -d "$venv"; then
@@ -100,7 +107,7 @@ fi
 pwd -P >"$venv/address"
 
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-input --only-binary=:all: \
-    --constraint constraints.txt --editable "$what" >"$log" 2>&1 || {
+    --constraint constraints.txt "$@" >"$log" 2>&1 || {
     show_log "Installing failed."
 }
 touch "$venv/core" "$venv/$wanted"

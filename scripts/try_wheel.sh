@@ -1,21 +1,21 @@
 #!/bin/sh
-# Installs a wheel into a fresh environment outside the repository, with PYTHON of any version, and
-# runs the main job there: what is missing from the wheel shows itself.
-# Usage, from the root of the project: try_wheel.sh PYTHON WHEEL
+# Installs wheels into a fresh environment outside the repository, with PYTHON of any version, and
+# runs the main job there: what is missing from a wheel shows itself.
+# Usage, from the root of the project: try_wheel.sh PYTHON WHEEL...
 set -eu
 python=$1
-wheel=$(cd "$(dirname "$2")" && pwd -P)/$(basename "$2")
+shift
 constraints=$PWD/constraints.txt
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 
 "$python" -m venv "$place/venv"
 "$place/venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-input --only-binary=:all: \
-    --constraint "$constraints" "$wheel"
+    --constraint "$constraints" "$@"
 echo "Installed: $(du -sm "$place/venv" | cut -f1) MB, $("$place/venv/bin/python" --version)"
 "$place/venv/bin/python" scripts/installed_sizes.py 12
 cd "$place"
-export CHAPLYGIN_CACHE=$place/cache
+export FLOWLANES_CACHE=$place/cache
 venv/bin/chaplygin --version
 venv/bin/chaplygin --quiet study rattleback -o "a study, été" --quick
 test -s "a study, été/report.html"

@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, settings
 
 # code compiled by tests stays out of the user's own cache
 os.environ.setdefault(
-    "CHAPLYGIN_CACHE", str(Path(__file__).parents[1] / ".pytest_cache" / "compiled")
+    "FLOWLANES_CACHE", str(Path(__file__).parents[1] / ".pytest_cache" / "compiled")
 )
 
 # the same examples every time, on a busy machine too
@@ -50,7 +50,7 @@ def pytest_runtest_makereport(
     report = yield
     if call.excinfo is None or find_spec("heyoka") is not None:
         return report
-    if "chaplygin[taylor]" in str(call.excinfo.value):
+    if "flowlanes[taylor]" in str(call.excinfo.value):
         report.outcome = "skipped"
         report.longrepr = (str(item.path), item.location[1] or 0, "heyoka is not installed")
     return report

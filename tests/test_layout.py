@@ -1,156 +1,67 @@
-"""The house: imports run one way, folders and files are small, names have one home."""
+"""The workspace: packages in their order, no circle of imports, one home for each name."""
 
 from __future__ import annotations
 
 import ast
 import re
-import sys
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
 from importlib import import_module
 from pathlib import Path
 
 import pytest
 
-import chaplygin
+from workspace import HOMES, ORDER, ROOT, borders, circles, files, folded, imports, modules, tree
 
-HOME = Path(chaplygin.__file__).parent
-Graph = Mapping[str, set[str]]
-
-#: Lines of a module at most, and those that are longer: the loops of the kernel, and what is still
-#: to be parted.
-LINES = 400
-LONGER = {
-    "flow/kernel/gauss_legendre.py",
-    "flow/kernel/runge_kutta.py",
-}
-#: Files of a folder at most.
-FILES = 18
-
-
-def modules(home: Path) -> dict[str, Path]:
-    """Dotted names below a package, and their files; the package itself is ``""``."""
-    named = {}
-    for path in home.rglob("*.py"):
-        parts = path.relative_to(home).with_suffix("").parts
-        named[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
-    return named
-
-
-def imports(home: Path) -> dict[str, set[str]]:
-    """Which module imports which: at the top, in a function, and for types alone.
-
-    What the package as a whole offers may come from anywhere.
-    """
-    named = modules(home)
-    graph: dict[str, set[str]] = {name: set() for name in named if name}
-    for name, targets in graph.items():
-        for base, inner in _imported(named[name], name, home.name):
-            whole = f"{base}.{inner}".strip(".")
-            target = whole if whole in named else base
-            if target in named and target not in ("", name):
-                targets.add(target)
-    return graph
-
-
-def _imported(path: Path, name: str, package: str) -> Iterator[tuple[str, str]]:
-    """Modules below the package from which a file imports, with what it takes from them."""
-    here = name.split(".") if path.stem == "__init__" else name.split(".")[:-1]
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.ImportFrom):
-            parts = (node.module or "").split(".")
-            if node.level:
-                parts = [*here[: len(here) - node.level + 1], *filter(None, parts)]
-            elif parts[0] == package:
-                parts = parts[1:]
-            else:
-                continue
-            yield from ((".".join(parts), alias.name) for alias in node.names)
-        elif isinstance(node, ast.Import):
-            for alias in node.names:
-                first, *rest = alias.name.split(".")
-                if first == package and rest:
-                    yield ".".join(rest), ""
-        elif isinstance(node, ast.Call):
-            # what is looked up by its name is imported too
-            yield from ((module, "") for module in _named(node, here, package))
-
-
-def _named(call: ast.Call, here: list[str], package: str) -> Iterator[str]:
-    """Modules below the package that a call names by a string; of a template, its folder."""
-    called = (
-        call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
-    )
-    for argument in call.args:
-        texts = argument.values if isinstance(argument, ast.JoinedStr) else [argument]
-        text = texts[0].value if texts and isinstance(texts[0], ast.Constant) else None
-        if not isinstance(text, str):
-            continue
-        if len(texts) > 1:
-            text = text.rpartition(".")[0]
-        if text.startswith(f"{package}."):
-            yield text.partition(".")[2]
-        elif called == "import_module" and (dots := len(text) - len(text.lstrip("."))):
-            yield ".".join([*here[: len(here) - dots + 1], text.lstrip(".")])
-
-
-def folded(graph: Graph, home: Path, depth: int) -> dict[str, set[str]]:
-    """The same between folders."""
-    named = modules(home)
-
-    def folder(module: str) -> str:
-        parts = module.split(".")
-        inner = parts if named[module].stem == "__init__" else parts[:-1] or parts
-        return "/".join(inner[:depth])
-
-    between: dict[str, set[str]] = defaultdict(set)
-    for module, targets in graph.items():
-        between[folder(module)] |= {folder(target) for target in targets} - {folder(module)}
-    return between
-
-
-def circles(graph: Graph) -> list[set[str]]:
-    """The strongly connected parts of a graph that have several nodes."""
-    sys.setrecursionlimit(10_000)
-    numbers: dict[str, int] = {}
-    lowest: dict[str, int] = {}
-    stack: list[str] = []
-    found = []
-
-    def visit(node: str) -> None:
-        numbers[node] = lowest[node] = len(numbers)
-        stack.append(node)
-        for other in graph.get(node, ()):
-            if other not in numbers:
-                visit(other)
-                lowest[node] = min(lowest[node], lowest[other])
-            elif other in stack:
-                lowest[node] = min(lowest[node], numbers[other])
-        if lowest[node] == numbers[node]:
-            members = set()
-            while node not in members:
-                members.add(stack.pop())
-            if len(members) > 1:
-                found.append(members)
-
-    for node in graph:
-        if node not in numbers:
-            visit(node)
-    return found
+GRAPH = imports(HOMES)
+NAMED = modules(HOMES)
 
 
 def test_no_imports_run_in_a_circle() -> None:
-    graph = imports(HOME)
-    assert len(graph) > 500
-    assert graph["core.system"] >= {"core.vectors", "core.laws"}
+    assert len(GRAPH) > 500
+    assert GRAPH["flowlanes.system.system"] >= {"flowlanes.system.vectors"}
+    assert circles(GRAPH) == []
+
+
+@pytest.mark.parametrize("depth", [1, 2, 3])
+def test_packages_and_folders_form_no_circle(depth: int) -> None:
+    graph = folded(GRAPH, NAMED, depth)
     assert circles(graph) == []
 
 
-@pytest.mark.parametrize("depth", [1, 2])
-def test_folders_form_no_circle(depth: int) -> None:
-    graph = folded(imports(HOME), HOME, depth)
-    assert "core" in graph["mechanics" if depth == 1 else "mechanics/rolling"]
-    assert circles(graph) == []
+def test_packages_import_those_before_them() -> None:
+    graph = folded(GRAPH, NAMED, 1)
+    assert graph["nonholonomic"] == {"flowlanes", "lawproof"}
+    for name, targets in graph.items():
+        assert targets <= set(ORDER[: ORDER.index(name)]), name
+    # an audit is found by its entry point
+    assert "borisov_mamaev_2008" not in graph["chaplygin"]
+
+
+def test_no_text_of_a_package_leads_to_a_later_one() -> None:
+    """In docstrings, examples and strings as well; only metadata name what is found there."""
+    wrong = []
+    for place, name in enumerate(ORDER[:-1]):
+        later = "|".join(set(ORDER[place + 1 :]))
+        pattern = re.compile(rf"\b(?:import (?:{later})\b|from (?:{later})\b|(?:{later})\.[a-z_]+\b)")
+        for path in files(name):
+            wrong += [
+                f"{path.relative_to(HOMES[name])}: {found[0]}"
+                for found in pattern.finditer(path.read_text(encoding="utf-8"))
+                if not _is_mathematician(found[0])
+            ]
+    assert wrong == []
+
+
+def _is_mathematician(text: str) -> bool:
+    """Whether Chaplygin is meant: a module of that name in the catalogue or the audit."""
+    return bool(re.match(r"chaplygin\.|(from|import) chaplygin$", text))
+
+
+@pytest.mark.parametrize("name", ORDER)
+def test_the_names_that_cross_a_border_are_listed(name: str) -> None:
+    """A list that changes is changed with it: python scripts/borders.py writes it."""
+    listed = (HOMES[name].parents[1] / "public.txt").read_text(encoding="utf-8").split()
+    assert listed == sorted(borders()[name])
 
 
 @pytest.mark.parametrize(
@@ -172,46 +83,35 @@ def test_every_kind_of_import_is_seen(tmp_path: Path, line: str) -> None:
     (home / "__init__.py").write_text("")
     (home / "a.py").write_text(line)
     (home / "b.py").write_text("from .a import g")
-    assert circles(imports(home)) == [{"a", "b"}]
+    assert circles(imports({"package": home})) == [{"package.a", "package.b"}]
 
 
-def test_folders_are_at_most_two_deep_and_say_what_is_in_them() -> None:
-    for path in HOME.rglob("__init__.py"):
-        assert len(path.relative_to(HOME).parts) <= 3, path
-        assert ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))), path
-    for folder in {path.parent for path in HOME.rglob("*.py")}:
-        assert (folder / "__init__.py").exists(), folder
-        assert len(list(folder.glob("*.py"))) <= FILES, folder
-
-
-def test_modules_are_short() -> None:
-    longer = {
-        path.relative_to(HOME).as_posix()
-        for path in HOME.rglob("*.py")
-        if len(path.read_text(encoding="utf-8").splitlines()) > LINES
-    }
-    assert longer == LONGER
+def test_folders_say_what_is_in_them() -> None:
+    for path in files():
+        if path.stem == "__init__":
+            assert ast.get_docstring(tree(path)), path
+        assert (path.parent / "__init__.py").exists(), path
 
 
 def test_a_public_name_has_one_home() -> None:
-    homes = defaultdict(list)
-    for module, path in modules(HOME).items():
-        # a section of the audit names its functions after the claims of the paper
-        if module and not module.startswith("borisov_mamaev.section_"):
-            for name in _defined(path):
-                homes[name].append(module)
-    folders = {path.parent.name for path in HOME.glob("*/__init__.py")}
-    public = set(chaplygin.__all__) - folders - {"__version__"}
-    assert {name: homes[name] for name in public if len(homes[name]) != 1} == {}
-    for name in public:
-        assert getattr(import_module(f"chaplygin.{homes[name][0]}"), name) is getattr(
-            chaplygin, name
-        )
+    for package in ("flowlanes", "lawproof", "nonholonomic", "chaplygin"):
+        door = import_module(package)
+        homes = defaultdict(list)
+        for module, path in NAMED.items():
+            # a section of the audit names its functions after the claims of the paper
+            if not module.startswith("borisov_mamaev_2008.section_"):
+                for name in _defined(path):
+                    homes[name].append(module)
+        folders = {path.parent.name for path in HOMES[package].glob("*/__init__.py")}
+        public = set(door.__all__) - folders - {"__version__"}
+        assert {name: homes[name] for name in public if len(homes[name]) != 1} == {}
+        for name in public:
+            assert getattr(import_module(homes[name][0]), name) is getattr(door, name)
 
 
 def test_a_name_is_imported_from_the_module_that_defines_it() -> None:
     """Packages alone pass names on; mypy refuses a name that a module itself has imported."""
-    for path in HOME.rglob("*.py"):
+    for path in files():
         text = path.read_text(encoding="utf-8")
         assert path.stem == "__init__" or "\n__all__" not in text, path
 
@@ -219,7 +119,7 @@ def test_a_name_is_imported_from_the_module_that_defines_it() -> None:
 def _defined(path: Path) -> set[str]:
     """Functions, classes and values that a file defines for others."""
     defined: set[str] = set()
-    for node in ast.parse(path.read_text(encoding="utf-8")).body:
+    for node in tree(path).body:
         if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
             defined.add(node.name)
         targets = node.targets if isinstance(node, ast.Assign) else []
@@ -248,54 +148,10 @@ def test_no_module_replaces_a_name_of_its_folder(tmp_path: Path) -> None:
     for name, text in {"__init__": "from .a import b, a", "a": "a = b = 1", "b": ""}.items():
         (tmp_path / f"{name}.py").write_text(text)
     assert hidden_by_modules(tmp_path) == [f"{tmp_path.name}.b"]
-    assert hidden_by_modules(HOME) == []
+    assert [name for home in HOMES.values() for name in hidden_by_modules(home)] == []
 
 
-def test_tests_do_not_hide_the_package() -> None:
-    assert not (Path(__file__).parent / "chaplygin").exists()
-
-
-#: Participles without an ending by which to know them.
-IRREGULAR = re.compile(
-    "begun|bent|brought|built|caught|chosen|dealt|done|drawn|fallen|felt|found|given|gone|grown|"
-    "heard|held|hidden|hit|kept|known|laid|lent|lost|made|meant|met|paid|risen|said|seen|sent|"
-    "shown|spent|spoken|struck|stuck|swept|taken|taught|thought|thrown|told|torn|understood|won|"
-    "worn|wound|written"
-)
-#: Those with an ending that are words of the field or of programming, or nouns and verbs besides.
-ALLOWED = re.compile(
-    "centred|closed|compensated|compiled|conserved|constrained|controlled|corrected|coupled|derived|"
-    "displayed|fixed|lifted|nested|prescribed|printed|reduced|signed|speed|spread|squared|"
-    "unspecified"
-)
-
-
-def bare_participles(path: Path) -> set[str]:
-    """Names of a file, its own among them, that are a participle and nothing else."""
-    names = {path.stem}
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.FunctionDef | ast.ClassDef):
-            names.add(node.name)
-        elif isinstance(node, ast.arg):
-            names.add(node.arg)
-        if isinstance(node, ast.ClassDef | ast.Module):
-            for inner in node.body:
-                targets = inner.targets if isinstance(inner, ast.Assign) else []
-                targets = [inner.target] if isinstance(inner, ast.AnnAssign) else targets
-                names |= {target.id for target in targets if isinstance(target, ast.Name)}
-        elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
-            names.add(node.attr)
-    words = {name.strip("_") for name in names}
-    words = {w.lower() for w in words if re.fullmatch("[A-Z]?[a-z]+|[A-Z]+", w)}
-    endings = {w for w in words if re.fullmatch("[a-z]{3,}ed", w) and not ALLOWED.fullmatch(w)}
-    return endings | {w for w in words if IRREGULAR.fullmatch(w)}
-
-
-def test_no_name_is_a_bare_participle(tmp_path: Path) -> None:
-    planted = tmp_path / "told.py"
-    planted.write_text("class A:\n    made = 1\n\ndef f(held, fixed):\n    A.kept = held\n")
-    assert bare_participles(planted) == {"told", "made", "held", "kept"}
-    # a section of the audit names its functions after the claims of the paper
-    # and `given` is a word of experiment files
-    files = [p for p in HOME.rglob("*.py") if not p.parent.name.startswith("section_")]
-    assert {p.as_posix(): w for p in files if (w := bare_participles(p) - {"given"})} == {}
+def test_tests_do_not_hide_a_package() -> None:
+    for name in ORDER:
+        assert not (ROOT / "tests" / name).exists()
+        assert not any((home.parents[1] / "tests" / name).exists() for home in HOMES.values())

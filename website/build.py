@@ -26,14 +26,14 @@ from notebooks import notebooks
 
 from borisov_mamaev_2008.audit import audit
 from chaplygin.experiment.models.schema import experiment_schema
-from flowlanes.files.source_digest import package_digest
+from program import program_digest
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent
 BUILD = ROOT / "build"
 SOURCE, FILES, SITE = BUILD / "site-source", BUILD / "site-files", BUILD / "site"
 #: What was computed, kept for as long as the program is the same.
-STORE = BUILD / "site-cache" / package_digest()[:16]
+STORE = BUILD / "site-cache" / program_digest()[:16]
 #: An exhibit is another also where another thing is asked of the program.
 EXHIBITED = hashlib.sha256((HOME / "exhibits.py").read_bytes()).hexdigest()[:8]
 #: Pages of the repository that are pages of the site, beside docs/.
@@ -43,7 +43,7 @@ PAGES = (
 )
 #: What they link to, and the examples that cells read, which are run in the folder of their page.
 LINKED = (
-    "src",
+    "packages",
     "tests",
     "examples",
     *(f"docs{at}/examples" for at in ("", "/start", "/course", "/compare")),

@@ -6,11 +6,12 @@ import sys
 from pathlib import Path
 
 from chaplygin._version import __version__
-from flowlanes.files.source_digest import package_digest
 
 HOME = Path(__file__).parent
 BUILD = HOME.parent / "build"
 sys.path.insert(0, str(HOME))
+
+from program import program_digest  # noqa: E402
 
 project = "chaplygin"
 author = "The chaplygin authors"
@@ -28,7 +29,7 @@ extensions = [
     "formulas",
     "names",
 ]
-exclude_patterns = ["src", "tests", "examples", "**/examples"]
+exclude_patterns = ["packages", "tests", "examples", "**/examples"]
 nitpicky = True
 suppress_warnings = ["myst.header", "bibtex.missing_field"]
 
@@ -44,7 +45,7 @@ copybutton_exclude = ".linenos, .gp, .go"
 
 # What a page computed is kept for as long as the program is the same.
 nb_execution_mode = "cache"
-nb_execution_cache_path = str(BUILD / "site-cache" / package_digest()[:16])
+nb_execution_cache_path = str(BUILD / "site-cache" / program_digest()[:16])
 nb_execution_timeout = 900
 nb_execution_show_tb = True
 nb_merge_streams = True

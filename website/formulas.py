@@ -7,7 +7,7 @@ from typing import Any
 
 from docutils import nodes
 
-from flowlanes.files.source_digest import package_digest
+from program import program_digest
 from flowlanes.printing.mathml import mathml
 
 
@@ -29,5 +29,5 @@ def setup(app: Any) -> dict[str, Any]:
     """Write formulas in place of Sphinx's own choice of a script from the network."""
     app.add_html_math_renderer("mathml", (_inline, None), (_display, None))
     app.config.html_math_renderer = "mathml"
-    app.add_config_value("program", package_digest(), "env", str)
+    app.add_config_value("program", program_digest(), "env", str)
     return {"version": "1", "parallel_read_safe": True}

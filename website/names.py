@@ -10,6 +10,16 @@ from typing import Any
 
 import chaplygin
 
+#: Packages whose names docstrings mention.
+PACKAGES = (
+    "borisov_mamaev_2008",
+    "certificate_checker",
+    "chaplygin",
+    "flowlanes",
+    "lawproof",
+    "nonholonomic",
+)
+
 
 def found(target: str) -> Any:
     """What a dotted name of the package means; None if there is nothing of that name."""
@@ -29,7 +39,7 @@ def _resolve(app: Any, env: Any, node: Any, content: Any) -> Any:
     if node.get("refdomain") != "py":
         return None
     target = node["reftarget"]
-    thing = found(target if target.startswith("chaplygin") else f"chaplygin.{target}")
+    thing = found(target if target.split(".")[0] in PACKAGES else f"chaplygin.{target}")
     if thing is None:
         return None
     name = target.rpartition(".")[2]

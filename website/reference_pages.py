@@ -9,21 +9,21 @@ from typing import Any
 
 import chaplygin
 
-#: The folders of the package by what their names are for, in the order of a study.
+#: The folders of the packages by what their names are for, in the order of a study.
 SUBJECTS = {
-    "mechanics": "Bodies, surfaces, mechanisms",
-    "catalogue": "The catalogue",
-    "core": "Systems and laws",
-    "proof": "Proofs",
-    "search": "Searches",
-    "measures": "Measures",
-    "explicit": "Closed forms",
-    "flow": "Motions",
-    "analysis": "Order and chaos",
-    "experiment": "Experiments and files",
-    "printing": "Formulas as code",
-    "borisov_mamaev": "The paper",
-    "errors": "Errors",
+    "nonholonomic.mechanics": "Bodies, surfaces, mechanisms",
+    "nonholonomic.catalogue": "The catalogue",
+    "flowlanes.system": "Systems and laws",
+    "lawproof.proof": "Proofs",
+    "nonholonomic.classification": "The hierarchy of dynamics",
+    "nonholonomic.invariant_measures": "Invariant measures",
+    "nonholonomic.closed_form": "Closed forms",
+    "flowlanes.flow": "Motions",
+    "flowlanes.lyapunov": "Lyapunov exponents",
+    "flowlanes.orbits": "Orbits",
+    "chaplygin.experiment": "Experiments and files",
+    "flowlanes.printing": "Formulas as code",
+    "flowlanes.errors": "Errors",
 }
 
 
@@ -49,7 +49,7 @@ def names_by_subject() -> dict[str, list[str]]:
     for name in sorted(set(chaplygin.__all__) - {"__version__", "CATALOGUE"}, key=str.lower):
         thing = getattr(chaplygin, name)
         if not inspect.ismodule(thing):
-            groups[inspect.unwrap(thing).__module__.split(".")[1]].append(name)
+            groups[".".join(inspect.unwrap(thing).__module__.split(".")[:2])].append(name)
     return groups
 
 

@@ -299,7 +299,7 @@ COMMANDS = {
 @pytest.mark.parametrize("moment", [0.3, 1.0, 3.0, 7.0, 15.0])
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_ends_with_a_sentence(name: str, moment: float, tmp_path: Path) -> None:
-    environment = {**os.environ, "CHAPLYGIN_CACHE": str(tmp_path / "cache")}
+    environment = {**os.environ, "FLOWLANES_CACHE": str(tmp_path / "cache")}
     program = subprocess.Popen(
         [
             sys.executable,

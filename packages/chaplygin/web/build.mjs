@@ -82,7 +82,7 @@ if (process.argv[2] === "test") {
     plugins: [texts],
   });
 } else {
-  const out = "../packages/chaplygin/src/chaplygin/page/static";
+  const out = "../src/chaplygin/page/static";
   mkdirSync(out, { recursive: true });
   noted(await build({
     ...common,

@@ -111,6 +111,11 @@ def _joint_verdict(case: Case) -> Verdict:
     )
 
 
+def _program() -> str:
+    """The digest of the claims themselves; that of what computes is part of every name."""
+    return package_digest("borisov_mamaev_2008")
+
+
 def _stored_verdict(claim: Claim, form: str) -> Verdict | None:
     """The verdict on a form of a claim from an earlier audit, if there is one."""
     stored = load_verdict(_name(claim, form))
@@ -142,7 +147,7 @@ def judge(number: int, section: int | None) -> tuple[Verdict, Verdict | None]:
 
 
 def _name(claim: Claim, form: str) -> str:
-    return entry_name(claim.source, claim.statement, form, package_digest())
+    return entry_name(claim.source, claim.statement, form, _program())
 
 
 @arguments_checked
@@ -288,7 +293,7 @@ def judged_findings(remark: Remark) -> tuple[tuple[Finding, Verdict], ...]:
         (
             finding,
             _verdict_from_cache(
-                entry_name(finding.key, finding.statement, package_digest()), finding.decide
+                entry_name(finding.key, finding.statement, _program()), finding.decide
             ),
         )
         for finding in remark.findings
@@ -323,7 +328,7 @@ def page(judgements: Sequence[Judgement], section: int | None = None) -> str:
     from markupsafe import Markup
 
     environment = jinja2.Environment(
-        loader=jinja2.PackageLoader("chaplygin.report"),
+        loader=jinja2.PackageLoader("borisov_mamaev_2008"),
         autoescape=True,
         trim_blocks=True,
         lstrip_blocks=True,

@@ -43,7 +43,7 @@ def test_a_second_audit_computes_nothing(judged, monkeypatch):
 
 
 def test_an_interrupted_audit_keeps_what_is_done(monkeypatch, tmp_path):
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path))
     original = module.wait
     rounds = []
 
@@ -78,7 +78,7 @@ def test_the_page_of_an_interrupted_audit_is_not_in_the_way_of_the_next(
 
 
 def test_one_worker_is_no_other_process_and_can_be_interrupted(monkeypatch, tmp_path):
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path))
     monkeypatch.setattr(module, "ProcessPoolExecutor", None)
     verdict = Verdict("a", "proven")
     shares = []
@@ -146,7 +146,7 @@ def test_what_is_proven_in_part_or_open_is_counted_as_such():
 
 def test_conditions_of_a_claim_are_in_its_judgement(monkeypatch, tmp_path):
     """Computed, read from the cache and counted: proven where they hold."""
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path))
     proven = Verdict("law", "proven", finding="a proof")
     claim = Claim("(1)", "$x$", lambda: proven, argument="in $n$ dimensions", where=("$n > 2$",))
     monkeypatch.setattr(module, "claims", lambda section=None: ((SECTION, claim),))

@@ -59,7 +59,7 @@ IMAGINARY = {"straight-line-ball-momenta measure": {"density sign"}}
 @pytest.fixture
 def forgotten(tmp_path, monkeypatch):
     """Verdicts on wrong laws are not kept."""
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path))
 
 
 @pytest.mark.slow

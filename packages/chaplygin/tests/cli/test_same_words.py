@@ -38,10 +38,10 @@ def say(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
 def test_show_says_the_same_cold_warm_and_after_proofs(
     say: Say, name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / "empty"))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / "empty"))
     cold = say("show", name)
     assert say("show", name) == cold
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / "after proofs"))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / "after proofs"))
     prove(entry(name).system())
     assert say("show", name) == cold
     assert say("show", name, "--json") == say("show", name, "--json")
@@ -51,7 +51,7 @@ def test_show_says_the_same_cold_warm_and_after_proofs(
 def test_show_says_what_it_has_no_effort_for(
     say: Say, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / "cache"))
     assert prove(entry("rubber-disk").system(), "measure")
     sentence = " ".join(say("show", "rubber-disk").split())
     assert "measure: undecided: not decided with an effort of " in sentence
@@ -72,9 +72,9 @@ def test_a_report_says_the_same_cold_warm_and_after_proofs(
         assert laws
         return "\n".join((*laws, place))
 
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / "empty"))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / "empty"))
     cold = verdicts("cold")
     assert verdicts("warm") == cold
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / "after proofs"))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / "after proofs"))
     prove(entry("veselova").system())
     assert verdicts("after") == cold

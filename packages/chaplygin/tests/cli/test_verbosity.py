@@ -14,7 +14,7 @@ def said(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [sys.executable, "-m", "chaplygin", *arguments],
         cwd=folder,
-        env={**os.environ, "CHAPLYGIN_CACHE": str(folder / "cache")},
+        env={**os.environ, "FLOWLANES_CACHE": str(folder / "cache")},
         check=False,
         capture_output=True,
         text=True,

@@ -34,7 +34,7 @@ def main() -> int:
     parser.add_argument("--log", type=Path, help="a line for every case goes to this file")
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        os.environ["CHAPLYGIN_CACHE"] = folder
+        os.environ["FLOWLANES_CACHE"] = folder
         if given.show is not None:
             return _show(given.seed, given.show)
         numbers = (

@@ -17,7 +17,7 @@ SECONDS = 10.0
 @pytest.fixture(autouse=True)
 def forgotten(tmp_path, monkeypatch):
     """Verdicts on planted laws are not kept."""
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path))
 
 
 def grave(seed, numbers):

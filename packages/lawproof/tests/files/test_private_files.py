@@ -32,7 +32,7 @@ PROVEN = Verdict("energy", "proven", finding="zero", effort=3)
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A cache of the test's own."""
     chosen = tmp_path / "cache"
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(chosen))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(chosen))
     monkeypatch.setattr(cache, "_file_version", lambda path: object())
     private_files._warn_once.cache_clear()
     return chosen

@@ -312,7 +312,7 @@ def test_the_record_is_plain() -> None:
 def test_a_fast_answer_says_what_it_leaves_out(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path))
     system = entry("chaplygin-ball").system()
     budget = ProofBudget(EFFORT, 1)
     budget.effort_used = 1

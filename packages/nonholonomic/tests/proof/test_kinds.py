@@ -58,7 +58,7 @@ SQUARE = x**2 + y**2
 @pytest.fixture(autouse=True, scope="module")
 def own_cache(tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("CHAPLYGIN_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("FLOWLANES_CACHE", str(tmp_path_factory.mktemp("cache")))
         yield
 
 

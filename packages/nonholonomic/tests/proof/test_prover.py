@@ -48,7 +48,7 @@ def own_cache(tmp_path_factory):
     """Verdicts of these tests are kept for the tests of this module alone."""
     folder = tmp_path_factory.mktemp("cache")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("CHAPLYGIN_CACHE", str(folder))
+        patch.setenv("FLOWLANES_CACHE", str(folder))
         yield folder
 
 

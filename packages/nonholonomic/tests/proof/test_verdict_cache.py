@@ -32,7 +32,7 @@ OSCILLATOR = System(
 @pytest.fixture(autouse=True)
 def empty(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A place of the test's own, with nothing kept."""
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path))
 
 
 def with_parameter(**changes: Any) -> System:
@@ -103,12 +103,12 @@ def test_what_is_kept_changes_no_verdict(tmp_path: Path, monkeypatch: pytest.Mon
     allowed = efforts()
     alone = []
     for number, effort in enumerate(allowed):
-        monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / f"cold {number}"))
+        monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / f"cold {number}"))
         alone.append(outcome(prove(DISK, "spin", effort=effort)))
     assert alone[0].decision == "undecided"
     assert [bool(verdict) for verdict in alone] == [False] * 3 + [True] * 3
     for order in (range(6), reversed(range(6))):
-        monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / f"warm {order}"))
+        monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / f"warm {order}"))
         for number in order:
             assert outcome(prove(DISK, "spin", effort=allowed[number])) == alone[number]
 
@@ -119,7 +119,7 @@ def test_effort_is_the_same_whatever_was_proven_before(
 ) -> None:
     costs = []
     for order in (DISK.laws[:2], DISK.laws[1::-1]):
-        monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / order[0].name))
+        monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / order[0].name))
         costs.append({law.name: prove(DISK, law).effort for law in order})
     assert costs[0] == costs[1]
     assert all(costs[0].values())

@@ -31,7 +31,7 @@ from . import (
 from .messages.usage import sentence
 from .terminal.command import Command
 from .terminal.options import complain
-from .terminal.progress import LOG
+from .terminal.progress import LOGGERS
 
 __all__ = ["app", "main"]
 
@@ -80,8 +80,10 @@ def _options(
         complain("--quiet --verbose: only one of them can hold")
         raise typer.Exit(2)
     level = logging.WARNING if quiet else logging.DEBUG if verbose else logging.INFO
-    LOG.handlers[:] = [logging.StreamHandler(sys.stderr)]
-    LOG.setLevel(level)
+    handler = logging.StreamHandler(sys.stderr)
+    for logger in LOGGERS:
+        logger.handlers[:] = [handler]
+        logger.setLevel(level)
     if version:
         from .._version import __version__
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -19,8 +18,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from borisov_mamaev_2008 import Remark
-    from borisov_mamaev_2008.audit import Judgement
+    from ..audits import Audit, Judgement, Remark
 
 #: Of the paper.
 SECTIONS = range(1, 13)
@@ -62,30 +60,31 @@ def command(
             f"--section {section}: the audit covers sections {SECTIONS[0]} to {SECTIONS[-1]}"
         )
     with waiting("reading the claims of the paper"):
-        from borisov_mamaev_2008.audit import audit, page, remarks_by_section
+        from ..audits import installed_audit
 
-        remarks = remarks_by_section(section)
+        audit = installed_audit()
+        remarks = audit.remarks_by_section(section)
     if remarks_alone:
         if json:
-            print_json({"remarks": _remark_records(remarks)})
+            print_json({"remarks": _remark_records(audit, remarks)})
         else:
-            _print_remarks(remarks)
+            _print_remarks(audit, remarks)
         return
 
     with results_on_interrupt("the verdicts reached so far are about to be printed"):
         with progress("judging the claims of the paper") as report:
-            judgements, left = audit(section, workers, report)
+            judgements, left = audit.audit(section, workers, report)
         with beside(output):
             if json:
                 records = [judgement.record() for judgement in judgements]
-                print_json({"claims": records, "remarks": _remark_records(remarks)})
+                print_json({"claims": records, "remarks": _remark_records(audit, remarks)})
             else:
-                _print(judgements)
+                _print(audit, judgements)
                 _print_number_of_remarks(remarks, section)
         # a page of some claims alone would stand in the way of the command that goes on
         if output is not None and not left:
             with output_file(output) as place:
-                place.write_text(page(judgements, section), encoding="utf-8")
+                place.write_text(audit.page(judgements, section), encoding="utf-8")
             inform(f"page: {name_of(output)}")
     if left:
         page_too = "" if output is None else " and no page was written"
@@ -98,17 +97,15 @@ def command(
         raise typer.Exit(1)
 
 
-def _print(judgements: Sequence[Judgement]) -> None:
+def _print(audit: Audit, judgements: Sequence[Judgement]) -> None:
     from itertools import groupby
-
-    from borisov_mamaev_2008.audit import TITLES, counts
 
     shown = console()
     for section, section_judgements in groupby(judgements, key=lambda j: j.section):
-        shown.print(f"\n[bold]§{section} {TITLES[section]}[/]\n")
+        shown.print(f"\n[bold]§{section} {audit.TITLES[section]}[/]\n")
         for judgement in section_judgements:
             shown.print(_claim_block(judgement, shown.is_terminal))
-    numbers = counts(judgements)
+    numbers = audit.counts(judgements)
     shown.print(f"\n{len(judgements)} claims")
     for form, label in (("printed", "as printed"), ("corrected", "corrected")):
         listed = ", ".join(f"{n} {decision}" for decision, n in numbers[form].items())
@@ -126,40 +123,39 @@ def _print_number_of_remarks(remarks: Mapping[int, Sequence[Remark]], section: i
         )
 
 
-def _print_remarks(remarks: Mapping[int, Sequence[Remark]]) -> None:
+def _print_remarks(audit: Audit, remarks: Mapping[int, Sequence[Remark]]) -> None:
     from rich.markup import escape
     from rich.padding import Padding
 
-    from borisov_mamaev_2008.audit import TITLES, judged_findings
     from flowlanes.printing.plain_text import plain_words
 
     from .prove import coloured_decision
 
     shown = console()
     for section, found in remarks.items():
-        shown.print(f"\n[bold]§{section} {TITLES[section]}[/]")
+        shown.print(f"\n[bold]§{section} {audit.TITLES[section]}[/]")
         for remark in found:
             words = [plain_words(text) for text in (remark.statement, remark.reason)]
             shown.print(f"\n[bold]{escape(plain_words(remark.source))}[/]")
             shown.print(Padding(escape(words[0]), (0, 0, 0, 2), expand=False))
             shown.print(Padding(f"[dim]{escape(words[1])}[/]", (0, 0, 0, 2), expand=False))
-            for finding, verdict in judged_findings(remark):
+            for finding, verdict in audit.judged_findings(remark):
                 text = f"{coloured_decision(verdict.decision)} here: {escape(finding.statement)}"
                 place = f" (docs/open-problems.md, {finding.key})"
                 shown.print(Padding(text + place, (0, 0, 0, 2), expand=False))
 
 
-def _remark_records(remarks: Mapping[int, Sequence[Remark]]) -> list[dict[str, Any]]:
+def _remark_records(audit: Audit, remarks: Mapping[int, Sequence[Remark]]) -> list[dict[str, Any]]:
     """Remarks for another program, with what is decided here of open questions."""
-    from borisov_mamaev_2008.audit import judged_findings
-
     return [
         {
             "section": section,
-            **asdict(remark),
+            "source": remark.source,
+            "statement": remark.statement,
+            "reason": remark.reason,
             "findings": [
                 {"row": finding.key, "statement": finding.statement, "verdict": verdict.statement}
-                for finding, verdict in judged_findings(remark)
+                for finding, verdict in audit.judged_findings(remark)
             ],
         }
         for section, found in remarks.items()

@@ -40,7 +40,7 @@ OSCILLATOR = System(
 def folder(tmp_path, monkeypatch):
     """An empty cache of the test's own."""
     chosen = tmp_path / "code"
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(chosen))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(chosen))
     return chosen
 
 
@@ -68,9 +68,9 @@ def test_the_variable_chooses_the_folder(place):
 @pytest.mark.parametrize("value", [None, ""])
 def test_without_the_variable_it_is_the_users_own(monkeypatch, value):
     if value is None:
-        monkeypatch.delenv("CHAPLYGIN_CACHE", raising=False)
+        monkeypatch.delenv("FLOWLANES_CACHE", raising=False)
     else:
-        monkeypatch.setenv("CHAPLYGIN_CACHE", value)
+        monkeypatch.setenv("FLOWLANES_CACHE", value)
     assert core_cache.folder() == Path(platformdirs.user_cache_dir("chaplygin"))
 
 
@@ -193,7 +193,7 @@ def test_a_folder_of_somebody_else_is_not_used(place, monkeypatch):
 def test_a_folder_that_cannot_be_made_is_no_error(tmp_path, monkeypatch):
     obstacle = tmp_path / "file"
     obstacle.write_text("")
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(obstacle / "code"))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(obstacle / "code"))
     assert remember() == ((1, 2), False)
     # what is at hand serves without a file
     assert remember() == ((1, 2), True)

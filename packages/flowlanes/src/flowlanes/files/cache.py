@@ -20,7 +20,6 @@ from .source_digest import computation_digest
 
 #: Libraries that take part in a proof or in the generation of machine code.
 LIBRARIES = (
-    "chaplygin",
     "llvmlite",
     "mpmath",
     "numpy",
@@ -31,9 +30,9 @@ LIBRARIES = (
 
 
 def folder() -> Path:
-    """The folder of the cache; the variable CHAPLYGIN_CACHE replaces the user's own one."""
-    chosen = os.environ.get("CHAPLYGIN_CACHE")
-    return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("chaplygin"))
+    """The folder of the cache; the variable FLOWLANES_CACHE replaces the user's own one."""
+    chosen = os.environ.get("FLOWLANES_CACHE")
+    return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("flowlanes"))
 
 
 @cache

@@ -1,9 +1,12 @@
 """Digests of the program text, on which every stored result depends.
 
-Verdicts, machine code and blocks of a long computation are stored with a digest of the whole
+Machine code, verdicts and blocks of a long computation are stored with a digest of the whole
 program text, so that a corrected mistake, wherever it was, invalidates all results that it may
 have affected.  Reading and digesting all of it takes some ten milliseconds, less than to follow
 the imports of each result.
+
+A package whose results are stored beside those of this one names itself in its metadata, as an
+entry point of the group ``flowlanes.programs`` (the name of the package, twice).
 """
 
 from __future__ import annotations
@@ -11,48 +14,62 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping
 from functools import cache
+from importlib.metadata import entry_points
+from importlib.util import find_spec
 from pathlib import Path
 
-PRESENTATION = ("__main__.py", "borisov_mamaev", "cli", "experiment", "geometry", "lab", "report")
-"""Commands, claims of the paper, reports, pages: no module that computes imports any of them."""
+GROUP = "flowlanes.programs"
+"""Entry points of the packages whose modules compute."""
 
 
 def module_digests(home: Path) -> dict[str, str]:
-    """Digests of all modules of a package, by path below it."""
+    """Digests of all modules of a package, by path below the folder that holds it."""
     return {
-        path.relative_to(home).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
+        path.relative_to(home.parent).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
         for path in sorted(home.rglob("*.py"))
         # editors leave links to nowhere beside a file that is being changed
         if path.is_file()
     }
 
 
-def text_digest(modules: Mapping[str, str], omitted_folders: tuple[str, ...] = ()) -> str:
-    """A digest of the modules of a package, by name and content.
+def text_digest(modules: Mapping[str, str]) -> str:
+    """A digest of modules, by name and content.
 
     Parameters
     ----------
     modules : mapping of str to str
         Their digests by path; see :func:`module_digests`.
-    omitted_folders : tuple of str
-        Folders that are left out.
     """
-    lines = (f"{n} {d}\n" for n, d in modules.items() if n.split("/")[0] not in omitted_folders)
-    return hashlib.sha256("".join(lines).encode()).hexdigest()
+    return hashlib.sha256("".join(f"{n} {d}\n" for n, d in modules.items()).encode()).hexdigest()
+
+
+def package_home(name: str) -> Path | None:
+    """The folder of a package, which is not imported; None where it is not installed."""
+    spec = find_spec(name)
+    return None if spec is None or spec.origin is None else Path(spec.origin).parent
+
+
+def programs() -> tuple[Path, ...]:
+    """The folders of the packages whose modules compute, in the order of their names."""
+    own = Path(__file__).parents[1]
+    names = {entry.value for entry in entry_points(group=GROUP)} - {own.name}
+    homes = {own, *(home for name in names if (home := package_home(name)) is not None)}
+    return tuple(sorted(homes, key=lambda home: home.name))
 
 
 # computed on import, together with the modules themselves: by the first use the files might hold
 # another text than the one that runs
-_MODULES = module_digests(Path(__file__).parents[1])
+_MODULES = {name: digest for home in programs() for name, digest in module_digests(home).items()}
 
 
 @cache
 def computation_digest() -> str:
     """A digest of all modules that compute."""
-    return text_digest(_MODULES, PRESENTATION)
+    return text_digest(_MODULES)
 
 
 @cache
-def package_digest() -> str:
-    """A digest of all modules of the package."""
-    return text_digest(_MODULES)
+def package_digest(name: str) -> str:
+    """A digest of all modules of an installed package."""
+    home = package_home(name)
+    return text_digest({} if home is None else module_digests(home))

@@ -259,6 +259,6 @@ def dataset(spectrum: Spectrum) -> xr.Dataset:
             "start": "; ".join(f"{symbol} = {float(x)!r}" for symbol, x in start),
             "counted_from": spectrum.began,
             "tolerance": spectrum.tolerance,
-            "versions": f"chaplygin {__version__}",
+            "versions": f"flowlanes {__version__}",
         },
     )

@@ -121,7 +121,7 @@ def test_foreign_symbols_are_noticed(tmp_path: Path) -> None:
 
 
 def test_code_is_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path))
     written = []
 
     def text() -> str:

@@ -46,7 +46,7 @@ def run(code: native.Native) -> list[float]:
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty cache of the test's own, without what this process has at hand."""
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / "code"))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / "code"))
     monkeypatch.setattr(cache, "_file_version", lambda path: object())
     return tmp_path / "code"
 
@@ -117,7 +117,7 @@ def test_without_a_cache_code_is_compiled(
         monkeypatch.setattr(private_files, "partial_file", _refuse)
     else:
         blocked.write_text("")
-    monkeypatch.setenv("CHAPLYGIN_CACHE", str(blocked / "code"))
+    monkeypatch.setenv("FLOWLANES_CACHE", str(blocked / "code"))
     monkeypatch.setattr(cache, "_file_version", lambda path: object())
     for _ in range(2):
         code = doubling(8)
@@ -141,7 +141,7 @@ def test_another_process_finds_the_code(tmp_path: Path) -> None:
         "found = flow.propagate([[1.0, 0.0]], [3.0])\n"
         "print(flow.loop.code.from_cache, *(x.hex() for x in found.states[0, 0]))\n"
     )
-    environment = os.environ | {"CHAPLYGIN_CACHE": str(tmp_path / "code")}
+    environment = os.environ | {"FLOWLANES_CACHE": str(tmp_path / "code")}
     lines = [
         subprocess.run(
             [sys.executable, "-c", script],

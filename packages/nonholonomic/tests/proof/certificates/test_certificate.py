@@ -35,7 +35,7 @@ OPEN = {"separation"}
 def own_cache(tmp_path_factory):
     """Verdicts of these tests are kept for the tests of this module alone."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("CHAPLYGIN_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("FLOWLANES_CACHE", str(tmp_path_factory.mktemp("cache")))
         yield
 
 

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 LOG = logging.getLogger("chaplygin")
 LOG.setLevel(logging.INFO)
 
+#: Loggers of the packages of which the laboratory is made.
+LOGGERS = (LOG, *map(logging.getLogger, ("flowlanes", "lawproof", "nonholonomic")))
+
 #: Seconds after which a task begins to say what it is doing, and between two lines of a log.  To
 #: start takes a quarter of a second, and a short task may come first: it is within a second in all.
 PATIENCE, BETWEEN = 0.4, 10.0

@@ -172,7 +172,7 @@ def open_processor() -> GraphicsProcessor:
         import cuda.core as core
     except ImportError:
         raise InputError(
-            "device = 'gpu' needs the library cuda-core: pip install 'chaplygin[gpu]'"
+            "device = 'gpu' needs the library cuda-core: pip install 'flowlanes[gpu]'"
         ) from None
     try:
         return _first_device(core)

@@ -276,7 +276,7 @@ def _attributes(work: EnsembleWork) -> dict[str, object]:
         "tolerance": work.tolerance,
         "integrator": "explicit Runge–Kutta of order 8, a lane for each motion",
         "versions": ", ".join(
-            f"{name} {version(name)}" for name in ("chaplygin", "llvmlite", "numpy", "sympy")
+            f"{name} {version(name)}" for name in ("flowlanes", "llvmlite", "numpy", "sympy")
         ),
     }
 

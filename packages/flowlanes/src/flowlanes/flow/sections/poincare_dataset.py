@@ -243,5 +243,5 @@ def _facts(returns: PoincareMap) -> dict[str, object]:
         "section_direction": returns.section.direction,
         "backward": int(returns.backward),
         "tolerance": returns.tolerance,
-        "versions": ", ".join(f"{name} {version(name)}" for name in ("chaplygin", "numpy")),
+        "versions": ", ".join(f"{name} {version(name)}" for name in ("flowlanes", "numpy")),
     }

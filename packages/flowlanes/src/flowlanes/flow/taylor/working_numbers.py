@@ -35,7 +35,7 @@ def number_type(precision: Precision) -> type[WorkingNumber]:
     except ImportError:
         raise PrecisionError(
             "precision 'quad' with method 'taylor' needs heyoka, which is not installed: install "
-            "chaplygin[taylor], or use method 'gauss', which has 30 digits"
+            "flowlanes[taylor], or use method 'gauss', which has 30 digits"
         ) from None
     wide: type[WorkingNumber] | None = getattr(hy, "real128", None)
     if wide is None:

@@ -1,0 +1,138 @@
+"""The audit of a paper that ``chaplygin audit`` prints: found by its entry point.
+
+A distribution offers one as an entry point of the group ``chaplygin.audits``, whose object (a module
+may be one) has what `Audit` asks for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from importlib.metadata import entry_points
+from typing import Any, Protocol, cast
+
+from flowlanes.errors import InputError
+from lawproof.proof.verdict import Decision, Verdict
+
+GROUP = "chaplygin.audits"
+
+
+class Claim(Protocol):
+    """A statement of the paper, with its correction where it is wrong."""
+
+    @property
+    def source(self) -> str: ...
+
+    @property
+    def statement(self) -> str: ...
+
+    @property
+    def correction(self) -> str: ...
+
+    @property
+    def note(self) -> str: ...
+
+    @property
+    def erratum(self) -> str: ...
+
+    @property
+    def argument(self) -> str: ...
+
+
+class Judgement(Protocol):
+    """A claim with the verdicts on it as printed and as corrected."""
+
+    @property
+    def section(self) -> int: ...
+
+    @property
+    def claim(self) -> Claim: ...
+
+    @property
+    def printed(self) -> Verdict: ...
+
+    @property
+    def corrected(self) -> Verdict | None: ...
+
+    @property
+    def seconds(self) -> float: ...
+
+    @property
+    def conditions(self) -> tuple[str, ...]: ...
+
+    @property
+    def reason(self) -> str: ...
+
+    def record(self) -> dict[str, Any]:
+        """The judgement for another program."""
+        ...
+
+
+class Finding(Protocol):
+    """What is decided here of a question that the paper leaves open."""
+
+    @property
+    def key(self) -> str: ...
+
+    @property
+    def statement(self) -> str: ...
+
+
+class Remark(Protocol):
+    """A statement of the paper that is not computed."""
+
+    @property
+    def source(self) -> str: ...
+
+    @property
+    def statement(self) -> str: ...
+
+    @property
+    def reason(self) -> str: ...
+
+
+class Audit(Protocol):
+    """The audit of a paper: its claims judged, counted and put on a page."""
+
+    #: Headings of the sections of the paper, by number.
+    TITLES: Mapping[int, str]
+
+    def audit(
+        self,
+        section: int | None = None,
+        workers: int | None = None,
+        report: Callable[[float], None] = ...,
+    ) -> tuple[Sequence[Judgement], int]:
+        """Judgements in reading order, and the number of claims that were not reached."""
+        ...
+
+    def page(self, judgements: Sequence[Judgement], section: int | None = None) -> str:
+        """The judgements as an HTML page."""
+        ...
+
+    def counts(self, judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
+        """Numbers of decisions, as printed and as corrected."""
+        ...
+
+    def remarks_by_section(self, section: int | None = None) -> Mapping[int, Sequence[Remark]]:
+        """Statements that are not computed, by section."""
+        ...
+
+    def judged_findings(self, remark: Remark) -> Sequence[tuple[Finding, Verdict]]:
+        """Findings of a remark, each with its verdict."""
+        ...
+
+
+def installed_audit() -> Audit:
+    """The audit that is installed; the first by name if there are several.
+
+    Raises
+    ------
+    InputError
+        If none is installed.
+    """
+    for entry in sorted(entry_points(group=GROUP), key=lambda entry: entry.name):
+        return cast(Audit, entry.load())
+    raise InputError(
+        "no audit of a paper is installed: pip install borisov-mamaev-2008, or another "
+        f"distribution with an entry point in {GROUP}"
+    )

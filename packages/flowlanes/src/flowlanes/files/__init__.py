@@ -1,0 +1,1 @@
+"""Files that the program keeps: the cache, partial files, files of one user."""
