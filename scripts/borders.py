@@ -12,7 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
-from workspace import HOMES, borders  # noqa: E402
+from workspace import HOMES, borders
 
 if __name__ == "__main__":
     for package, names in borders().items():

@@ -9,14 +9,13 @@ from pathlib import Path
 
 import pytest
 
-import chaplygin
+from workspace import HOMES, ORDER, modules
 
 TOP = Path(__file__).parents[1]
-HOME = Path(chaplygin.__file__).parent
 PAGES = [*TOP.glob("*.md"), *(TOP / "docs").rglob("*.md")]
 
 #: ``flowlanes.flow.trajectory``, but not ``chaplygin.toml`` or an address on the web.
-DOTTED = re.compile(r"(?<![\w./-])chaplygin(?:\.[A-Za-z_]\w*)+(?![\w/]|\.\w)")
+DOTTED = re.compile(rf"(?<![\w./-])(?:{'|'.join(ORDER)})(?:\.[A-Za-z_]\w*)+(?![\w/]|\.\w)")
 SUFFIXES = {
     "cff",
     "csv",
@@ -34,7 +33,7 @@ SUFFIXES = {
 }
 #: ``flow/trajectory.py``; of a file that a reader is to write, the text says so.
 FILE = re.compile(r"`((?:[a-z_]+/)+\w+\.py)`")
-TO_WRITE = {"packages/nonholonomic/src/nonholonomic/catalogue/mechanisms/skate/py"}
+TO_WRITE = {"nonholonomic/catalogue/mechanisms/skate.py"}
 ROLE = re.compile(r":(?:mod|func|class|meth|data|attr):`~?([.\w]+)`")
 
 
@@ -63,10 +62,8 @@ def lost_names(text: str) -> Iterator[str]:
             yield name
 
 
-def lost_roles(path: Path) -> Iterator[str]:
+def lost_roles(module: str, path: Path) -> Iterator[str]:
     """Names that the docstrings of a module refer to and nothing has."""
-    parts = ("chaplygin", *path.relative_to(HOME).with_suffix("").parts)
-    module = ".".join(parts[:-1] if path.stem == "__init__" else parts)
     package = module if path.stem == "__init__" else module.rpartition(".")[0]
     for name in sorted(set(ROLE.findall(path.read_text(encoding="utf-8")))):
         if any(
@@ -85,13 +82,15 @@ def test_names_and_files_in_pages(page: Path) -> None:
     text = page.read_text(encoding="utf-8")
     assert list(lost_names(text)) == []
     files = set(FILE.findall(text)) - TO_WRITE
-    roots = (TOP, HOME, HOME.parent, page.parent)
+    roots = (TOP, *(home.parent for home in HOMES.values()), page.parent)
     assert [file for file in files if not any((root / file).exists() for root in roots)] == []
 
 
 @pytest.mark.slow
 def test_names_in_docstrings() -> None:
-    assert [name for path in sorted(HOME.rglob("*.py")) for name in lost_roles(path)] == []
+    assert [
+        name for module, path in modules(HOMES).items() for name in lost_roles(module, path)
+    ] == []
 
 
 def test_a_lost_name_is_reported() -> None:

@@ -5,13 +5,11 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from pathlib import Path
 
 import flint
 import mpmath
 import pytest
 
-import chaplygin
 from borisov_mamaev_2008.obstructions.limit_cycle import displacement
 from chaplygin import measure_exists, nonholonomy, prove, solve
 from flowlanes.system.vectors import real_symbol
@@ -23,8 +21,8 @@ from nonholonomic.mechanics.reduction.chaplygin import chaplygin_form
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Rolling
 from nonholonomic.mechanics.shapes.shapes import Ball
+from workspace import files, tree
 
-SOURCE = Path(chaplygin.__file__).parent
 x, y, phi = (real_symbol(name) for name in ("x", "y", "phi"))
 
 
@@ -98,9 +96,5 @@ def _assigned(tree: ast.AST) -> Iterator[tuple[str, int]]:
 
 @pytest.mark.slow
 def test_no_module_sets_the_precision_of_others() -> None:
-    found = {
-        f"{path.relative_to(SOURCE)}:{line}: {base}"
-        for path in SOURCE.rglob("*.py")
-        for base, line in _assigned(ast.parse(path.read_text()))
-    }
+    found = {f"{path}:{line}: {base}" for path in files() for base, line in _assigned(tree(path))}
     assert not found

@@ -19,9 +19,7 @@ ORDER = (
     "borisov_mamaev_2008",
     "chaplygin",
 )
-HOMES = {
-    name: ROOT / "packages" / name.replace("_", "-") / "src" / name for name in ORDER
-}
+HOMES = {name: ROOT / "packages" / name.replace("_", "-") / "src" / name for name in ORDER}
 
 Graph = Mapping[str, set[str]]
 
@@ -45,9 +43,7 @@ def module_name(path: Path, home: Path) -> str:
 
 def modules(homes: Mapping[str, Path]) -> dict[str, Path]:
     """Files of packages by the dotted names of the modules."""
-    return {
-        module_name(path, home): path for home in homes.values() for path in home.rglob("*.py")
-    }
+    return {module_name(path, home): path for home in homes.values() for path in home.rglob("*.py")}
 
 
 def imports(homes: Mapping[str, Path]) -> dict[str, set[str]]:
@@ -110,7 +106,8 @@ def folded(graph: Graph, named: Mapping[str, Path], depth: int) -> dict[str, set
 
     def folder(module: str) -> str:
         parts = module.split(".")
-        inner = parts if named[module].stem == "__init__" else parts[:-1] or parts
+        # a module directly in a package stands for itself
+        inner = parts if named[module].stem == "__init__" or len(parts) == 2 else parts[:-1]
         return ".".join(inner[:depth])
 
     between: dict[str, set[str]] = defaultdict(set)

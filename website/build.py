@@ -23,10 +23,10 @@ from exhibits import exhibits
 from fences import live_pages
 from links import faults
 from notebooks import notebooks
+from program import program_digest
 
 from borisov_mamaev_2008.audit import audit
 from chaplygin.experiment.models.schema import experiment_schema
-from program import program_digest
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent

@@ -6,8 +6,8 @@ import re
 from typing import Any
 
 from docutils import nodes
-
 from program import program_digest
+
 from flowlanes.printing.mathml import mathml
 
 

@@ -1,7 +1,7 @@
 """The audit of a paper that ``chaplygin audit`` prints: found by its entry point.
 
-A distribution offers one as an entry point of the group ``chaplygin.audits``, whose object (a module
-may be one) has what `Audit` asks for.
+A distribution offers one as an entry point of the group ``chaplygin.audits``, whose object (a
+module may be one) has what `Audit` asks for.
 """
 
 from __future__ import annotations

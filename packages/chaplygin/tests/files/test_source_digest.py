@@ -2,115 +2,82 @@
 
 from __future__ import annotations
 
-import ast
 import shutil
 from pathlib import Path
 
 import pytest
 
-import chaplygin
 from flowlanes.files.source_digest import (
-    PRESENTATION,
     computation_digest,
     module_digests,
     package_digest,
+    programs,
     text_digest,
 )
 
-HOME = Path(chaplygin.__file__).parent
+
+def digests(folder: Path) -> dict[str, str]:
+    """Digests of the modules of all packages that lie in a folder."""
+    homes = sorted(path for path in folder.iterdir() if path.is_dir())
+    return {name: value for home in homes for name, value in module_digests(home).items()}
 
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    """The package in a folder of its own."""
+    """The packages that compute, side by side in a folder of their own."""
     ignored = shutil.ignore_patterns("__pycache__")
-    return shutil.copytree(HOME, tmp_path / "package", ignore=ignored)
+    for home in programs():
+        shutil.copytree(home, tmp_path / home.name, ignore=ignored)
+    return tmp_path
+
+
+def test_every_package_that_computes_counts() -> None:
+    names = [home.name for home in programs()]
+    assert names == ["certificate_checker", "flowlanes", "lawproof", "nonholonomic"]
 
 
 @pytest.mark.parametrize(
     "name",
     [
-        "core/vectors.py",
-        "core/laws.py",
-        "core/system.py",
-        "printing/ordering.py",
-        "printing/formula.py",
-        "core/parameters.py",
-        "proof/level/level_set.py",
-        "measures/one_form.py",
-        "search/modular_jets.py",
-        "mechanics/rolling/equations.py",
-        "catalogue/rates.py",
-        "explicit/one_degree/uniformisation.py",
-        "flow/kernel/runge_kutta.py",
-        "flow/machine_code/arithmetic.py",
-        "analysis/classification/classes.py",
+        "flowlanes/system/vectors.py",
+        "flowlanes/system/laws.py",
+        "flowlanes/system/system.py",
+        "flowlanes/printing/ordering.py",
+        "flowlanes/printing/formula.py",
+        "flowlanes/system/parameters.py",
+        "lawproof/proof/level/level_set.py",
+        "nonholonomic/invariant_measures/one_form.py",
+        "lawproof/search/modular_jets.py",
+        "nonholonomic/mechanics/rolling/equations.py",
+        "nonholonomic/closed_form/one_degree/uniformisation.py",
+        "flowlanes/flow/kernel/runge_kutta.py",
+        "flowlanes/flow/machine_code/arithmetic.py",
+        "nonholonomic/classification/classes.py",
+        "certificate_checker/certificate.py",
     ],
 )
 def test_a_change_of_any_module_that_computes_changes_the_digest(copy: Path, name: str) -> None:
-    assert text_digest(module_digests(copy), PRESENTATION) == computation_digest()
+    assert text_digest(digests(copy)) == computation_digest()
     with (copy / name).open("a") as stream:
         stream.write("# mended\n")
-    assert text_digest(module_digests(copy), PRESENTATION) != computation_digest()
-    assert text_digest(module_digests(copy)) != package_digest()
+    assert text_digest(digests(copy)) != computation_digest()
 
 
 def test_a_module_that_comes_goes_or_moves_changes_the_digest(copy: Path) -> None:
-    seen = {text_digest(module_digests(copy), PRESENTATION)}
-    (copy / "proof" / "new.py").write_text("")
-    seen.add(text_digest(module_digests(copy), PRESENTATION))
-    (copy / "proof" / "new.py").rename(copy / "flow" / "new.py")
-    seen.add(text_digest(module_digests(copy), PRESENTATION))
-    (copy / "flow" / "new.py").unlink()
-    (copy / "flow" / "machine_code" / "jit.py").unlink()
-    seen.add(text_digest(module_digests(copy), PRESENTATION))
+    seen = {text_digest(digests(copy))}
+    (copy / "lawproof" / "proof" / "new.py").write_text("")
+    seen.add(text_digest(digests(copy)))
+    (copy / "lawproof" / "proof" / "new.py").rename(copy / "flowlanes" / "flow" / "new.py")
+    seen.add(text_digest(digests(copy)))
+    (copy / "flowlanes" / "flow" / "new.py").unlink()
+    (copy / "flowlanes" / "flow" / "machine_code" / "jit.py").unlink()
+    seen.add(text_digest(digests(copy)))
     assert len(seen) == 4
 
 
-def test_claims_and_reports_change_only_the_digest_of_the_whole(copy: Path) -> None:
-    before = text_digest(module_digests(copy))
-    with (copy / "borisov_mamaev" / "section_12" / "section_12.py").open("a") as stream:
-        stream.write("# mended\n")
-    assert text_digest(module_digests(copy), PRESENTATION) == computation_digest()
-    assert text_digest(module_digests(copy)) != before
-
-
-def imported(path: Path) -> set[str]:
-    """The rooms of the package that a module imports, types alone aside."""
-    tree = ast.parse(path.read_text())
-    skipped = {
-        inner
-        for node in ast.walk(tree)
-        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
-        for inner in ast.walk(node)
-    }
-    found = set()
-    for node in ast.walk(tree):
-        if node in skipped:
-            continue
-        if isinstance(node, ast.ImportFrom):
-            parts = path.relative_to(HOME).parts[:-1]
-            base = parts[: len(parts) - node.level + 1] if node.level else ("absolute",)
-            place = (*base, *(node.module or "").split("."))
-            absolute = (node.module or "").split(".") if not node.level else []
-            names = [alias.name for alias in node.names]
-            if absolute[:1] == ["chaplygin"]:
-                found |= {*absolute[1:2], *names}
-            elif node.level:
-                found |= {next(filter(None, place), ""), *(names if not any(place) else ())}
-        elif isinstance(node, ast.Import):
-            found |= {a.name.split(".")[1] for a in node.names if a.name.startswith("chaplygin.")}
-    return found
-
-
-@pytest.mark.slow
-def test_what_computes_imports_nothing_that_is_left_apart() -> None:
-    modules = [p for p in HOME.rglob("*.py") if p.relative_to(HOME).parts[0] not in PRESENTATION]
-    assert len(modules) > 300
-    assert imported(HOME / "cli" / "study.py") >= {"report"}
-    assert imported(HOME / "report" / "write.py") >= {"experiment"}
-    wrong = {str(p) for p in modules if imported(p) & set(PRESENTATION)}
-    assert wrong == set()
+def test_claims_and_reports_have_digests_of_their_own() -> None:
+    packages = ("flowlanes", "borisov_mamaev_2008", "chaplygin", "no_such_package")
+    assert len({*map(package_digest, packages), computation_digest()}) == 5
 
 
 @pytest.mark.parametrize(
@@ -135,5 +102,5 @@ def test_names_on_disk_hold_the_digest(place: str, monkeypatch: pytest.MonkeyPat
     other = name()
     assert other != before
     if place == "borisov_mamaev.audit":
-        monkeypatch.setattr("borisov_mamaev_2008.audit.package_digest", lambda: "mended")
+        monkeypatch.setattr("borisov_mamaev_2008.audit.package_digest", lambda name: "mended")
         assert name() not in (before, other)

@@ -4,8 +4,8 @@ In the momenta across γ a density e^σ(γ) gives an invariant measure if and on
 
     dσ = −(q, dγ),      q = Ĩ⁻¹γ/(γ, Ĩ⁻¹γ)
 
-(:mod:`nonholonomic.invariant_measures.one_form`).  With J = I + m(R² + c²)E − m c⊗c, in its principal axes,
-κ = 2mRc, s = (κ, γ) and n_i = J_i − s, Ĩq is along γ and (γ, q) = 1 for
+(:mod:`nonholonomic.invariant_measures.one_form`).  With J = I + m(R² + c²)E − m c⊗c, in its
+principal axes, κ = 2mRc, s = (κ, γ) and n_i = J_i − s, Ĩq is along γ and (γ, q) = 1 for
 
     q = ν N⁻¹γ − ½ N⁻¹κ,      ν (γ, N⁻¹γ) = 1 + ½ (γ, N⁻¹κ),      N = diag(n_1, n_2, n_3).
 

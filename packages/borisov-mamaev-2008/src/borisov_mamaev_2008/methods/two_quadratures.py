@@ -1,8 +1,8 @@
 """The quadratures of the ball around a sphere and of the ball on a plane (§8.2).
 
 With w = 1/u the separated equations of
-:mod:`nonholonomic.catalogue.ball_on_sphere.ball_around_sphere_coordinates` are ẇ₁²/R(w₁) = ẇ₂²/R(w₂)
-with the polynomial of degree six
+:mod:`nonholonomic.catalogue.ball_on_sphere.ball_around_sphere_coordinates` are ẇ₁²/R(w₁) =
+ẇ₂²/R(w₂) with the polynomial of degree six
 
     R(w) = (1 − A₁w)(1 − A₂w)(1 − A₃w)(e₂ − e₃w) q(w),
     q(w) = w² (h (τ − 1/w) L(1/w) − f Q(1/w)),

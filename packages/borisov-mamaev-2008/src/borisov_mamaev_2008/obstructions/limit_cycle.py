@@ -1,11 +1,11 @@
 """Limit cycles of an unbalanced rubber ball, with rigorous bounds.
 
-On the torus of :func:`~nonholonomic.catalogue.bodies.unbalanced_rubber_ball_centred.torus` the motion
-is dα/dβ = f(α, β) > 0, and one turn of β gives a map of the circle of α.  If its displacement
-from two whole turns is negative at one α and positive at another, the map has a fixed point and is
-not the identity.  A map of the circle that keeps a continuous positive density and has a fixed
-point is the identity; so that on this torus, and hence around it in the phase space, there is no
-invariant measure with such a density.
+On the torus of :func:`~nonholonomic.catalogue.bodies.unbalanced_rubber_ball_centred.torus` the
+motion is dα/dβ = f(α, β) > 0, and one turn of β gives a map of the circle of α.  If its
+displacement from two whole turns is negative at one α and positive at another, the map has a fixed
+point and is not the identity.  A map of the circle that keeps a continuous positive density and has
+a fixed point is the identity; so that on this torus, and hence around it in the phase space, there
+is no invariant measure with such a density.
 
 The displacements are enclosed by polygons: where f ≤ F on a box that contains the line of slope F
 from a corner, that line is above the solution, and the same below.

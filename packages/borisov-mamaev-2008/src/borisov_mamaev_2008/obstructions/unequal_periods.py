@@ -1,8 +1,8 @@
 """Closed motions of the Chaplygin ball on one torus with different periods.
 
 At (M, γ) = 0 the roots z₁, z₂ of Σ Iᵢγᵢ²/(Iᵢ − z) = 0 move between I₁ and e = M²/2H − D and between
-I₂ and I₃ (:mod:`nonholonomic.closed_form.separations.chaplygin_ball`).  With z₁ = I₁ + (e − I₁) sin²α,
-z₂ = I₂ + (I₃ − I₂) sin²β and 2H = 1
+I₂ and I₃ (:mod:`nonholonomic.closed_form.separations.chaplygin_ball`).  With z₁ = I₁ + (e − I₁)
+sin²α, z₂ = I₂ + (I₃ − I₂) sin²β and 2H = 1
 
     ds = dα/√(z₁(z₁ + D)(I₂ − z₁)(I₃ − z₁)) = dβ/√(z₂(z₂ + D)(z₂ − I₁)(z₂ − e)),
     dt = (z₂ − z₁) √(det I (z₁ + D)(z₂ + D)/(z₁z₂)) ds.

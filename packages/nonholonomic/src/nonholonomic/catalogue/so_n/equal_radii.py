@@ -1,6 +1,7 @@
 """The rubber ball of n dimensions on a sphere of its own radius: Hamiltonian for every inertia.
 
-With ε = a/(R + a) = 1/2 the equations of :mod:`nonholonomic.catalogue.so_n_systems.ball_on_sphere` are
+With ε = a/(R + a) = 1/2 the equations of :mod:`nonholonomic.catalogue.so_n_systems.ball_on_sphere`
+are
 
     ṗ = (u, p)γ + ku/2,    γ̇ = −u/2,    k = I(u∧γ),    p = kγ,
 

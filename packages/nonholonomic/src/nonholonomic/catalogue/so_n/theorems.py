@@ -1,7 +1,7 @@
 """Theorems on n-dimensional systems with any inertia, as :func:`lawproof.prove` uses them.
 
-The arguments are in :mod:`nonholonomic.catalogue.so_n.any_inertia` and, of the quadratic integrals, in
-docs/quadratic-integrals.md; the identities on which they rest are certified for the dimension at
+The arguments are in :mod:`nonholonomic.catalogue.so_n.any_inertia` and, of the quadratic integrals,
+in docs/quadratic-integrals.md; the identities on which they rest are certified for the dimension at
 hand, those of the quadratic integrals for all dimensions at once.
 """
 

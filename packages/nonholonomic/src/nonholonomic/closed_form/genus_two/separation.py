@@ -33,8 +33,8 @@ nu, nuprime = vectors("nu nuprime")
 class SeparatedSystem:
     """A system on a level, separated; all formulas, no numbers.
 
-    Vectors are formulas of :mod:`flowlanes.system.vectors`; wherever a formula may use the constants,
-    it names them by their symbols.
+    Vectors are formulas of :mod:`flowlanes.system.vectors`; wherever a formula may use the
+    constants, it names them by their symbols.
 
     Attributes
     ----------

@@ -5,8 +5,8 @@ With numbers c_1 < … < c_n the coordinates z_1 < … < z_{n−1} of a unit vec
 
     y_i² = ∏_k (c_i − z_k) / ∏_{j≠i} (c_i − c_j).
 
-For the special operators of inertia (:mod:`nonholonomic.catalogue.so_n_systems.special_inertia`) they
-move in a new time τ by
+For the special operators of inertia (:mod:`nonholonomic.catalogue.so_n_systems.special_inertia`)
+they move in a new time τ by
 
     Σ_k z_k^i dz_k / √Y(z_k) = v_i dτ,      i = 0, …, n − 2,
 

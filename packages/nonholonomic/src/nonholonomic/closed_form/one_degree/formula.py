@@ -24,7 +24,8 @@ def program(formula: sp.Expr) -> Callable[[Mapping[sp.Symbol, Any]], Any]:
     -------
     callable
         From a mapping of symbols to arb, acb or
-        :class:`~nonholonomic.closed_form.one_degree.divided_differences.DividedDifferences` to the value.
+        :class:`~nonholonomic.closed_form.one_degree.divided_differences.DividedDifferences` to the
+        value.
 
     Raises
     ------

@@ -2,8 +2,8 @@
 
 A frame of vector fields E_i on the configuration space, (1.7), gives every velocity by its
 components w_i, the quasi-velocities: q̇ = G(q) w.  A `Mechanism` adds the Lagrangian in q and w,
-generalised forces and constraints; :mod:`nonholonomic.mechanics.lagrangian.poincare_suslov` turns it
-into a System.
+generalised forces and constraints; :mod:`nonholonomic.mechanics.lagrangian.poincare_suslov` turns
+it into a System.
 
 Coordinates may be redundant (direction cosines, quaternions): the frame is then tangent to the
 relations between them.  A frame may also act on fewer coordinates than it has fields: those of a

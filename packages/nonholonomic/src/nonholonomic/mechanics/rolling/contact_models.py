@@ -1,8 +1,8 @@
 """The equations of both contact models, from tensors, forces and the kinematics of the contact.
 
 Fluid in cavities is a gyrostat whose momentum CN obeys an equation of its own; M contains it.  With
-it the equations of :mod:`nonholonomic.mechanics.rolling.equations` are those of the equivalent rigid
-body with the rotors k + CN, and −CṄ on the right side of Ĩω̇.
+it the equations of :mod:`nonholonomic.mechanics.rolling.equations` are those of the equivalent
+rigid body with the rotors k + CN, and −CṄ on the right side of Ĩω̇.
 """
 
 from __future__ import annotations

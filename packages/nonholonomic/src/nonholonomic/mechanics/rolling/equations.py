@@ -11,8 +11,9 @@ the contact point,
     Ṁ = (M + k)×ω + m ṙ×(ω×r) − r×F + τ + λ₀ γ.
 
 Fluid in a cavity of the body adds to M and has an equation of its own; see
-:mod:`nonholonomic.mechanics.rolling.fluid` and :mod:`nonholonomic.mechanics.rolling.contact_models`.
-The kinematics depends on shape and surface; see :mod:`nonholonomic.mechanics.rolling.contact`.
+:mod:`nonholonomic.mechanics.rolling.fluid` and
+:mod:`nonholonomic.mechanics.rolling.contact_models`. The kinematics depends on shape and surface;
+see :mod:`nonholonomic.mechanics.rolling.contact`.
 """
 
 from __future__ import annotations
