@@ -15,6 +15,7 @@ TOP = Path(__file__).parents[1]
 PAGES = [*TOP.glob("*.md"), *(TOP / "docs").rglob("*.md")]
 
 #: ``flowlanes.flow.trajectory``, but not ``chaplygin.toml`` or an address on the web.
+_PACKAGES = "|".join(ORDER)
 DOTTED = re.compile(rf"(?<![\w./-])(?:{'|'.join(ORDER)})(?:\.[A-Za-z_]\w*)+(?![\w/]|\.\w)")
 SUFFIXES = {
     "cff",
@@ -33,7 +34,7 @@ SUFFIXES = {
 }
 #: ``flow/trajectory.py``; of a file that a reader is to write, the text says so.
 FILE = re.compile(r"`((?:[a-z_]+/)+\w+\.py)`")
-TO_WRITE = {"nonholonomic/catalogue/mechanisms/skate.py"}
+TO_WRITE = {"packages/nonholonomic/src/nonholonomic/catalogue/mechanisms/skate.py"}
 ROLE = re.compile(r":(?:mod|func|class|meth|data|attr):`~?([.\w]+)`")
 
 

@@ -71,9 +71,7 @@ def test_a_wrong_result_is_reported() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_example_stands_below_its_heading(name: str) -> None:
     text = inspect.getdoc(documented(name)) or ""
-    assert re.search(
-        r"^Examples\n--------\n>>> import (sympy as sp|\w+|chaplygin as ch)$", text, re.M
-    )
+    assert re.search(r"^Examples\n--------\n>>> import \w+( as \w+)?$", text, re.M)
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)

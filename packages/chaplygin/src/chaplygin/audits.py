@@ -20,47 +20,73 @@ class Claim(Protocol):
     """A statement of the paper, with its correction where it is wrong."""
 
     @property
-    def source(self) -> str: ...
+    def source(self) -> str:
+        """Where it stands in the paper."""
+        ...
 
     @property
-    def statement(self) -> str: ...
+    def statement(self) -> str:
+        """What is stated."""
+        ...
 
     @property
-    def correction(self) -> str: ...
+    def correction(self) -> str:
+        """The right statement."""
+        ...
 
     @property
-    def note(self) -> str: ...
+    def note(self) -> str:
+        """What was wrong, in one phrase."""
+        ...
 
     @property
-    def erratum(self) -> str: ...
+    def erratum(self) -> str:
+        """A slip of the print that changes no statement."""
+        ...
 
     @property
-    def argument(self) -> str: ...
+    def argument(self) -> str:
+        """What carries the computation over to all that is stated."""
+        ...
 
 
 class Judgement(Protocol):
     """A claim with the verdicts on it as printed and as corrected."""
 
     @property
-    def section(self) -> int: ...
+    def section(self) -> int:
+        """The section of the paper."""
+        ...
 
     @property
-    def claim(self) -> Claim: ...
+    def claim(self) -> Claim:
+        """The claim."""
+        ...
 
     @property
-    def printed(self) -> Verdict: ...
+    def printed(self) -> Verdict:
+        """The verdict on the printed form."""
+        ...
 
     @property
-    def corrected(self) -> Verdict | None: ...
+    def corrected(self) -> Verdict | None:
+        """The verdict on the corrected form, where there is one."""
+        ...
 
     @property
-    def seconds(self) -> float: ...
+    def seconds(self) -> float:
+        """The time that the proofs took."""
+        ...
 
     @property
-    def conditions(self) -> tuple[str, ...]: ...
+    def conditions(self) -> tuple[str, ...]:
+        """Conditions of what is proven."""
+        ...
 
     @property
-    def reason(self) -> str: ...
+    def reason(self) -> str:
+        """Why something is undecided, or not computed."""
+        ...
 
     def record(self) -> dict[str, Any]:
         """The judgement for another program."""
@@ -71,23 +97,33 @@ class Finding(Protocol):
     """What is decided here of a question that the paper leaves open."""
 
     @property
-    def key(self) -> str: ...
+    def key(self) -> str:
+        """Its row in the table of findings."""
+        ...
 
     @property
-    def statement(self) -> str: ...
+    def statement(self) -> str:
+        """What is stated."""
+        ...
 
 
 class Remark(Protocol):
     """A statement of the paper that is not computed."""
 
     @property
-    def source(self) -> str: ...
+    def source(self) -> str:
+        """Where it stands in the paper."""
+        ...
 
     @property
-    def statement(self) -> str: ...
+    def statement(self) -> str:
+        """What is stated."""
+        ...
 
     @property
-    def reason(self) -> str: ...
+    def reason(self) -> str:
+        """Why something is undecided, or not computed."""
+        ...
 
 
 class Audit(Protocol):

@@ -83,7 +83,7 @@ def test_the_next_process_removes_what_a_killed_one_left(
         assert len(names(tmp_path)) == 4
     left = set(names(tmp_path)) - {"new"}
     assert len(left) == 3
-    with caplog.at_level(logging.INFO, "chaplygin"):
+    with caplog.at_level(logging.INFO, "flowlanes"):
         write(tmp_path)
     assert names(tmp_path) == ["new"]
     (message,) = {record.message for record in caplog.records if "removed" in record.message}
