@@ -4,16 +4,19 @@ VENV := .venv
 BIN := $(VENV)/bin
 PYTEST_FLAGS ?= -n 2
 SITE_FLAGS ?=
+# one package, or all of them
+PACKAGE ?=
+TESTS := $(if $(PACKAGE),packages/$(PACKAGE),)
 SOURCES := $(wildcard packages/*/pyproject.toml requirements/*.txt) constraints.txt scripts/setup.sh
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test slow check lint types format site dist web pictures bench clean
+.PHONY: help demo test alone slow check lint types format site dist web pictures bench clean
 
 # A virtual environment knows its own address: in a folder that was moved or copied it is made anew.
 ifneq ($(shell cat $(VENV)/address 2>/dev/null),$(CURDIR))
-.PHONY: $(VENV)/core $(VENV)/dev $(VENV)/site $(VENV)/release
+.PHONY: $(VENV)/core $(VENV)/test $(VENV)/dev $(VENV)/site $(VENV)/release
 endif
 
 help: ## show this list
@@ -26,8 +29,11 @@ demo: $(VENV)/core ## study a rattleback, from its shape to a report in demo/
 	@$(BIN)/chaplygin study examples/rattleback.toml -o demo --force
 	@echo "Open demo/report.html in a browser; the numbers are in demo/trajectory.nc."
 
-test: $(VENV)/dev ## run the tests; PYTEST_FLAGS="-n 0 -k ball" chooses among them
-	@$(BIN)/python -m pytest $(PYTEST_FLAGS)
+test: $(VENV)/test ## run the tests, PACKAGE=flowlanes those of a package; PYTEST_FLAGS="-n 0 -k ball"
+	@$(BIN)/python -m pytest $(PYTEST_FLAGS) $(TESTS)
+
+alone: ## test PACKAGE=flowlanes in an environment of its own, with its own dependencies only
+	@sh scripts/test_alone.sh $(PACKAGE)
 
 slow: $(VENV)/dev ## run the slow tests, of which `make test` runs one in 25, and the campaigns
 	@$(BIN)/python -m pytest $(PYTEST_FLAGS) --slow -m "slow or campaign"
@@ -77,5 +83,5 @@ clean: ## remove all that make has made: .venv/, demo/, caches
 	@rm -rf $(VENV) demo build dist packages/chaplygin/web/build packages/chaplygin/web/node_modules .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	@find packages tests -type d -name __pycache__ -exec rm -rf {} +
 
-$(VENV)/core $(VENV)/dev $(VENV)/site $(VENV)/release: $(SOURCES)
+$(VENV)/core $(VENV)/test $(VENV)/dev $(VENV)/site $(VENV)/release: $(SOURCES)
 	@sh scripts/setup.sh $(VENV) $(@F)

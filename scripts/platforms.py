@@ -1,7 +1,7 @@
 """Prints where the package installs from ready-built wheels, as the table of docs/dependencies.md.
 
 python platforms.py, where uv is installed: `uv pip compile` is asked for each platform and each
-version of Python, for versions from the oldest that will do in pyproject.toml on.  First each
+version of Python, for versions from the oldest that will do in the files pyproject.toml on.  First each
 requirement is asked for alone, to name those without a wheel; where all have one, for all of them
 together with all that they need.
 """
@@ -82,9 +82,26 @@ def _name(requirement: str) -> str:
     return requirement.partition(">")[0]
 
 
+def all_together() -> dict:
+    """What the packages need of others, and their extras, as if they were one."""
+    places = sorted((ROOT / "packages").glob("*/pyproject.toml"))
+    own = {place.parent.name for place in places}
+
+    def foreign(requirements: list[str]) -> list[str]:
+        return sorted({r for r in requirements if r.partition("==")[0].partition("[")[0] not in own})
+
+    projects = [tomllib.loads(place.read_text(encoding="utf-8"))["project"] for place in places]
+    extras: dict[str, list[str]] = {}
+    for project in projects:
+        for name, listed in project.get("optional-dependencies", {}).items():
+            extras[name] = foreign([*extras.get(name, []), *listed])
+    needed = [r for project in projects for r in project["dependencies"]]
+    return {"dependencies": foreign(needed), "optional-dependencies": extras}
+
+
 def table() -> list[str]:
     """The lines of the table."""
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    project = all_together()
     places = list(product(PLATFORMS, PYTHONS))
     cells = {}
     with ThreadPoolExecutor(4) as threads:

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Makes the virtual environment VENV and installs into it what is wanted of the package:
-# `core`, `dev` with the tools for work on it, `site` with those for its pages as well, or `release`
+# `core`, `test` with what its tests need, `dev` with the tools for work on it, `site` with those for its pages as well, or `release`
 # with those for a release. Leaves a file of that name in VENV as a mark.
-# Usage, from the root of the project: setup.sh VENV core|dev|site|release
+# Usage, from the root of the project: setup.sh VENV core|test|dev|site|release
 set -eu
 venv=$1
 wanted=$2
@@ -87,6 +87,7 @@ fi
 
 case $wanted in
 core) tools="" named="chaplygin" size="0.8 GB" ;;
+test) tools="test" named="chaplygin and what its tests need" size="0.8 GB" ;;
 dev) tools="dev" named="chaplygin and the tools for work on it" size="2.4 GB" ;;
 release) tools="release" named="chaplygin and the tools that release it" size="0.9 GB" ;;
 site) tools="site" named="chaplygin and the tools for work on it and its site" size="2.5 GB" ;;
@@ -111,3 +112,7 @@ pwd -P >"$venv/address"
     show_log "Installing failed."
 }
 touch "$venv/core" "$venv/$wanted"
+case $wanted in
+dev) touch "$venv/test" ;;
+site) touch "$venv/test" "$venv/dev" ;;
+esac

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import subprocess
+import sys
 import tomllib
+from collections.abc import Iterator
 from importlib.metadata import PackageNotFoundError, metadata
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -13,17 +16,27 @@ from typing import Any
 import pytest
 import yaml
 
-import chaplygin
+from workspace import HOMES, ROOT, tree
 
-ROOT = Path(__file__).parents[1]
-PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-STATIC = ROOT / "src" / "chaplygin" / "lab" / "static"
+#: Metadata of the packages, by the names of the distributions.
+PROJECTS: dict[str, dict[str, Any]] = {
+    home.parents[1].name: tomllib.loads(
+        (home.parents[1] / "pyproject.toml").read_text(encoding="utf-8")
+    )
+    for home in HOMES.values()
+}
+LABORATORY = PROJECTS["chaplygin"]
+VERSIONS = {
+    name: re.findall('^__version__ = "(.*)"$', (home / "_version.py").read_text(encoding="utf-8"), re.M)
+    for name, home in HOMES.items()
+}
+STATIC = HOMES["chaplygin"] / "page" / "static"
 #: Packages of conda with another name, or a part of them that is enough.
 CONDA = {"matplotlib": "matplotlib-base"}
 #: The placeholders, and the only files that have them.
 PLACEHOLDERS = {
-    r"example\.org/chaplygin": "pyproject.toml",
-    r"zenodo\.0000000": "CITATION.cff",
+    r"example\.org/chaplygin": sorted(f"packages/{name}/pyproject.toml" for name in PROJECTS),
+    r"zenodo\.0000000": ["CITATION.cff"],
 }
 
 
@@ -41,17 +54,87 @@ def test_the_recipe_needs_what_the_package_needs() -> None:
     needs = read("recipe/recipe.yaml")["requirements"]
     python, *run = needs["run"]
     assert python == "python >=${{ python_min }}"
-    assert run == [as_in_conda(r) for r in PROJECT["project"]["dependencies"]]
-    assert needs["host"][2:] == [as_in_conda(r) for r in PROJECT["build-system"]["requires"]]
+    wanted = {
+        r
+        for project in PROJECTS.values()
+        for r in project["project"]["dependencies"]
+        if r.partition("==")[0] not in PROJECTS
+    }
+    assert run == [as_in_conda(r) for r in sorted(wanted)]
+    assert needs["host"][2:] == [as_in_conda(r) for r in LABORATORY["build-system"]["requires"]]
+
+
+def test_versions_move_together() -> None:
+    """One version of all packages, each of which needs the others in the same one."""
+    (version,) = {tuple(found) for found in VERSIONS.values()}
+    for project in PROJECTS.values():
+        extras = project["project"].get("optional-dependencies", {}).values()
+        for requirement in [*project["project"]["dependencies"], *(r for e in extras for r in e)]:
+            name, pin, wanted = requirement.partition("==")
+            if name.partition("[")[0] in PROJECTS:
+                assert (pin, (wanted,)) == ("==", version), requirement
+
+
+def test_packages_need_what_they_import() -> None:
+    """Neither more nor less than the third parties whose names stand in their modules."""
+    for name, home in HOMES.items():
+        project = PROJECTS[home.parents[1].name]["project"]
+        imported = {m for path in home.rglob("*.py") for m in _third_parties(tree(path))}
+        extras = project.get("optional-dependencies", {}).values()
+        listed = {
+            *map(_module, project["dependencies"]),
+            *(_module(r) for extra in extras for r in extra),
+        }
+        found = found_by_name(name)
+        assert imported - found <= listed, name
+        assert set(map(_module, project["dependencies"])) <= imported | found, name
+
+
+def _module(requirement: str) -> str:
+    """The module that a requirement brings."""
+    name = re.split(r"[\[<>=;]", requirement)[0].lower()
+    return MODULES.get(name, name.replace("-", "_"))
+
+
+#: Distributions whose modules have other names.
+MODULES = {
+    "cuda-bindings": "cuda",
+    "cuda-core": "cuda",
+    "python-flint": "flint",
+}
+
+
+def found_by_name(package: str) -> set[str]:
+    """What a package needs without an import of its own, or has with something else."""
+    return {
+        # xarray writes NetCDF by these; matplotlib has Pillow, anywidget traitlets
+        "chaplygin": {"h5netcdf", "h5py", "borisov_mamaev_2008", "PIL", "traitlets", "mpl_toolkits", "pydantic_core"},
+        # numba and JAX run the code that is written for them
+        "flowlanes": {"jax", "numba"},
+    }.get(package, set())
+
+
+def _third_parties(module: ast.Module) -> Iterator[str]:
+    """Top-level modules that a file imports, other than those of Python."""
+    for node in ast.walk(module):
+        names = []
+        if isinstance(node, ast.ImportFrom) and not node.level:
+            names = [node.module or ""]
+        elif isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        for name in names:
+            first = name.split(".")[0]
+            if first not in sys.stdlib_module_names and first != "_typeshed":
+                yield first
 
 
 def test_the_recipe_is_of_this_package() -> None:
-    recipe, project = read("recipe/recipe.yaml"), PROJECT["project"]
+    recipe, project = read("recipe/recipe.yaml"), LABORATORY["project"]
     assert set(recipe) == {
         *("schema_version", "context", "package", "source", "build", "requirements", "tests"),
         "about",
     }
-    assert recipe["context"]["version"] == chaplygin.__version__
+    assert [recipe["context"]["version"]] == VERSIONS["chaplygin"]
     assert project["requires-python"] == f">={recipe['context']['python_min']}"
     assert recipe["package"] == {"name": project["name"], "version": "${{ version }}"}
     (script,) = project["scripts"].items()
@@ -72,11 +155,10 @@ def test_placeholders_are_where_they_are_said_to_be() -> None:
         for f in files
         if f.is_file() and f not in (here, ROOT / "CONTRIBUTING.md") and f.suffix != ".js"
     }
-    for pattern, place in PLACEHOLDERS.items():
+    for pattern, places in PLACEHOLDERS.items():
         assert re.search(pattern, said)
-        assert [name for name, text in texts.items() if re.search(pattern, text)] == [place]
-    assert "placeholder" in texts["CITATION.cff"].lower()
-    assert "placeholder" in texts["pyproject.toml"].lower()
+        assert sorted(name for name, text in texts.items() if re.search(pattern, text)) == places
+        assert all("placeholder" in texts[place].lower() for place in places)
 
 
 def bundled() -> dict[str, str]:
@@ -87,6 +169,12 @@ def bundled() -> dict[str, str]:
     )
     assert text.count("=" * 80 + "\n") == len(found)
     return dict(found)
+
+
+def conda_licences() -> list[str]:
+    """Files of licences that the package of conda has."""
+    files: list[str] = read("recipe/recipe.yaml")["about"]["license_file"]
+    return files
 
 
 def rows(page: str) -> list[list[str]]:
@@ -101,10 +189,11 @@ def test_the_licence_covers_what_is_bundled() -> None:
     # what esbuild names in the bundle itself
     names = re.findall(r"^(\w+)/[\w./-]+\.js:$", (STATIC / "lab.js").read_text("utf-8"), re.M)
     assert set(names) == set(licences) == {"mediabunny", "three", "uplot"}
-    project = PROJECT["project"]
+    project, home = LABORATORY["project"], HOMES["chaplygin"].parents[1]
     assert set(project["license"].split(" AND ")) == {"MIT", *licences.values()}
-    assert [(ROOT / name).is_file() for name in project["license-files"]] == [True, True]
-    assert read("recipe/recipe.yaml")["about"]["license_file"] == project["license-files"]
+    assert [(home / name).is_file() for name in project["license-files"]] == [True, True]
+    listed = [name.removeprefix("packages/chaplygin/") for name in conda_licences()]
+    assert listed == project["license-files"]
     table = {row[0]: row[2] for row in rows("docs/dependencies.md") if len(row) == 3}
     assert {name: table.get(name) for name in licences} == licences
 
@@ -125,11 +214,17 @@ def licence(name: str) -> str:
 
 
 def test_licences_of_dependencies_are_those_that_they_state() -> None:
-    project = PROJECT["project"]
-    extras = project["optional-dependencies"]
-    users = [e for e in extras if e not in ("dev", "release", "site")]
-    needs = [*project["dependencies"], *(r for extra in users for r in extras[extra])]
+    needs = [
+        requirement
+        for project in PROJECTS.values()
+        for listed in (
+            project["project"]["dependencies"],
+            *project["project"].get("optional-dependencies", {}).values(),
+        )
+        for requirement in listed
+    ]
     names = {re.match(r"[\w-]+", requirement).group() for requirement in needs}  # type: ignore[union-attr]
+    names -= PROJECTS.keys()
     listed = {
         word: row[0]
         for row in rows("docs/dependencies.md")
@@ -162,7 +257,7 @@ def test_platforms_are_those_that_the_resolver_was_asked_for() -> None:
     answers = [table[name] for name in script.PLATFORMS.values()]
     assert all(re.match("yes|no: ", answer) for row in answers for answer in row)
     assert {len(row) for row in answers} == {len(script.PYTHONS)}
-    classifiers = PROJECT["project"]["classifiers"]
+    (classifiers,) = {tuple(p["project"]["classifiers"]) for p in PROJECTS.values()}
     # a classifier is for a system on all of its processors; musl is Linux too, as the page says
     assert [c for c in classifiers if c.startswith("Operating")] == [
         "Operating System :: POSIX :: Linux"

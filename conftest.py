@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, settings
 
 # code compiled by tests stays out of the user's own cache
 os.environ.setdefault(
-    "FLOWLANES_CACHE", str(Path(__file__).parents[1] / ".pytest_cache" / "compiled")
+    "FLOWLANES_CACHE", str(Path(__file__).parent / ".pytest_cache" / "compiled")
 )
 
 # the same examples every time, on a busy machine too
