@@ -1,42 +1,34 @@
-"""The house: imports run one way, folders and files are small, names have one home."""
+"""The house: imports run in no circle, names have one home, folders say what is in them."""
 
 from __future__ import annotations
 
 import ast
-import re
 import sys
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 import chaplygin
+from sources import HOME, files, nodes_of, tree
 
-HOME = Path(chaplygin.__file__).parent
 Graph = Mapping[str, set[str]]
 
-#: Lines of a module at most, and those that are longer: the loops of the kernel, and what is still
-#: to be parted.
-LINES = 400
-LONGER = {
-    "flow/kernel/gauss_legendre.py",
-    "flow/kernel/runge_kutta.py",
-}
-#: Files of a folder at most.
-FILES = 18
 
-
+@cache
 def modules(home: Path) -> dict[str, Path]:
     """Dotted names below a package, and their files; the package itself is ``""``."""
     named = {}
-    for path in home.rglob("*.py"):
+    for path in files(home):
         parts = path.relative_to(home).with_suffix("").parts
         named[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
     return named
 
 
+@cache
 def imports(home: Path) -> dict[str, set[str]]:
     """Which module imports which: at the top, in a function, and for types alone.
 
@@ -56,7 +48,7 @@ def imports(home: Path) -> dict[str, set[str]]:
 def _imported(path: Path, name: str, package: str) -> Iterator[tuple[str, str]]:
     """Modules below the package from which a file imports, with what it takes from them."""
     here = name.split(".") if path.stem == "__init__" else name.split(".")[:-1]
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in nodes_of(path, ast.ImportFrom, ast.Import, ast.Call):
         if isinstance(node, ast.ImportFrom):
             parts = (node.module or "").split(".")
             if node.level:
@@ -176,21 +168,11 @@ def test_every_kind_of_import_is_seen(tmp_path: Path, line: str) -> None:
 
 
 def test_folders_are_at_most_two_deep_and_say_what_is_in_them() -> None:
-    for path in HOME.rglob("__init__.py"):
-        assert len(path.relative_to(HOME).parts) <= 3, path
-        assert ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))), path
-    for folder in {path.parent for path in HOME.rglob("*.py")}:
-        assert (folder / "__init__.py").exists(), folder
-        assert len(list(folder.glob("*.py"))) <= FILES, folder
-
-
-def test_modules_are_short() -> None:
-    longer = {
-        path.relative_to(HOME).as_posix()
-        for path in HOME.rglob("*.py")
-        if len(path.read_text(encoding="utf-8").splitlines()) > LINES
-    }
-    assert longer == LONGER
+    folders = {path.parent for path in files()}
+    assert [f for f in folders if len(f.relative_to(HOME).parts) > 2] == []
+    inits = {path for path in files() if path.name == "__init__.py"}
+    assert folders - {path.parent for path in inits} == set()
+    assert [path for path in inits if not ast.get_docstring(tree(path))] == []
 
 
 def test_a_public_name_has_one_home() -> None:
@@ -211,22 +193,26 @@ def test_a_public_name_has_one_home() -> None:
 
 def test_a_name_is_imported_from_the_module_that_defines_it() -> None:
     """Packages alone pass names on; mypy refuses a name that a module itself has imported."""
-    for path in HOME.rglob("*.py"):
-        text = path.read_text(encoding="utf-8")
-        assert path.stem == "__init__" or "\n__all__" not in text, path
+    found = [path for path in files() if path.stem != "__init__" and "__all__" in _bound(path)]
+    assert found == []
+
+
+def _bound(path: Path) -> set[str]:
+    """Names of functions, classes and values that a file binds at its top level."""
+    bound: set[str] = set()
+    for node in tree(path).body:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            bound.add(node.name)
+        targets = node.targets if isinstance(node, ast.Assign) else []
+        if isinstance(node, ast.AnnAssign):
+            targets = [node.target]
+        bound |= {target.id for target in targets if isinstance(target, ast.Name)}
+    return bound
 
 
 def _defined(path: Path) -> set[str]:
     """Functions, classes and values that a file defines for others."""
-    defined: set[str] = set()
-    for node in ast.parse(path.read_text(encoding="utf-8")).body:
-        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
-            defined.add(node.name)
-        targets = node.targets if isinstance(node, ast.Assign) else []
-        if isinstance(node, ast.AnnAssign):
-            targets = [node.target]
-        defined |= {target.id for target in targets if isinstance(target, ast.Name)}
-    return {name for name in defined if not name.startswith("_")}
+    return {name for name in _bound(path) if not name.startswith("_")}
 
 
 def hidden_by_modules(home: Path) -> list[str]:
@@ -234,7 +220,7 @@ def hidden_by_modules(home: Path) -> list[str]:
     found = []
     for init in home.rglob("__init__.py*"):
         below = {path.stem for path in init.parent.iterdir()}
-        for node in ast.parse(init.read_text(encoding="utf-8")).body:
+        for node in tree(init).body:
             if isinstance(node, ast.ImportFrom) and node.module:
                 bound = {alias.asname or alias.name for alias in node.names}
                 # what a stub names is looked up late, when the module may have taken the place
@@ -253,49 +239,3 @@ def test_no_module_replaces_a_name_of_its_folder(tmp_path: Path) -> None:
 
 def test_tests_do_not_hide_the_package() -> None:
     assert not (Path(__file__).parent / "chaplygin").exists()
-
-
-#: Participles without an ending by which to know them.
-IRREGULAR = re.compile(
-    "begun|bent|brought|built|caught|chosen|dealt|done|drawn|fallen|felt|found|given|gone|grown|"
-    "heard|held|hidden|hit|kept|known|laid|lent|lost|made|meant|met|paid|risen|said|seen|sent|"
-    "shown|spent|spoken|struck|stuck|swept|taken|taught|thought|thrown|told|torn|understood|won|"
-    "worn|wound|written"
-)
-#: Those with an ending that are words of the field or of programming, or nouns and verbs besides.
-ALLOWED = re.compile(
-    "centred|closed|compensated|compiled|conserved|constrained|controlled|corrected|coupled|derived|"
-    "displayed|fixed|lifted|nested|prescribed|printed|reduced|signed|speed|spread|squared|"
-    "unspecified"
-)
-
-
-def bare_participles(path: Path) -> set[str]:
-    """Names of a file, its own among them, that are a participle and nothing else."""
-    names = {path.stem}
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.FunctionDef | ast.ClassDef):
-            names.add(node.name)
-        elif isinstance(node, ast.arg):
-            names.add(node.arg)
-        if isinstance(node, ast.ClassDef | ast.Module):
-            for inner in node.body:
-                targets = inner.targets if isinstance(inner, ast.Assign) else []
-                targets = [inner.target] if isinstance(inner, ast.AnnAssign) else targets
-                names |= {target.id for target in targets if isinstance(target, ast.Name)}
-        elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
-            names.add(node.attr)
-    words = {name.strip("_") for name in names}
-    words = {w.lower() for w in words if re.fullmatch("[A-Z]?[a-z]+|[A-Z]+", w)}
-    endings = {w for w in words if re.fullmatch("[a-z]{3,}ed", w) and not ALLOWED.fullmatch(w)}
-    return endings | {w for w in words if IRREGULAR.fullmatch(w)}
-
-
-def test_no_name_is_a_bare_participle(tmp_path: Path) -> None:
-    planted = tmp_path / "told.py"
-    planted.write_text("class A:\n    made = 1\n\ndef f(held, fixed):\n    A.kept = held\n")
-    assert bare_participles(planted) == {"told", "made", "held", "kept"}
-    # a section of the audit names its functions after the claims of the paper
-    # and `given` is a word of experiment files
-    files = [p for p in HOME.rglob("*.py") if not p.parent.name.startswith("section_")]
-    assert {p.as_posix(): w for p in files if (w := bare_participles(p) - {"given"})} == {}

@@ -11,7 +11,6 @@ import flint
 import mpmath
 import pytest
 
-import chaplygin
 from borisov_mamaev_2008.obstructions.limit_cycle import displacement
 from chaplygin import measure_exists, nonholonomy, prove, solve
 from flowlanes.system.vectors import real_symbol
@@ -23,8 +22,8 @@ from nonholonomic.mechanics.reduction.chaplygin import chaplygin_form
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Rolling
 from nonholonomic.mechanics.shapes.shapes import Ball
+from sources import HOME, files, nodes_of
 
-SOURCE = Path(chaplygin.__file__).parent
 x, y, phi = (real_symbol(name) for name in ("x", "y", "phi"))
 
 
@@ -76,31 +75,27 @@ def test_precision_is_kept_where_something_is_refused() -> None:
     assert settings() == before
 
 
-def _assigned(tree: ast.AST) -> Iterator[tuple[str, int]]:
+def _assigned(path: Path) -> Iterator[tuple[str, int]]:
     """Assignments to the precision of a context that the module did not make itself."""
     own = {
         target.id
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Assign)
-        and isinstance(node.value, ast.Call)
-        and ast.unparse(node.value.func).endswith("MPContext")
+        for node in nodes_of(path, ast.Assign)
+        if isinstance(node.value, ast.Call) and ast.unparse(node.value.func).endswith("MPContext")
         for target in node.targets
         if isinstance(target, ast.Name)
     }
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Assign | ast.AugAssign):
-            for target in node.targets if isinstance(node, ast.Assign) else [node.target]:
-                if isinstance(target, ast.Attribute) and target.attr in ("prec", "dps"):
-                    base = ast.unparse(target.value)
-                    if base not in own:
-                        yield base, node.lineno
+    for node in nodes_of(path, ast.Assign, ast.AugAssign):
+        for target in node.targets if isinstance(node, ast.Assign) else [node.target]:
+            if isinstance(target, ast.Attribute) and target.attr in ("prec", "dps"):
+                base = ast.unparse(target.value)
+                if base not in own:
+                    yield base, node.lineno
 
 
-@pytest.mark.slow
 def test_no_module_sets_the_precision_of_others() -> None:
     found = {
-        f"{path.relative_to(SOURCE)}:{line}: {base}"
-        for path in SOURCE.rglob("*.py")
-        for base, line in _assigned(ast.parse(path.read_text()))
+        f"{path.relative_to(HOME)}:{line}: {base}"
+        for path in files()
+        for base, line in _assigned(path)
     }
     assert not found
