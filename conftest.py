@@ -1,20 +1,22 @@
-"""Settings for all tests."""
+"""Settings for all tests: the cache of compiled code, and which tests run only when asked for."""
 
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Generator
-from importlib.util import find_spec
+from datetime import date
 from pathlib import Path
 from zlib import crc32
 
 import pytest
+from _pytest.mark.structures import get_unpacked_marks
 from hypothesis import HealthCheck, settings
 
+from needs import EXTRAS, is_installed
+
 # code compiled by tests stays out of the user's own cache
-os.environ.setdefault(
-    "FLOWLANES_CACHE", str(Path(__file__).parent / ".pytest_cache" / "compiled")
-)
+os.environ.setdefault("FLOWLANES_CACHE", str(Path(__file__).parent / ".pytest_cache" / "compiled"))
 
 # the same examples every time, on a busy machine too
 settings.register_profile(
@@ -22,44 +24,92 @@ settings.register_profile(
 )
 settings.load_profile("tests")
 
-#: Of the slow tests one in so many is run, unless all are asked for or the mark says how many.
-EVERY = 25
+#: Marks of tests that run only where they are asked for: by an option below, by naming the mark
+#: after ``-m``, or by naming the test itself (``file.py::test``).
+ON_REQUEST = ("slow", "campaign", "browser", "server")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """The option ``--slow``."""
+    """The options ``--slow`` and ``--slow-sample``."""
     parser.addoption(
-        "--slow", action="store_true", help="run all slow tests, not a few of them, and campaigns"
+        "--slow", action="store_true", help="run the slow tests and the campaigns as well"
+    )
+    parser.addoption(
+        "--slow-sample",
+        metavar="[K/]N",
+        help="run one in N of the slow tests as well: part K of 0..N-1, by default today's",
     )
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Which part of the slow tests it is: all workers are told the same."""
+    if config.option.slow_sample:
+        config.option.slow_sample = "{}/{}".format(*_part(config.option.slow_sample))
+
+
+def _part(text: str) -> tuple[int, int]:
+    """K and N of ``K/N``; of ``N`` alone, K is the number of today."""
+    if not re.fullmatch("([0-9]+/)?[1-9][0-9]*", text):
+        raise pytest.UsageError(f"--slow-sample takes N or K/N, as 40 or 7/40, not {text}")
+    first, _, number = text.rpartition("/")
+    whole = int(number)
+    if int(first or 0) >= whole:
+        raise pytest.UsageError(f"--slow-sample {text}: the parts are numbered 0 to {whole - 1}")
+    return int(first) if first else date.today().toordinal() % whole, whole
+
+
+def _asked_for(config: pytest.Config) -> set[str]:
+    """The marks of `ON_REQUEST` whose tests are made."""
+    if any("::" in argument for argument in config.args):
+        return set(ON_REQUEST)
+    found = {mark for mark in ON_REQUEST if re.search(rf"\b{mark}\b", config.option.markexpr)}
+    if config.option.slow:
+        found |= {"slow", "campaign"}
+    return found
+
+
+def pytest_pycollect_makeitem(
+    collector: pytest.Module | pytest.Class, name: str, obj: object
+) -> list[pytest.Item] | None:
+    """Make no tests of a function that nobody has asked for: it may have hundreds of cases."""
+    if not collector.istestfunction(obj, name):
+        return None
+    marks = {mark.name for mark in get_unpacked_marks(obj)}
+    marks |= {mark.name for mark in collector.iter_markers()}
+    asked = _asked_for(collector.config)
+    if collector.config.option.slow_sample:
+        asked.add("slow")
+    return [] if marks & set(ON_REQUEST) - asked else None
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out most of the slow tests, and all campaigns."""
-    if config.getoption("slow"):
-        return
-    chosen = [item for item in items if _is_chosen(item)]
-    config.hook.pytest_deselected(items=list(set(items) - set(chosen)))
-    items[:] = chosen
+    """Leave out what only single cases of a function are marked as, and take the sample."""
+    asked = _asked_for(config)
+    part = config.option.slow_sample and _part(config.option.slow_sample)
+
+    def is_chosen(item: pytest.Item) -> bool:
+        left = {mark.name for mark in item.iter_markers()} & set(ON_REQUEST) - asked
+        if left == {"slow"} and part:
+            # by the test's own name: a new test changes nothing for the others
+            return crc32(item.nodeid.encode()) % part[1] == part[0]
+        return not left
+
+    chosen = [item for item in items if is_chosen(item)]
+    if len(chosen) < len(items):
+        config.hook.pytest_deselected(items=[item for item in items if not is_chosen(item)])
+        items[:] = chosen
 
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_makereport(
     item: pytest.Item, call: pytest.CallInfo[None]
 ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """A test that compares with 34 digits is skipped where heyoka, which has them, is not there."""
+    """Skip a test that the package answers with "install this extra", where it is not installed."""
     report = yield
-    if call.excinfo is None or find_spec("heyoka") is not None:
+    if call.excinfo is None:
         return report
-    if "flowlanes[taylor]" in str(call.excinfo.value):
-        report.outcome = "skipped"
-        report.longrepr = (str(item.path), item.location[1] or 0, "heyoka is not installed")
+    for extra, tool in EXTRAS.items():
+        if f"[{extra}]" in str(call.excinfo.value) and not is_installed(tool):
+            report.outcome = "skipped"
+            report.longrepr = (str(item.path), item.location[1] or 0, f"{tool} is not installed")
     return report
-
-
-def _is_chosen(item: pytest.Item) -> bool:
-    """Whether a test is run, by its own name alone: a new test changes nothing for the others."""
-    if item.get_closest_marker("campaign"):
-        return False
-    marks = list(item.iter_markers("slow"))
-    every = max((mark.kwargs.get("every", EVERY) for mark in marks), default=1)
-    return crc32(item.nodeid.encode()) % every == 0

@@ -30,7 +30,7 @@ from chaplygin.report.figures.scan import chart as draw_chart
 from flowlanes.flow import Section, project_to_level
 from flowlanes.flow.ensemble import compute
 from flowlanes.formulas import Formulas
-from flowlanes.lyapunov import MaximalExponent, Megno, Spectrum
+from flowlanes.lyapunov import Spectrum, maximal_exponent, megno
 from flowlanes.scans import Scan, axis, scan, scan_grid
 from flowlanes.system import dot, to_components
 from lawproof.search import integrals, search_request
@@ -117,9 +117,9 @@ def shares(size: Size, ratios: Sequence[float] = RATIOS) -> Iterator[Row]:
     states = starts(size.starts)
     for ratio in ratios:
         numbers = np.full(len(states), float(ratio))
-        megno = Megno(SYSTEM, size.followed)(states, {k: numbers})["value"]
-        worst = int(np.nanargmax(megno))
-        yield Row(ratio, float(np.mean(megno > CHAOTIC)), float(megno[worst]), states[worst])
+        found = megno(SYSTEM, size.followed)(states, {k: numbers})["value"]
+        worst = int(np.nanargmax(found))
+        yield Row(ratio, float(np.mean(found > CHAOTIC)), float(found[worst]), states[worst])
 
 
 def exponents(row: Row, until: float) -> Spectrum:
@@ -157,7 +157,7 @@ def exponent_chart(size: Size) -> Any:
             "energy": ENERGY,
         },
     )
-    rule = MaximalExponent(SYSTEM, size.until, intervals=100)
+    rule = maximal_exponent(SYSTEM, size.until, samples=100)
     return compute(scan(Scan(grid, rule, "lyapunov", "largest Lyapunov exponent", "1/s")))
 
 

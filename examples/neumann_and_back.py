@@ -23,7 +23,7 @@ from chaplygin import Isomorphism, System, from_catalogue, integrate
 from flowlanes.formulas import ball, ball_values
 from flowlanes.formulas.balls import number
 from flowlanes.system import to_components
-from flowlanes.system.system import flat_pairs
+from flowlanes.system.named_formulas import flat_pairs
 from nonholonomic.closed_form import SeparatedSystem, pull_back, push_forward
 from nonholonomic.closed_form.genus_two_solution import BITS, GenusTwo, solve_on_torus
 from nonholonomic.closed_form.separations.chaplygin_ball import chaplygin_ball

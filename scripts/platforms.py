@@ -1,9 +1,9 @@
 """Prints where the package installs from ready-built wheels, as the table of docs/dependencies.md.
 
 python platforms.py, where uv is installed: `uv pip compile` is asked for each platform and each
-version of Python, for versions from the oldest that will do in the files pyproject.toml on.  First each
-requirement is asked for alone, to name those without a wheel; where all have one, for all of them
-together with all that they need.
+version of Python, for versions from the oldest that will do in the files pyproject.toml on.  First
+each requirement is asked for alone, to name those without a wheel; where all have one, for all of
+them together with all that they need.
 """
 
 from __future__ import annotations
@@ -88,7 +88,9 @@ def all_together() -> dict:
     own = {place.parent.name for place in places}
 
     def foreign(requirements: list[str]) -> list[str]:
-        return sorted({r for r in requirements if r.partition("==")[0].partition("[")[0] not in own})
+        return sorted(
+            {r for r in requirements if r.partition("==")[0].partition("[")[0] not in own}
+        )
 
     projects = [tomllib.loads(place.read_text(encoding="utf-8"))["project"] for place in places]
     extras: dict[str, list[str]] = {}

@@ -45,7 +45,22 @@ def sections(name: str) -> set[str]:
     return set(re.findall(r"^(\w[\w ]*)\n-+$", inspect.getdoc(documented(name)) or "", re.M))
 
 
-@pytest.mark.parametrize("name", NAMES)
+#: Examples that take seconds.
+SLOW = {
+    "audit",
+    "nonholonomic.contact.invariants.free_contact",
+    "nonholonomic.control.planner",
+    "nonholonomic.closed_form.rigorous",
+    "chaplygin.report.study_output",
+}
+
+
+def parted(names: list[str]) -> list[Any]:
+    """The names, with those of long examples among the slow tests."""
+    return [pytest.param(n, marks=pytest.mark.slow if n in SLOW else ()) for n in names]
+
+
+@pytest.mark.parametrize("name", parted(NAMES))
 def test_the_example_gives_what_it_shows(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -68,21 +83,22 @@ def test_a_wrong_result_is_reported() -> None:
     assert failed == 1 and "Got:\n    2" in "".join(report)
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_the_example_stands_below_its_heading(name: str) -> None:
-    text = inspect.getdoc(documented(name)) or ""
-    assert re.search(r"^Examples\n--------\n>>> import \w+( as \w+)?$", text, re.M)
+def test_examples_stand_below_their_heading() -> None:
+    heading = re.compile(r"^Examples\n--------\n>>> import \w+( as \w+)?$", re.M)
+    assert [n for n in NAMES if not heading.search(inspect.getdoc(documented(n)) or "")] == []
 
 
-@pytest.mark.parametrize("name", FUNCTIONS)
-def test_a_function_tells_what_it_takes_returns_and_refuses(name: str) -> None:
-    function = documented(name)
-    found = sections(name)
-    assert "Raises" in found
-    if inspect.signature(function).parameters:
-        assert "Parameters" in found
-    if inspect.signature(function).return_annotation not in (None, "None"):
-        assert "Returns" in found
+def missing_sections(name: str) -> set[str]:
+    """The headings that the docstring of a public function lacks."""
+    signature = inspect.signature(documented(name))
+    needed = {"Raises"} | ({"Parameters"} if signature.parameters else set())
+    if signature.return_annotation not in (None, "None"):
+        needed.add("Returns")
+    return needed - sections(name)
+
+
+def test_functions_tell_what_they_take_return_and_refuse() -> None:
+    assert {name: lost for name in FUNCTIONS if (lost := missing_sections(name))} == {}
 
 
 def test_functions_are_found_below_what_checks_their_arguments() -> None:
@@ -141,19 +157,23 @@ def test_every_name_of_a_namespace_has_an_example() -> None:
     assert not has_example(flowlanes.system.vector_operators.outer)
 
 
-@pytest.mark.parametrize(
-    "name",
-    [name for name, value in OFFERED.items() if inspect.isroutine(value)],
-)
-def test_a_function_of_a_namespace_documents_its_own_arguments(name: str) -> None:
-    function = OFFERED[name]
+def undocumented(function: Any) -> list[str]:
+    """Headings that the docstring of a function lacks, and arguments it lacks or has too many."""
     text, signature = inspect.getdoc(function) or "", inspect.signature(function)
     found = dict(re.findall(r"^(\w[\w ]*)\n-+\n(.*?)(?=\n\n\w[\w ]*\n-+\n|\Z)", text, re.M | re.S))
-    assert "Raises" in found
-    assert signature.return_annotation in (None, "None") or "Returns" in found
+    needed = ["Raises"]
+    if signature.return_annotation not in (None, "None"):
+        needed.append("Returns")
     described = re.findall(r"^(\S.*?)(?: :.*)?$", found.get("Parameters", ""), re.M)
+    # a function without arguments has no such section
     names = {part.strip().lstrip("*") for line in described for part in line.split(",")}
-    assert names == set(signature.parameters)
+    return [n for n in needed if n not in found] + sorted(names ^ set(signature.parameters))
+
+
+def test_functions_of_namespaces_document_their_own_arguments() -> None:
+    functions = {name: value for name, value in OFFERED.items() if inspect.isroutine(value)}
+    assert len(functions) > 100
+    assert {name: lost for name, f in functions.items() if (lost := undocumented(f))} == {}
 
 
 #: Modules with examples of names that are not public.
@@ -162,7 +182,7 @@ MODULES = sorted(
 )
 
 
-@pytest.mark.parametrize("name", MODULES)
+@pytest.mark.parametrize("name", parted(MODULES))
 def test_examples_of_a_module_run(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -14,7 +14,7 @@ from nonholonomic.contact.rolling_limit.skate import Skate
 PAGE = (Path(__file__).parents[1] / "docs" / "friction-realisation.md").read_text()
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 def test_the_steps_run_and_print_what_the_page_says(capsys: pytest.CaptureFixture[str]) -> None:
     names: dict[str, Any] = {}
     for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
@@ -23,7 +23,7 @@ def test_the_steps_run_and_print_what_the_page_says(capsys: pytest.CaptureFixtur
     assert capsys.readouterr().out.splitlines() == printed
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("row", "shares"),
     [
@@ -43,7 +43,7 @@ def test_the_limits_of_the_skate_are_those_of_the_table(
     np.testing.assert_allclose(found, numbers, rtol=0, atol=5e-8)
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("column", "shares"), [(2, (1.0, 0.0)), (4, (0.0, 1.0)), (6, (1.0, 1.0)), (8, (8.0, 1.0))]
 )

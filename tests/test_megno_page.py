@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 import chaplygin as ch
-from flowlanes.lyapunov.indicators import Megno
+from flowlanes.lyapunov.indicators import megno
 
 PAGE = (Path(__file__).parents[1] / "docs" / "charts.md").read_text(encoding="utf-8")
 x, v = sp.symbols("x v", real=True)
@@ -28,7 +28,7 @@ def test_regular_motions_have_less_than_two_for_long(
     force: sp.Expr, until: float, number: str
 ) -> None:
     """The page said 2."""
-    rule = Megno(ch.System("pendulum", "Pendulum", {x: v, v: force}), until)
+    rule = megno(ch.System("pendulum", "Pendulum", {x: v, v: force}), until)
     value = float(rule(np.array([[0.5, 0.0]]), {})["value"][0])
     assert number in PAGE
     assert value == pytest.approx(float(number.split(maxsplit=1)[0]), abs=0.005)

@@ -21,7 +21,7 @@ from nonholonomic.mechanics.reduction.chaplygin import chaplygin_form
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Rolling
 from nonholonomic.mechanics.shapes.shapes import Ball
-from workspace import files, tree
+from workspace import files, nodes_of
 
 x, y, phi = (real_symbol(name) for name in ("x", "y", "phi"))
 
@@ -74,27 +74,23 @@ def test_precision_is_kept_where_something_is_refused() -> None:
     assert settings() == before
 
 
-def _assigned(tree: ast.AST) -> Iterator[tuple[str, int]]:
+def _assigned(path: Path) -> Iterator[tuple[str, int]]:
     """Assignments to the precision of a context that the module did not make itself."""
     own = {
         target.id
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Assign)
-        and isinstance(node.value, ast.Call)
-        and ast.unparse(node.value.func).endswith("MPContext")
+        for node in nodes_of(path, ast.Assign)
+        if isinstance(node.value, ast.Call) and ast.unparse(node.value.func).endswith("MPContext")
         for target in node.targets
         if isinstance(target, ast.Name)
     }
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Assign | ast.AugAssign):
-            for target in node.targets if isinstance(node, ast.Assign) else [node.target]:
-                if isinstance(target, ast.Attribute) and target.attr in ("prec", "dps"):
-                    base = ast.unparse(target.value)
-                    if base not in own:
-                        yield base, node.lineno
+    for node in nodes_of(path, ast.Assign, ast.AugAssign):
+        for target in node.targets if isinstance(node, ast.Assign) else [node.target]:
+            if isinstance(target, ast.Attribute) and target.attr in ("prec", "dps"):
+                base = ast.unparse(target.value)
+                if base not in own:
+                    yield base, node.lineno
 
 
-@pytest.mark.slow
 def test_no_module_sets_the_precision_of_others() -> None:
-    found = {f"{path}:{line}: {base}" for path in files() for base, line in _assigned(tree(path))}
+    found = {f"{path.name}:{line}: {base}" for path in files() for base, line in _assigned(path)}
     assert not found

@@ -41,19 +41,39 @@ def test_first_lines() -> None:
     ]
 
 
+def commands() -> list[list[str]]:
+    """The arguments of every line that calls the command line."""
+    starts = ("chaplygin list", "chaplygin prove", "sleigh.toml", "chaplygin solve")
+    lines = [
+        line
+        for start in (*starts, "chaplygin section")
+        for line in block("sh", start).splitlines()
+        if line
+    ]
+    return [shlex.split(line.split("#")[0].split(">")[0]) for line in lines]
+
+
+def test_the_shell_lines_name_commands_and_options(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    wrong = []
+    for command in commands():
+        monkeypatch.setattr(sys, "argv", [*command[:2], "--help"])
+        with pytest.raises(SystemExit):
+            main()
+        offered = set(re.findall(r"(?<![\w-])--?[a-z][\w-]*", capsys.readouterr().out))
+        used = {word.split("=")[0] for word in command if re.match("--?[a-z]", word)}
+        wrong += [" ".join(command)] if used - offered or not offered else []
+    assert wrong == []
+
+
+@pytest.mark.slow
 def test_the_shell_lines_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "examples").symlink_to(ROOT / "examples")
-    lines = [line for line in block("sh", "chaplygin list").splitlines() if line]
-    assert len(lines) == 11
-    proofs = [line for line in block("sh", "chaplygin prove").splitlines() if line]
-    first = [line for line in block("sh", "sleigh.toml").splitlines() if line]
-    solved = [line for line in block("sh", "chaplygin solve").splitlines() if line]
-    explored = [line for line in block("sh", "chaplygin section").splitlines() if line]
-    for line in [*lines, *proofs, *first, *solved, *explored]:
-        command = shlex.split(line.split("#")[0].split(">")[0])
+    for command in commands():
         monkeypatch.setattr(sys, "argv", command)
         with pytest.raises(SystemExit) as end:
             main()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import gc
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -31,8 +32,26 @@ def files(*names: str) -> list[Path]:
 
 @cache
 def tree(path: Path) -> ast.Module:
-    """The syntax tree of a file, which is read once for all tests."""
-    return ast.parse(path.read_text(encoding="utf-8"))
+    """The syntax tree of a file, for reading alone: whoever changes one parses it anew."""
+    # a million nodes would wake the collector again and again, with all of SymPy in memory
+    woken = gc.isenabled()
+    gc.disable()
+    try:
+        return ast.parse(path.read_text(encoding="utf-8"))
+    finally:
+        if woken:
+            gc.enable()
+
+
+@cache
+def nodes(path: Path) -> tuple[ast.AST, ...]:
+    """All nodes of a file, in the order of `ast.walk`."""
+    return tuple(ast.walk(tree(path)))
+
+
+def nodes_of(path: Path, *kinds: type[ast.AST]) -> Iterator[ast.AST]:
+    """The nodes of a file of some kinds."""
+    return (node for node in nodes(path) if isinstance(node, kinds))
 
 
 def module_name(path: Path, home: Path) -> str:
@@ -65,7 +84,7 @@ def imports(homes: Mapping[str, Path]) -> dict[str, set[str]]:
 def names_taken(path: Path, name: str, packages: tuple[str, ...]) -> Iterator[tuple[str, str]]:
     """Modules of packages from which a file imports, with the names that it takes from them."""
     here = name.split(".") if path.stem == "__init__" else name.split(".")[:-1]
-    for node in ast.walk(tree(path)):
+    for node in nodes_of(path, ast.ImportFrom, ast.Import, ast.Call):
         if isinstance(node, ast.ImportFrom):
             parts = (node.module or "").split(".")
             if node.level:

@@ -159,7 +159,7 @@ def test_jelletts_integral_of_the_start(examples: dict[str, ModuleType]) -> None
     assert value == pytest.approx(top.jellett(150.0, 0.2, 0.25), rel=1e-13)
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_the_top_of_leine_and_glocker_under_every_law(examples: dict[str, ModuleType]) -> None:
     top = examples["tippe_top"]
     motions = top.inversions(2.5)
@@ -183,7 +183,7 @@ def test_the_top_of_leine_and_glocker_under_every_law(examples: dict[str, Module
     assert rolled.states[:, 15].min() > -0.7216
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_tops_turn_over_by_the_condition(examples: dict[str, ModuleType]) -> None:
     """Next to the threshold on both sides; a top with I₁/I₃ above 1 + α never does."""
     top = examples["tippe_top"]
@@ -204,7 +204,7 @@ def motion(examples: dict[str, ModuleType], name: str, *overrides: str) -> Conta
     return run
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_the_billiard_ball(examples: dict[str, ModuleType]) -> None:
     run = motion(examples, "billiard_ball", "run.samples=101")
     slip = np.linalg.norm(run.records["slip"][0])
@@ -213,7 +213,7 @@ def test_the_billiard_ball(examples: dict[str, ModuleType]) -> None:
     assert examples["friction_figures"].parabola_error(run) < 1e-14
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_the_dry_rattleback(examples: dict[str, ModuleType]) -> None:
     run = motion(examples, "dry_rattleback", "run.until=0.5", "run.samples=11")
     assert len(run.changes) == 26
@@ -223,7 +223,7 @@ def test_the_dry_rattleback(examples: dict[str, ModuleType]) -> None:
     assert run.drift < 1e-13
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_samples_where_sliding_begins_have_observables(examples: dict[str, ModuleType]) -> None:
     """A sample within the first moments of a slip, whose equations have a further variable."""
     run = motion(examples, "dry_rattleback", "run.until=0.007", "run.samples=36")
@@ -233,7 +233,7 @@ def test_samples_where_sliding_begins_have_observables(examples: dict[str, Modul
     assert (slip[just] > 0).all()
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_the_egg_jumps(examples: dict[str, ModuleType]) -> None:
     run = motion(examples, "rising_egg", "run.until=1.03", "run.samples=104")
     assert [e.kind for e in run.changes] == ["lift-off", "landing"] * 2
@@ -241,7 +241,7 @@ def test_the_egg_jumps(examples: dict[str, ModuleType]) -> None:
     assert times[:3] == [said("0.954852400"), said("0.965171808"), said("1.007389874")]
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_the_superball_comes_back(examples: dict[str, ModuleType]) -> None:
     run = motion(examples, "superball", "run.samples=9")
     first = run.changes[0]
@@ -254,7 +254,7 @@ def test_the_superball_comes_back(examples: dict[str, ModuleType]) -> None:
     assert run.records["velocity"][-1] == pytest.approx([-7.5 / 7, 0.0, 0.0], abs=1e-12)
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_sliding_and_spinning_end_together(examples: dict[str, ModuleType]) -> None:
     run = motion(examples, "contensou_ball", "run.samples=4001")
     (event,) = run.changes
@@ -263,7 +263,7 @@ def test_sliding_and_spinning_end_together(examples: dict[str, ModuleType]) -> N
     assert exponent == pytest.approx(14 / 5 / 0.6**2, abs=1e-3)
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 @pytest.mark.parametrize("mu", [0.1, 0.2, 0.4, 1.0])
 def test_the_ball_leaves_the_dome(examples: dict[str, ModuleType], mu: float) -> None:
     """Against the equation of w = v²/(g (R + a)) by the angle, integrated by itself."""
@@ -291,7 +291,7 @@ def test_the_ball_leaves_the_dome(examples: dict[str, ModuleType], mu: float) ->
     said(f"{end:.4f}")
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_the_ball_on_the_turntable_circles(examples: dict[str, ModuleType]) -> None:
     run = motion(examples, "ball_on_a_turntable", "run.samples=401")
     rate = examples["friction_figures"].circling_rate(run)
@@ -312,7 +312,7 @@ def test_the_spheroid_that_no_force_carries(examples: dict[str, ModuleType]) -> 
     assert (sliding[-1], normal[1]) == (0, normal.min())
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_the_impact_without_collision(examples: dict[str, ModuleType]) -> None:
     run = motion(examples, "painleve", "run.until=0.01", "run.samples=3")
     event = run.changes[0]
@@ -335,7 +335,7 @@ def test_the_start_of_eulers_disk_is_a_steady_motion(examples: dict[str, ModuleT
     assert np.count_nonzero(omega) == 1
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("index", "exponent", "end"),
     [(0, 2 / 3, "4.90472"), (1, 2.0, "5.00156"), (2, 1 / 3, "104.84489")],
@@ -358,7 +358,7 @@ def test_exponents_of_eulers_disk(
 # --- a planted mistake ---------------------------------------------------------------------------
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_a_wrong_coefficient_is_seen(examples: dict[str, ModuleType]) -> None:
     """With a tenth less friction the billiard ball rolls at another time."""
     figures = examples["friction_figures"]

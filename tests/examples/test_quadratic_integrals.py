@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -84,6 +85,14 @@ def test_further_search(example) -> None:
 def test_products_of_those_known(example, in_u: int, in_gamma: int, count: int) -> None:
     assert example.known(in_u, in_gamma, 3) == count
     assert re.search(rf"\| {in_u} \| {in_gamma} \| \d+ \| {count} \| {count} \|", PAGE)
+
+
+@pytest.fixture(autouse=True)
+def the_precision_of_others() -> Iterator[None]:
+    """What is set here for balls ends with the test."""
+    before = ctx.prec, ctx.cap
+    yield
+    ctx.prec, ctx.cap = before
 
 
 def test_a_step_of_the_orbit_is_enclosed(torus) -> None:

@@ -58,6 +58,13 @@ DAMPED_ZEROS = [
 ]
 
 
+def cross(a: Any, b: Any) -> Any:
+    """The vector product of three numbers each: that of NumPy takes ten times as long for them."""
+    return np.array(
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    )
+
+
 def their_equations(time: float, state: Any, sigma: float) -> Any:
     """Euler's equations about the contact with angles α, β and axis 3 down, by hand."""
     (alpha, beta), u = state[:2], state[2:]
@@ -67,15 +74,15 @@ def their_equations(time: float, state: Any, sigma: float) -> Any:
     down = np.array([-np.cos(alpha) * np.sin(beta), np.sin(alpha), np.cos(alpha) * np.cos(beta)])
     size = np.sqrt(axes @ down**2)
     contact = axes * down / size - [0, 0, height]
-    turning = np.cross(down, u)
+    turning = cross(down, u)
     growth = axes @ (down * turning) / size
     sliding = axes * (turning / size - down * growth / size**2)
-    acceleration = np.cross(u, np.cross(contact, u) - sliding)
+    acceleration = cross(u, cross(contact, u) - sliding)
     couple = (
-        mass * gravity * np.cross(down, contact)
+        mass * gravity * cross(down, contact)
         - sigma * u
-        + np.cross(inertia @ u, u)
-        + mass * np.cross(contact, acceleration)
+        + cross(inertia @ u, u)
+        + mass * cross(contact, acceleration)
     )
     about = inertia + mass * (contact @ contact * np.eye(3) - np.outer(contact, contact))
     heading = (u[2] * np.cos(beta) - u[0] * np.sin(beta)) / np.cos(alpha)
@@ -117,19 +124,20 @@ def test_both_derivations_agree_without_dissipation() -> None:
 
 
 @pytest.mark.parametrize(
-    ("sigma", "vertical", "third"),
+    ("sigma", "until", "vertical", "third"),
     [
-        pytest.param(0.0, REVERSALS[:7], OMEGA3_ZEROS[:13], marks=pytest.mark.slow),
-        (1e-4, DAMPED_REVERSALS, DAMPED_ZEROS),
+        (1e-4, 2.58, DAMPED_REVERSALS, DAMPED_ZEROS[:5]),
+        pytest.param(1e-4, 3.5, DAMPED_REVERSALS, DAMPED_ZEROS, marks=pytest.mark.slow),
+        pytest.param(0.0, 3.5, REVERSALS[:7], OMEGA3_ZEROS[:13], marks=pytest.mark.slow),
     ],
 )
 def test_the_equations_of_the_paper(
-    sigma: float, vertical: list[float], third: list[float]
+    sigma: float, until: float, vertical: list[float], third: list[float]
 ) -> None:
     tilt = np.radians(0.5)
     made = solve_ivp(
         their_equations,
-        (0.0, 3.5),
+        (0.0, until),
         [tilt, tilt, 0.0, 0.0, -5.0],
         method="DOP853",
         rtol=1e-12,

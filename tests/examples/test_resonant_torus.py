@@ -49,6 +49,7 @@ def test_orbits_close_after_their_own_period_alone(example, story):
     assert example.miss(story, first, second.period) > 1e-3
 
 
+@pytest.mark.slow
 def test_figure(example, story, tmp_path):
     example.figure(story).savefig(tmp_path / "resonant_torus.png")
     assert (tmp_path / "resonant_torus.png").stat().st_size > 10_000

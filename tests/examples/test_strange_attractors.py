@@ -54,9 +54,13 @@ def test_sections_keep_to_their_level(found):
         assert np.ptp(M[:, 2]) > 1e-3
 
 
-def test_pictures_and_words(example, found, tmp_path):
+@pytest.mark.slow
+def test_pictures(example, found, tmp_path):
     example.draw_all(found).savefig(tmp_path / "picture.png", dpi=50)
     assert (tmp_path / "picture.png").stat().st_size > 10_000
+
+
+def test_words(example, found):
     told = "\n".join(map(example.summary, found))
     assert "λ3 = " in told
     assert "observed, not proven" in told

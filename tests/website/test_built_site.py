@@ -10,6 +10,8 @@ import pytest
 
 from browser import Opened, browsers
 
+pytestmark = pytest.mark.browser
+
 SITE = Path(__file__).parents[2] / "build" / "site"
 
 #: Texts whose contrast with what is behind them is below that of WCAG AA.

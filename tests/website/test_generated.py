@@ -25,7 +25,7 @@ def website(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.syspath_prepend(str(WEBSITE))
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_an_exhibit_has_laws_file_and_live_page(tmp_path: Path) -> None:
     exhibits, gallery = import_module("exhibits"), import_module("gallery")
     store, live = tmp_path / "store", tmp_path / "live"

@@ -8,10 +8,11 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-import nbformat
 import pytest
-from nbclient import NotebookClient
-from nbclient.exceptions import CellExecutionError
+
+from needs import optional
+
+nbformat, nbclient = optional("nbformat"), optional("nbclient")
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted((ROOT / "docs" / "course").glob("section-*.md"))
@@ -45,7 +46,7 @@ def notebooks(monkeypatch: pytest.MonkeyPatch) -> Any:
 def run(notebook: nbformat.NotebookNode, folder: Path) -> nbformat.NotebookNode:
     """A notebook after it was run from top to bottom in a folder, in a process of its own."""
     resources = {"metadata": {"path": str(folder)}}
-    return NotebookClient(notebook, timeout=900, resources=resources).execute()
+    return nbclient.NotebookClient(notebook, timeout=900, resources=resources).execute()
 
 
 def test_a_page_becomes_a_notebook(notebooks: Any) -> None:
@@ -74,7 +75,7 @@ def test_the_notebooks_are_the_pages(notebooks: Any) -> None:
 
 @pytest.mark.slow
 def test_a_cell_that_fails_ends_the_notebook(notebooks: Any, tmp_path: Path) -> None:
-    with pytest.raises(CellExecutionError, match="slips"):
+    with pytest.raises(nbclient.exceptions.CellExecutionError, match="slips"):
         run(notebooks.notebook(PAGE), tmp_path)
 
 

@@ -10,6 +10,8 @@ from typing import Any
 
 import pytest
 
+from needs import optional
+
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 
 
@@ -18,8 +20,8 @@ def browsers() -> Iterator[Callable[..., Any]]:
     """Starts browsers, by default with WebGL by software; the test is skipped without one."""
     place = next(filter(None, map(shutil.which, NAMES)), None)
     if place is None:
-        pytest.skip("there is no Chromium on this machine: scripts/chromium.sh installs it")
-    playwright = pytest.importorskip("playwright.sync_api")
+        pytest.skip("Chromium: not installed; scripts/chromium.sh does so")
+    playwright = optional("playwright.sync_api")
     software = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
     with playwright.sync_playwright() as started:
         yield lambda *arguments: started.chromium.launch(

@@ -11,13 +11,14 @@ from borisov_mamaev_2008.methods.derived_verdicts import contrary
 from borisov_mamaev_2008.obstructions.divergence_at_equilibria import divergence, excludes_measure
 from borisov_mamaev_2008.section_03 import section_03_2, section_03_3
 from evaluation import numeric
+from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.laws import Integral
 from flowlanes.system.system import System
 from lawproof.proof.prover import prove
 from lawproof.proof.verdict import Verdict
+from nonholonomic import from_catalogue
 from nonholonomic.catalogue import CATALOGUE
-from nonholonomic.catalogue.fixed_point import suslov
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 
 
@@ -125,10 +126,10 @@ def test_every_hamiltonian_flow_of_the_book_algebra_shrinks_or_grows_at_a_rest_p
 
 def test_suslov_from_euler_and_a_torque_along_the_axis():
     """Iω̇ − Iω×ω − γ×∂U/∂γ is along e₃, and ω̇₃ = 0."""
-    system = suslov.in_quadratic_field(dict(suslov.FIELD_DEFAULTS))
+    system = from_catalogue("suslov-quadratic")
     rng = np.random.default_rng(3)
-    inertia = np.diag([suslov.FIELD_DEFAULTS[f"I_{i}"] for i in (1, 2, 3)])
-    strengths = np.diag([suslov.FIELD_DEFAULTS[f"C_{i}"] for i in (1, 2, 3)])
+    inertia = np.diag([CATALOGUE["suslov-quadratic"].defaults[f"I_{i}"] for i in (1, 2, 3)])
+    strengths = np.diag([CATALOGUE["suslov-quadratic"].defaults[f"C_{i}"] for i in (1, 2, 3)])
     omega, gamma = np.array([*rng.normal(size=2), 0.0]), rng.normal(size=3)
     rates = np.asarray(numeric(system, list(system.rates))(np.array([*omega, *gamma])[:, None]))
     rates = rates.reshape(6)
@@ -140,7 +141,7 @@ def test_suslov_from_euler_and_a_torque_along_the_axis():
 
 
 def test_suslovs_problem_runs_as_the_bracket():
-    p = suslov.FIELD_DEFAULTS
+    p = CATALOGUE["suslov-quadratic"].defaults
     first, second = (p["C_1"] - p["C_3"]) / p["I_2"], (p["C_2"] - p["C_3"]) / p["I_1"]
     omega, gamma = np.array([0.9, -0.5, 0.0]), np.array([2.0, -3.0, 6.0]) / 7
     times = np.linspace(0.0, 20.0, 41)
@@ -170,12 +171,12 @@ def test_free_suslov_body_ends_in_a_permanent_rotation():
     """No measure: all motions tend to one half of the line I_13 ω₁ + I_23 ω₂ = 0."""
     times = np.linspace(0.0, 200.0, 21)
     motion = follow("suslov", {"omega": (0.9, -0.5, 0.0), "gamma": (1.0, 0.0, 0.0)}, times)
-    defaults = suslov.DEFAULTS
+    defaults = CATALOGUE["suslov"].defaults
     product = defaults["I_13"] * motion["omega"][:, 0] + defaults["I_23"] * motion["omega"][:, 1]
     assert abs(product[0]) > 0.1
     assert abs(product[-1]) < 1e-9
 
 
 def test_both_forces_of_the_potential_must_pull_to_the_axis():
-    with pytest.raises(suslov.InputError, match="the first two must exceed the third"):
+    with pytest.raises(InputError, match="C_1 > C_3 must hold"):
         CATALOGUE["suslov-quadratic"].system({"C_3": 1.5})

@@ -1,7 +1,7 @@
 """``python -m certificate_checker FILE…``: check certificates.
 
-A file holds one certificate, or a list of them.  Exit status 0: all check; 1: one does not;
-2: something is no certificate.
+A file holds one certificate, or a list of them.  Exit status 0: all are valid; 1: one is not; 2:
+the file contains something else.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ USAGE = "usage: python -m certificate_checker FILE [FILE ...]"
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Check certificates in files, and say of each how it went."""
+    """Check the certificates in files, and print the result for each."""
     if not arguments or arguments[0] in ("-h", "--help"):
         print(USAGE, file=sys.stdout if arguments else sys.stderr)
         return 0 if arguments else 2
@@ -43,7 +43,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _exit_status(certificate: object, label: str) -> int:
-    """Check one certificate, say how it went, and give the exit status for it."""
+    """Check one certificate, print the result, and return the exit status for it."""
     try:
         check(certificate)
     except BadInputError as error:
@@ -73,7 +73,7 @@ def _read(file: str) -> object:
 
 
 def _distinct(pairs: list[tuple[str, object]]) -> dict[str, object]:
-    """A mapping in which no name stands twice."""
+    """A mapping without duplicate names."""
     mapping = dict(pairs)
     if len(mapping) < len(pairs):
         raise ValueError("a name stands twice in one mapping")

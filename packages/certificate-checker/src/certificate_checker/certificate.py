@@ -1,4 +1,4 @@
-"""Certificates as a whole: what is claimed, by which proofs or by which witness."""
+"""Check a whole certificate: the claim, and its proofs or its witness."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ def _condition(data: object, claim: Claim) -> Condition:
 def _check_proofs(
     data: Mapping[str, object], claim: Claim, conditions: list[Condition], seed: str
 ) -> None:
-    """Check every proof, and that together they treat everything, whatever signs they assume."""
+    """Check every proof, and that together they cover all combinations of assumed signs."""
     proofs = as_list(field(data, "proofs", "the certificate"), "proofs")
     if not proofs:
         raise CheckError("the certificate has no proofs")

@@ -1,8 +1,8 @@
-"""Checks of the points in certificates: counterexamples and sample points.
+"""Check the points in certificates: counterexamples and sample points.
 
-Coordinates are rational numbers, roots of triangular polynomials that change their sign, or values
-of formulas.  That a condition holds at a point is shown exactly (see :mod:`.exact_values`); balls
-show what is positive or is not zero.
+Coordinates are rational numbers, roots of triangular polynomials that change sign, or values of
+formulas.  That a condition holds at a point is shown exactly (see :mod:`.exact_values`); balls show
+that a value is positive or nonzero.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ from .exact_values import ExactValues
 from .identities.proof import Condition
 
 PRECISION = 1200
-#: Halvings of an interval until a polynomial is steep in it.
+#: Number of bisections until a polynomial is monotone on the interval.
 BISECTIONS = 300
-#: Steps of Newton's method, each of which nearly doubles the number of digits.
+#: Number of Newton steps, each of which nearly doubles the number of digits.
 NEWTON_STEPS = 60
 
 _DECIMAL = re.compile(r"-?\d{1,2000}(\.\d{1,2000})?([eE][+-]?\d{1,4})?")
 
 
 def check_witness(claim: Claim, data: object) -> None:
-    """Check a refutation: at a point of the level a residual is certainly not zero."""
+    """Check a refutation: at a point of the level a residual is certainly nonzero."""
     what = "the witness"
     data = mapping(data, what)
     only(data, what, "point", "what", "index", "residual", "functions")
@@ -55,7 +55,7 @@ def check_witness(claim: Claim, data: object) -> None:
 
 
 def point_of_level(claim: Claim, data: object) -> Point:
-    """A point of the level in the domain of the law; CheckError where it is none."""
+    """The point, which must be on the level in the domain of the law; CheckError otherwise."""
     with ctx.workprec(PRECISION):
         point = _StatedPoint(claim, data)
         point.check()
@@ -63,7 +63,7 @@ def point_of_level(claim: Claim, data: object) -> Point:
 
 
 def failing(claim: Claim, data: object) -> tuple[int, str]:
-    """The first residual that is certainly not zero at a point of the level: number and value.
+    """The first residual that is certainly nonzero at a point of the level: index and value.
 
     Raises
     ------
@@ -80,7 +80,7 @@ def failing(claim: Claim, data: object) -> tuple[int, str]:
 
 
 def check_sample(claim: Claim, data: object, conditions: Sequence[Condition]) -> None:
-    """Check that the law is defined at a point of its level, with the rank that it says."""
+    """Check that the law is defined at a point of its level, with the stated rank."""
     with ctx.workprec(PRECISION):
         point = _StatedPoint(claim, data)
         point.check()
@@ -94,7 +94,7 @@ def check_sample(claim: Claim, data: object, conditions: Sequence[Condition]) ->
 
 
 def _stated_number(data: object) -> arb:
-    """A number as a text: a fraction, a decimal, or a ball such as ``[1.5 +/- 1e-20]``."""
+    """A number given as text: a fraction, a decimal, or a ball such as ``[1.5 +/- 1e-20]``."""
     words = text(data, "the residual at the witness")
     try:
         return ball(rational(words, "the residual"))
@@ -114,12 +114,12 @@ def _decimal(data: object, what: str) -> Fraction:
 
 
 class _StatedPoint:
-    """Values of state and parameters, exact where they can be."""
+    """Values of state and parameters, exact where possible."""
 
     def __init__(self, claim: Claim, data: object) -> None:
         self.claim = claim
         self.system = claim.system
-        # another point, other values: they may be small where a root asks for it
+        # Another point uses other random values: they may be too small for some root.
         self.functions = RealFunctions(json.dumps(data, sort_keys=True))
         self.balls: dict[str, arb] = {}
         self.rationals: dict[str, Fraction] = {}
@@ -144,7 +144,7 @@ class _StatedPoint:
         return Point(self.balls, self.system.definitions, {}, self.functions, settled)
 
     def _set_vanishing_functions(self, zeros: list[Formula]) -> None:
-        """Values of unspecified functions that a condition says are zero."""
+        """Set the values of unspecified functions that a condition declares zero."""
         for zero in list(zeros):
             if self.system.reach(zero.parts) <= {*self.balls, *self.system.definitions}:
                 partial = self._partial_point()
@@ -271,7 +271,7 @@ def _root(
     radius: Fraction,
     what: str,
 ) -> arb:
-    """A ball around a root in an interval at whose ends a polynomial has different signs."""
+    """A ball around a root in an interval at whose ends a polynomial has opposite signs."""
 
     def value(at: arb, of: Poly = poly) -> arb:
         values = [at if n == word else balls[n] for n in ring.names]
@@ -291,7 +291,7 @@ def _root(
         here = ball(low).union(ball(high))
         if value(here, slope) != 0:
             return _newton_narrowed(here, value, lambda at: value(at, slope))
-        # a root may lie at one of the points that part the interval
+        # A root may lie at one of the points that divide the interval.
         points = [low + (high - low) * Fraction(share, 8) for share in (4, 3, 5)]
         inside = next(((at, side) for at in points if (side := sign(at))), None)
         if inside is None:
@@ -301,8 +301,8 @@ def _root(
 
 
 def _newton_narrowed(here: arb, value: Callable[[arb], arb], slope: Callable[[arb], arb]) -> arb:
-    """A ball with one root made narrower by Newton's method: the root stays in it."""
-    # the intersection is rounded: what counts is how narrow it is, not what it was made of
+    """A ball with one root, narrowed by Newton's method; the root stays in it."""
+    # The intersection is rounded; only its width matters.
     for _ in range(NEWTON_STEPS):
         middle = here.mid()
         after = here.intersection(middle - value(middle) / slope(here))

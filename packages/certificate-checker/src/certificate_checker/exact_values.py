@@ -1,8 +1,8 @@
 """Exact values at a point with algebraic and other coordinates.
 
-Every root of a number and every other function value is a generator of its own: a root satisfies
-its equation, sines and cosines of arc tangents are rational, and those of quarters of a turn are
-numbers.  What vanishes by these rules does vanish at the point; what does not may still do so.
+Every root of a number and every other function value is a separate generator: a root satisfies its
+equation, sines and cosines of arc tangents are rational, and those of quarter turns are numbers.  A
+value that vanishes by these rules does vanish at the point; one that does not may still vanish.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from .claim.functions import HALF
 from .claim.polynomials import Poly, Ring
 from .claim.quotients import Quotient, quotient
 
-#: Roots and values of functions in the conditions at one point.
+#: Maximum number of roots and function values in the conditions at one point.
 MOST = 40
 
-#: Multiples of an angle whose sine is known by that of the angle.
+#: Multiples of an angle whose sine is expressed by that of the angle.
 MULTIPLES = 24
 
 
-#: Sine and cosine, by their places in a pair: what stands above and below.
+#: Sine and cosine by their positions in a pair: numerator and denominator.
 _CIRCULAR: dict[str, tuple[int | None, int | None]] = {
     "sin": (0, None),
     "cos": (1, None),
@@ -82,7 +82,7 @@ class ExactValues:
         self._count = 0
 
     def _polynomial(self, terms: Mapping[tuple[int, ...], fmpq]) -> Poly:
-        """A polynomial over the symbols, with the rational coordinates in it."""
+        """A polynomial over the symbols, with the rational coordinates inserted."""
         spread = {(*exponents, *[0] * MOST): c for exponents, c in terms.items()}
         poly = self.ring.context.from_dict(spread)
         for word, value in self._rationals.items():
@@ -197,7 +197,7 @@ class ExactValues:
     def _ratio(
         self, places: tuple[int | None, int | None], pair: tuple[Quotient, Quotient]
     ) -> Quotient:
-        """One of a pair over another, where None stands for 1."""
+        """The quotient of the members of a pair, where None stands for 1."""
         one = self.ring.constant(1)
         above, below = ((one, one) if place is None else pair[place] for place in places)
         if self._is_zero(below[0]):
@@ -213,7 +213,7 @@ class ExactValues:
         return (above**2 - below**2, double), (above**2 + below**2, double)
 
     def _exponential(self, exponent: Formula, value_of: Callable[[Formula], Quotient]) -> Quotient:
-        """The exponential of a sum of multiples of logarithms and of exponents met before."""
+        """The exponential of a sum of multiples of logarithms and of earlier exponents."""
         exponent = self._without_names(exponent)
         one = self.ring.constant(1)
         if exponent.kind == "sum":
@@ -234,7 +234,7 @@ class ExactValues:
         return self._new("exp", None, (argument,), call("exp", [exponent]))
 
     def _without_names(self, formula: Formula) -> Formula:
-        """A formula with its name replaced by what it stands for."""
+        """A formula with its name replaced by its definition."""
         while formula.kind == "name" and formula.word in self._formulas:
             formula = self._formulas[formula.word]
         return formula
@@ -242,7 +242,7 @@ class ExactValues:
     def _circle(
         self, angle: Formula, value_of: Callable[[Formula], Quotient]
     ) -> tuple[Quotient, Quotient]:
-        """Sine and cosine: by addition theorems, from arc tangents and quarters of a turn."""
+        """Sine and cosine, from addition theorems, arc tangents and quarter turns."""
         angle = self._without_names(angle)
         zero, one = self.ring.constant(0), self.ring.constant(1)
         if angle.kind == "sum":
@@ -309,7 +309,7 @@ class ExactValues:
         return total
 
     def _remainder(self, poly: Poly, divisor: Poly, word: str) -> Poly:
-        """Remainder of a division in one variable, times powers of the divisor's first factor."""
+        """Remainder of a division in one variable, times powers of the leading coefficient."""
         position = self.ring.index[word]
         degree = _degree(divisor, position)
         lead = _coefficient(self.ring, divisor, position, degree)

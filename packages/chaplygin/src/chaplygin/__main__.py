@@ -16,8 +16,8 @@ def main() -> None:
     import gc
     import threading
 
-    # formulas and modules are many small objects that stay: to look through them all for what
-    # could go, every 700 new ones, takes a tenth of the time of a study
+    # Formulas and modules are many small objects that stay alive: scanning all of them for garbage
+    # after every 700 allocations takes a tenth of the time of a study.
     gc.set_threshold(100_000, 20, 100)
     from .interruption import GRACE_PERIOD, exit_code, interruptible
 
@@ -30,20 +30,23 @@ def main() -> None:
             command()
     except SystemExit as end:
         if end.code == exit_code():
-            # do not wait for threads that compute what nobody wants any more
+            # Do not wait for threads whose results are no longer needed.
             timer = threading.Timer(GRACE_PERIOD, os._exit, (end.code,))
             timer.daemon = True
             timer.start()
         raise
     finally:
-        # all is said and written: the interpreter needs a moment to end
+        # All output is written: the interpreter needs a moment to end.
         signal.signal(signal.SIGINT, signal.SIG_IGN)
-        # a moment, not the second in which it would look for cycles among all that is left
+        # Skip the final garbage collection, which takes about a second.
         gc.freeze()
 
 
 def _end(number: int, frame: FrameType | None) -> None:
-    """End while what listens to Ctrl-C is itself being imported; the words are those it has."""
+    """End if an interruption arrives while its handler is still being imported.
+
+    Uses default messages.
+    """
     sys.stderr.write("interrupted: nothing was saved; the same command starts from the beginning\n")
     sys.stderr.flush()
     os._exit(128 + number)

@@ -1,8 +1,8 @@
-"""Ctrl-C: a command ends within a second, says what it has saved, and exits with code 130.
+"""Ctrl-C: a command ends within a second, reports what it has saved, and exits with code 130.
 
-SIGTERM, with which another process asks for the end, does the same, with code 143.  Machine code
-that runs for long lets Python act on a signal only when it is done.  So a thread listens besides,
-which does what is to be done where the command itself has not come to it.
+SIGTERM, with which another process requests the end, has the same effect, with code 143.
+Long-running machine code lets Python handle a signal only when it returns.  A second thread
+therefore handles the interrupt if the main thread does not react.
 """
 
 from __future__ import annotations
@@ -18,27 +18,28 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from types import FrameType
 
-#: Exit code of what was interrupted, by Ctrl-C unless another signal came.
+#: Exit code after an interruption, by Ctrl-C unless another signal arrived.
 EXIT_CODE = 128 + signal.SIGINT
 
-#: Signals that interrupt, with what they do where nobody has asked for anything else.
+#: Signals that interrupt, with their default handlers.
 _SIGNALS: dict[signal.Signals, Callable[[int, FrameType | None], object] | signal.Handlers] = {
     signal.SIGINT: signal.default_int_handler,
     signal.SIGTERM: signal.SIG_DFL,
 }
 
-#: What is said where nothing else is.
+#: Default message.
 NOTHING_SAVED = "nothing was saved; the same command starts from the beginning"
 
-#: Seconds in which a command may end by itself.
+#: Seconds that a command has to end by itself.
 GRACE_PERIOD = 0.6
 
 
 @dataclass(frozen=True)
 class _Ending:
-    """Messages for an interruption at once, and for one while the command saves.
+    """Messages for an immediate interruption, and for one while the command saves.
 
-    It saves where Python can act (`saving`), or when machine code is done as well (`patient`).
+    Saving takes place when Python can react (`saving`), or also when machine code returns
+    (`patient`).
     """
 
     words: Callable[[], str]
@@ -48,7 +49,7 @@ class _Ending:
 
 @dataclass
 class _State:
-    """The message due, whether it was printed, and whether Python can act."""
+    """The pending message, whether it was printed, and whether Python can react."""
 
     endings: list[_Ending]
     was_announced: bool = False
@@ -69,18 +70,18 @@ _STATE = _State([])
 
 
 def exit_code() -> int:
-    """The exit code of a program that was interrupted: 130 by Ctrl-C, 143 by SIGTERM."""
+    """The exit code of an interrupted program: 130 for Ctrl-C, 143 for SIGTERM."""
     return _STATE.exit_code
 
 
 def print_interruption(words: str = "") -> None:
-    """Say that the program was interrupted, and these words, or those of the block it is in.
+    """Print that the program was interrupted, with these words or those of the current block.
 
-    The latter are said once.
+    The latter are printed only once.
     """
     if words or not _STATE.was_announced:
         _STATE.was_announced = True
-        # a progress bar leaves its line, and hides the cursor
+        # A progress bar leaves its line on the terminal, and the cursor hidden.
         bar = "\r\x1b[K\x1b[?25h" if sys.stderr.isatty() else ""
         sys.stderr.write(f"{bar}interrupted: {words or _STATE.ending.words()}\n")
         sys.stderr.flush()
@@ -88,7 +89,7 @@ def print_interruption(words: str = "") -> None:
 
 @contextmanager
 def message_on_interrupt(words: str | Callable[[], str], saving: str = "") -> Iterator[None]:
-    """While the block runs, an interruption ends the program at once with these words.
+    """Within the block, an interruption ends the program at once with these words.
 
     Parameters
     ----------
@@ -108,7 +109,7 @@ def message_on_interrupt(words: str | Callable[[], str], saving: str = "") -> It
 
 @contextmanager
 def results_on_interrupt(saving: str) -> Iterator[None]:
-    """While the block runs, an interruption is left to it, since it has results to print.
+    """Within the block, an interruption is left to the block, which has results to print.
 
     Parameters
     ----------
@@ -131,15 +132,15 @@ def _during(block_ending: _Ending) -> Iterator[None]:
 
 @contextmanager
 def interruptible() -> Iterator[None]:
-    """End the program as said above if it is interrupted in this block, whatever it is doing.
+    """End the program as described above if it is interrupted within this block.
 
-    Nothing is changed in a thread that is not the main one, and where Ctrl-C is dealt with already.
+    Nothing is changed outside the main thread, or if Ctrl-C is already handled.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
         return
     _STATE.was_announced = _STATE.was_interrupted = False
-    # where tests and scripts run in the background, Ctrl-C may be ignored
+    # In background processes of tests and scripts Ctrl-C may be ignored.
     heard = [name for name, default in _SIGNALS.items() if signal.getsignal(name) == default]
     if not heard:
         yield
@@ -165,7 +166,7 @@ def interruptible() -> Iterator[None]:
             _conclude()
         raise
     except Exception:
-        # compiled libraries turn what is raised in a function they call into an error of theirs
+        # Compiled libraries convert an exception raised in their callbacks to one of their own.
         if _STATE.was_interrupted:
             _conclude()
         raise
@@ -187,9 +188,9 @@ def _act(number: int, frame: FrameType | None) -> None:
 def _without_interruptions(
     report: Callable[[sys.UnraisableHookArgs], object],
 ) -> Callable[[sys.UnraisableHookArgs], object]:
-    """Report exceptions that finalisers and callbacks cannot raise, but no interruption.
+    """Report exceptions that finalisers and callbacks cannot raise, except interruptions.
 
-    The interruption is lost there; the thread that listens ends the program.
+    The interruption itself is lost there; the listening thread ends the program.
     """
 
     def hook(unraisable: sys.UnraisableHookArgs) -> None:
@@ -200,17 +201,17 @@ def _without_interruptions(
 
 
 def _conclude() -> None:
-    """Leave no process behind, and end."""
+    """End the program without leaving a process behind."""
     print_interruption()
     _end_children()
-    # a string that was executed when it was interrupted makes Python end by SIGINT under -m,
-    # unless another is executed after it
+    # If a string is executed when it is interrupted, Python ends by SIGINT under -m, unless another
+    # one is executed afterwards.
     exec("")
     raise SystemExit(_STATE.exit_code)
 
 
 def _listen(ear: socket.socket, over: threading.Event) -> None:
-    """Wait for a signal; then print its sentence and end the program."""
+    """Wait for a signal; then print its message and end the program."""
     times = 0
     with ear:
         while heard := ear.recv(1):
@@ -231,7 +232,7 @@ def _listen(ear: socket.socket, over: threading.Event) -> None:
 
 
 def _end_children() -> None:
-    """End the processes that compute for this one."""
+    """End the worker processes of this one."""
     if "multiprocessing" in sys.modules:
         from multiprocessing import active_children
 
@@ -241,7 +242,7 @@ def _end_children() -> None:
 
 
 def _remove_partial_files() -> None:
-    """Remove what is being written, if anything ever was."""
+    """Remove partially written files, if there are any."""
     if f"{__package__}.partial_files" in sys.modules:
         from flowlanes.files.partial_files import remove_own
 

@@ -192,6 +192,7 @@ def test_the_opposite_of_what_is_proven_in_part_is_undecided():
     assert not opposite.conditions
 
 
+@pytest.mark.slow
 def test_counts_add_up(judged):
     table = counts(judged)
     assert sum(table["printed"].values()) == len(judged)

@@ -144,7 +144,7 @@ def test_balanced_sleigh_in_the_new_time_has_no_gyroscopic_force():
 
 @pytest.mark.parametrize(
     ("parameters", "message"),
-    [({"I": 0.0}, "moment of inertia 0.0"), ({"m": -1.0}, "mass -1.0")],
+    [({"I": 0.0}, "centre of mass I = 0.0"), ({"m": -1.0}, "mass m = -1.0")],
 )
 def test_impossible_sleighs_are_refused(parameters, message):
     with pytest.raises(InputError, match=message):

@@ -33,5 +33,33 @@ def study(name: str) -> Study:
     return prepare(catalogue_experiment(name))
 
 
-#: Bodies on a surface.
-ROLLING = tuple(name for name in NAMES if isinstance(made(name), Rolling))
+#: Bodies on a surface, which ``test_catalogue`` compares with the catalogue.
+ROLLING = tuple(
+    [
+        "marble-body",
+        "marble-body-on-sphere",
+        "rattleback",
+        "rubber-body",
+        "rubber-body-on-sphere",
+        "unbalanced-rubber-ball-on-sphere",
+        "rubber-chaplygin-ball",
+        "rubber-chaplygin-ball-bruns",
+        "heavy-disk",
+        "rubber-body-of-revolution",
+        "rubber-disk",
+        "rubber-routh-sphere",
+        "chaplygin-ball",
+        "chaplygin-ball-bruns",
+        "chaplygin-ball-gyrostat",
+        "ball-on-sphere",
+        "ball-around-sphere",
+        "rubber-ball-on-sphere",
+        "rubber-ball-around-sphere",
+        "unbalanced-ball",
+        "unbalanced-ball-on-sphere",
+        "unbalanced-rubber-ball",
+        "ball-around-sphere-gyrostat-bruns",
+        "chaplygin-ball-gyrostat-bruns",
+        "ball-around-sphere-bruns",
+    ]
+)

@@ -105,13 +105,13 @@ def test_integrals_of_the_catalogue(name, seed):
 
 
 @pytest.mark.parametrize("seed", spread(range(SEEDS), SEEDS))
-@pytest.mark.parametrize("name", [n for n in CATALOGUE if built.system(n).relations])
+@pytest.mark.parametrize("name", CATALOGUE)
 def test_relations_are_kept(name, seed):
     system, start = example(name)
     claims = tuple(
         Integral(f"relation {i}", relation) for i, relation in enumerate(system.relations)
     )
-    assert set(derivatives(system, claims, start, seed).values()) == {0}
+    assert derivatives(system, claims, start, seed) == {claim.name: 0 for claim in claims}
 
 
 @pytest.mark.parametrize("name", ["chaplygin-ball", "chaplygin-ball-reduced", "marble-ball"])

@@ -60,6 +60,7 @@ def test_show_says_which_equations_it_shows(ask: Ask, billiard: Path) -> None:
     assert 'impact_law = "stronge"' in output
 
 
+@pytest.mark.slow
 def test_what_friction_keeps_is_proved(ask: Ask, billiard: Path) -> None:
     code, output, _ = ask("prove", billiard, "--json")
     verdicts = {item["law"]: item["verdict"] for item in json.loads(output)}
@@ -144,7 +145,7 @@ def test_a_chart_and_a_section(ask: Ask, billiard: Path) -> None:
 MISTAKES = {
     "ensemble {} -o a.zarr": "an ensemble needs --draw NAME=A:B or --over NAME=A:B:N",
     "ensemble {} -o a.zarr --starts 3": "it is not said what differs",
-    "ensemble {} -o a.zarr --starts 0 --draw mu=0:1": "--starts 0: there must be one at least",
+    "ensemble {} -o a.zarr --starts 0 --draw mu=0:1": "--starts 0: it must be at least 1",
     "ensemble {} -o a.zarr --level energy=1": "with friction no integrals remain",
     "ensemble {} -o a.zarr --draw mu=a:b": "--draw mu=a:b: it is written NAME=A:B",
     "ensemble {} -o a.zarr --draw mue=0:1": "the experiment has no number of this name",

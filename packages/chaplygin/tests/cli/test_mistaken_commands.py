@@ -349,11 +349,11 @@ def test_one_sentence(line: str, ask: Ask) -> None:
         ("show veselova two", "show two: one word too many; chaplygin show --help shows which fit"),
         ("study veselova --effort much", "--effort much: it must be a number"),
         ("section veselova --on M_1 --points=2.5 -o a", "--points 2.5: it must be a whole number"),
-        ("find integrals veselova --power -1", "--power -1: it must not be negative"),
+        ("find integrals veselova --power -1", "--power -1: it must be at least 0"),
         ("find integrals veselova --denominator 0", "denominator: 0 is zero, which divides nothi"),
         ("solve veselova -o a.txt", "a.txt: the name of a trajectory must end in .nc"),
         ("show ' '", "NAME|FILE is empty: a catalogue name or a file is needed"),
-        ("ensemble veselova -o a.zarr --starts 0", "--starts 0: there must be one at least"),
+        ("ensemble veselova -o a.zarr --starts 0", "--starts 0: it must be at least 1"),
         (
             "sweep chaplygin-ball-nd --over dimension=3,4 -o a.zarr",
             "--over dimension: the equations depend on it, so that all motions have the same",

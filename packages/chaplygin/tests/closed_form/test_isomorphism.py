@@ -13,7 +13,7 @@ from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.formulas.balls import ball, ball_values
 from flowlanes.system.laws import Identity
-from flowlanes.system.system import flat_pairs
+from flowlanes.system.named_formulas import flat_pairs
 from flowlanes.system.vectors import to_components
 from lawproof.proof.prover import prove
 from nonholonomic.catalogue import from_catalogue

@@ -199,7 +199,7 @@ MISTAKES: dict[str, tuple[str, str]] = {
     ),
     "attitude without length": (
         BALL + FRICTION + SPACE.replace("[1, 0, 0, 0]", "[0, 0, 0, 0]"),
-        "line 11, start.attitude: must not be zero, as it has a direction alone",
+        "line 11, start.attitude: must not be zero, as only its direction counts",
     ),
     "attitude of three numbers": (
         BALL + FRICTION + SPACE.replace("[1, 0, 0, 0]", "[1, 0, 0]"),

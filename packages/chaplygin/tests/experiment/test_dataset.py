@@ -19,6 +19,7 @@ from chaplygin.experiment.dataset import read, to_dataset, write
 from chaplygin.experiment.models.experiment import catalogue_experiment, loads
 from chaplygin.experiment.study import dataset_of, prepare
 from flowlanes.errors import InputError
+from needs import optional
 from nonholonomic.catalogue import CATALOGUE
 from spread import spread
 
@@ -199,7 +200,7 @@ def test_both_parts_together_have_all_digits(fine):
             both = Fraction(high) + Fraction(low)
             whole = Fraction(str(value))
             assert abs(both - whole) <= Fraction(1, 10**32) * (1 + abs(whole))
-    heyoka = pytest.importorskip("heyoka")
+    heyoka = optional("heyoka")
     assert isinstance(motion["omega"][0, 0], heyoka.real128)
 
 

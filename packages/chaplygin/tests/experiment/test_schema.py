@@ -8,11 +8,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from jsonschema import Draft202012Validator
 
 from chaplygin.cli import app
 from chaplygin.experiment.models.schema import experiment_schema
+from needs import optional
 
+Draft202012Validator = optional("jsonschema").Draft202012Validator
 EXAMPLES = sorted((Path(__file__).parents[4] / "examples").rglob("*.toml"))
 
 

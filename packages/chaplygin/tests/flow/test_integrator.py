@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from importlib.util import find_spec
 
 import mpmath
 import numpy as np
@@ -16,12 +15,13 @@ from flowlanes.flow.integrator import integrate
 from flowlanes.flow.taylor.working_numbers import number_type
 from flowlanes.system.system import Observable, Parameter, System
 from flowlanes.system.vectors import vectors
+from needs import needs
 from nonholonomic.catalogue import CATALOGUE, from_catalogue
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 
 x, y, p, b = sp.symbols("x y p b", real=True)
 
-NEEDS_HEYOKA = pytest.mark.skipif(find_spec("heyoka") is None, reason="heyoka is not installed")
+NEEDS_HEYOKA = needs("heyoka")
 QUAD = pytest.param("quad", marks=NEEDS_HEYOKA)
 
 OSCILLATOR = System(

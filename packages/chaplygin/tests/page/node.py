@@ -11,11 +11,12 @@ from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
-import pytest
+
+from needs import needs
 
 NODE = shutil.which("node")
 
-needs_node = pytest.mark.skipif(NODE is None, reason="Node is not there: the engine is not run")
+needs_node = needs("node")
 
 _PROGRAM = """
 const { WasmEngine } = await import(%s);

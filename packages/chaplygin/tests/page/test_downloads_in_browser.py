@@ -14,9 +14,10 @@ from browser import Opened, browsers
 from chaplygin.experiment.study import dataset_of
 from chaplygin.page.element import page
 from chaplygin.page.study_page import study_model
+from needs import optional
 from page.motions import study_of
 
-pytestmark = pytest.mark.slow(every=3)
+pytestmark = pytest.mark.browser
 
 Open = Callable[[str], Opened]
 Download = Callable[[Opened, str], Path]
@@ -87,7 +88,7 @@ def test_an_experiment_runs_as_the_page_does(
 
 
 def test_tables_and_drawings_are_read_elsewhere(open_page: Open, download: Download) -> None:
-    pandas = pytest.importorskip("pandas")
+    pandas = optional("pandas")
     opened = open_page("unbalanced_ball.toml")
     opened.page.get_by_role("tab", name="Section").click()
     orbits = opened.page.locator(".lab-panel-section .lab-orbits")

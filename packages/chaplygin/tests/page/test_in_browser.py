@@ -25,7 +25,7 @@ from chaplygin.report.study_output import write_study
 from nonholonomic.classification.facts import ProofBudget
 from unheard import Unheard
 
-pytestmark = pytest.mark.slow(every=3)
+pytestmark = pytest.mark.browser
 
 EXAMPLES = Path(__file__).parents[4] / "examples"
 

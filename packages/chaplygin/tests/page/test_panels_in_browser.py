@@ -14,9 +14,10 @@ from browser import Opened, browsers
 from chaplygin.experiment.study import dataset_of
 from chaplygin.page.element import page
 from chaplygin.page.study_page import study_model
+from needs import optional
 from page.motions import study_of
 
-pytestmark = pytest.mark.slow(every=3)
+pytestmark = pytest.mark.browser
 
 
 @pytest.fixture(scope="module")
@@ -162,7 +163,7 @@ def test_film_picture_and_model_are_downloaded(
         path = tmp_path / download.value.suggested_filename
         download.value.save_as(path)
         assert words in path.read_bytes()[:12]
-    av = pytest.importorskip("av")
+    av = optional("av")
     with av.open(str(path)) as film:
         frames = list(film.decode(video=0))
     # eight seconds at ten times the speed, thirty frames a second

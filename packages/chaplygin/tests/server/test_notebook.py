@@ -10,8 +10,9 @@ import pytest
 
 import chaplygin as ch
 from chaplygin import page as lab
+from needs import needs
 
-pytest.importorskip("anywidget")
+pytestmark = needs("anywidget")
 
 
 @pytest.fixture(scope="module")

@@ -21,11 +21,9 @@ from pathlib import Path
 import pytest
 
 from browser import Opened, browsers
+from needs import needs
 
-pytest.importorskip("starlette")
-pytest.importorskip("uvicorn")
-
-pytestmark = pytest.mark.slow(every=2)
+pytestmark = [pytest.mark.server, needs("starlette", "uvicorn")]
 
 EXPERIMENT = 'system = {name = "veselova"}\nrun = {until = 5.0, samples = 11}\n'
 #: A search that takes minutes.

@@ -9,7 +9,7 @@ import pytest
 
 from chaplygin.server.workers import Message, Pool
 
-pytestmark = pytest.mark.slow(every=3)
+pytestmark = pytest.mark.server
 
 
 def test_a_computation_that_takes_too_long_is_ended_and_the_next_one_has_its_place() -> None:

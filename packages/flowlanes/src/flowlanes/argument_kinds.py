@@ -28,19 +28,13 @@ TEXT = (str, bytes)
 
 def is_number(value: Any) -> bool:
     """Whether it is one real number that a float can hold."""
-    if isinstance(value, (bool, *TEXT)) or is_array(value) or class_name(value) == "bool":
-        return False
-    return converts_to_float(value)
+    is_other = isinstance(value, TEXT) or class_name(value) in ("bool", "bool_")
+    return not is_other and getattr(value, "ndim", 0) == 0 and converts_to_float(value)
 
 
 def is_number_or_text(value: Any) -> bool:
     """Whether it is a number, or a string that reads as one."""
     return converts_to_float(value) if isinstance(value, str) else is_number(value)
-
-
-def is_array(value: Any) -> bool:
-    """Whether it is an array with at least one axis."""
-    return getattr(value, "ndim", 0) != 0
 
 
 def converts_to_float(value: Any) -> bool:
@@ -181,15 +175,17 @@ def pairs_of(value: Any) -> list[tuple[Any, Any]] | None:
 _ARRAY = Kind("an array of numbers", is_numeric_array)
 _ARRAY_LIKE = Kind("numbers in an array or in nested sequences", is_array_like)
 
-_SIMPLE: dict[Any, Kind] = {
+_SIMPLE: dict[Any, Kind | None] = {
     float: Kind("a number", is_number),
     int: Kind("a whole number", is_integer),
-    bool: Kind(
-        "True or False", lambda value: isinstance(value, bool) or class_name(value) == "bool"
-    ),
+    # of NumPy too
+    bool: Kind("True or False", lambda value: class_name(value) in ("bool", "bool_")),
     str: Kind("a text", lambda value: isinstance(value, str)),
     Path: Kind("a path", lambda value: isinstance(value, os.PathLike)),
     NoneType: Kind("None", lambda value: value is None),
+    type: Kind("a class", lambda value: isinstance(value, type)),
+    object: None,
+    Any: None,
 }
 
 
@@ -197,122 +193,104 @@ def kind_of(annotation: Any) -> Kind | None:
     """The values that an annotation allows; None if it allows any."""
     origin, inner = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
-        return next((note for note in inner[1:] if isinstance(note, Kind)), kind_of(inner[0]))
-    if (annotation,) == _array_like():
-        return _ARRAY_LIKE
-    if origin in (Union, UnionType) and inner[: len(_array_like())] == _array_like():
-        rest = inner[len(_array_like()) :]
-        return _one_of([_ARRAY_LIKE, *map(kind_of, rest)]) if rest else _ARRAY_LIKE
-    if origin in (Union, UnionType):
-        return _one_of([kind_of(choice) for choice in inner])
+        notes = [note for note in inner[1:] if isinstance(note, Kind)]
+        return notes[0] if notes else kind_of(inner[0])
+    if (origin or annotation) in _SIMPLE:
+        return _SIMPLE[origin or annotation]
+    if origin in (Union, UnionType) or (annotation,) == _array_like():
+        return _one_of(inner or (annotation,))
     if origin is Literal:
         return Kind(
             " or ".join(map(repr, inner)),
             lambda value: any(type(value) is type(item) and value == item for item in inner),
         )
-    if origin is not None and _is_array_class(origin):
+    if not isinstance(origin, type):
+        return _instance(annotation) if isinstance(annotation, type) else None
+    if origin.__name__ == "ndarray":
         return _ARRAY
-    if isinstance(origin, type):
-        return _collection(origin, inner)
-    if annotation is Any or annotation is object:
-        return None
-    if annotation in _SIMPLE:
-        return _SIMPLE[annotation]
-    return _instance(annotation) if isinstance(annotation, type) else None
-
-
-def _one_of(kinds: list[Kind | None]) -> Kind | None:
-    known = [kind for kind in kinds if kind is not None]
-    if len(known) < len(kinds):
-        return None
-    return Kind(
-        _enumeration(list(dict.fromkeys(kind.words for kind in known))),
-        lambda value: any(kind.fits(value) for kind in known),
+    if issubclass(origin, Mapping):
+        return _mapping(kind_of(inner[1]))
+    return (
+        _sequence(origin, inner) if issubclass(origin, Iterable) else Kind("a function", callable)
     )
 
 
-def _enumeration(words: list[str]) -> str:
-    *others, last = words
-    return f"{', '.join(others)} or {last}" if others else last
+def _one_of(choices: tuple[Any, ...]) -> Kind | None:
+    alias = _array_like()
+    is_array_first = choices[: len(alias)] == alias
+    kinds = [kind_of(choice) for choice in choices[len(alias) if is_array_first else 0 :]]
+    known = [*([_ARRAY_LIKE] if is_array_first else []), *filter(None, kinds)]
+    if None in kinds:
+        return None
+    *others, last = dict.fromkeys(kind.words for kind in known)
+    words = f"{', '.join(others)} or {last}" if others else last
+    return Kind(words, lambda value: any(kind.fits(value) for kind in known))
 
 
 def _array_like() -> tuple[Any, ...]:
-    """The parts of NumPy's type for what becomes an array; none's where NumPy is not in use."""
+    """Members of ``numpy.typing.ArrayLike``, or a sentinel if NumPy is not imported."""
     alias = getattr(sys.modules.get("numpy.typing"), "ArrayLike", ...)
     # a union, or from Python 3.12 on the name of one
     return get_args(alias) or (alias,)
 
 
-def _is_array_class(origin: Any) -> bool:
-    return bool(origin is getattr(sys.modules.get("numpy"), "ndarray", ...))
-
-
 def _instance(kind: type) -> Kind:
-    if getattr(kind, "_is_protocol", False):
-        return _protocol(kind)
     if kind.__module__.startswith("sympy.core.expr"):
         return Kind("a SymPy expression", is_formula)
     article = "an" if kind.__name__[0] in "AEIO" else "a"
-    return Kind(f"{article} {kind.__name__}", lambda value: isinstance(value, kind))
-
-
-def _protocol(kind: type) -> Kind:
-    """Any value with the methods of a protocol."""
-    if getattr(kind, "_is_runtime_protocol", False):
-        return Kind(f"a {kind.__name__}", lambda value: isinstance(value, kind))
-    added = ("__init__", "__subclasshook__")  # to every protocol by the module typing
+    is_static = getattr(kind, "_is_protocol", False) and not getattr(
+        kind, "_is_runtime_protocol", False
+    )
+    if not is_static:
+        return Kind(f"{article} {kind.__name__}", lambda value: isinstance(value, kind))
+    # any value with the methods of a protocol; two are added to every protocol by typing
     needed = {
         name
         for base in kind.__mro__
         if getattr(base, "_is_protocol", False)
         for name, member in vars(base).items()
-        if inspect.isfunction(member) and name not in added
+        if inspect.isfunction(member) and name not in ("__init__", "__subclasshook__")
     }
-    words = "a function" if "__call__" in needed else f"a {kind.__name__}"
+    words = "a function" if "__call__" in needed else f"{article} {kind.__name__}"
     return Kind(words, lambda value: all(hasattr(value, name) for name in needed))
 
 
-def _collection(origin: type, inner: tuple[Any, ...]) -> Kind | None:
-    if origin is type:
-        return Kind("a class", lambda value: isinstance(value, type))
-    if issubclass(origin, Mapping):
-        of = kind_of(inner[1])
-        return Kind(
-            f"a mapping of names to {_plural(of)}",
-            lambda value: (
-                isinstance(value, Mapping) and (not of or all(map(of.fits, value.values())))
-            ),
-        )
-    if not issubclass(origin, Iterable):
-        return Kind("a function", callable)
-    pair = get_args(inner[0]) if inner and get_origin(inner[0]) is tuple else ()
-    if len(pair) == 2 and ... not in pair and inner[1:] == (...,):
+def _mapping(of: Kind | None) -> Kind:
+    return Kind(
+        f"a mapping of names to {_plural(of)}",
+        lambda value: isinstance(value, Mapping) and _all_fit(of, value.values()),
+    )
+
+
+def _sequence(origin: type, inner: tuple[Any, ...]) -> Kind | None:
+    items = [item for item in inner if item is not ...]
+    if pair := get_args(items[0]) if items and get_origin(items[0]) is tuple else ():
+        if len(pair) != 2 or ... in pair or inner[1:] != (...,):
+            # of rows in rows the function itself says more
+            return None
         of = kind_of(pair[1])
         return Kind(
             f"a mapping of symbols to {_plural(of)}, or a sequence of such pairs",
-            lambda value: (
-                are_named_formulas(value) and (not of or all(map(of.fits, dict(value).values())))
-            ),
+            lambda value: are_named_formulas(value) and _all_fit(of, dict(value).values()),
         )
-    several = [kind_of(item) for item in inner if item is not ...]
-    if pair:
-        # of rows in rows the function itself says more
-        return None
+    kinds = {kind_of(item) for item in items}
+    of = kinds.pop() if len(kinds) == 1 else None
     size = len(inner) if origin is tuple and ... not in inner else 0
-    if len(set(several)) != 1:
-        words = f"a sequence of {size} values" if size else "a sequence"
-        return Kind(
-            words, lambda value: is_collection(value) and (not size or length(value) == size)
-        )
-    of = several[0]
-    count = {2: "two ", 3: "three "}.get(size, "a sequence of ")
+    count = {0: "a sequence of", 2: "two", 3: "three", 4: "four"}.get(size, f"{size}")
     return Kind(
-        f"{count}{_plural(of)}",
+        f"{count} {_plural(of)}",
         lambda value: (
             (is_collection(value) or (isinstance(value, Mapping) and origin is Iterable))
-            and (not of or iter(value) is value or all(map(of.fits, value)))
+            # of how many numbers there are the function itself says more
+            and (not size or of is not None or length(value) == size)
+            # an iterator is read once, by the function itself
+            and (iter(value) is value or _all_fit(of, value))
         ),
     )
+
+
+def _all_fit(kind: Kind | None, values: Iterable[Any]) -> bool:
+    return kind is None or all(map(kind.fits, values))
 
 
 def _plural(kind: Kind | None) -> str:

@@ -3,23 +3,19 @@
 An argument of the wrong type is a mistake of whoever wrote the call; `arguments_checked` answers it
 at once with a sentence that names the function, the argument and what is allowed.  Where an
 annotation alone says too little (a start may be a mapping or a sequence), the types below say it.
-Names that only type checkers import are looked up when a function is called first.
+Annotations are resolved on the first call; a class that is imported under ``TYPE_CHECKING`` is
+recognised by its name.
 """
 
 from __future__ import annotations
 
-import ast
 import builtins
 import inspect
-import re
 import sys
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import is_dataclass
 from functools import cache, wraps
-from importlib import import_module
-from importlib.util import resolve_name
 from math import inf, isfinite
-from types import ModuleType, NoneType
+from types import NoneType
 from typing import (
     TYPE_CHECKING,
     Annotated,
@@ -132,49 +128,40 @@ def _short_text(value: Any) -> str:
     return f"{'an' if class_name(value)[0] in 'AEIO' else 'a'} {class_name(value)}"
 
 
-def _kinds(thing: Any, modules: Iterable[str]) -> dict[str, Kind]:
-    # a module may use the types above without what they are made of
-    hints = annotations_of(thing, modules, globals())
-    kinds = {name: kind_of(hint) for name, hint in hints.items()}
-    return {name: kind for name, kind in kinds.items() if kind is not None}
-
-
 def arguments_checked(thing: T) -> T:
     """Refuse arguments of other types than annotated, with an InputError.
 
     Parameters
     ----------
     thing
-        A function, a method, or a dataclass, whose making is then checked.
+        A function, a method, or a class, whose making is then checked.
     """
-    if isinstance(thing, type):
-        modules = [base.__module__ for base in reversed(thing.__mro__)]
-        checked_class: Any = thing
-        typed = thing if is_dataclass(thing) else checked_class.__init__
-        checked_class.__init__ = _checking(
-            checked_class.__init__, thing.__name__, lambda: _kinds(typed, modules)
-        )
-        return thing
-    name = thing.__qualname__.removesuffix(".__init__")
-    return cast(T, _checking(thing, name, lambda: _kinds(thing, [thing.__module__])))
+    if not isinstance(thing, type):
+        name = thing.__qualname__.removesuffix(".__init__")
+        return cast(T, _checking(thing, name, [thing.__module__]))
+    # a dataclass inherits annotations that are written in the names of other modules
+    modules = [base.__module__ for base in reversed(thing.__mro__)]
+    checked_class: Any = thing
+    checked_class.__init__ = _checking(checked_class.__init__, thing.__name__, modules)
+    return thing
 
 
-def _checking(
-    function: Callable[..., Any], name: str, kinds: Callable[[], dict[str, Kind]]
-) -> Callable[..., Any]:
-    # when first called: most functions of a module that is imported never are
-    signature_of, known = cache(lambda: inspect.signature(function)), cache(kinds)
+def _checking(function: Callable[..., Any], name: str, modules: list[str]) -> Callable[..., Any]:
+    @cache  # on the first call: most functions of an imported module are never called
+    def signature_and_kinds() -> tuple[inspect.Signature, dict[str, Kind | None]]:
+        hints = get_type_hints(function, None, _Scope(modules), include_extras=True)
+        return inspect.signature(function), {key: kind_of(hint) for key, hint in hints.items()}
 
     @wraps(function)
     def wrapper(*arguments: Any, **keywords: Any) -> Any:
-        signature = signature_of()
+        signature, kinds = signature_and_kinds()
         try:
             bound = signature.bind(*arguments, **keywords).arguments
         except TypeError:
             # Python's own sentence names the function
             return function(*arguments, **keywords)
         for argument, value in bound.items():
-            if (kind := known().get(argument)) is None:
+            if (kind := kinds.get(argument)) is None:
                 continue
             match signature.parameters[argument].kind:
                 case inspect.Parameter.VAR_KEYWORD:
@@ -193,78 +180,28 @@ def _checking(
     return wrapper
 
 
-# --- annotations ----------------------------------------------------------------------------
-
-
-def annotations_of(
-    thing: Any, modules: Iterable[str], further: Mapping[str, Any]
-) -> dict[str, Any]:
-    """The annotations of a function or a method by argument; Any where one cannot be had.
-
-    Parameters
-    ----------
-    thing : function or class
-    modules : iterable of str
-        Names of the modules in whose names the annotations are written.
-    further : mapping of str to object
-        Names that those modules need not have.
-    """
-    return get_type_hints(thing, None, _Scope(modules, further), include_extras=True)
-
-
 class _Scope(dict[str, Any]):
-    """Names of modules; those that they import for type checkers alone are looked up."""
+    """The names of modules and of this one; any other is a class known by that name."""
 
-    def __init__(self, modules: Iterable[str], further: Mapping[str, Any]) -> None:
-        self.further = further
-        self.modules = [sys.modules[module] for module in modules]
-        for module in self.modules:
-            self |= vars(module)
+    def __init__(self, modules: Iterable[str]) -> None:
+        super().__init__(vars(builtins) | globals())
+        for module in modules:
+            self |= vars(sys.modules[module])
 
-    def __missing__(self, name: str) -> Any:
-        if hasattr(builtins, name):
-            return getattr(builtins, name)
-        if name in self.further:
-            return self.further[name]
-        for module in self.modules:
-            if (origin := _imports_for_type_checkers(module).get(name)) is None:
-                continue
-            where, what = origin
-            own = where.partition(".")[0] == __package__
-            # what is no part of this program, and not in use, has no values
-            source = import_module(where) if own else sys.modules.get(where)
-            return getattr(source, what, Any) if what else source or _UnknownModule()
-        return Any
+    def __missing__(self, name: str) -> type:
+        return _ByName(name, (), {})
 
 
-class _UnknownModule:
-    """A module that is not in use, so that nothing is known of what it defines."""
+class _ByName(type):
+    """A class that is imported under ``TYPE_CHECKING``, or the module of one."""
 
-    def __getattr__(self, name: str) -> Any:
-        return Any
+    def __instancecheck__(cls, value: object) -> bool:
+        return any(base.__name__ == cls.__name__ for base in type(value).__mro__)
 
+    def __getattr__(cls, name: str) -> type:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return _ByName(name, (), {})
 
-#: A block that only type checkers carry out, up to the next line that is not indented.
-_FOR_TYPE_CHECKERS = re.compile(r"^if TYPE_CHECKING:.*\n(?:[ \t#)].*\n|\n)+", re.MULTILINE)
-
-
-@cache
-def _imports_for_type_checkers(module: ModuleType) -> dict[str, tuple[str, str]]:
-    """The imports of a module under ``if TYPE_CHECKING``: name ↦ module and name there."""
-    origins: dict[str, tuple[str, str]] = {}
-    try:
-        source = inspect.getsource(module)
-    except (OSError, TypeError):  # a module that is not written in Python
-        return origins
-    # to parse a whole module of SymPy takes a tenth of a second
-    for block in _FOR_TYPE_CHECKERS.findall(source + "\n"):
-        for statement in cast("ast.If", ast.parse(block).body[0]).body:
-            if isinstance(statement, ast.Import):
-                origins |= {item.asname or item.name: (item.name, "") for item in statement.names}
-            elif isinstance(statement, ast.ImportFrom):
-                relative = "." * statement.level + (statement.module or "")
-                where = resolve_name(relative, module.__package__ or "")
-                origins |= {
-                    item.asname or item.name: (where, item.name) for item in statement.names
-                }
-    return origins
+    def __getitem__(cls, _: object) -> type:
+        return cls

@@ -1,4 +1,4 @@
-"""Processes that compute for another one, and end with it however it ends."""
+"""Worker processes, which end when their parent ends, however it ends."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from contextlib import contextmanager
 from multiprocessing import parent_process
 from multiprocessing.process import BaseProcess
 
-#: Seconds in which a process may remove what it is writing, before it is killed.
+#: Seconds that a process has to remove its partial files before it is killed.
 LAST_SECONDS = 2.0
 
 
 def follow_parent() -> None:
-    """In a new process: leave Ctrl-C to the parent, and end when it ends or asks for it.
+    """In a new process: leave Ctrl-C to the parent, and end when the parent ends or requests it.
 
     Ctrl-C reaches all processes of a terminal.  SIGTERM and the end of the parent raise SystemExit,
-    so that what is being written is removed; what does not end by that is killed.
+    so that partial files are removed; a process that does not end is killed.
     """
-    # a copy of a process would tell the original of its own signals
+    # A forked process would pass its own signals to the parent.
     signal.set_wakeup_fd(-1)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
@@ -43,9 +43,9 @@ def _watch_parent() -> None:
 
 @contextmanager
 def signals_blocked() -> Iterator[None]:
-    """A block in which processes are made: no signal reaches them before `follow_parent`.
+    """A context for starting processes: no signal reaches them before `follow_parent`.
 
-    Windows has nothing of the kind.
+    Windows has no equivalent.
     """
     if sys.platform == "win32":
         yield
@@ -58,7 +58,7 @@ def signals_blocked() -> Iterator[None]:
 
 
 def end_processes(processes: Iterable[BaseProcess], seconds: float = LAST_SECONDS) -> None:
-    """Ask processes to end, and kill those that have not after some seconds."""
+    """Ask processes to end, and kill those that have not ended after some seconds."""
     asked = list(processes)
     for process in asked:
         process.terminate()

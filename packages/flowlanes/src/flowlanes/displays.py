@@ -1,6 +1,6 @@
-"""The printers of systems and formulas, which the package as a whole names.
+"""The printers of systems and formulas, registered by the package.
 
-What is printed does not import what prints it, which imports it: it asks here.
+Printed objects do not import their printers, which import them; they look them up here.
 """
 
 from __future__ import annotations
@@ -11,7 +11,10 @@ _SOURCES: list[Callable[[], object]] = []
 
 
 def use_printers(source: Callable[[], object]) -> None:
-    """Name a function that imports the printers; it is called when something is first printed."""
+    """Register a function that imports the printers.
+
+    It is called when something is first printed.
+    """
     _SOURCES[:] = [source]
 
 

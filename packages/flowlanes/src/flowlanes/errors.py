@@ -9,12 +9,12 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-#: Characters that a message has at most, and one line of it.
+#: Maximum number of characters of a message, and of one of its lines.
 LONGEST, LONGEST_LINE = 2000, 600
 
 
-#: Characters that cannot be seen, tabs and line breaks apart: controls, those that change the
-#: direction of the text, and those without width.
+#: Invisible characters other than tabs and line breaks: control characters, characters that change
+#: the text direction, and those of zero width.
 INVISIBLE = re.compile(
     "[\\x00-\\x08\\x0b\\x0c\\x0e-\\x1f\\x7f-\\x9f\\xad\\u061c\\u180e\\u200b-\\u200f"
     "\\u2028-\\u202e\\u2060-\\u206f\\ufeff\\U000e0000-\\U000e007f]"
@@ -22,10 +22,10 @@ INVISIBLE = re.compile(
 
 
 def readable(text: str) -> str:
-    """A text fit for a terminal: nothing invisible in it, no line and not the whole too long.
+    """A text suitable for a terminal: no invisible characters, limited line and total length.
 
-    Control characters and all others that do not print are escaped, but for line breaks.  Of a
-    line that is too long the middle is left out, so that what it begins and ends with stays.
+    Control characters and other non-printing characters except line breaks are escaped.  A long
+    line is shortened in the middle, so that its beginning and end remain.
     """
     escaped = "".join(c if c.isprintable() or c == "\n" else _escape(c) for c in text)
     lines = [_abbreviation(line) for line in escaped.split("\n")]
@@ -46,7 +46,7 @@ def _abbreviation(line: str) -> str:
 
 
 def nearest(name: str, names: Iterable[str]) -> str:
-    """End a sentence about an unknown name: the likeliest intention, and all that is allowed.
+    """The end of a sentence about an unknown name: the likeliest match, and all allowed names.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def nearest(name: str, names: Iterable[str]) -> str:
     """
     allowed = list(names)
     same = [word for word in allowed if word.casefold() == name.casefold()]
-    # one letter of two or three may be wrong; "diameter" is not to mean "parameters"
+    # One letter in two or three may be wrong; "diameter" should not match "parameters".
     likeness = 0.6 if len(name) < 5 else 0.7
     close = same or difflib.get_close_matches(name, allowed, n=1, cutoff=likeness)
     guess = f", did you mean '{close[0]}'?" if close else ";"
@@ -74,7 +74,7 @@ def nearest(name: str, names: Iterable[str]) -> str:
 
 
 def _families(names: Iterable[str]) -> Iterator[str]:
-    """Names with those that differ in a number alone, three or more, as ``x_1 … x_3``."""
+    """Names, with three or more that differ only in a number abbreviated as ``x_1 … x_3``."""
     for stem, group in itertools.groupby(names, key=lambda name: re.sub(r"\d+$", "", name)):
         members = list(group)
         several = len(members) > 2 and members == [f"{stem}{i}" for i in range(1, len(members) + 1)]
@@ -82,7 +82,7 @@ def _families(names: Iterable[str]) -> Iterator[str]:
 
 
 class InputError(ValueError):
-    """A mistake of the user: what is wrong, where it stands and what is allowed.
+    """A mistake of the user: what is wrong, where, and what is allowed.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ class InputError(ValueError):
 
 
 def require_label(name: str, title: str, *texts: str) -> None:
-    """Raise InputError unless a name is there, and no text has invisible characters."""
+    """Raise InputError if a name is empty, or a text has invisible characters."""
     if not name.strip():
         raise InputError("the name of a system is empty; it must be a word such as 'top'")
     for what, text in (("name", name), ("title", title)):
@@ -132,7 +132,7 @@ def require_visible(texts: Iterable[str]) -> None:
 
 
 class RunError(RuntimeError):
-    """A computation that could not be carried to its end.
+    """A computation that could not be completed.
 
     Parameters
     ----------

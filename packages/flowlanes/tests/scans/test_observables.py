@@ -9,12 +9,12 @@ import sympy as sp
 
 from flowlanes.flow.batch import batch_integrator
 from flowlanes.scans.observables import (
-    Frequency,
-    Maximum,
-    Minimum,
-    SurvivalTime,
-    TimeAverage,
+    frequency,
+    maximum,
+    minimum,
     observe,
+    survival_time,
+    time_average,
 )
 from flowlanes.system.system import Guard, Parameter, System
 
@@ -31,31 +31,31 @@ RATES = {c: np.array([1.0, 2.0, 0.5])}
 
 
 def test_means() -> None:
-    found = TimeAverage(CIRCLE, 10.0, x**2)(STARTS, RATES)
+    found = time_average(CIRCLE, 10.0, x**2)(STARTS, RATES)
     rates = RATES[c]
     exact = STARTS[:, 0] ** 2 * (0.5 + np.sin(20.0 * rates) / (40.0 * rates))
     assert np.abs(found["value"] - exact).max() < 1e-11
 
 
 def test_extremes() -> None:
-    for rule, sign in ((Maximum, 1.0), (Minimum, -1.0)):
+    for rule, sign in ((maximum, 1.0), (minimum, -1.0)):
         found = rule(CIRCLE, 20.0, x + 1)(STARTS, RATES)["value"]
         assert np.abs(found - (1.0 + sign * STARTS[:, 0])).max() < 1e-3
 
 
 def test_frequencies() -> None:
-    found = Frequency(CIRCLE, 100.0, sp.atan2(y, x))(STARTS, RATES)
+    found = frequency(CIRCLE, 100.0, sp.atan2(y, x))(STARTS, RATES)
     assert np.abs(found["value"] - RATES[c] / (2 * np.pi)).max() < 1e-11
     assert np.all(found["error"] < 1e-11)
     # turns are counted between samples too
-    rare = Frequency(CIRCLE, 100.0, sp.atan2(y, x), 20)(STARTS, RATES)["value"]
+    rare = frequency(CIRCLE, 100.0, sp.atan2(y, x), 20)(STARTS, RATES)["value"]
     assert np.abs(rare - found["value"]).max() < 1e-11
 
 
 def test_a_frequency_through_definitions() -> None:
     angle = sp.Symbol("angle", real=True)
     made = replace(CIRCLE, definitions={angle: sp.atan2(y, x) * 3 * c})
-    found = Frequency(made, 100.0, angle)(STARTS, RATES)["value"]
+    found = frequency(made, 100.0, angle)(STARTS, RATES)["value"]
     assert np.abs(found - 3 * RATES[c] ** 2 / (2 * np.pi)).max() < 1e-11
 
 
@@ -68,7 +68,7 @@ def test_durations() -> None:
         guards=(Guard("left", x + 1, "x has fallen to -1"),),
     )
     starts = STARTS - [[0.5, 0.0]]
-    found = SurvivalTime(half, 4.0)(starts, RATES)
+    found = survival_time(half, 4.0)(starts, RATES)
     assert found["value"][0] == 4.0
     assert (
         np.abs(found["value"] - [4.0, *np.arccos(-1.0 / starts[1:, 0]) / RATES[c][1:]]).max() < 1e-9

@@ -6,6 +6,7 @@ from . import (
     control as control,
     invariant_measures as invariant_measures,
     mechanics as mechanics,
+    system_files as system_files,
 )
 from ._version import __version__ as __version__
 from .catalogue import (

@@ -72,7 +72,7 @@ CASES = {
 }
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_laws_are_proven(case):
     rolling, names = CASES[case]

@@ -10,7 +10,8 @@ from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.vectors import real_symbol
 from nonholonomic.catalogue import CATALOGUE
-from nonholonomic.catalogue.mechanisms import roller_racer, snakeboard, trailers, vertical_disk
+from nonholonomic.catalogue.file_systems import mechanism_in_catalogue
+from nonholonomic.catalogue.mechanisms import trailers
 from nonholonomic.mechanics.constraints.exceptional_parameters import exceptional_values
 from nonholonomic.mechanics.constraints.integrability import nonholonomy, nonholonomy_at
 
@@ -46,9 +47,9 @@ def test_trailers_take_longer_words_where_they_are_folded(count, angles, expecte
 @pytest.mark.parametrize(
     ("mechanism", "growth"),
     [
-        (snakeboard.board(snakeboard.DEFAULTS), (3, 4, 5)),
-        (vertical_disk.disk(vertical_disk.DEFAULTS), (2, 3, 4)),
-        (roller_racer.racer(roller_racer.DEFAULTS), (2, 3, 4)),
+        (mechanism_in_catalogue("snakeboard"), (3, 4, 5)),
+        (mechanism_in_catalogue("vertical-rolling-disk"), (2, 3, 4)),
+        (mechanism_in_catalogue("roller-racer"), (2, 3, 4)),
     ],
     ids=lambda value: getattr(value, "name", ""),
 )
@@ -60,12 +61,12 @@ def test_growth(mechanism, growth):
 
 @pytest.mark.parametrize("angle", [0, FOLDED, sp.pi, sp.pi / 3, sp.Rational(1, 3)])
 def test_the_snakeboard_grows_alike_everywhere(angle):
-    board = snakeboard.board(snakeboard.DEFAULTS)
+    board = mechanism_in_catalogue("snakeboard")
     assert nonholonomy_at(board, {real_symbol("phi"): angle}).growth == (3, 4, 5)
 
 
 def test_no_dimensions_of_roller_racer_or_trailer_are_exceptional():
-    racer = roller_racer.racer(roller_racer.DEFAULTS)
+    racer = mechanism_in_catalogue("roller-racer")
     for mechanism, names in ((racer, ("d_1", "d_2")), (trailers.train(2), ("l_1", "l_2"))):
         for name in names:
             assert exceptional_values(mechanism, real_symbol(name)) == ()

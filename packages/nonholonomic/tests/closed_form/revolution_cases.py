@@ -11,7 +11,8 @@ from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, Rolling
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.revolution import Revolution
-from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Shape, Torus
+from nonholonomic.mechanics.shapes.shape_base import Shape
+from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 
 KINDS = ("ball", "disk", "torus", "ellipsoid", "revolution")
 

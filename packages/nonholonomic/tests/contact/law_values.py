@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from contact.friction_formulas import ContactState
-from flowlanes.system.system import flat_pairs
+from flowlanes.system.named_formulas import flat_pairs
 from flowlanes.system.vectors import to_components
 from nonholonomic.contact.friction import symbols as names
 from nonholonomic.contact.friction.friction_law import FrictionLaw

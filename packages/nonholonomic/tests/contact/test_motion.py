@@ -77,7 +77,7 @@ def test_motion_agrees_with_the_reference(name: str) -> None:
     assert_agrees(CASES[name])
 
 
-@pytest.mark.slow(every=4)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in CASES if name not in QUICK])
 def test_motion_agrees_with_the_reference_slowly(name: str) -> None:
     assert_agrees(CASES[name])

@@ -19,7 +19,6 @@ from nonholonomic.contact.friction.modes import Mode
 from nonholonomic.contact.nearest_point import nearest_normal
 from nonholonomic.contact.simulation.compiled import NORMAL, OMEGA, POSITION, VELOCITY, WORK
 from nonholonomic.contact.starts import clearance, start_in_contact, start_in_space
-from nonholonomic.mechanics.shapes.gauss_map import contact_points
 
 SURFACES = {
     "plane": nonholonomic.Plane(),
@@ -56,7 +55,7 @@ def test_the_touching_particle_slips_as_given(name: str, seed: int) -> None:
     gamma, omega, slip = random_start(seed)
     normal = (0.0, 0.0, 1.0) if name.endswith("plane") else (0.2, -0.3, 0.9)
     state = start_in_contact(contact, omega, 2.5 * gamma, slip, heading=0.7, normal=normal)
-    Q, r = rotation(state), contact_points(contact.body.shape)(gamma[None])[0]
+    Q, r = rotation(state), contact.body.shape.contact_points()(gamma[None])[0]
     touching = state[POSITION] + Q @ r
     support = np.cross([0, 0, surface.turntable], touching)
     found = Q @ (state[VELOCITY] + np.cross(state[OMEGA], r)) - support
@@ -144,7 +143,7 @@ def test_the_sphere_in_a_hollow_ball_touches_at_its_top() -> None:
 
 
 def test_the_nearest_plane_of_a_sharp_disk() -> None:
-    disk = contact_points(nonholonomic.Disk(1.0))
+    disk = nonholonomic.Disk(1.0).contact_points()
     turn = Rotation.from_euler("xz", [0.4, 1.1]).as_matrix()
     centre = turn.T @ np.array([0.3, -0.2, 4.0])
     gamma = nearest_normal(disk, centre, outside=True)

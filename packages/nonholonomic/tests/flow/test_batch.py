@@ -382,7 +382,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
     ),
     "deviations that are not carried": (
         lambda: free().propagate([[1, 2]], [1.0], deviations=[[[1, 2]]]),
-        "these lanes carry no deviations: make them with some",
+        "this integrator carries no deviations; pass deviations=… to batch_integrator",
     ),
     "shape of deviations": (
         lambda: free(deviations=1).propagate([[1, 2]], [1.0], deviations=[[1, 2]]),
@@ -390,11 +390,11 @@ MISTAKES: dict[str, tuple[Any, str]] = {
     ),
     "returns without a section": (
         lambda: free().crossings([[1, 2]], 1),
-        "these lanes have no section: make them with one",
+        "this integrator was built without a section; pass section=… to batch_integrator",
     ),
     "times with a section": (
         lambda: cut().propagate([[1, 2]], [1.0]),
-        "these lanes stop at a section: ask for returns instead of times",
+        "this integrator was built for a section: call crossings instead of propagate",
     ),
     "no crossing": (
         lambda: cut().crossings([[1, 2]], 0),

@@ -10,7 +10,7 @@ import pytest
 from flowlanes.flow.batch import batch_integrator
 from flowlanes.flow.gauss import gauss_integrator
 from flowlanes.flow.initial_states import flat_starts
-from flowlanes.system.system import flat
+from flowlanes.system.named_formulas import flat
 from nonholonomic.catalogue import CATALOGUE, from_catalogue
 
 #: Two systems at all times, the others among the slow tests.

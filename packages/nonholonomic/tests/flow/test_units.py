@@ -10,10 +10,10 @@ import pytest
 
 from flowlanes.flow.linearisation.state_scales import state_scales_at
 from flowlanes.lyapunov.indicators import (
-    ExponentSum,
-    FastLyapunovIndicator,
-    Megno,
-    SmallerAlignmentIndex,
+    exponent_sum,
+    fast_lyapunov_indicator,
+    megno,
+    smaller_alignment_index,
 )
 from flowlanes.lyapunov.report import Spectrum
 from flowlanes.lyapunov.spectrum import lyapunov_spectrum
@@ -22,7 +22,7 @@ from nonholonomic.catalogue import from_catalogue
 
 #: Lengths are multiplied by these numbers, masses by their cubes: centimetres, millimetres.
 SCALES = (1e-2, 1e3)
-RULES = (ExponentSum, FastLyapunovIndicator, Megno, SmallerAlignmentIndex)
+RULES = (exponent_sum, fast_lyapunov_indicator, megno, smaller_alignment_index)
 FORCED = {
     "unbalanced-ball": ["γ² = 1", "energy", "quadratic", "flow"],
     "chaplygin-ball": ["γ² = 1", "energy", "area", "momentum", "flow"],
@@ -43,7 +43,7 @@ def _ball(name: str, scale: float) -> tuple[Any, Any, dict[str, float]]:
 @cache
 def _spectrum(name: str, scale: float) -> Spectrum:
     system, start, parameters = _ball(name, scale)
-    return lyapunov_spectrum(system, start, parameters, until=100.0, intervals=100)
+    return lyapunov_spectrum(system, start, parameters, until=100.0, samples=100)
 
 
 @pytest.mark.slow
@@ -78,9 +78,9 @@ def test_a_batch_has_a_size_for_each_motion() -> None:
     system, start, parameters = _ball("unbalanced-ball", 1.0)
     _, other, changed = _ball("unbalanced-ball", 1e-2)
     both = {name: np.array([parameters[name], changed[name]]) for name in parameters}
-    found = Megno(system, 100.0)(np.array([start, other]), both)
+    found = megno(system, 100.0)(np.array([start, other]), both)
     assert found["value"][1] == pytest.approx(found["value"][0], rel=1e-6)
-    alone = Megno(system, 100.0)(other[None], changed)
+    alone = megno(system, 100.0)(other[None], changed)
     assert alone["value"][0] == found["value"][1]
 
 

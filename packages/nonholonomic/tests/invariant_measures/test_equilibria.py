@@ -46,6 +46,13 @@ def test_on_a_level_the_trace_is_that_along_it():
     assert equilibrium_obstruction(on_the_sphere(rotation)) is None
 
 
-@pytest.mark.parametrize("name", ["veselova", "chaplygin-ball", "rubber-chaplygin-ball"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "veselova",
+        pytest.param("chaplygin-ball", marks=pytest.mark.slow),
+        pytest.param("rubber-chaplygin-ball", marks=pytest.mark.slow),
+    ],
+)
 def test_a_system_with_a_measure_has_none(name: str):
     assert equilibrium_obstruction(from_catalogue(name)) is None

@@ -81,7 +81,7 @@ def divergence(system: System, point: dict[sp.Symbol, mpmath.mpf]) -> mpmath.mpf
     return total
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @pytest.mark.parametrize("name", BODIES)
 def test_divergences_are_the_same(name, contact):
@@ -181,7 +181,7 @@ EXISTENCE = {
 }
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 @pytest.mark.parametrize("case", EXISTENCE)
 def test_existence_is_decided(case):
     rolling, decision = EXISTENCE[case]

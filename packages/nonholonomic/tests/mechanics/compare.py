@@ -25,7 +25,7 @@ from nonholonomic.mechanics.rolling import (
     equations as rolling,
     initial_state as start,
 )
-from nonholonomic.mechanics.shapes import shapes, surfaces
+from nonholonomic.mechanics.shapes import implicit, revolution, shapes, surfaces
 from reference import Case
 
 GAMMA = sp.symbols("gamma_1:4", real=True)
@@ -41,6 +41,8 @@ class Package:
     surfaces: Any = surfaces
     rolling: Any = rolling
     start: Any = start
+    revolution: Any = revolution
+    implicit: Any = implicit
 
 
 PACKAGE = Package()
@@ -136,9 +138,9 @@ def shape_of(table: Mapping[str, Any], package: Package = PACKAGE) -> Any:
         case "revolution":
             names = {"g3": GAMMA[2]}
             profile = (formula(table[key], names) for key in ("chi1", "chi2"))
-            return kinds.Revolution.from_profile(*profile, **at)
+            return package.revolution.Revolution.from_profile(*profile, **at)
         case "implicit":
-            return kinds.Implicit(
+            return package.implicit.Implicit(
                 formula(table["surface"], dict(zip("xyz", XYZ, strict=True))), **at
             )
     raise KeyError(table["kind"])

@@ -21,7 +21,7 @@ from flowlanes.orbits.rotation import (
     simplest,
     unwrapped_turns,
 )
-from nonholonomic.catalogue.fixed_point import veselova
+from nonholonomic import from_catalogue
 
 GOLDEN = (np.sqrt(5) - 1) / 2
 
@@ -100,7 +100,7 @@ def test_simplest_fraction(low, high, fraction):
 
 
 def test_rotation_numbers_of_many_motions():
-    system = veselova.build(veselova.ENTRIES[0].defaults)
+    system = from_catalogue("veselova")
     gamma = system.symbols[3:]
     starts = np.array([[0.4, 0.1, 1.0, 1.0, 0.0, -0.4], [0.0, 0.0, 1.0, 1.0, 0.0, 0.0]])
     starts[0, :3] -= (

@@ -21,11 +21,13 @@ from flowlanes.errors import InputError
 from flowlanes.printing.code import LANGUAGES, TARGETS, lambdify, source_code
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import real_symbol
+from needs import needs
 from nonholonomic.catalogue import CATALOGUE
 
 Array = npt.NDArray[np.float64]
 
-#: Targets whose package is there; the project's own tests run with numba at least.
+#: The targets; those whose package is not installed are skipped.
+AS_TARGETS = {name: pytest.param(name, marks=needs(name)) for name in TARGETS}
 COMPILER = shutil.which("cc")
 
 FEW = [("ball", "sphere", "marble"), ("implicit", "plane", "rubber")]
@@ -88,7 +90,7 @@ def test_many_states_at_once(case: tuple[str, str, str]) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("case", FEW, ids="-".join)
-@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("target", AS_TARGETS.values())
 def test_targets_agree(target: str, case: tuple[str, str, str]) -> None:
     system = laden(*case)
     x, p = states(system, 1)[:, 0], defaults(system)
@@ -136,7 +138,7 @@ def decay_by_hand(x: float, double: float) -> list[float]:
 DECAY = np.array([0.3, 5.0, 6.0, 0.7])
 
 
-@pytest.mark.parametrize("target", [name for name in TARGETS if name != "jax"])
+@pytest.mark.parametrize("target", [AS_TARGETS["numpy"], AS_TARGETS["numba"]])
 def test_clashing_names_and_constant_rates(target: str) -> None:
     found = lambdify(decay(), target)(0.0, DECAY)
     assert found.dtype == np.float64

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from flowlanes.printing.formula import text
-from flowlanes.printing.laws import caption, condition_text, equation_sides, formulas, heading
+from flowlanes.printing.laws import caption, condition_text, equation_sides
 from flowlanes.printing.notation import LATEX, UNICODE, Notation
 from flowlanes.printing.system import claims_html, law_html, law_latex, system_html, system_text
 from flowlanes.system.isomorphism import Isomorphism
@@ -138,7 +138,7 @@ PAGES: list[tuple[Law, str, list[str]]] = [
 
 @pytest.mark.parametrize(("law", "kind", "expected"), PAGES)
 def test_laws_as_on_paper(law: Law, kind: str, expected: list[str]) -> None:
-    assert heading(law) == kind
+    assert law.heading == kind
     known = (law, BRACKET) if kind == "Hamiltonian form" else (law,)
     assert lines(law, body(*known)) == expected
 
@@ -147,7 +147,7 @@ def test_variables_and_constants_of_another_system_are_primed_where_they_clash()
     law = Isomorphism(
         "i", body(), {M: k * M, gamma: gamma}, 1 / k, {A.symbols[0]: A.symbols[1], k: sp.S.One}
     )
-    assert heading(law) == "The same motion as: Top"
+    assert law.heading == "The same motion as: Top"
     expected = ["M′ = k M", "γ′ = γ", "A′₁ = A₂", "k′ = 1", "dτ/dt = 1 / k"]
     assert lines(law) == expected
     plane = System(name="line", title="Line", field={theta: p, p: sp.S.Zero})
@@ -199,7 +199,7 @@ def test_every_formula_of_a_law_counts() -> None:
         Measure("m", {k: lever}),
         Measure("m", {k: 1}, on=(lever,)),
     ):
-        assert any(lever in to_components(formula).free_symbols for formula in formulas(law))
+        assert any(lever in to_components(formula).free_symbols for formula in law.formulas)
 
 
 def _defined(law: Law) -> System:
@@ -225,7 +225,7 @@ def test_definitions_that_laws_need_are_on_the_page() -> None:
 def test_laws_in_html_and_latex(law: Law) -> None:
     system = body(law)
     page = law_html(law, system)
-    assert heading(law) in page
+    assert law.heading in page
     assert page.count("<math") >= 1
     assert page in system_html(system)
     written = law_latex(law, system)

@@ -10,7 +10,10 @@ from flowlanes.flow.sampling.counter_rng import uniforms
 from flowlanes.scans.andoyer import Andoyer, momentum_of
 from nonholonomic.catalogue import from_catalogue
 
-MAPS = Andoyer(from_catalogue("chaplygin-ball"))
+
+@pytest.fixture(scope="module")
+def maps() -> Andoyer:
+    return Andoyer(from_catalogue("chaplygin-ball"))
 
 
 def random_points(count: int) -> np.ndarray:
@@ -19,9 +22,9 @@ def random_points(count: int) -> np.ndarray:
     return np.stack([turn * l, 2 * x - 1, turn * g, (1 + G) * (2 * y - 1), 1 + G])[[0, 1, 2, 4, 3]]
 
 
-def test_states_have_the_meaning_of_the_variables() -> None:
+def test_states_have_the_meaning_of_the_variables(maps: Andoyer) -> None:
     l, x, g, G, H = points = random_points(500)
-    here, states = MAPS.states(points)
+    here, states = maps.states(points)
     M, gamma = states[:3], states[3:]
     assert here.size == 500
     assert np.abs((gamma**2).sum(axis=0) - 1).max() < 1e-14
@@ -36,25 +39,25 @@ def test_states_have_the_meaning_of_the_variables() -> None:
     assert np.abs(cosine / np.linalg.norm(other, axis=1) - np.cos(g)).max() < 1e-7
 
 
-def test_both_ways() -> None:
+def test_both_ways(maps: Andoyer) -> None:
     points = random_points(500)
-    again = MAPS.points(MAPS.states(points)[1])
+    again = maps.points(maps.states(points)[1])
     again[[0, 2]] %= 2 * np.pi
     assert np.abs(again - points).max() < 1e-9
 
 
-def test_outside_there_are_no_states() -> None:
+def test_outside_there_are_no_states(maps: Andoyer) -> None:
     points = np.array([[0, 0, 0, 1.0, 1.1], [0, 1.2, 0, 1.0, 0], [0, 0, 0, -1.0, 0]]).T
-    assert MAPS.states(points)[0].size == 0
+    assert maps.states(points)[0].size == 0
 
 
-def test_angles_that_turn_about_nothing() -> None:
+def test_angles_that_turn_about_nothing(maps: Andoyer) -> None:
     up = np.array([[0, 0, 2.0, 0.6, 0, 0.8]]).T
-    l, x, g, G, H = MAPS.points(up)[:, 0]
+    l, x, g, G, H = maps.points(up)[:, 0]
     assert np.isnan(l) and np.isnan(g)
     assert (x, G, H) == (1.0, 2.0, 1.6)
     along = np.array([[1.2, 0, 1.6, 0.6, 0, 0.8]]).T
-    l, x, g, G, H = MAPS.points(along)[:, 0]
+    l, x, g, G, H = maps.points(along)[:, 0]
     assert l == pytest.approx(np.pi / 2)
     assert np.isnan(g)
 

@@ -9,8 +9,8 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.flow.ensemble.computation import compute
 from flowlanes.scans.grid import axis, scan_grid
-from flowlanes.scans.observables import Maximum
-from flowlanes.scans.quantity_names import KINDS, quantity_from_text
+from flowlanes.scans.observables import maximum
+from flowlanes.scans.quantity_names import observables, quantity_from_text
 from flowlanes.scans.scan_task import Scan, scan
 from flowlanes.system.system import Guard, Observable, Parameter, System
 from nonholonomic.catalogue import entry
@@ -26,7 +26,7 @@ PENDULUM = System(
     observables=(Observable("height", -sp.cos(x), "height", "m"),),
 )
 PLANE = scan_grid(PENDULUM, axis("c=-0.5:2:6"), axis("y=0:2.5:5"), {"x": 0.0, "y": 0.0})
-TASK = scan(Scan(PLANE, Maximum(PENDULUM, 20.0, x), "highest", "highest angle", "rad"))
+TASK = scan(Scan(PLANE, maximum(PENDULUM, 20.0, x), "highest", "highest angle", "rad"))
 
 
 def test_numbers_and_reasons() -> None:
@@ -89,7 +89,7 @@ def test_resumed_where_it_was(tmp_path, monkeypatch) -> None:
     assert found.equals(compute(TASK))
 
 
-@pytest.mark.parametrize("word", sorted(KINDS.keys() - {"rotation"}))
+@pytest.mark.parametrize("word", sorted(observables()))
 def test_every_kind_of_number_is_finite(word: str) -> None:
     free = System(
         name="free",
@@ -100,7 +100,9 @@ def test_every_kind_of_number_is_finite(word: str) -> None:
     )
     made = scan_grid(free, axis("c=0.5:2:3"), axis("y=0.1:1.5:2"), {"x": 0.5, "y": 0.0})
     of = "x" if word == "frequency" else "height"
-    number = quantity_from_text(free, f"{word}:{of}" if KINDS[word].of else word, 30.0)
+    number = quantity_from_text(
+        free, f"{word}:{of}" if observables()[word].of_formula else word, 30.0
+    )
     found = compute(scan(Scan(made, number.rule, number.name, number.title, number.unit)))
     assert np.isfinite(found[number.name].values).all()
     assert not found["outcome"].values.any()
@@ -155,4 +157,4 @@ def test_an_axis_like_a_result_is_refused() -> None:
             {"x": 0, "y": 0},
             formulas={"c": "ended"},
         )
-        scan(Scan(made, Maximum(PENDULUM, 2.0, x), "highest", "highest angle"))
+        scan(Scan(made, maximum(PENDULUM, 2.0, x), "highest", "highest angle"))

@@ -13,7 +13,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from flowlanes.system.vectors import Diagonal, real_symbol, to_components, vectors
+from flowlanes.system.named_formulas import scalars
+from flowlanes.system.vectors import Diagonal, real_symbol, vectors
 from lawproof.proof.verdict import Verdict
 
 from .derived_verdicts import computed_verdict
@@ -34,7 +35,7 @@ def conditions() -> list[sp.Expr]:
         [-2 * s * x * (j / form - 1 / square) for j, x in zip(J.symbols, place, strict=True)]
     )
     tensor = sp.Matrix([[C_11, C_12, C_13], [C_12, C_22, C_23], [C_13, C_23, 0]])
-    turned = tensor * sp.Matrix(to_components(place)).cross(slope)
+    turned = tensor * sp.Matrix(scalars(place)).cross(slope)
     divergence = sp.Add(*(sp.diff(turned[i], place[i]) for i in range(3))) + slope.dot(turned)
     excess = divergence - 2 * place.dot(turned) / square
     numerator = sp.numer(sp.together(excess / s))

@@ -12,7 +12,7 @@ import sympy as sp
 
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vector_operators import gradient
-from flowlanes.system.vectors import Diagonal, constant, cross, real_symbol, to_components, vectors
+from flowlanes.system.vectors import Diagonal, constant, cross, real_symbol, vectors
 from nonholonomic.mechanics.lagrangian.structure_functions import VectorField, commutator
 from nonholonomic.mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 
@@ -56,7 +56,7 @@ def moving() -> System:
     return unspecified_systems.system(
         "free-body",
         "Body in space",
-        {attitude: quaternion_rate(omega), R: constant(rows * to_components(v))},
+        {attitude: quaternion_rate(omega), R: constant(rows * v.entries)},
         parameters=(
             *(Parameter(x, "angular velocity", 0.3 + i / 5) for i, x in enumerate(omega)),
             *(Parameter(x, "velocity", 0.2 - i / 3) for i, x in enumerate(v)),

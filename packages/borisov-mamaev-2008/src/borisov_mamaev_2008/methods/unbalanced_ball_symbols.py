@@ -5,7 +5,7 @@ from __future__ import annotations
 from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.system.laws import Rate
-from flowlanes.system.vectors import Diagonal, constant, cross, real_symbol, to_components, vectors
+from flowlanes.system.vectors import Diagonal, constant, cross, real_symbol, vectors
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
 I = Diagonal("I")
@@ -16,7 +16,7 @@ NORMAL: dict[str, object] = {"gamma_1": "2/7", "gamma_2": "-3/7", "gamma_3": "6/
 OFFSET = -c
 
 M_RATE, OMEGA_RATE, GAMMA_RATE, R_RATE = (
-    constant([Rate(s) for s in to_components(vector)]) for vector in (M, omega, gamma, r)
+    constant([Rate(s) for s in vector.symbols]) for vector in (M, omega, gamma, r)
 )
 
 

@@ -6,9 +6,10 @@ from functools import cache
 
 import sympy as sp
 
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
 from flowlanes.system.vector_operators import gradient
-from flowlanes.system.vectors import Diagonal, Vector, constant, dot, real_symbol, to_components
+from flowlanes.system.vectors import Diagonal, Vector, constant, dot, real_symbol
 from nonholonomic.catalogue.angles import NORMAL, in_angles, phi, phidot, theta, thetadot
 from nonholonomic.catalogue.fixed_point import veselova as catalogue
 
@@ -50,12 +51,14 @@ def body() -> System:
 
 def slope_of_potential(angle: sp.Symbol) -> sp.Expr:
     """∂U/∂θ or ∂U/∂φ of U(γ)."""
-    return dot(gradient(catalogue.ANY, gamma), constant(to_components(NORMAL).diff(angle)))
+    return dot(
+        gradient(catalogue.ANY, gamma), constant([part.diff(angle) for part in scalars(NORMAL)])
+    )
 
 
 def multiplier(tensor: sp.MatrixBase) -> sp.Expr:
     """(γ, `tensor` γ)^(−1/2) in the angles."""
-    normal = sp.Matrix(to_components(NORMAL))
+    normal = sp.Matrix(scalars(NORMAL))
     return 1 / sp.sqrt(normal.dot(tensor * normal))
 
 

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 import sympy as sp
 
 from flowlanes.parsing.exact_decimals import with_exact_decimals
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components
 from lawproof.proof.verdict import Verdict
 
 Point = Mapping[sp.Symbol, sp.Expr]
@@ -57,7 +57,7 @@ def divergence(system: System, point: Point) -> sp.Expr:
     """
     values, slopes = _jets(system, point)
     moving = [*system.rates, *system.relations]
-    if any(sp.simplify(to_components(formula).xreplace(values)) != 0 for formula in moving):
+    if any(sp.simplify(formula.xreplace(values)) != 0 for formula in scalars(tuple(moving))):
         raise ValueError(f"{system.name}: the point is not a rest point of the phase space")
     total = sp.S.Zero
     for symbol, rate in zip(system.symbols, system.rates, strict=True):

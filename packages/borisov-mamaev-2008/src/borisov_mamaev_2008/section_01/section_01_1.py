@@ -16,15 +16,7 @@ import sympy as sp
 from flowlanes.system.laws import Identity, Rate
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vector_operators import gradient
-from flowlanes.system.vectors import (
-    Symmetric,
-    constant,
-    cross,
-    dot,
-    real_symbol,
-    to_components,
-    vectors,
-)
+from flowlanes.system.vectors import Symmetric, constant, cross, dot, real_symbol, vectors
 from nonholonomic.catalogue.vector_rates import rate
 
 from ..claim import Case, Claim, Remark
@@ -64,7 +56,7 @@ def _rate_along_velocity(formula: sp.Expr) -> sp.Expr:
 
 
 MATRIX = _matrix(q)
-SPEED = to_components(v)
+SPEED = v.entries
 #: Ȧ q̇ and ∂T/∂q for T = ½ (v, A(q) v).
 DRIFT = constant(MATRIX.applyfunc(_rate_along_velocity) * SPEED)
 SLOPE = constant([HALF * (SPEED.T * sp.diff(MATRIX, s) * SPEED)[0] for s in q])

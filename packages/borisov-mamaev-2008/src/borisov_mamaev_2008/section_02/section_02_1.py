@@ -9,15 +9,7 @@ import sympy as sp
 
 from flowlanes.system.laws import Identity, Integral
 from flowlanes.system.system import Parameter, System
-from flowlanes.system.vectors import (
-    constant,
-    cross,
-    dot,
-    norm_squared,
-    real_symbol,
-    to_components,
-    vectors,
-)
+from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
 from lawproof.proof.verdict import Verdict
 from nonholonomic.catalogue.bodies.rubber_body import any_rubber_body
 from nonholonomic.mechanics.lagrangian.structure_functions import VectorField
@@ -177,7 +169,7 @@ def dimension() -> Verdict:
     """dim L = 5: no more, since every field keeps R_3; no less, at a rational attitude."""
     both = (PRINTED, ADMISSIBLE)
     counts = [ball_growth(pairs) for pairs in both]
-    level_rates = [sp.expand((to_components(gamma).T * u)[0]) for pairs in both for _, u in pairs]
+    level_rates = [sp.expand((gamma.entries.T * u)[0]) for pairs in both for _, u in pairs]
     reached = all(n[-1] == 5 for n in counts) and all(
         sp.cancel(value) == 0 for value in level_rates
     )

@@ -50,7 +50,7 @@ def volume() -> Case:
 def chaplygin_ball() -> Case:
     """The measure of (7.3)."""
     dynamics = CATALOGUE["chaplygin-ball"].system()
-    return dynamics, next(law for law in dynamics.laws if isinstance(law, Measure))
+    return dynamics, dynamics.laws_of(Measure)[0]
 
 
 def body_of_revolution() -> Case:

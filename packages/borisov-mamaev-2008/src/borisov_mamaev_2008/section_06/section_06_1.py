@@ -10,6 +10,7 @@ from flowlanes.system.laws import Identity, Integral, Measure, Rate
 from flowlanes.system.system import System
 from flowlanes.system.vector_operators import gradient
 from flowlanes.system.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors
+from nonholonomic.catalogue import from_catalogue
 from nonholonomic.catalogue.angles import theta
 from nonholonomic.catalogue.fixed_point import veselova as catalogue, veselova_spinning
 from nonholonomic.catalogue.vector_rates import rate
@@ -48,7 +49,7 @@ def body() -> System:
 @cache
 def free_body() -> System:
     """The body without a field."""
-    return catalogue.build(catalogue.NUMBERS)
+    return from_catalogue("veselova")
 
 
 def equations() -> Case:
@@ -135,7 +136,7 @@ def euler_jacobi() -> Case:
 
 def bruns() -> Case:
     """F − K det I (γ, I⁻¹γ) in the field ½K(γ, Iγ), of which the printed one has K = 2."""
-    system = catalogue.in_bruns_field({**catalogue.NUMBERS, "K": 2.0})
+    system = from_catalogue("veselova-bruns")
     return system, catalogue.momentum_in_bruns_field()
 
 

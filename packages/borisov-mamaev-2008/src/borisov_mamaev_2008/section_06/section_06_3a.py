@@ -23,7 +23,7 @@ from flowlanes.system.vectors import (
 )
 from lawproof.proof.prover import prove
 from lawproof.proof.verdict import Verdict
-from nonholonomic.catalogue import e3
+from nonholonomic.catalogue import e3, from_catalogue
 from nonholonomic.catalogue.e3 import Gamma, I, M
 from nonholonomic.catalogue.fixed_point import veselova as catalogue, veselova_geodesic as geodesic
 
@@ -64,7 +64,7 @@ def free_flow() -> System:
 @cache
 def flow() -> System:
     """(6.13), on (M, Γ) = 0."""
-    return geodesic.build(NUMBERS)
+    return from_catalogue("veselova-geodesic-flow")
 
 
 @cache
@@ -130,7 +130,7 @@ def inverse() -> Case:
     """ω and γ by M and Γ lead back to the Veselova system."""
     back = Isomorphism(
         "veselova",
-        catalogue.build(NUMBERS),
+        from_catalogue("veselova"),
         {omega: geodesic.LENGTH * INVERSE_ROOT * M, gamma: S},
         sp.sqrt(DET) / geodesic.LENGTH,
     )
@@ -148,7 +148,7 @@ def second_integral() -> Case:
     value = dot(I * M_OF, M_OF) * dot(I * GAMMA_OF, GAMMA_OF) - dot(I * M_OF, GAMMA_OF) ** 2
     same = value - (norm_squared(momentum) - dot(momentum, gamma) ** 2)
     return (
-        (catalogue.build(NUMBERS), Identity("F", same)),
+        (from_catalogue("veselova"), Identity("F", same)),
         (free_flow(), Integral("F", second())),
     )
 

@@ -15,14 +15,9 @@ from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import cross, dot, norm_squared, real_symbol, to_components
 from lawproof.proof.prover import prove
 from lawproof.proof.verdict import Verdict
-from nonholonomic.catalogue import e3
+from nonholonomic.catalogue import e3, from_catalogue
 from nonholonomic.catalogue.e3 import Gamma, I, M
-from nonholonomic.catalogue.fixed_point import (
-    clebsch,
-    neumann,
-    veselova as catalogue,
-    veselova_geodesic as geodesic,
-)
+from nonholonomic.catalogue.fixed_point import veselova as catalogue, veselova_geodesic as geodesic
 from nonholonomic.catalogue.fixed_point.clebsch import alpha, beta
 from nonholonomic.catalogue.fixed_point.neumann import c
 from nonholonomic.catalogue.vector_rates import rate
@@ -71,7 +66,7 @@ def kirchhoff_equations(sign: int) -> tuple[tuple[System, Integral], tuple[Syste
 
 def proposition() -> Case:
     """The map with k = √det I, also onto the Clebsch case of the catalogue."""
-    target = clebsch.build(NUMBERS)
+    target = from_catalogue("clebsch")
     return (*kirchhoff_equations(1), (flow(), geodesic.to_clebsch(target)))
 
 
@@ -137,8 +132,8 @@ def quadratic_hamiltonian(tensor: MatrixExpr) -> Case:
 def neumann_case() -> Case:
     """α = 1, β = 0, k = 1: the Neumann system."""
     first, _ = quadratic(I)
-    (energy,) = (law for law in neumann.build(NUMBERS).integrals if law.name == "energy")
-    system = neumann.build(NUMBERS)
+    (energy,) = (law for law in from_catalogue("neumann").integrals if law.name == "energy")
+    system = from_catalogue("neumann")
     return (
         (system, Identity("H", first - energy.value)),
         (system, ConformallyHamiltonian("hamiltonian", sp.S.One, e3.bracket(), first)),
@@ -180,7 +175,7 @@ def brackets_change() -> Verdict:
 
 def theorem_8() -> Case:
     """ρ_ω ω and γ in the time dτ = dt/ρ_ω."""
-    return catalogue.build(NUMBERS), catalogue.onto_neumann(NUMBERS)
+    return from_catalogue("veselova"), catalogue.onto_neumann(NUMBERS)
 
 
 K_SIGN = (

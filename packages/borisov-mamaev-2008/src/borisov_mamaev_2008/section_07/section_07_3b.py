@@ -9,6 +9,7 @@ from functools import cache
 import sympy as sp
 
 from flowlanes.system.laws import ConformallyHamiltonian, Identity, PoissonStructure, Rate
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
 from flowlanes.system.vectors import dot, real_symbol, to_components, zero
 from nonholonomic.catalogue import CATALOGUE
@@ -133,22 +134,20 @@ def _momentum(axis: int) -> Callable[[], Case]:
     """One component of L = ρM in the local variables."""
 
     def decide() -> Case:
-        return turning_slowly(), Identity(
-            "momentum", to_components(MOMENTUM)[axis] - N * M.symbols[axis]
-        )
+        return turning_slowly(), Identity("momentum", scalars(MOMENTUM)[axis] - N * M.symbols[axis])
 
     return decide
 
 
 def _brackets(sign: int) -> Case:
     """{L_i, L_j} and {L_i, γ_j} by (7.14), against `sign` times (7.6)."""
-    place = dict(zip(gamma.symbols, to_components(VERTICAL), strict=True))
+    place = dict(zip(gamma.symbols, scalars(VERTICAL), strict=True))
     momenta = to_components(MOMENTUM).subs(N, MULTIPLIER)
     variables = sp.Matrix([*momenta, *place.values()])
     jacobian = variables.jacobian(COORDINATES)
     bracket = jacobian * sp.Matrix(gyroscopic_matrix(SBAR)) * jacobian.T
     twisted = to_components(L - D * dot(L, gamma) * N**2 * DET_J * (A * gamma)).xreplace(
-        place | dict(zip(L.symbols, to_components(MOMENTUM), strict=True))
+        place | dict(zip(L.symbols, scalars(MOMENTUM), strict=True))
     )
     residuals = []
     for i in range(3):

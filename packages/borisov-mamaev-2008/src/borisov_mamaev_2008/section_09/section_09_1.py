@@ -19,8 +19,8 @@ from flowlanes.system.vectors import (
     vectors,
 )
 from lawproof.proof.verdict import Verdict
+from nonholonomic.catalogue import from_catalogue
 from nonholonomic.catalogue.ball_on_sphere import rubber_ball_ratio as ratio
-from nonholonomic.catalogue.fixed_point import veselova
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, Rolling
 from nonholonomic.mechanics.shapes.shapes import Ball
@@ -100,7 +100,7 @@ def on_plane() -> Case:
 
 def as_veselova() -> Case:
     """k = 1: the Veselova system with J for I."""
-    target = veselova.build(veselova.ENTRIES[0].defaults)
+    target = from_catalogue("veselova")
     law = Isomorphism(
         "veselova",
         target,

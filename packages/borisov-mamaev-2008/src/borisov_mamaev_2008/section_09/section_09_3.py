@@ -8,8 +8,9 @@ from itertools import pairwise
 import sympy as sp
 
 from flowlanes.system.laws import ConformallyHamiltonian, Identity
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import Guard, Parameter, System
-from flowlanes.system.vectors import cross, dot, norm_squared, real_symbol, to_components, vectors
+from flowlanes.system.vectors import cross, dot, norm_squared, real_symbol, vectors
 from nonholonomic.catalogue.ball_on_sphere import (
     rubber_ball_on_e3 as e3,
     rubber_ball_ratio as ratio,
@@ -139,7 +140,7 @@ def _on_coordinates() -> tuple[list[sp.Expr], list[sp.Expr]]:
     free = conical.hamiltonian() / rho_squared ** ((2 * k - 1) / k)
     place = dict(zip(n.symbols, conical.normal(), strict=True))
     turning = conical.turning(sp.diff(free, p_xi), sp.diff(free, p_eta))
-    spin = [sp.factor(w).xreplace(place) for w in to_components(cross(turning, n) / k)]
+    spin = [sp.factor(w).xreplace(place) for w in scalars(cross(turning, n) / k)]
     halves = [sp.sqrt(j) for j in J.symbols]
     factor = sp.sqrt(DET_J) * rho_squared / k
     momentum = [factor * s * w for s, w in zip(halves, spin, strict=True)]

@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.laws import Identity, Integral, Rate
+from flowlanes.system.laws import Identity, Rate
 from flowlanes.system.system import System
 from flowlanes.system.vector_operators import gradient
 from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_symbol, vectors, zero
@@ -59,7 +59,7 @@ def on_level() -> System:
 def factors() -> Case:
     """(9.14) is a product of a function of γ and one of M."""
     system = e3.hamiltonian_form()
-    energy = next(law for law in system.laws if isinstance(law, Integral))
+    energy = system.integrals[0]
     return system, Identity("product", energy.value - STIFFNESS * KINETIC, "energy as a product")
 
 

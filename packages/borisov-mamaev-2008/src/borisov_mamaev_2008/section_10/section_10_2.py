@@ -15,7 +15,6 @@ from lawproof.proof.prover import prove
 from lawproof.proof.verdict import Verdict
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.catalogue.bodies import unbalanced_rubber_ball_centred as centred
-from nonholonomic.catalogue.fixed_point import veselova
 
 from ..claim import Case, Claim, Remark
 from ..methods.derived_verdicts import conclusion_verdict
@@ -113,7 +112,7 @@ def balanced_rubber() -> Case:
 
 def as_veselova() -> Case:
     """a = 0: the Veselova system with I + mR² for I."""
-    target = veselova.build(veselova.ENTRIES[0].defaults)
+    target = from_catalogue("veselova")
     moments = [i + m * R**2 for i in I.symbols]
     law = Isomorphism(
         "veselova",

@@ -37,7 +37,7 @@ def test_the_inverted_top_with_the_same_jellett_integral_is_stable() -> None:
     assert growth(20.0 * share, -1, 0.02) > 0
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 def test_rolling_oscillates_and_does_not_grow() -> None:
     """Very viscous friction: the growth goes to zero, as that of the rolling top."""
     stable, discriminant = claims.steady_under_dry_friction()
@@ -47,7 +47,7 @@ def test_rolling_oscillates_and_does_not_grow() -> None:
     np.testing.assert_allclose(np.array(rates[:2]) / rates[1:], 10, rtol=0.05)
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("tilt", [1e-3, 1e-2])
 def test_a_fast_top_under_dry_friction_stays_near_the_vertical(tilt: float) -> None:
     """It slides at first, then rolls, and friction holds it for two seconds."""

@@ -1,1 +1,1 @@
-"""The claim of a certificate, and its residuals as numbers at a point."""
+"""The claim of a certificate, and its residuals evaluated at a point."""

@@ -18,7 +18,7 @@ from .parsing import parse, parse_alternatives
 
 _NAME = re.compile(r"[^\W\d]\w*")
 
-#: Names that formulas use otherwise, and those that a reader takes for something else.
+#: Names with another meaning in formulas, or that readers would misunderstand.
 _RESERVED_NAMES = {*CONSTANTS, *FUNCTIONS, "Derivative", "Subs", "Ne", "Eq", "oo", "zoo", "nan"}
 
 
@@ -80,7 +80,7 @@ class ClaimedSystem:
 
 @dataclass(frozen=True)
 class Law:
-    """A law: its kind, the level, and what it says.
+    """A law: its kind, its level, and its statement.
 
     Attributes
     ----------
@@ -186,7 +186,7 @@ def _require(formulas: Iterable[Formula], names: set[str], what: str) -> None:
 
 
 def read_system(data: object, what: str) -> ClaimedSystem:
-    """Read a system; what is wrong with it raises CheckError."""
+    """Read a system; raises CheckError if it is malformed."""
     data = mapping(data, what)
     fields = ("name", "state", "rates", "definitions", "parameters", "relations", "guards")
     only(data, what, *fields, "admissible")
@@ -231,12 +231,12 @@ _KINDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = {
     "Identity": ((), ("value",), ("quantities",)),
 }
 
-#: Fields that may be missing, where nothing is said there.
+#: Optional fields.
 _OPTIONAL = {("Identity", "quantities"), ("Isomorphism", "onto")}
 
 
 def read_claim(data: object, what: str) -> Claim:
-    """Read a claim; what is wrong with it raises CheckError."""
+    """Read a claim; raises CheckError if it is malformed."""
     data = mapping(data, what)
     only(data, what, "system", "law")
     system = read_system(field(data, "system", what), f"the system of {what}")
@@ -311,7 +311,7 @@ def _density(data: object, system: ClaimedSystem, what: str) -> tuple[tuple[Form
 
 
 def _with_bracket(law: Law, data: Mapping[str, object], system: ClaimedSystem, what: str) -> Law:
-    """A law with the matrix of its bracket, and the rank that is claimed of it."""
+    """A law with the matrix of its bracket, and its claimed rank."""
     size = len(system.state)
     rows = items(field(data, "matrix", what), size, f"the matrix of {what}")
     matrix = tuple(

@@ -1,12 +1,12 @@
 """The domain of a law: the divisors of its formulas, and their radicands.
 
 A law says nothing where a divisor vanishes, where the argument of an absolute value or a sign
-vanishes, or where something under a root, in a power that is no whole number or in a logarithm is
-not positive.
+vanishes, or where a radicand, the base of a non-integer power or the argument of a logarithm is not
+positive.
 
-A power whose exponent is no number as it is written, b^a, is meant where b is positive and, for
-whole a, where b is negative.  So nothing may be taken for granted but that b is not zero; what is
-proved with b > 0 holds where that is known or is a condition of the verdict.
+A power b^a whose exponent is not written as a number is defined for positive b and, for integer a,
+also for negative b.  So only b ≠ 0 may be assumed; a proof that uses b > 0 holds where that is
+known or is a condition of the verdict.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from .formulas import Formula, call, number, power, product, total, walk
 from .functions import HALF
 from .residuals import gram_determinants, target_point
 
-#: Stands for the determinant whose vanishing means that the conditions cut out no volume.
+#: Represents the determinant that vanishes if the conditions define no volume.
 GRAM = "the volume of the conditions"
 
 
 @dataclass(frozen=True)
 class Domain:
-    """Formulas that decide where a law is defined.
+    """Formulas that determine where a law is defined.
 
     Attributes
     ----------
@@ -65,7 +65,7 @@ class Domain:
         return places
 
     def require(self, point: Point) -> None:
-        """The law is defined at a point in real balls.
+        """Require that the law is defined at a point, in real balls.
 
         Raises
         ------
@@ -85,7 +85,7 @@ class Domain:
 
 
 def domain(claim: Claim, parameter_formulas: Mapping[str, Formula]) -> Domain:
-    """The formulas that decide where the law of a claim is defined.
+    """The formulas that determine where the law of a claim is defined.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def domain(claim: Claim, parameter_formulas: Mapping[str, Formula]) -> Domain:
     system, law = claim.system, claim.law
     collector = _Collector()
     known = {**system.definitions, **law.quantities}
-    # where a guard is positive it has a value
+    # Where a guard is positive it has a value.
     base = [*system.rates, *claim.conditions, *system.guards, *law.formulas()]
     needed = system.reach(base, law.quantities)
     formulas = [*base, *(f for word, f in known.items() if word in needed)]
@@ -169,7 +169,7 @@ class _Collector:
                 self._add_call(where, node.word, node.parts)
 
     def nonzero_factors(self, where: str, base: Formula) -> None:
-        """Factors that do not vanish when `base` does not."""
+        """Factors that are nonzero if `base` is."""
         for part in _factors(base):
             self.nonzero[where, part] = None
 
@@ -194,7 +194,7 @@ _DIVISORS = {"tan": "cos", "sec": "cos", "cot": "sin", "csc": "sin", "tanh": "co
 
 
 def _factors(base: Formula) -> Iterator[Formula]:
-    """A formula and what it is a product of."""
+    """A formula and the factors of the product that it is."""
     if base.kind == "number":
         if not base.word:
             yield base

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 
 class CheckError(Exception):
-    """A certificate does not check."""
+    """A certificate is not valid."""
 
 
 class BadInputError(Exception):
-    """The data are no certificate."""
+    """The data are not a certificate."""
 
 
 class UndefinedError(Exception):

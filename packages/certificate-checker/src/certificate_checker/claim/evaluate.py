@@ -1,4 +1,4 @@
-"""Formulas evaluated: names through a table and definitions, rates along a field."""
+"""Evaluate formulas: names through a table and definitions, rates along a field."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .jets import Jet, Number, add, integer_power, inverse, multiply, slopes_of
 
 
 class Point:
-    """A point at which formulas are evaluated, perhaps moving.
+    """A point at which formulas are evaluated, possibly with derivatives.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ class Point:
         return self._moving
 
     def partial(self, words: Iterable[str]) -> Point:
-        """The point with partial derivatives by symbols, numbered."""
+        """The point with partial derivatives with respect to numbered symbols."""
         values = dict(self.values)
         for i, word in enumerate(words):
             values[word] = Jet(
@@ -100,7 +100,7 @@ class Point:
         return value
 
     def _prepare(self, formula: Formula) -> None:
-        """Evaluate chains of definitions from below, so that they are not nested."""
+        """Evaluate chains of definitions from below, so that recursion is not nested."""
         if formula.kind != "name" or not self._waits(formula.word):
             return
         needed: set[str] = set()
@@ -152,7 +152,7 @@ class Point:
         raise CheckError(f"the symbol {word} is unknown")
 
     def exact(self, formula: Formula) -> Fraction | None:
-        """The rational number that a formula is, through definitions and settled parameters."""
+        """The rational number that a formula equals, through definitions and settled parameters."""
         return exact_value(formula, {**self.definitions, **self.parameter_formulas})
 
     def _power(self, base: Formula, exponent: Formula) -> Number:
@@ -192,7 +192,7 @@ _RATIOS: dict[str, tuple[str | None, str]] = {
 
 
 def exact_value(formula: Formula, definitions: Mapping[str, Formula]) -> Fraction | None:
-    """The rational number that a formula is, if its symbols are numbers by definition."""
+    """The rational number that a formula equals, if its symbols are numbers by definition."""
     kind, parts = formula.kind, formula.parts
     if kind == "number":
         return Fraction(formula.word)

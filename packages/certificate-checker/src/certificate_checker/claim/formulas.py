@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
-#: Known functions and how many arguments they take.
+#: Known functions and their number of arguments.
 FUNCTIONS = {
     **dict.fromkeys(
         ("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp", "log"), 1
@@ -21,12 +21,12 @@ FUNCTIONS = {
     "atan2": 2,
 }
 
-#: Names of numbers.  The number e is ``exp(1)``, so that E may be a name.
+#: Names of numbers.  The number e is ``exp(1)``, so E may be a name.
 CONSTANTS = ("pi",)
 
 
 class Formula:
-    """A node: its kind, what it is called or worth, and its parts."""
+    """A node: its kind, its name or value, and its operands."""
 
     __slots__ = ("__weakref__", "kind", "parts", "word")
 
@@ -83,7 +83,7 @@ def call(word: str, parts: Iterable[Formula]) -> Formula:
 
 
 def function(word: str, orders: Iterable[int], arguments: Iterable[Formula]) -> Formula:
-    """A value of a derivative of an unspecified function: how often by each argument."""
+    """A value of a derivative of an unspecified function, with the order in each argument."""
     return _node("function", (word, tuple(orders)), arguments)
 
 

@@ -1,8 +1,8 @@
 """Functions of numbers with derivatives: roots, known functions, unspecified ones.
 
-How a function is differentiated is the same whatever numbers are; its value is not.  In real balls
-it is the value itself (:class:`.real_functions.RealFunctions`); modulo a prime, where a root or a
-sine has no meaning, it is that of the generator by which a proof writes it.
+The rules of differentiation are the same for all kinds of numbers; the values are not.  In real
+balls the value is that of the function (:class:`.real_functions.RealFunctions`).  Modulo a prime,
+where a root or a sine has no meaning, it is that of the generator that represents it in the proof.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Functions(ABC):
 
     @abstractmethod
     def is_nonzero(self, a: Number) -> bool:
-        """Whether a plain number is certainly not zero."""
+        """Whether a plain number is certainly nonzero."""
 
     @abstractmethod
     def plain_root(self, a: Number, exponent: Fraction) -> Number:
@@ -105,7 +105,7 @@ class Functions(ABC):
     def unspecified(
         self, word: str, orders: tuple[int, ...], arguments: Sequence[Number]
     ) -> Number:
-        """A value of an unspecified function, with derivatives as the arguments have them."""
+        """A value of an unspecified function, differentiated by the chain rule."""
         level = max((level_of(p) for p in arguments), default=0)
         if level == 0:
             return self.plain_unspecified(word, orders, tuple(arguments))

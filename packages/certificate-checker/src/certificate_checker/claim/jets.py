@@ -1,8 +1,8 @@
-"""Numbers with derivatives, nested as deep as needed: dual numbers over numbers of any kind.
+"""Numbers with derivatives, nested as deep as needed: dual numbers over any kind of numbers.
 
-A jet has a level, a value and slopes in numbered directions; value and slopes are plain numbers or
-jets of lower levels, so that derivatives of derivatives do not mix.  Plain numbers are real balls,
-residues modulo a prime, or bounds of degrees (see :mod:`.functions`).
+A jet has a level, a value and derivatives in numbered directions; value and derivatives are plain
+numbers or jets of lower levels, so that derivatives of derivatives do not mix.  Plain numbers are
+real balls, residues modulo a prime, or bounds of degrees (see :mod:`.functions`).
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def ball(value: Fraction | int) -> arb:
 
 
 def level_of(a: Number) -> int:
-    """The highest level of the derivatives in a number."""
+    """The highest derivative level in a number."""
     return a.level if isinstance(a, Jet) else 0
 
 
@@ -86,7 +86,7 @@ def multiples(slopes: Mapping[int, Number], factor: Number) -> dict[int, Number]
 
 
 def through(a: Jet, value: Number, derivative: Number) -> Jet:
-    """A function of a jet, by its value and derivative there."""
+    """A function of a jet, from its value and derivative there."""
     return Jet(a.level, value, multiples(a.slopes, derivative))
 
 

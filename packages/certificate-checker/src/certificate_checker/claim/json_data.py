@@ -1,4 +1,4 @@
-"""Data of a certificate, read with a check of their types."""
+"""Data of a certificate, read with type checks."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ def mapping(data: object, what: str) -> Mapping[str, object]:
 
 
 def only(data: Mapping[str, object], what: str, *choices: str) -> None:
-    """No fields but these."""
+    """Require that a mapping has only these fields."""
     strange = sorted(set(data) - set(choices))
     if strange:
         raise CheckError(f"{what} has a field {strange[0]!r}, which means nothing here")
 
 
 def field(data: Mapping[str, object], key: str, what: str) -> object:
-    """A field that must be there."""
+    """A required field."""
     if key not in data:
         raise CheckError(f"{what} lacks the field {key!r}")
     return data[key]
@@ -43,7 +43,7 @@ def as_list(data: object, what: str) -> Sequence[object]:
 
 
 def items(data: object, size: int, what: str) -> Sequence[object]:
-    """A list of so many things."""
+    """A list of given length."""
     parts = as_list(data, what)
     if len(parts) != size:
         raise CheckError(f"{what} has {len(parts)} parts instead of {size}")
@@ -58,33 +58,33 @@ def text(data: object, what: str) -> str:
 
 
 def integer(data: object, what: str, lowest: int, highest: int) -> int:
-    """A whole number between bounds."""
+    """An integer within bounds."""
     if isinstance(data, bool) or not isinstance(data, int) or not lowest <= data <= highest:
         raise CheckError(f"{what} is no whole number from {lowest} to {highest}")
     return data
 
 
 def rational(data: object, what: str) -> Fraction:
-    """A rational number as a text such as ``-3/4``, or a whole number."""
+    """A rational number given as text such as ``-3/4``, or an integer."""
     if isinstance(data, int) and not isinstance(data, bool):
         return Fraction(data)
     if not isinstance(data, str) or _RATIONAL.fullmatch(data) is None:
         raise CheckError(f"{what} is no rational number")
     above, _, below = data.partition("/")
-    bottom = _whole(below or "1")
+    bottom = _long_integer(below or "1")
     if bottom == 0:
         raise CheckError(f"{what} divides by zero")
-    return Fraction(_whole(above), bottom)
+    return Fraction(_long_integer(above), bottom)
 
 
-def _whole(digits: str) -> int:
-    """A whole number of any length, which int() would refuse."""
+def _long_integer(digits: str) -> int:
+    """An integer of any length, which int() would reject."""
     if len(digits) < 4000:
         return int(digits)
     middle = len(digits) // 2
     head, tail = digits[:-middle], digits[-middle:]
     sign = -1 if head.startswith("-") else 1
-    return _whole(head) * int(10**middle) + sign * _whole(tail)
+    return _long_integer(head) * int(10**middle) + sign * _long_integer(tail)
 
 
 def choice(data: object, what: str, *choices: T) -> T:

@@ -1,4 +1,4 @@
-"""Formulas and conditions read from text in Python syntax; nothing is ever executed."""
+"""Parse formulas and conditions from text in Python syntax; nothing is ever executed."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .formulas import (
     total,
 )
 
-#: Formulas may be nested in brackets as deep as this.
+#: Maximum nesting depth of brackets.
 DEPTH = 120
 LENGTH = 5_000_000
 DIGITS = 5_000
@@ -33,7 +33,7 @@ _TOKEN = re.compile(
 
 
 def parse(text: object, what: str) -> Formula:
-    """Read a formula.
+    """Parse a formula.
 
     Raises
     ------
@@ -44,17 +44,17 @@ def parse(text: object, what: str) -> Formula:
 
 
 def parse_condition(text: object, what: str) -> list[tuple[Formula, str]]:
-    """Read a condition on parameters: formulas with ``>``, ``>=``, ``=`` or ``!=`` (to zero)."""
+    """Parse a condition on parameters: formulas with ``>``, ``>=``, ``=`` or ``!=`` (to zero)."""
     return _Reader(text, what).condition()
 
 
 def parse_alternatives(text: object, what: str) -> list[list[tuple[Formula, str]]]:
-    """Read conditions joined by ``|``, of which one holds; each as :func:`parse_condition`."""
+    """Parse conditions joined by ``|``, one of which holds; each as :func:`parse_condition`."""
     return _Reader(text, what).alternatives()
 
 
 class _Reader:
-    """A recursive descent through the tokens of one text."""
+    """Recursive descent through the tokens of one text."""
 
     def __init__(self, text: object, what: str) -> None:
         if not isinstance(text, str) or len(text) > LENGTH:
@@ -278,14 +278,14 @@ class _Reader:
         return substitution(inner, {v.word: p for v, p in zip(variables, points, strict=True)})
 
     def _points(self, start: int, count: int) -> list[Formula]:
-        """Places after the variables: a bracketed list if the variables stand in one."""
+        """The arguments after the variables; a bracketed list if the variables are bracketed."""
         if self.tokens[start] == ("sign", "("):
             return self._list()
         return [self.sum()]
 
 
 def _extreme(word: str, parts: list[Formula]) -> Formula:
-    """A maximum or minimum by absolute values: max(a, b) = (a + b + |a - b|)/2."""
+    """A maximum or minimum in terms of absolute values: max(a, b) = (a + b + |a - b|)/2."""
     result, sign = parts[0], Fraction(1 if word == "Max" else -1)
     for part in parts[1:]:
         size = call("Abs", [_difference(result, part)])

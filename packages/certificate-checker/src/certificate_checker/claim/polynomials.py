@@ -1,7 +1,7 @@
 """Polynomials of a certificate: read, compared, evaluated.
 
 A polynomial is a list of terms ``[coefficient, [generator, exponent, …]]``; a fraction has a
-polynomial above and a list of ``[polynomial, power]`` below.
+polynomial as numerator and a list of ``[polynomial, power]`` as denominator.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ Poly: TypeAlias = fmpq_mpoly
 #: A product of powers of polynomials.
 Powers: TypeAlias = list[tuple[Poly, int]]
 
-#: Generators of one ring, exponents in a polynomial, powers of factors.
+#: Limits on generators of a ring, exponents in a polynomial, and powers of factors.
 GENERATORS = 2_000
 HIGHEST = 100_000
-#: Terms that a power of a polynomial may come to when it is multiplied out.
+#: Limit on the number of terms of an expanded power of a polynomial.
 TERMS = 20_000_000
 
 
@@ -36,7 +36,7 @@ class Ring:
         if len(names) > GENERATORS:
             raise CheckError(f"a ring has more than {GENERATORS} generators")
         self.names = tuple(names)
-        # a ring without generators has one that never occurs
+        # A ring without generators gets one that never occurs.
         self.context = fmpq_mpoly_ctx.get(self.names or ("_",), Ordering.degrevlex)
         self.index = {name: i for i, name in enumerate(self.names)}
 
@@ -95,7 +95,7 @@ class Ring:
         return above, below
 
     def expanded_product(self, powers: Powers) -> Poly:
-        """The product of powers, multiplied out."""
+        """The product of powers, expanded."""
         result = self.constant(1)
         for poly, power in powers:
             if len(poly) > 1 and len(poly) ** power * len(result) > TERMS:

@@ -1,6 +1,6 @@
 """The theorem on energy: an integral of a system from the linear equations of its rates.
 
-A certificate may give, for velocities u of the state, formulas A, h, C, b, λ, of which two claims
+For velocities u of the state, a certificate may give formulas A, h, C, b, λ for which two claims
 say, as identities in all their variables:
 
 *power*: with free symbols a in place of the rates of u, F' = uᵀ(A a − h) for the integral F;
@@ -40,7 +40,7 @@ Texts = Sequence[str]
 def claims_of_identities(
     claim_data: Mapping[str, object], claim: Claim, data: object
 ) -> Mapping[str, Mapping[str, object]]:
-    """The two claims that together prove an integral, by name; CheckError where they do not.
+    """The two claims that together prove an integral, by name; CheckError if they do not.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def claims_of_identities(
 
 
 def _divisors(of: Domain) -> set[object]:
-    """What must not vanish, or must be positive, apart from products, whose factors are listed."""
+    """What must be nonzero or positive, apart from products, whose factors are listed."""
     nonzero = {
         (side, f)
         for side, f in of.nonzero
@@ -73,7 +73,7 @@ def _divisors(of: Domain) -> set[object]:
 
 
 class _LinearRates:
-    """The linear equations of a certificate, as formulas in words."""
+    """The linear equations of a certificate, as formulas in text form."""
 
     def __init__(
         self, claim_data: Mapping[str, object], claim: Claim, data: Mapping[str, object]
@@ -118,7 +118,7 @@ class _LinearRates:
         self.opaque = set(_words(data, "opaque"))
 
     def _positions(self, data: object, what: str) -> dict[int, int | None]:
-        """Relations, each with the number of the constraint that is its rate, if any."""
+        """Relations, each with the index of the constraint that is its rate, if any."""
         last = len(self.relations) - 1
         found: dict[int, int | None] = {}
         for pair in as_list(data, what):
@@ -128,7 +128,7 @@ class _LinearRates:
         return found
 
     def power(self) -> dict[str, object]:
-        """That F' = uᵀ(A a − h), C u = κ f, f' = C a − b."""
+        """The claim F' = uᵀ(A a − h), C u = κ f, f' = C a − b."""
         a, u = self.accelerations, self.velocities
         terms = [
             f"({velocity})*({_sum_of_products(row, a)} - ({force}))"
@@ -161,7 +161,7 @@ class _LinearRates:
         )
 
     def solution(self) -> dict[str, object]:
-        """That A u̇ = h + Cᵀλ and C u̇ = b, whatever is held stands for."""
+        """The claim A u̇ = h + Cᵀλ and C u̇ = b, with held names as independent variables."""
         rates = dict(zip(self.claim.system.state, map(str, self._list("rates")), strict=True))
         own = [rates[velocity] for velocity in self.velocities]
         values = []
@@ -190,7 +190,7 @@ class _LinearRates:
 
     @staticmethod
     def _free(values: Texts, definitions: Iterable[tuple[str, str]], names: set[str]) -> list[str]:
-        """Names that stand for nothing names: the identity holds for any value of them."""
+        """Names without definition: the identity holds for any value of them."""
         texts = [*values, *(formula for _, formula in definitions)]
         return sorted(names_in(parse(t, "a formula") for t in texts) - names - {*CONSTANTS})
 
@@ -224,7 +224,7 @@ class _LinearRates:
 
 
 def _formula(data: object) -> str:
-    """A formula that can be read, as it is written."""
+    """A formula in text form that can be parsed."""
     words = text(data, "a formula of the equations of the rates")
     parse(words, "a formula of the equations of the rates")
     return words

@@ -1,6 +1,6 @@
-"""Functions of real balls: what is certain for a ball holds for every real number in it.
+"""Functions of real balls: a certain statement about a ball holds for every real number in it.
 
-Where a ball does not settle whether an operation is defined, it counts as undefined.
+If a ball does not decide whether an operation is defined, the result counts as undefined.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from .errors import UndefinedError
 from .functions import Functions
 from .jets import Number
 
-#: Powers with larger numbers in the exponent are taken by a logarithm.
+#: Limit on the numbers in an exponent, above which powers are computed by a logarithm.
 LARGEST = 10_000
 
 
@@ -28,8 +28,8 @@ def ball(value: Fraction | int) -> arb:
 class RealFunctions(Functions):
     """Functions at one real point.
 
-    A smooth function of which nothing is known may have any values and derivatives at finitely
-    many different arguments, so each is chosen freely, but the same where all arguments agree.
+    An unspecified smooth function may have any values and derivatives at finitely many different
+    arguments, so each is chosen freely, but equal where all arguments agree.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ class RealFunctions(Functions):
     def settle(
         self, word: str, orders: Sequence[int], arguments: Sequence[arb], value: arb
     ) -> None:
-        """Give a value that is not chosen freely."""
+        """Set a value that is determined by the others."""
         self._values.setdefault((word, tuple(orders)), []).append((tuple(arguments), value))
 
     def number(self, value: Fraction) -> Number:

@@ -1,4 +1,4 @@
-"""Residuals of a law, which vanish where it holds, as numbers at a point.
+"""Residuals of a law, which vanish where it holds, evaluated at a point.
 
 The definitions: an integral F has v(F) = 0; a density ρ has div(ρv) = 0 for the volume that the
 conditions cut out; a symmetry field commutes with v and keeps the conditions; a bracket is skew,
@@ -25,7 +25,7 @@ from .functions import Functions
 from .jets import Number, add, inverse, multiply
 from .separation import parts
 
-#: Residuals of one law.
+#: Maximum number of residuals of a law.
 MANY = 20_000
 
 
@@ -44,7 +44,7 @@ def each_residual(claim: Claim, point: Point) -> Iterator[Number]:
     for condition in claim.moving:
         yield point(call("Rate", [condition]))
     for value in _KINDS[claim.law.kind](claim, point):
-        # a sum of nothing is a plain zero
+        # An empty sum is a plain zero.
         yield add(value, point.functions.number(Fraction(0)))
 
 
@@ -103,7 +103,7 @@ def _transverse(claim: Claim, partial: Point) -> Number:
     gram = [[_dot(a, b) for b in normals] for a in normals]
     right = [[_dot(drift, normal) for normal in normals] for drift in drifts]
     size = len(normals)
-    # Gram is symmetric: its columns times C^T are `right` transposed
+    # The Gram matrix is symmetric: its columns times C^T are `right` transposed.
     columns = [[right[j][i] for j in range(size)] for i in range(size)]
     solution = _solution(gram, columns, functions)
     return _sum([solution[i][i] for i in range(size)])
@@ -120,7 +120,7 @@ def _dot(a: Mapping[int, Number], b: Mapping[int, Number]) -> Number:
 def gram_determinants(claim: Claim, point: Point) -> list[Number]:
     """The leading minors of the Gram matrix of the conditions.
 
-    Where the last is not zero, the conditions are independent, and so all of them are positive.
+    If the last one is nonzero, the conditions are independent, and all minors are positive.
     """
     normals = _normals(claim, point.partial(claim.system.state))
     rows = [[_dot(a, b) for b in normals] for a in normals]
@@ -138,7 +138,7 @@ def gram_determinants(claim: Claim, point: Point) -> list[Number]:
 def _solution(
     matrix: Sequence[Sequence[Number]], right: Sequence[Sequence[Number]], functions: Functions
 ) -> list[list[Number]]:
-    """The solution of linear equations; no minor of the positive matrix vanishes."""
+    """The solution of linear equations with a positive matrix, whose minors are nonzero."""
     rows = [[*a, *b] for a, b in zip(matrix, right, strict=True)]
     size = len(rows)
     for i in range(size):
@@ -241,7 +241,7 @@ def target_point(claim: Claim, point: Point) -> Point:
             settled[word] = number(exact)
     values |= {word: point(formula) for word, formula in law.pairs["map"]}
     for word in claim.system.parameters:
-        # what the image lies on may depend on parameters of the system
+        # The conditions on the image may depend on parameters of the system.
         if word not in values and word not in target.definitions:
             values[word] = point.values[word]
     return target.point(values, point.functions, settled)
@@ -278,7 +278,7 @@ _KINDS = {
 
 
 def is_on_rank(claim: Claim) -> bool:
-    """Whether a law says of something that its rank is not smaller."""
+    """Whether a law states a lower bound of a rank."""
     return claim.law.kind in ("Isomorphism", "Separation") or claim.law.rank is not None
 
 
@@ -290,7 +290,7 @@ def rank_at_least(claim: Claim, point: Point) -> bool:
     size = len(system.state)
     formulas: list[Formula] = [*claim.moving]
     if law.kind == "Separation":
-        # the quantities are independent on a level of the constants
+        # The quantities are independent on a level of the constants.
         stated = parts(claim)
         formulas += [name(word) for word in (*stated.constants, *stated.quantities)]
         wanted = len(formulas)
@@ -303,7 +303,7 @@ def rank_at_least(claim: Claim, point: Point) -> bool:
 
 
 def _rank(rows: list[list[arb]]) -> int:
-    """A rank that is certain."""
+    """A certain lower bound of the rank."""
     rows = [list(row) for row in rows]
     rank = 0
     for column in range(len(rows[0]) if rows else 0):

@@ -1,8 +1,8 @@
-"""Whether the equations of a separation separate.
+"""Check that the equations of a separation are separated.
 
-Every equation says of one quantity that it is constant, or gives its rate r or the square of it.
-In lowest terms, the numerator and the denominator of r_i²/r_k² then have to be products of
-polynomials in which, apart from parameters and constants, either u_i or u_k occurs alone.
+Every equation says that one quantity is constant, or gives its rate r or the square of it.  In
+lowest terms, numerator and denominator of r_i²/r_k² must then be products of polynomials in which,
+apart from parameters and constants, either only u_i or only u_k occurs.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def check_separation(claim: Claim) -> None:
     stated = parts(claim)
     own = claim.law.quantities
     words = [*claim.system.symbols, *own]
-    # no symbol may have this name
+    # No symbol may have this name.
     speed = "Rate"
     ring = Ring([*words, speed])
 
@@ -77,7 +77,10 @@ def check_separation(claim: Claim) -> None:
     for word, (equation, rate) in stated.quantities.items():
         try:
             above, _ = quotient(
-                _with(name(speed), rate, equation), ring, value_of, claim.system.definitions
+                _with_rate_symbol(name(speed), rate, equation),
+                ring,
+                value_of,
+                claim.system.definitions,
             )
         except UndefinedError:
             raise CheckError(f"the equation of {word} is not rational") from None
@@ -93,11 +96,11 @@ def check_separation(claim: Claim) -> None:
                     raise CheckError(f"the rates of {first} and {second} do not separate")
 
 
-def _with(symbol: Formula, rate: Formula, formula: Formula) -> Formula:
-    """A formula with a symbol in point of the rate; UndefinedError if it is not rational."""
+def _with_rate_symbol(symbol: Formula, rate: Formula, formula: Formula) -> Formula:
+    """A formula with a symbol in place of the rate; UndefinedError if it is not rational."""
     if formula is rate:
         return symbol
-    inner = [_with(symbol, rate, part) for part in formula.parts]
+    inner = [_with_rate_symbol(symbol, rate, part) for part in formula.parts]
     if formula.kind in ("number", "name"):
         return formula
     if formula.kind == "sum":

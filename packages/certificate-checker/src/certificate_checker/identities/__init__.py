@@ -1,1 +1,1 @@
-"""The identities by which a certificate says that residuals vanish."""
+"""The identities by which a certificate shows that residuals vanish."""

@@ -27,7 +27,7 @@ from .roots import check_functions, check_roots, is_radicand
 
 @dataclass(frozen=True)
 class Basis:
-    """The basis of a proof, checked against the claim.
+    """The basis of a proof, verified against the claim.
 
     Attributes
     ----------
@@ -59,7 +59,7 @@ def read_basis(
     seed: str,
     what: str,
 ) -> Basis:
-    """Equations, divisors and signs of a proof, compared with the claim.
+    """Read equations, divisors and signs of a proof, and compare them with the claim.
 
     Parameters
     ----------
@@ -98,10 +98,10 @@ def read_basis(
 
 
 class _Knowledge:
-    """Signs and divisors, each of which may help to know more of the other.
+    """Signs and divisors, each of which may reveal more of the other.
 
-    A formula with a root is known once the signs of what stands under the root are; these may
-    follow from what is positive, such as another radicand.
+    A formula with a root is known once the signs of its radicand are; these may follow from other
+    positive quantities, such as another radicand.
     """
 
     def __init__(self, data: Mapping[str, object], matches: Matches, what: str) -> None:
@@ -117,7 +117,7 @@ class _Knowledge:
         self._open: list[Derived] = []
 
     def extend(self, signs: Signs) -> None:
-        """Learn all signs that follow, and find the divisors that are known by them."""
+        """Learn all signs that follow, and find the divisors that are determined by them."""
         self.matches.comparisons.set_signs(signs)
         waiting = [*self.positives]
         changed = True
@@ -137,10 +137,10 @@ class _Knowledge:
             changed = found or before != (len(waiting), len(self._open), signs.count)
 
     def nonzero(self, signs: Signs) -> frozenset[str]:
-        """Keys of what is known not to vanish."""
+        """Keys of polynomials known to be nonzero."""
         generators = self.matches.generators
         radicands = self.matches.radicands
-        # a formal root is that of a radicand of the law, divided by what does not vanish
+        # A formal root is that of a radicand of the law, divided by something nonzero.
         names = [
             a.name
             for a in generators.roots
@@ -155,7 +155,7 @@ class _Knowledge:
     def _learn_symbols(self, signs: Signs) -> None:
         """Learn which roots, powers and exponentials are positive.
 
-        A root has a real value only where what stands under it is positive.
+        A root has a real value only where its radicand is positive.
         """
         for auxiliary in self.matches.generators.auxiliary:
             rooted = auxiliary.kind in ("root", "power")
@@ -164,7 +164,7 @@ class _Knowledge:
                 signs.learn(self.matches.generators.ring.generator(auxiliary.name), 1)
 
     def require_all(self) -> None:
-        """Nothing is left open; CheckError otherwise."""
+        """Require that nothing is left open; CheckError otherwise."""
         for reason in self._reasons:
             raise reason
         self.matches.require_all()

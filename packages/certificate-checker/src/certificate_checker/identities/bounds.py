@@ -1,4 +1,4 @@
-"""Bounds of degrees and coefficients of formulas, computed by the operations that make them."""
+"""Bounds of degrees and coefficients of formulas, propagated through operations."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MANY = 4000
 
 
 class Bound:
-    """A bound of a quotient of polynomials with whole coefficients.
+    """A bound of a quotient of polynomials with integer coefficients.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class Bound:
 
 
 class Bounds(GeneratorFunctions):
-    """Functions of bounds; whatever they are written in is bounded by the largest such product.
+    """Functions of bounds; every expression is bounded by the largest such product.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ class Bounds(GeneratorFunctions):
         self._whole = whole
 
     def note(self, value: Number) -> None:
-        """Take notice of a value that is compared with another."""
+        """Record a value that is compared with another."""
         self.degree = max(self.degree, value.degree)
         self.height = max(self.height, value.height)
         if max(self.degree.bit_length(), self.height.bit_length()) > MANY:
@@ -114,7 +114,7 @@ class Bounds(GeneratorFunctions):
     def settle(
         self, word: str, orders: Sequence[int], arguments: Sequence[Number], value: Number
     ) -> None:
-        """A value of an unspecified function is no larger than a variable."""
+        """The value of an unspecified function is not larger than a variable."""
 
     def new_root(self, symbol: Auxiliary, radicand: Number, whole: Number) -> Number:
         """A variable."""
@@ -134,7 +134,7 @@ class Bounds(GeneratorFunctions):
         return self._with_note((a, exponent), self._whole)
 
     def plain_value(self, word: str, arguments: tuple[Number, ...]) -> Number:
-        """A variable, or an expression of those of multiples of other arguments."""
+        """A variable, or an expression in those of multiples of other arguments."""
         return self._with_note(arguments, self._whole**2)
 
     def plain_unspecified(

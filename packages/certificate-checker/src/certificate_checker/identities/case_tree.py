@@ -1,7 +1,7 @@
-"""The tree of cases by which the residuals vanish, or a level is split.
+"""The case tree by which the residuals vanish, or a level is split.
 
-A node stands for the points at which some polynomials E vanish while those of a set H do not.
-Every step is an identity of polynomials, which is computed.
+A node represents the points at which some polynomials E vanish while those of a set H do not.
+Every step is a polynomial identity, which is verified.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from ..claim.polynomials import Poly, Ring, monic
 
 DEPTH = 200
 
-#: The treatment of a case that is left, or of a part with a proof: its node, data and label.
+#: Handles a leaf that is left open, or a part with a proof: its node, data and label.
 Leaf: TypeAlias = Callable[["Node", Mapping[str, object], str], None]
 
 
@@ -27,7 +27,7 @@ class Signs:
 
     def __init__(self) -> None:
         self._signs: dict[str, tuple[int, bool]] = {}
-        #: Polynomials, by key and sign, that are at least not negative.
+        #: Polynomials, by key and sign, that are nonnegative.
         self._not_negative: set[tuple[str, int]] = set()
 
     def copy(self) -> Signs:
@@ -39,11 +39,11 @@ class Signs:
 
     @property
     def count(self) -> tuple[int, int]:
-        """How many signs are known, and how many of them strictly."""
+        """The number of known signs, and of strict ones."""
         return len(self._not_negative), sum(strict for _, strict in self._signs.values())
 
     def learn(self, poly: Poly, sign: int, strict: bool = True) -> None:
-        """sign · poly is positive, or at least not negative."""
+        """Record that sign · poly is positive, or nonnegative."""
         key, lead = monic(poly)
         self._not_negative.add((key, sign * lead))
         known = self._signs.get(key)
@@ -61,13 +61,13 @@ class Signs:
         return sign * lead if strict else 0
 
     def is_not_negative(self, poly: Poly) -> bool:
-        """Whether a polynomial is known to be positive or zero."""
+        """Whether a polynomial is known to be nonnegative."""
         if poly.is_constant():
             return poly.is_zero() or self.of(poly) > 0
         return monic(poly) in self._not_negative
 
     def weak(self, poly: Poly) -> int:
-        """The sign of a polynomial that is zero at most besides; 0 if unknown."""
+        """The sign of a polynomial that may also be zero; 0 if unknown."""
         if poly.is_constant():
             return self.of(poly)
         key, lead = monic(poly)
@@ -102,7 +102,7 @@ class Node:
         return replace(self, equations=(*self.equations, *more))
 
     def is_nonzero(self, poly: Poly) -> bool:
-        """Whether a polynomial is known not to vanish."""
+        """Whether a polynomial is known to be nonzero."""
         if poly.is_constant():
             return not poly.is_zero()
         return monic(poly)[0] in self.nonzero or bool(self.signs.of(poly))
@@ -121,7 +121,7 @@ def _short_text(poly: Poly) -> str:
 
 
 def check_tree(node: Node, data: object, where: str = "the tree", depth: int = 0) -> None:
-    """Check a tree of cases; CheckError where it fails."""
+    """Check a case tree; CheckError if it fails."""
     if depth > DEPTH:
         raise CheckError(f"the tree is deeper than {DEPTH}")
     data = mapping(data, where)

@@ -1,4 +1,4 @@
-"""Formulas and polynomials compared by their values at random points modulo a prime."""
+"""Compare formulas and polynomials by their values at random points modulo a prime."""
 
 from __future__ import annotations
 
@@ -18,13 +18,14 @@ from .error_bound import of_polynomial, prime_bits
 from .generators import Generators, Sample
 from .residues import Residues
 
-#: Random points: at one, what is equal is compared; whether a ratio is constant needs another.
+#: Number of random points: equality is compared at one; a constant ratio needs another.
 POINTS = 2
 
-#: Primes that are tried, from 2^8 points modulo the first to 2^19 modulo the last.
+#: Number of primes tried, from 2^8 points modulo the first to 2^19 modulo the last.
 ROUNDS = 12
 
-#: Bits of a prime that a ratio leaves over, so that no other is congruent to it but by accident.
+#: Bits of a prime in excess of a ratio, so that another fraction is congruent to it only by
+#: accident.
 SPARE = 164
 
 
@@ -57,7 +58,7 @@ class Comparisons:
             _symbols(generators),
         )
         for number in range(ROUNDS):
-            # a root of a number asks for another prime, any other root for another point
+            # A root of a number requires another prime, any other root another point.
             self.field = PrimeField(f"{seed} {number}", bits, degrees)
             draws = generators.samples(self.field, POINTS, 2 ** (8 + number))
             if draws is not None:
@@ -71,13 +72,13 @@ class Comparisons:
         self._memo: dict[tuple[str, Formula], list[Number] | None] = {}
 
     def set_signs(self, signs: Signs) -> None:
-        """The signs by which roots are taken from now on."""
+        """Set the signs used for roots from now on."""
         for sample in self.samples:
             assert isinstance(sample.functions, Residues)
             sample.functions.signs = signs
 
     def add_product(self, values: Sequence[Number], content: Fraction, powers: Powers) -> None:
-        """A product that may stand under a root, with its values."""
+        """Add a product that may be a radicand, with its values."""
         for sample, value in zip(self.samples, values, strict=True):
             assert isinstance(sample.functions, Residues)
             sample.functions.products.setdefault(value, []).append((content, powers))
@@ -120,7 +121,7 @@ class Comparisons:
         return [upper * inverse(lower) for upper, lower in values]
 
     def ratio(self, poly: Poly, formula: Formula) -> Fraction | None:
-        """The number by which a polynomial differs from a formula, or None if by none.
+        """The constant by which a polynomial differs from a formula, or None.
 
         Raises
         ------
@@ -150,7 +151,7 @@ class Comparisons:
 
 
 def _symbols(generators: Generators) -> int:
-    """How many values of functions may be combined in one argument, at most."""
+    """Maximum number of function values that may be combined in one argument."""
     own = [a for a in generators.auxiliary if a.kind != "function"]
     calls = [node for node in walk(generators.claim.formulas) if node.kind == "call"]
     return len(own) + len(calls) + 2

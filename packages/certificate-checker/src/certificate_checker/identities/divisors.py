@@ -1,4 +1,4 @@
-"""Divisors of a law as products of polynomials, none of which vanishes."""
+"""Divisors of a law as products of nonzero polynomials."""
 
 from __future__ import annotations
 
@@ -63,10 +63,10 @@ def read_divisors(
 
 
 class Matches:
-    """Which divisors and radicands of the law are products that a proof states.
+    """Matches divisors and radicands of the law with products that a proof states.
 
     Formulas with roots can be compared once the signs of the factors of these roots are known;
-    what is found before stays valid.
+    earlier matches remain valid.
     """
 
     def __init__(
@@ -83,7 +83,7 @@ class Matches:
 
     @property
     def radicands(self) -> list[Entry]:
-        """The entries that are radicands or arguments of logarithms, and so positive."""
+        """The entries that are radicands or arguments of logarithms, and therefore positive."""
         domain = self.generators.domain
         first, count = len(domain.nonzero), len(domain.positive) + len(domain.logarithms)
         places = range(first, first + count)
@@ -92,7 +92,7 @@ class Matches:
         return [entry for entry, values in pairs if entry in self.of_law and values in positive]
 
     def extend(self) -> bool:
-        """Find more of them; whether any was found."""
+        """Find more matches; return whether any was found."""
         before = len(self._left), len(self._of_domain)
         for i, (where, formula) in enumerate(self.generators.domain.formulas):
             if i not in self._of_domain:
@@ -107,7 +107,7 @@ class Matches:
         return (len(self._left), len(self._of_domain)) != before
 
     def require_all(self) -> None:
-        """Every entry was found; CheckError where one was not."""
+        """Require that every entry was found; CheckError otherwise."""
         for number in self._left:
             self._match(self.entries[number], self._values[number])
 
@@ -135,10 +135,10 @@ class Matches:
 def nonzero_factors(
     generators: Generators, entries: Sequence[Entry], symbols: Iterable[str]
 ) -> frozenset[str]:
-    """Keys of factors that do not vanish, where symbols and those in denominators do not."""
+    """Keys of nonzero factors, given that symbols and factors of denominators are nonzero."""
     keys = {monic(generators.ring.generator(name))[0] for name in symbols}
     for names, _ in generators.inverses:
-        # the inverse of a matrix is one that has an inverse
+        # The inverse matrix is itself invertible.
         a, b, c, d, e, f = (generators.ring.generator(word) for word in names)
         keys.add(monic(a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d))[0])
     changed = True

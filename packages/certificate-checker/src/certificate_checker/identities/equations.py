@@ -15,12 +15,12 @@ from .generator_functions import Auxiliary
 from .generators import Generators
 from .residues import UnknownRootError
 
-#: Known functions that take each value once.
+#: Known injective functions.
 ONE_TO_ONE = ("exp", "log", "asin", "acos", "atan")
 
 
 class Equations:
-    """The polynomials that vanish on the level, each with what it comes from."""
+    """The polynomials that vanish on the level, each with its origin."""
 
     def __init__(self, data: Mapping[str, object], comparisons: Comparisons, what: str) -> None:
         self.comparisons = comparisons
@@ -35,7 +35,7 @@ class Equations:
             self._items.append((item, source, source.split(" "), label))
 
     def usable(self, signs: Signs) -> set[int]:
-        """The numbers of equations that hold by what is known, whatever else a proof assumes."""
+        """The indices of equations that hold unconditionally, whatever else a proof assumes."""
         ring = self.comparisons.generators.ring
         numbers = set()
         for number, (_, source, words, label) in enumerate(self._items):
@@ -58,7 +58,7 @@ class Equations:
             return False
 
     def verify(self, nonzero: frozenset[str], signs: Signs) -> tuple[Poly, ...]:
-        """The polynomials; CheckError where one does not come from what it is said to."""
+        """The polynomials; CheckError if one does not have its stated origin."""
         generators = self.comparisons.generators
         ring = generators.ring
         for number, (item, source, words, label) in enumerate(self._items):
@@ -151,7 +151,7 @@ def _check_equal_arguments(
     generators: Generators,
     label: str,
 ) -> None:
-    """Where q · (f(a) − f(b)) is zero, so is q · (a − b), f being one-to-one; or exp a is 1."""
+    """Where q · (f(a) − f(b)) is zero, so is q · (a − b), as f is injective; or exp a is 1."""
     ring = generators.ring
     known = {a.name: a for a in generators.auxiliary if a.word in ONE_TO_ONE}
     if not set(words) <= set(known):
@@ -177,7 +177,7 @@ def _check_equal_arguments(
 
 
 def _function(auxiliary: Auxiliary) -> tuple[object, ...]:
-    """The function of which an auxiliary symbol is a value, without its arguments."""
+    """The function whose value an auxiliary symbol is, without its arguments."""
     return (auxiliary.kind, auxiliary.word, auxiliary.number, auxiliary.orders, auxiliary.exponent)
 
 

@@ -1,4 +1,4 @@
-r"""The size of the prime for which a test of identities errs with a probability below 2^−100.
+r"""r"The size of the prime for which identity tests err with a probability below 2^−100.
 
 Two elements of the algebra A of :mod:`.residues` are compared by their values at one random point
 modulo one random prime p.  Let their difference be a quotient with a numerator G ≠ 0 of degree d
@@ -36,7 +36,7 @@ from ..claim.errors import CheckError
 from ..claim.polynomials import Poly
 from .bounds import Bound, Bounds
 
-#: The negative binary logarithm of the probability of an error.
+#: The negative binary logarithm of the error probability.
 SECURITY = 100
 
 #: Bits of the smallest prime.
@@ -51,7 +51,7 @@ FORMAT = Bound(2**80, 2**80)
 
 
 def of_polynomial(poly: Poly) -> Bound:
-    """The bound of a polynomial in variables, when its denominators are cleared."""
+    """The bound of a polynomial in variables, after clearing denominators."""
     if poly.is_zero():
         return Bound(0, 1)
     numbers = list(poly.to_dict().values())
@@ -63,7 +63,7 @@ def of_polynomial(poly: Poly) -> Bound:
 
 
 def prime_bits(bounds: Bounds, order: int, symbols: int) -> int:
-    """The bits of a prime that make the probability of an error small.
+    """The bits of a prime for which the error probability is small enough.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def prime_bits(bounds: Bounds, order: int, symbols: int) -> int:
     for own in reversed(bounds.radicands):
         height += degree * (own.height + 1)
         degree *= 1 + own.degree
-        # at most for one of two choices each
+        # One of at most two choices each.
         degree, height = 2 * degree, 2 * height
     worst = 2 * degree + 16 * order**2 * height
     return max(SMALLEST, SECURITY + 50 + 8 * symbols + worst.bit_length() + 1)

@@ -36,7 +36,7 @@ class Auxiliary:
 
     @property
     def radicand(self) -> tuple[Poly, Powers]:
-        """The radicand in the law; of a formal root, with the factors taken out."""
+        """The radicand in the law; for a formal root, including the factors taken out."""
         return self.of[0][0], [(poly, power * self.number) for poly, power in self.whole]
 
 
@@ -55,17 +55,17 @@ class GeneratorFunctions(Functions):
 
     @abstractmethod
     def free(self, word: str) -> Number:
-        """The value of something of which nothing is known."""
+        """An unspecified value."""
 
     @abstractmethod
     def settle(
         self, word: str, orders: Sequence[int], arguments: Sequence[Number], value: Number
     ) -> None:
-        """Give a value of an unspecified function that is not free."""
+        """Set a value of an unspecified function that is determined by others."""
 
     @abstractmethod
     def new_root(self, symbol: Auxiliary, radicand: Number, whole: Number) -> Number:
-        """The value of a root or a formal root, of which `whole` is taken out."""
+        """The value of a root or a formal root, from which `whole` is taken out."""
 
     @abstractmethod
     def new_power(self, symbol: Auxiliary, base: Number, exponent: Callable[[], Number]) -> Number:

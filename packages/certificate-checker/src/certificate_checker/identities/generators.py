@@ -1,9 +1,8 @@
 """Generators and auxiliary symbols of a proof, and points of both.
 
-Generators are state variables, parameters and definitions that take the place of a parameter;
-auxiliary symbols are roots, powers and function values of them.  At a random point of the
-generators everything else has a value, so that formulas and polynomials can be compared (see
-:mod:`.residues`).
+Generators are state variables, parameters and definitions that replace a parameter; auxiliary
+symbols are roots, powers and function values of them.  At a random point of the generators
+everything else has a value, so formulas and polynomials can be compared (see :mod:`.residues`).
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ from ..modular.prime_field import PrimeField
 from .generator_functions import Auxiliary, GeneratorFunctions
 from .residues import Residues
 
-#: Ways in which all roots may be chosen.
+#: Maximum number of ways to choose all roots.
 CHOICES = 4096
 
 
@@ -41,7 +40,7 @@ class Exchange:
 
 @dataclass(frozen=True)
 class Generators:
-    """The generators of a proof and what they stand for."""
+    """The generators of a proof and their meanings."""
 
     claim: Claim
     domain: Domain
@@ -55,7 +54,7 @@ class Generators:
 
     @property
     def plain(self) -> tuple[str, ...]:
-        """The generators that are no auxiliary symbols."""
+        """The generators that are not auxiliary symbols."""
         gone = {a.name for a in self.auxiliary}
         return tuple(n for n in self.ring.names if n not in gone)
 
@@ -65,7 +64,7 @@ class Generators:
         return tuple(a for a in self.auxiliary if a.kind in ("root", "formal root"))
 
     def samples(self, field: PrimeField, count: int, attempts: int) -> list[list[Sample]] | None:
-        """Random points, each with all choices of the roots that matter; None if too few are found.
+        """Random points, each with all relevant choices of the roots; None if too few are found.
 
         Raises
         ------
@@ -93,11 +92,11 @@ class Generators:
         return None
 
     def _has_independent_roots(self, field: PrimeField) -> bool:
-        """Whether the roots are square roots that certainly generate a field.
+        """Whether the roots are square roots that certainly generate a field extension.
 
-        They do if no product of some radicands is a square (Kummer theory).  A product that is one
-        would be a square at every point modulo every prime; the radicands for which this is so at
-        some points form a space over 𝔽₂, which is seen to be zero when it is.
+        This holds if no product of some radicands is a square (Kummer theory).  A product that is a
+        square would be a square at every point modulo every prime.  The products that are squares
+        at all sampled points form a space over 𝔽₂; if it is zero, the roots are independent.
         """
         names = {root.name for root in self.roots}
         plain = [
@@ -124,7 +123,7 @@ class Generators:
         return len(rows) == len(names)
 
     def sample(self, functions: GeneratorFunctions) -> Sample:
-        """The point at which the generators have the values that functions give them."""
+        """The point at which the generators have the values given by functions."""
         drawn = {word: functions.free(f"generator {word}") for word in self.plain}
         solver = _Solver(self, drawn, functions)
         values = functions.values
@@ -201,7 +200,7 @@ class Sample:
         return self.generators.domain.places(self.point)
 
     def require_definitions(self) -> None:
-        """Generators that are definitions have the values that these say."""
+        """Require that generators that are definitions have the values of these definitions."""
         for word in self.generators.plain:
             defined = word in self.generators.claim.system.definitions
             value = self.values[self.generators.ring.index[word]]
@@ -224,7 +223,7 @@ class _Solver(Point):
         self._places = {word: (a, i) for a, j in generators.inverses for i, word in enumerate(j)}
 
     def _prepare(self, formula: Formula) -> None:
-        """Definitions are followed as they come."""
+        """Follow definitions in their order."""
 
     def _symbol_value(self, word: str) -> Number:
         if word in self.values:

@@ -1,8 +1,8 @@
-"""Polynomials in one variable: whether some of them being positive makes another positive.
+"""Polynomials in one variable: whether positivity of some implies that of another.
 
-Signs change at real roots alone.  Roots of irreducible factors are isolated in balls that are
-apart; the signs are then taken at every root and at a rational point of every gap, exactly or, at a
-root that a polynomial does not have, as a ball that does not contain zero.
+Signs change only at real roots.  Roots of irreducible factors are isolated in disjoint balls; the
+signs are then determined at every root and at a rational point of every gap, exactly or, at a root
+that a polynomial does not have, by a ball that does not contain zero.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ DEGREE = 200
 
 
 def is_positive_where(poly: Poly, facts: Sequence[tuple[Poly, bool]]) -> bool:
-    """Whether a polynomial is positive where others are, of each whether strictly.
+    """Whether a polynomial is positive where others are positive or nonnegative.
 
     All of them must be polynomials in one generator, the same; False where it is not certain.
     """
@@ -57,7 +57,7 @@ def _factors(polys: Sequence[fmpq_poly]) -> list[fmpz_poly]:
 def _at_all_points(
     own: fmpq_poly, others: Sequence[tuple[fmpq_poly, bool]], factors: Sequence[fmpz_poly]
 ) -> bool | None:
-    """Whether the first is positive at all points where the others are; None if inaccurate."""
+    """Whether the first is positive at all points where the others are; None if undecided."""
     roots: list[tuple[arb, fmpq_poly]] = []
     for factor in factors:
         found: list[tuple[acb, int]] = factor.complex_roots()  # type: ignore[assignment]
@@ -89,7 +89,7 @@ def _at_all_points(
 
 
 def _sign(poly: fmpq_poly, factor: fmpq_poly, root: arb) -> int | None:
-    """The sign of a polynomial at a root of an irreducible one; None where a ball is too wide."""
+    """The sign of a polynomial at a root of an irreducible one; None if a ball is too wide."""
     if (poly % factor).degree() < 0:
         return 0
     value = arb(0)
@@ -99,6 +99,6 @@ def _sign(poly: fmpq_poly, factor: fmpq_poly, root: arb) -> int | None:
 
 
 def _number(exact: arb) -> fmpq:
-    """The number that a ball without radius is."""
+    """The number that a ball of radius zero represents."""
     mantissa, exponent = map(int, exact.man_exp())
     return fmpq(mantissa << max(exponent, 0), 1 << max(-exponent, 0))

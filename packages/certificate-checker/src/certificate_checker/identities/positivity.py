@@ -20,14 +20,17 @@ from .generators import Generators
 from .one_variable import is_positive_where
 from .residues import UnknownRootError
 
-#: Reasons that rest on other signs, with the fields that they have beside a polynomial.
+#: Reasons that depend on other signs, with their additional fields.
 DERIVED = {"sum": ("terms", "quotients"), "one variable": ("facts",)}
 
 
 def learn_positive(
     item: object, comparisons: Comparisons, signs: Signs, what: str
 ) -> CheckError | None:
-    """Learn what is positive by a guard or a condition on parameters; why it is not, if so."""
+    """Learn a positive quantity from a guard or a condition on parameters.
+
+    Returns the reason if it does not follow, which may only be because signs are still unknown.
+    """
     label = f"what is positive in {what}"
     item = mapping(item, label)
     more = DERIVED.get(str(item.get("from")), ())
@@ -54,7 +57,7 @@ def learn_positive(
 
 
 def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Formula, str]]:
-    """The positive formulas of a guard or a condition on parameters, by its text."""
+    """The positive formulas of a guard or a condition on parameters, given as text."""
     system = claim.system
     if any(sign in source for sign in "<>=&"):
         stated = parse_condition(source, label)
@@ -85,7 +88,7 @@ def check_radicand_positive(
 
 
 def _force(signs: Signs, radicands: Sequence[Entry]) -> None:
-    """The sign of the only factor of something positive whose sign is unknown."""
+    """The sign of the only factor of unknown sign in a positive product."""
     changed = True
     while changed:
         changed = False
@@ -102,11 +105,12 @@ def _force(signs: Signs, radicands: Sequence[Entry]) -> None:
 
 
 class PositiveSum:
-    """A polynomial that is a sum of terms that are not negative, up to multiples of equations.
+    """A polynomial that is a sum of nonnegative terms, up to multiples of equations.
 
     The terms are constant · ∏ weight^power · base² with a positive constant, and with weights that
-    are not negative where their power is odd.  One of them must be positive if the sum is, unless
-    the sum is known not to vanish: its base a number, and its weights not zero.
+    are nonnegative if their power is odd.  One of them must be positive if the sum is claimed
+    positive, unless the sum is known to be nonzero: its base is a number, and its weights are
+    nonzero.
     """
 
     def __init__(self, data: Mapping[str, object], generators: Generators, what: str) -> None:
@@ -131,9 +135,11 @@ class PositiveSum:
     def holds(
         self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly], usable: Set[int]
     ) -> bool:
-        """Whether the signs of the terms are known; CheckError where the sum is another.
+        """Whether the signs of the terms are known.
 
-        Of the equations only those with numbers in `usable` are known to hold.
+        CheckError if the sum is a different polynomial.
+
+        Only the equations with indices in `usable` are known to hold.
         """
         if len(self.quotients) != len(equations):
             raise CheckError(
@@ -174,7 +180,7 @@ class PositiveInOneVariable:
     def holds(
         self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly], usable: Set[int]
     ) -> bool:
-        """Whether the others are known to be positive, and make it positive."""
+        """Whether the others are known to be positive, and imply that it is positive."""
         if not all(map(signs.is_not_negative, self.facts)):
             return False
         return is_positive_where(self.poly, [(fact, signs.of(fact) > 0) for fact in self.facts])
@@ -184,7 +190,7 @@ Derived: TypeAlias = PositiveSum | PositiveInOneVariable
 
 
 def read_derived(data: object, generators: Generators, what: str) -> list[Derived]:
-    """What is positive because other quantities are."""
+    """Quantities that are positive because others are."""
     kinds: dict[str, type[Derived]] = {"sum": PositiveSum, "one variable": PositiveInOneVariable}
     label = f"what is positive in {what}"
     stated = [mapping(item, label) for item in as_list(data, label)]
@@ -210,7 +216,7 @@ def settle(
     equations: Sequence[Poly],
     usable: Set[int],
 ) -> list[Derived]:
-    """Learn what sums and radicands say; the sums of which the terms are not known."""
+    """Learn signs from sums and radicands; return the sums whose terms are not yet known."""
     _force(signs, radicands)
     left = list(sums)
     changed = True

@@ -1,8 +1,8 @@
-"""One proof: that the residuals of a claim vanish wherever certain signs are as assumed.
+"""Check one proof: the residuals of a claim vanish wherever certain signs are as assumed.
 
-The polynomials of a proof are compared with the claim modulo a random prime at a random point, as
-:mod:`.residues` says; the probability of an error is below 2^−100 (see :mod:`.error_bound`).
-Everything that follows from the polynomials is computed exactly.
+The polynomials of a proof are compared with the claim modulo a random prime at a random point, see
+:mod:`.residues`; the error probability is below 2^−100 (see :mod:`.error_bound`).  Everything that
+follows from the polynomials is computed exactly.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .read_generators import FIELDS, read_generators
 
 @dataclass(frozen=True)
 class Condition:
-    """A condition of a verdict: a formula is positive, or is not zero."""
+    """A condition of a verdict: a formula is positive, or is nonzero."""
 
     text: str
     formula: Formula
@@ -37,7 +37,7 @@ def check_proof(
     conditions: Sequence[Condition],
     seed: str,
 ) -> Basis:
-    """Check a proof of a claim, where conditions hold; CheckError where it fails.
+    """Check a proof of a claim under given conditions; CheckError if it fails.
 
     Parameters
     ----------
@@ -59,11 +59,11 @@ def check_proof(
 
 
 def _checked_residuals(data: Mapping[str, object], basis: Basis, what: str) -> list[Poly]:
-    """The numerators of the residuals, which are those of the law."""
+    """The numerators of the residuals, verified against those of the law."""
     ring, claim = basis.generators.ring, basis.generators.claim
     stated = as_list(field(data, "residuals", what), f"the residuals of {what}")
     fractions = [ring.fraction(item, f"a residual of {what}") for item in stated]
-    # one point suffices where an identity is tested
+    # One point suffices to test an identity.
     draw = basis.comparisons.draws[0]
     points = [(s.values, s.functions) for s in draw]
     upper = [ring.values(above, points) for above, _ in fractions]
@@ -93,7 +93,7 @@ def _check_left(
     basis: Basis,
     conditions: Sequence[Condition],
 ) -> None:
-    """A case may be left unproven if a condition of the verdict excludes it."""
+    """A case may remain unproven if a condition of the verdict excludes it."""
     if data["case"] != "unproven":
         raise CheckError(f"{where} has a case {data['case']!r}, which has no place there")
     only(data, where, "case", "condition")
@@ -107,7 +107,7 @@ def _check_left(
 
 
 def same(basis: Basis, poly: Poly, formula: Formula) -> int:
-    """The sign of the number by which a polynomial and a formula differ; 0 if by none."""
+    """The sign of the constant by which a polynomial and a formula differ; 0 if there is none."""
     ratio = basis.comparisons.ratio(poly, formula)
     return 0 if ratio is None else 1 if ratio > 0 else -1
 

@@ -1,4 +1,4 @@
-"""Generators and auxiliary symbols of a proof, read from a certificate."""
+"""Read the generators and auxiliary symbols of a proof from a certificate."""
 
 from __future__ import annotations
 
@@ -139,7 +139,7 @@ def _read_settled(data: object, claim: Claim, what: str) -> dict[str, Formula]:
 
 
 def _check_settled(claim: Claim, parameter_formulas: Mapping[str, Formula], what: str) -> None:
-    """Check that conditions on parameters alone give the settled ones, by elimination."""
+    """Check that conditions on parameters alone determine the settled ones, by elimination."""
     if not parameter_formulas:
         return
     system = claim.system
@@ -175,7 +175,7 @@ def _check_settled(claim: Claim, parameter_formulas: Mapping[str, Formula], what
 
 
 def _linear_solution(poly: Poly, word: str, ring: Ring) -> Poly | None:
-    """The value of a symbol in which a polynomial is linear, with a number as factor."""
+    """The value of a symbol in which a polynomial is linear with a constant coefficient."""
     slope = poly.derivative(ring.index[word])
     if slope.is_zero() or not slope.is_constant():
         return None

@@ -1,4 +1,4 @@
-r"""Formulas evaluated modulo a prime, where roots and functions are generators of a proof.
+r"""r"Formulas evaluated modulo a prime, with generators of a proof for roots and functions.
 
 Let x be the symbols of a claim and all that is free: values of functions, symbolic powers, and
 one parameter t for every sine and cosine, (2t, 1 − t²)/(1 + t²).  The roots of a proof make the
@@ -36,7 +36,7 @@ from ..modular.small_relations import relation
 from .case_tree import Signs
 from .generator_functions import Auxiliary, GeneratorFunctions
 
-#: A product of powers with a positive number before it.
+#: A product of powers with a positive coefficient.
 Product = tuple[Fraction, Powers]
 
 
@@ -62,13 +62,13 @@ class Residues(GeneratorFunctions):
         self.field, self.ring = field, ring
         #: Values of the generators.
         self.values: list[fmpz_mod] = [field.number(Fraction(0))] * len(ring.names)
-        #: Known signs of polynomials; those of the proof where it has found some.
+        #: Known signs of polynomials; those of the proof once it has found some.
         self.signs = Signs()
         #: Products of powers, by their values.
         self.products: dict[fmpz_mod, list[Product]] = {}
         #: Symbols that are logarithms of numbers.
         self.logarithms_of_numbers: list[Auxiliary] = []
-        #: Whether radicands are squares, where no roots of them are wanted.
+        #: Whether radicands are squares, if no roots of them are needed.
         self.characters: list[bool] | None = None
         self._draw, self._choice = draw, iter(choice)
         self._symbols: dict[tuple[object, ...], fmpz_mod] = {}
@@ -81,7 +81,7 @@ class Residues(GeneratorFunctions):
     # --- numbers and generators -----------------------------------------------------------------
 
     def number(self, value: Fraction) -> Number:
-        """A rational number; UndefinedError where the prime divides its denominator."""
+        """A rational number; UndefinedError if the prime divides its denominator."""
         return self.field.number(value)
 
     def free(self, word: str) -> Number:
@@ -89,21 +89,21 @@ class Residues(GeneratorFunctions):
         return self.field.random(f"{self._draw} {word}")
 
     def constant(self, word: str) -> Number:
-        """The number π, which is free."""
+        """The number π, represented by a random value."""
         return self._fixed((word,))
 
     def is_nonzero(self, a: Number) -> bool:
-        """Whether a residue is not zero."""
+        """Whether a residue is nonzero."""
         return bool(a != 0)
 
     def settle(
         self, word: str, orders: Sequence[int], arguments: Sequence[Number], value: Number
     ) -> None:
-        """Give a value of an unspecified function that is not free."""
+        """Set a value of an unspecified function that is determined by others."""
         self._symbols["unspecified", word, tuple(orders), tuple(arguments)] = value
 
     def new_root(self, symbol: Auxiliary, radicand: Number, whole: Number) -> Number:
-        """A root of an element that is a power; UndefinedError where it is none."""
+        """A root of an element that is a power; UndefinedError otherwise."""
         if self.characters is not None:
             self.characters.append(self.field.is_square(radicand))
             return self.free(f"root {symbol.name}")
@@ -115,13 +115,13 @@ class Residues(GeneratorFunctions):
         return root
 
     def new_power(self, symbol: Auxiliary, base: Number, exponent: Callable[[], Number]) -> Number:
-        """A symbolic power, which is free."""
+        """A symbolic power, represented by a random value."""
         value = self.free(f"power {symbol.name}")
         self._powers.append((symbol, base, exponent, value))
         return value
 
     def _fixed(self, key: tuple[object, ...]) -> Number:
-        """A value that is free, but the same for the same key."""
+        """A random value that is the same for the same key."""
         if key not in self._symbols:
             self._symbols[key] = self.free(f"value {len(self._symbols)}")
         return self._symbols[key]
@@ -191,7 +191,7 @@ class Residues(GeneratorFunctions):
                     yield a / symbol.number, root
 
     def _logarithm(self, a: Number) -> Number:
-        """log ∏ f^p = Σ p log |f| by the logarithms of the proof, or a new symbol."""
+        """log ∏ f^p = Σ p log |f|, from the logarithms of the proof, or a new symbol."""
         key = "log", (a,)
         for content, powers in () if a == 1 or key in self._symbols else self.products.get(a, ()):
             try:
@@ -276,7 +276,7 @@ class Residues(GeneratorFunctions):
         raise UnknownRootError("a root of the law is none of the proof")
 
     def _constant_power(self, value: Fraction, exponent: Fraction) -> Number:
-        """|number|^exponent, from roots of numbers where it is irrational."""
+        """|number|^exponent, from roots of numbers if it is irrational."""
         value = abs(value)
         result = self.number(Fraction(1))
         for symbol, root in self._roots:
@@ -312,7 +312,7 @@ class Residues(GeneratorFunctions):
         raise UnknownRootError("a power of the law is none of factors with known signs")
 
     def _sign(self, content: Fraction, powers: Powers) -> int:
-        """The sign of a product, also where a factor is ±that of a root or a power of the proof."""
+        """The sign of a product, also if a factor is ±that of a root or a power of the proof."""
         sign = 1 if content > 0 else -1
         for poly, power in powers:
             sign *= self._sign_of_factor(poly) ** (power % 2)
@@ -371,7 +371,7 @@ def _constant(poly: Poly) -> Fraction:
 
 
 def _ratio(first: Poly, second: Poly) -> Fraction | None:
-    """The number by which a polynomial differs from another."""
+    """The constant by which a polynomial differs from another."""
     if first.is_zero() or second.is_zero() or monic(first)[0] != monic(second)[0]:
         return None
     ratio = first.leading_coefficient() / second.leading_coefficient()
@@ -379,7 +379,7 @@ def _ratio(first: Poly, second: Poly) -> Fraction | None:
 
 
 def _valuation(value: Fraction, base: Fraction) -> int:
-    """How often a whole number greater than one divides a number."""
+    """The multiplicity of a divisor in an integer greater than one."""
     if base.denominator != 1 or base <= 1 or not value:
         return 0
     times = 0

@@ -1,4 +1,4 @@
-"""Roots and values of functions in a proof: that they are those of the law, and real."""
+"""Roots and function values in a proof: that they are those of the law, and real."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def check_roots(
     radicands: Sequence[Entry],
     what: str,
 ) -> None:
-    """Check that what stands under the roots of a proof is positive, or that of a law's root."""
+    """Check that the radicands of the proof, or of the law, are positive."""
     for auxiliary in generators.auxiliary:
         if auxiliary.kind == "formal root":
             if not is_radicand(auxiliary, radicands):
@@ -36,7 +36,7 @@ def check_roots(
 def check_functions(
     comparisons: Comparisons, nonzero: frozenset[str], signs: Signs, what: str
 ) -> None:
-    """Auxiliary function values are defined wherever the law is."""
+    """Check that auxiliary function values are defined wherever the law is."""
     domain = comparisons.generators.domain
     lists = {
         "log": domain.logarithms,
@@ -73,7 +73,7 @@ def _sign_of_fraction(above: Poly, below: Powers, signs: Signs) -> int:
 
 
 def is_radicand(auxiliary: Auxiliary, radicands: Sequence[Entry]) -> bool:
-    """Whether what stands under a formal root has the sign of a radicand of the law."""
+    """Whether the radicand of a formal root has the sign of a radicand of the law."""
     inner, whole = auxiliary.radicand
     mine = _odd(_factors(inner) + [(p, n) for p, n in whole])
     return any(_odd([*entry.powers], 1 if entry.content > 0 else -1) == mine for entry in radicands)
@@ -87,7 +87,7 @@ def _factors(poly: Poly) -> Powers:
 
 
 def _odd(powers: Powers, content: int = 1) -> tuple[int, frozenset[str]]:
-    """The sign of a product and its factors with odd powers, which decide its sign."""
+    """The sign of a product and its factors with odd powers, which determine its sign."""
     odd: set[str] = set()
     for poly, power in powers:
         if power % 2 == 0:

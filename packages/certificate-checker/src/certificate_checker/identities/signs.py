@@ -1,4 +1,4 @@
-"""Proofs with assumed signs: whether together they leave no sign open."""
+"""Proofs with assumed signs: check that together they cover all signs."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from .basis import Basis
 from .generators import Generators
 from .proof import Condition, same
 
-#: A polynomial by its terms, whatever the ring.
+#: A polynomial by its terms, independent of the ring.
 Key: TypeAlias = tuple[object, ...]
 
-#: Polynomials whose signs may be assumed together.
+#: Maximum number of polynomials whose signs may be assumed together.
 MANY = 14
 
 
 def covers(proofs: Sequence[Basis], conditions: Sequence[Condition]) -> bool:
     """Whether at every point where the law is defined one of the proofs applies.
 
-    Their claims must be the same, and the points those where `conditions` hold.
+    The claims must be identical; only points where `conditions` hold are considered.
     """
     assumed = [dict(_assumed_signs(basis)) for basis in proofs]
     keys = sorted({key for signs in assumed for key in signs}, key=repr)
@@ -52,10 +52,10 @@ def _sign(content: int, factors: Sequence[Key], signs: Mapping[Key, int]) -> int
 
 
 def _contradictions(keys: Sequence[Key]) -> list[tuple[Key, int, Key, int]]:
-    """Pairs of signs of which one excludes the other.
+    """Pairs of mutually exclusive signs.
 
-    A sum of the two polynomials with these signs and a positive factor has then no terms but even
-    powers with negative factors.
+    The sum of the two polynomials with these signs and a positive factor then has only terms that
+    are even powers with negative coefficients.
     """
     terms = [dict(_terms_of(key)) for key in keys]
     pairs = []
@@ -101,7 +101,7 @@ def _assumed_signs(basis: Basis) -> Iterator[tuple[Key, int]]:
 def _certain_signs(
     proofs: Sequence[Basis], conditions: Sequence[Condition], keys: set[Key]
 ) -> tuple[list[tuple[Key, int]], list[tuple[int, list[Key]]]]:
-    """Signs that are certain or asked for, and products of signs that are positive."""
+    """Signs that are certain or required, and products of signs that are positive."""
     known: list[tuple[Key, int]] = []
     products: list[tuple[int, list[Key]]] = []
     for basis in proofs:
@@ -134,7 +134,7 @@ def _certain_signs(
 
 
 def _key(generators: Generators, poly: Poly) -> tuple[Key, int]:
-    """A key that does not depend on the ring, and the sign by which the polynomial is divided."""
+    """A key independent of the ring, and the sign by which the polynomial is divided."""
     names: dict[str, Key] = {name: (name,) for name in generators.plain}
     for auxiliary in generators.auxiliary:
         names[auxiliary.name] = (
@@ -159,7 +159,7 @@ def _key(generators: Generators, poly: Poly) -> tuple[Key, int]:
 def _terms(
     generators: Generators, poly: Poly, names: Mapping[str, Key]
 ) -> tuple[tuple[object, fmpq], ...]:
-    """Terms in an order that does not depend on the ring."""
+    """Terms in an order independent of the ring."""
     terms = []
     for exponents, number in poly.to_dict().items():
         powers = [(names[generators.ring.names[i]], int(n)) for i, n in enumerate(exponents) if n]

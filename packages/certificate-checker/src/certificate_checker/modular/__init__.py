@@ -1,1 +1,1 @@
-"""Arithmetic modulo a random prime: its field, and small relations between residues."""
+"""Arithmetic modulo a random prime: the field, and small relations between residues."""

@@ -1,4 +1,4 @@
-"""A prime field with its random elements and its roots."""
+"""A prime field with random elements and roots."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from flint import fmpz, fmpz_mod, fmpz_mod_ctx
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.jets import Number
 
-#: Candidates for a prime; one in about 500 is one.
+#: Number of candidates for a prime; about one in 500 is prime.
 CANDIDATES = 1_000_000
 
 
 class PrimeField:
     """The residues modulo a random prime p ≡ 1 modulo the degrees of roots.
 
-    Everything random is taken from SHAKE-256 of the seed, so that a verdict can be repeated.
+    All random choices are derived from SHAKE-256 of the seed, so a verdict can be reproduced.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class PrimeField:
         self._unit = self._root_of_unity()
 
     def _number(self, word: str) -> int:
-        """A whole number below 2^(bits + 128)."""
+        """An integer below 2^(bits + 128)."""
         digest = hashlib.shake_256(f"{self._seed} {word}".encode()).digest((self._bits + 135) // 8)
         return int.from_bytes(digest, "big")
 
@@ -58,7 +58,7 @@ class PrimeField:
         return self._context(self._number(word))
 
     def number(self, value: Fraction) -> Number:
-        """A rational number; UndefinedError where its denominator is zero."""
+        """A rational number; UndefinedError if its denominator is zero."""
         if value.denominator == 1:
             return self._context(value.numerator)
         below = self._context(value.denominator)
@@ -67,7 +67,7 @@ class PrimeField:
         return self._context(value.numerator) / below
 
     def _root_of_unity(self) -> Number:
-        """An element of the order n."""
+        """An element of order n."""
         primes = [
             q for q in range(2, self._order + 1) if self._order % q == 0 and fmpz(q).is_prime()
         ]
@@ -84,10 +84,11 @@ class PrimeField:
         return bool(element ** ((self.modulus - 1) // 2) == 1)
 
     def root(self, element: fmpz_mod, degree: int, which: int) -> Number:
-        """One of the roots of an element; UndefinedError where it is none of the powers used.
+        """One of the roots of an element; UndefinedError if it is not one of the powers used.
 
-        Let p − 1 = s t where t is prime to the degree and all primes of s divide it.  The s-th
-        powers are the group of order t, in which every root is a power.
+        Let p − 1 = s t where t is prime to the degree and all primes of s divide the degree.  The
+        s-th powers are the group of order t, in which every element has a root, computed as a
+        power.
         """
         order = self.modulus - 1
         while (common := math.gcd(order, degree)) > 1:

@@ -1,4 +1,4 @@
-"""Relations with small whole coefficients between residues."""
+"""Relations with small integer coefficients between residues."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ LARGEST = 64
 
 
 def relation(target: Number, basis: Sequence[Number], modulus: int) -> list[int] | None:
-    """Small whole numbers k with target = Σ k · basis, or None where none are found.
+    """Small integers k with target = Σ k · basis, or None if none are found.
 
-    The vectors of the lattice of all relations that are short are found by the algorithm of
-    Lenstra, Lenstra and Lovász; what is found is tested.
+    Short vectors of the lattice of all relations are found by the algorithm of Lenstra, Lenstra and
+    Lovász; the result is verified.
     """
     size = len(basis)
     for sign in (1, -1):

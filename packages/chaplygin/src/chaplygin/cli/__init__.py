@@ -30,6 +30,7 @@ from . import (
 )
 from .messages.usage import sentence
 from .terminal.command import Command
+from .terminal.option_table import with_options
 from .terminal.options import complain
 from .terminal.progress import LOGGERS
 
@@ -64,7 +65,7 @@ for name, module in {
     "lab": lab,
     "audit": audit,
 }.items():
-    app.command(name, cls=Command)(module.command)
+    app.command(name, cls=Command)(with_options(name, module.command))
 
 
 @app.callback(invoke_without_command=True)
@@ -97,15 +98,15 @@ def _options(
 def main() -> None:
     """Run the command line.
 
-    It exits with 0 when done, 1 when the answer is no, 2 on bad input, 130 when interrupted and 143
-    when ended by SIGTERM.
+    The exit status is 0 on success, 1 if the answer is no, 2 for bad input, 130 if interrupted and
+    143 if ended by SIGTERM.
     """
     from flowlanes.errors import InputError, RunError
 
     with interruptible():
         try:
             try:
-                # a command itself ends with None, an early end with its code
+                # A completed command returns None, an early end its code.
                 code = app(standalone_mode=False)
             finally:
                 sys.stdout.flush()
@@ -115,7 +116,7 @@ def main() -> None:
                 _leave(0)
             raise
         except typer.TyperException as error:
-            # where nothing at all was given, Typer has printed the help
+            # If nothing at all was given, Typer has printed the help.
             if len(sys.argv) > 1:
                 complain(sentence(error))
             sys.exit(2)
@@ -134,6 +135,6 @@ def main() -> None:
 
 
 def _leave(code: int) -> None:
-    """End quietly when standard output is closed."""
+    """End quietly if standard output is closed."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     sys.exit(code)

@@ -1,14 +1,12 @@
-"""``chaplygin animate``: a motion as a film, or as a model that moves."""
+"""``chaplygin animate``: a motion as a film, or as an animated 3D model."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
-
-import typer
+from typing import TYPE_CHECKING
 
 from ..interruption import NOTHING_SAVED, message_on_interrupt
-from .terminal.options import Force, Override, What, inform, study_of
+from .terminal.options import inform, study_of
 from .terminal.output_destination import STANDARD_OUTPUT, check_output
 from .terminal.progress import progress
 
@@ -19,29 +17,24 @@ if TYPE_CHECKING:
     from ..report.film.frames import Picture
     from ..report.study_output import Report
 
-#: Samples of a motion through which paths are drawn, at least.
+#: Minimum number of samples of a motion through which paths are drawn.
 SMOOTH = 2000
 
 SUFFIXES = (".mp4", ".webm", ".gif", ".glb")
 
-#: Frames of a film at most.
+#: Maximum number of frames of a film.
 MOST_FRAMES = 20_000
 
 
 def command(
-    what: What,
-    output: Annotated[
-        Path,
-        typer.Option(
-            "-o", "--output", metavar="FILE", help="Film to write: .mp4, .webm, .gif, or .glb."
-        ),
-    ],
-    rate: Annotated[int, typer.Option(help="Frames per second.")] = 25,
-    speed: Annotated[float, typer.Option(help="Seconds of motion per second of film.")] = 1.0,
-    width: Annotated[int, typer.Option(help="Width in pixels.")] = 1280,
-    height: Annotated[int, typer.Option(help="Height in pixels.")] = 720,
-    overrides: Override = None,
-    force: Force = False,
+    what: str,
+    output: Path,
+    rate: int = 25,
+    speed: float = 1.0,
+    width: int = 1280,
+    height: int = 720,
+    overrides: list[str] | None = None,
+    force: bool = False,
 ) -> None:
     r"""Write the motion as a film, or as a model in space that moves (.glb); needs no browser.
 
@@ -52,13 +45,6 @@ def command(
     suffix = output.suffix.lower()
     if output == STANDARD_OUTPUT or suffix not in SUFFIXES:
         raise InputError(f"--output {output}: its name must end in {', '.join(SUFFIXES)}")
-    for name, number, low, high in (
-        ("--rate", rate, 1, 120),
-        ("--width", width, 64, 7680),
-        ("--height", height, 64, 4320),
-    ):
-        if not low <= number <= high:
-            raise InputError(f"{name} {number}: it must be a whole number from {low} to {high}")
     if not 0 < speed < float("inf"):
         raise InputError(f"--speed {speed:g}: it must be a positive number")
     check_output("--output", output, force, False, what)
@@ -87,14 +73,14 @@ def command(
         if suffix == ".glb":
             _model(study, steps, output)
         else:
-            # an encoder halves the resolution of colours
+            # An encoder halves the colour resolution.
             size = (width - width % 2, height - height % 2)
             _film(study, steps, output, rate, size, report)
     inform(f"written to {output}")
 
 
 def _require_something_to_show(study: Study, suffix: str) -> None:
-    """Refuse a motion without body and drawing before it is integrated."""
+    """Raise an error for a motion without body and drawing before it is integrated."""
     from flowlanes.errors import InputError
 
     from ..report.film.frames import require_scene
@@ -110,7 +96,7 @@ def _require_something_to_show(study: Study, suffix: str) -> None:
 
 
 def _with_frames(study: Study, steps: int) -> Study:
-    """The study with a sample for each frame."""
+    """The study with one sample per frame."""
     from dataclasses import replace
 
     run = study.experiment.run.model_copy(update={"samples": steps + 1})

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
 from ..interruption import EXIT_CODE, print_interruption, results_on_interrupt
-from .terminal.options import Force, Json, console, inform, print_json
+from .terminal.options import console, inform, print_json
 from .terminal.output_destination import STANDARD_OUTPUT, beside, check_output, name_of, output_file
 from .terminal.progress import progress, waiting
 from .terminal.stores import require_processes
@@ -20,29 +20,17 @@ if TYPE_CHECKING:
 
     from ..audits import Audit, Judgement, Remark
 
-#: Of the paper.
+#: Citation of the paper.
 SECTIONS = range(1, 13)
 
 
 def command(
-    section: Annotated[
-        int | None, typer.Option(help="Judge only this section of the paper, 1 to 12.")
-    ] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("-o", "--output", metavar="FILE", help="HTML page to write."),
-    ] = None,
-    workers: Annotated[
-        int | None, typer.Option(help="Number of processes; default: one for each processor.")
-    ] = None,
-    remarks_alone: Annotated[
-        bool,
-        typer.Option(
-            "--remarks", help="List the statements that are not computed; judge no claims."
-        ),
-    ] = False,
-    force: Force = False,
-    json: Json = False,
+    section: int | None = None,
+    output: Path | None = None,
+    workers: int | None = None,
+    remarks_alone: bool = False,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Judge every claim of Borisov and Mamaev (2008); exit 1 if a corrected one is refuted."""
     from flowlanes.errors import InputError
@@ -81,7 +69,7 @@ def command(
             else:
                 _print(audit, judgements)
                 _print_number_of_remarks(remarks, section)
-        # a page of some claims alone would stand in the way of the command that goes on
+        # A page with some of the claims would block the command that resumes.
         if output is not None and not left:
             with output_file(output) as place:
                 place.write_text(audit.page(judgements, section), encoding="utf-8")
@@ -113,7 +101,7 @@ def _print(audit: Audit, judgements: Sequence[Judgement]) -> None:
 
 
 def _print_number_of_remarks(remarks: Mapping[int, Sequence[Remark]], section: int | None) -> None:
-    """How many statements are not computed, and how to see them."""
+    """Print the number of remarks that are not computed, and how to see them."""
     number = sum(len(found) for found in remarks.values())
     chosen = "" if section is None else f" --section {section}"
     if number:
@@ -146,7 +134,7 @@ def _print_remarks(audit: Audit, remarks: Mapping[int, Sequence[Remark]]) -> Non
 
 
 def _remark_records(audit: Audit, remarks: Mapping[int, Sequence[Remark]]) -> list[dict[str, Any]]:
-    """Remarks for another program, with what is decided here of open questions."""
+    """Remarks as data, with the decisions on open questions."""
     return [
         {
             "section": section,
@@ -164,9 +152,9 @@ def _remark_records(audit: Audit, remarks: Mapping[int, Sequence[Remark]]) -> li
 
 
 def _claim_block(judgement: Judgement, wide: bool) -> RenderableType:
-    """The place of a claim, its judgement, and remarks below it.
+    """The location of a claim, its judgement, and the remarks below it.
 
-    With `wide`, verdicts stand at the right edge of the terminal.
+    With `wide`, verdicts are right-aligned in the terminal.
     """
     from rich.console import Group
     from rich.markup import escape

@@ -1,14 +1,14 @@
-"""``chaplygin bifurcation``: which tori there are over the plane of two integrals."""
+"""``chaplygin bifurcation``: the tori over the plane of two integrals."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import typer
 
-from .terminal.options import Force, Json, Override, inform, print_json, study_of
+from .terminal.options import inform, print_json, study_of
 from .terminal.output_destination import check_figure, check_output
 from .terminal.progress import waiting
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from nonholonomic.closed_form.bifurcation import Diagram
     from nonholonomic.closed_form.revolution.diagram import Diagram as RevolutionDiagram
 
-#: Planes that are no systems of the catalogue.
+#: Planes that are not systems of the catalogue.
 PLANES = ("chaplygin-ball-area", "bruns")
 
 
@@ -32,22 +32,11 @@ class _Answer(NamedTuple):
 
 
 def command(
-    what: Annotated[
-        str,
-        typer.Argument(
-            metavar="NAME|FILE",
-            help="A catalogue name, an experiment file, or a plane listed in docs/bifurcations.md.",
-        ),
-    ],
-    figure: Annotated[
-        Path | None,
-        typer.Option(
-            "-o", "--output", metavar="FILE.png", help="Figure to write: .png, .svg or .pdf."
-        ),
-    ] = None,
-    overrides: Override = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    figure: Path | None = None,
+    overrides: list[str] | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Compute the bifurcation diagram of an integrable system exactly, and locate the motion in it.
 
@@ -170,7 +159,7 @@ def _kind(item: dict[str, Any]) -> str:
 
 
 def _numbers(overrides: list[str]) -> dict[str, str]:
-    """Parameters of a plane, as decimals that are taken at their word."""
+    """Parameters of a plane, as exact decimals."""
     from flowlanes.errors import InputError
 
     numbers = {}

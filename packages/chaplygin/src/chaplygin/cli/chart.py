@@ -1,18 +1,16 @@
-"""``chaplygin chart``: a number over a plane of parameters and starts."""
+"""``chaplygin chart``: a quantity over a plane of parameters and starts."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
-from .terminal.options import Force, Json, Override, What, console, inform, print_json, study_of
+from .terminal.options import console, inform, print_json, study_of
 from .terminal.output_destination import check_figure
 from .terminal.progress import progress
 from .terminal.stores import (
-    OnDevice,
-    Workers,
     check_picture,
     check_store,
     check_workers,
@@ -27,36 +25,20 @@ if TYPE_CHECKING:
 
 
 def command(
-    what: What,
-    of: Annotated[
-        str,
-        typer.Option(metavar="NUMBER", help="Number to compute, such as lyapunov or mean:FORMULA."),
-    ],
-    x: Annotated[
-        str, typer.Option(metavar="NAME=A:B:N", help="Horizontal axis: N values from A to B.")
-    ],
-    y: Annotated[str, typer.Option(metavar="NAME=A:B:N", help="Vertical axis, likewise.")],
-    output: Annotated[Path, typer.Option("-o", "--output", help="Zarr store to write, FILE.zarr.")],
-    until: Annotated[
-        float | None, typer.Option(help="Duration of each motion; default: as in the experiment.")
-    ] = None,
-    let: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="NAME=FORMULA",
-            help="Set a parameter, a variable of the start or a level by a formula in the axes.",
-        ),
-    ] = None,
-    hold: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME", help="Hold this variable of the start fixed."),
-    ] = None,
-    figure: Annotated[Path | None, typer.Option(help="Figure to write; default: FILE.png.")] = None,
-    workers: Workers = None,
-    device: OnDevice = "cpu",
-    overrides: Override = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    of: str,
+    x: str,
+    y: str,
+    output: Path,
+    until: float | None = None,
+    let: list[str] | None = None,
+    hold: list[str] | None = None,
+    figure: Path | None = None,
+    workers: str | None = None,
+    device: str = "cpu",
+    overrides: list[str] | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Chart a number over a plane of parameters and starts; resumes an interrupted run.
 
@@ -107,7 +89,7 @@ def command(
 
 
 def _assignment(text: str) -> tuple[str, str]:
-    """Name and formula of a setting."""
+    """Name and formula of an option NAME=FORMULA."""
     from flowlanes.errors import InputError
 
     name, equals, formula = (part.strip() for part in text.partition("="))

@@ -3,25 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
-from .terminal.options import (
-    Force,
-    Json,
-    Override,
-    Tolerance,
-    What,
-    at_least_one,
-    inform,
-    print_json,
-    study_of,
-)
+from .terminal.options import inform, print_json, study_of
 from .terminal.progress import progress
 from .terminal.stores import (
-    OnDevice,
-    Workers,
     check_store,
     check_workers,
     device_of,
@@ -41,47 +29,20 @@ if TYPE_CHECKING:
 
 
 def command(
-    what: What,
-    output: Annotated[Path, typer.Option("-o", "--output", help="Zarr store to write, FILE.zarr.")],
-    starts: Annotated[
-        int,
-        typer.Option(
-            help="Number of starts to draw at random; needs --level or --draw.",
-            callback=at_least_one,
-        ),
-    ] = 1,
-    level: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME=VALUE,…", help="Level of the integrals on which starts are drawn."
-        ),
-    ] = None,
-    draw: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="NAME=A:B",
-            help="With friction: draw a number of the file from A to B; gamma or attitude alone: "
-            "any direction.",
-        ),
-    ] = None,
-    seed: Annotated[int, typer.Option(help="Seed of the random starts.")] = 0,
-    over: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="NAME=A:B:N",
-            help="Vary a parameter, or with friction a number of the file: N values from A to B.",
-        ),
-    ] = None,
-    record: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME", help="Also record this observable or integral."),
-    ] = None,
-    tolerance: Tolerance = 1e-13,
-    workers: Workers = None,
-    device: OnDevice = "cpu",
-    overrides: Override = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    output: Path,
+    starts: int = 1,
+    level: str | None = None,
+    draw: list[str] | None = None,
+    seed: int = 0,
+    over: list[str] | None = None,
+    record: list[str] | None = None,
+    tolerance: float = 1e-13,
+    workers: str | None = None,
+    device: str = "cpu",
+    overrides: list[str] | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Integrate motions from many starts and parameters; resumes an interrupted run.
 
@@ -147,7 +108,7 @@ def _task(
     numerics: tuple[float, Device],
     workers: str | None,
 ) -> Task:
-    """The ensemble of a system whose equations do not change."""
+    """The ensemble of a system whose equations do not change at events."""
     from dataclasses import replace
 
     from flowlanes.errors import InputError

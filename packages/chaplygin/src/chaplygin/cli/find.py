@@ -1,15 +1,15 @@
-"""``chaplygin find``: laws found from the equations alone."""
+"""``chaplygin find``: search for laws from the equations alone."""
 
 from __future__ import annotations
 
 import textwrap
 import time
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
 from ..interruption import EXIT_CODE, print_interruption, results_on_interrupt
-from .terminal.options import Effort, Json, Override, What, inform, operations, print_json, study_of
+from .terminal.options import inform, operations, print_json, study_of
 from .terminal.progress import progress
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ _TITLES = {
     "measure": "Invariant measures",
     "symmetries": "Symmetry fields",
 }
-#: Of no result, and of the results that were found.
+#: Phrases for no result, and for results that were found.
 _NOTHING = "none of this form"
 _NOTHING_ELSE = {
     "integrals": "Everything else of this form is a function of these and of the parameters.",
@@ -38,71 +38,24 @@ _NOTHING_ELSE = {
 
 
 def command(
-    kind: Annotated[str, typer.Argument(metavar="KIND", help="integrals, measure or symmetries.")],
-    what: What,
-    overrides: Override = None,
-    degree: Annotated[int, typer.Option(help="Largest degree in the momenta.")] = 2,
-    gamma_degree: Annotated[int, typer.Option(help="Largest degree in the coordinates.")] = 2,
-    momenta: Annotated[
-        str, typer.Option(metavar="NAMES", help="Momenta, e.g. M; default: M, and also ω.")
-    ] = "",
-    coordinates: Annotated[
-        str,
-        typer.Option(
-            metavar="NAMES", help="Coordinates, e.g. gamma; default: all other variables."
-        ),
-    ] = "",
-    at: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="CONDITION",
-            help="A condition on the parameters, e.g. k=-1. Default: the coincidences of the "
-            "present values (equal moments or semi-axes, zeros). none: no condition.",
-        ),
-    ] = None,
-    on: Annotated[
-        list[str] | None,
-        typer.Option(metavar="FORMULA", help="Search on the level where this is 0, e.g. 'M·γ'."),
-    ] = None,
-    divisors: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--denominator",
-            metavar="FORMULA",
-            help="A denominator to try, e.g. '(γ, A γ)'; default: candidates from the equations. "
-            "1: none.",
-        ),
-    ] = None,
-    bases: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--base",
-            metavar="FORMULA",
-            help="A factor of the density, to a power to be found; default: candidates from the "
-            "equations.",
-        ),
-    ] = None,
-    power: Annotated[int, typer.Option(help="Largest power of a denominator.")] = 1,
-    parameter_degree: Annotated[
-        int, typer.Option(help="Largest degree of coefficients in the parameters.")
-    ] = 3,
-    effort: Effort = 1.0,
-    json: Json = False,
+    kind: str,
+    what: str,
+    overrides: list[str] | None = None,
+    degree: int = 2,
+    gamma_degree: int = 2,
+    momenta: str = "",
+    coordinates: str = "",
+    at: list[str] | None = None,
+    on: list[str] | None = None,
+    divisors: list[str] | None = None,
+    bases: list[str] | None = None,
+    power: int = 1,
+    parameter_degree: int = 3,
+    effort: float = 1.0,
+    json: bool = False,
 ) -> None:
     """Search for first integrals, invariant measures or symmetries, and prove those found."""
-    from flowlanes.errors import InputError
-
-    if kind not in _TITLES:
-        raise InputError(f"KIND {kind}: it must be one of {', '.join(_TITLES)}")
     allowed = operations(effort)
-    for option, number in (
-        ("--degree", degree),
-        ("--gamma-degree", gamma_degree),
-        ("--power", power),
-        ("--parameter-degree", parameter_degree),
-    ):
-        if number < 0:
-            raise InputError(f"{option} {number}: it must not be negative")
     study = study_of(what, overrides)
     from lawproof.search import search_request
 
@@ -189,7 +142,7 @@ def _results(kind: str, question: Question) -> tuple[list[SearchResult], bool]:
 
 
 def _existence(study: Study) -> MeasureExistence | None:
-    """The decision whether a density on the configuration exists, where the model is known."""
+    """Whether a density on the configuration exists, if the mechanical model is known."""
     from flowlanes.errors import InputError
     from flowlanes.formulas.errors import OutOfReachError
     from nonholonomic.invariant_measures.existence import measure_exists
@@ -201,12 +154,12 @@ def _existence(study: Study) -> MeasureExistence | None:
         with progress("deciding whether a density on the configuration exists"):
             return measure_exists(model, study.system.title)
     except (InputError, OutOfReachError, ZeroDivisionError):
-        # constraints of another kind, or numbers at which the derivation fails
+        # Constraints of another kind, or numbers for which the derivation fails.
         return None
 
 
 def _obstruction(system: System) -> EquilibriumObstruction | None:
-    """An equilibrium that excludes a measure, where equations alone are known."""
+    """An equilibrium that excludes a measure, if only the equations are known."""
     from nonholonomic.invariant_measures.equilibria import equilibrium_obstruction
 
     return equilibrium_obstruction(system)
@@ -227,7 +180,7 @@ def _names(symbols: Iterable[object]) -> list[str]:
 
 
 def _equation(vanishing: sp.Expr) -> str:
-    """A vanishing formula as an equation without minus signs, its number on the right."""
+    """A vanishing formula as an equation without minus signs, with its number on the right."""
     from sympy import Add
 
     from flowlanes.printing.formula import text

@@ -4,32 +4,25 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated
 
 import typer
 
 from ..interruption import exit_code, message_on_interrupt
-from .terminal.options import Override, is_name, study_of
+from .terminal.options import is_name, study_of
 from .terminal.progress import waiting
 
-#: Where pages are served unless another port is asked for.
+#: Default port of the server.
 PORT = 8714
 
-#: What is opened where nothing is named.
+#: System opened by default.
 FIRST = "rattleback"
 
 
 def command(
-    what: Annotated[
-        str,
-        typer.Argument(
-            metavar="[NAME|FILE]",
-            help="A catalogue name, an experiment file, or a Python file of yours.",
-        ),
-    ] = FIRST,
-    port: Annotated[int, typer.Option(help="Port of the address; 0 for any that is free.")] = PORT,
-    show: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
-    overrides: Override = None,
+    what: str = FIRST,
+    port: int = PORT,
+    show: bool = False,
+    overrides: list[str] | None = None,
 ) -> None:
     r"""Serve the laboratory to the browser of this machine until Ctrl-C.
 
@@ -80,5 +73,5 @@ def command(
         ):
             serve(folder, name, port, announce)
     except KeyboardInterrupt:
-        # no worker is left, and the libraries take a second to be unloaded
+        # No worker is left, and unloading the libraries would take a second.
         os._exit(exit_code())

@@ -3,57 +3,35 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
 from ..interruption import EXIT_CODE, NOTHING_SAVED, message_on_interrupt, print_interruption
-from .terminal.options import (
-    Force,
-    Json,
-    Override,
-    Tolerance,
-    What,
-    console,
-    inform,
-    print_json,
-    study_of,
-)
+from .terminal.options import console, inform, print_json, study_of
 from .terminal.output_destination import STANDARD_OUTPUT, beside, check_output, deliver, name_of
 from .terminal.progress import progress
-from .terminal.stores import OnDevice, device_of, level_of
+from .terminal.stores import device_of, level_of
 
 if TYPE_CHECKING:
     from flowlanes.lyapunov.averages import Average
     from flowlanes.lyapunov.report import Spectrum
 
-#: The length of a motion, in units of that of the experiment, unless told otherwise.
+#: Default length of the motion, in units of that of the experiment.
 TIMES_LONGER = 10.0
 
 
 def command(
-    what: What,
-    until: Annotated[
-        float | None,
-        typer.Option(help="Duration of the motion; default: ten times that of the experiment."),
-    ] = None,
-    level: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME=VALUE,…",
-            help="Draw the start at random on this level of the integrals; default: the start of "
-            "the experiment.",
-        ),
-    ] = None,
-    seed: Annotated[int, typer.Option(help="Seed of the random start.")] = 0,
-    tolerance: Tolerance = 1e-13,
-    device: OnDevice = "cpu",
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="NetCDF file to write.")
-    ] = None,
-    overrides: Override = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    until: float | None = None,
+    level: str | None = None,
+    seed: int = 0,
+    tolerance: float = 1e-13,
+    device: str = "cpu",
+    output: Path | None = None,
+    overrides: list[str] | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Compute the Lyapunov exponents of a motion, with errors and the trivial ones named.
 

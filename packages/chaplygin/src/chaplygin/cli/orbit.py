@@ -3,22 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
 from ..interruption import NOTHING_SAVED, message_on_interrupt
-from .terminal.options import (
-    Direction,
-    Force,
-    Json,
-    Override,
-    Tolerance,
-    What,
-    inform,
-    print_json,
-    study_of,
-)
+from .terminal.options import inform, print_json, study_of
 from .terminal.output_destination import check_figure, check_output, deliver
 from .terminal.progress import progress
 
@@ -30,62 +20,29 @@ if TYPE_CHECKING:
 
 
 def command(
-    what: What,
-    on: Annotated[
-        str,
-        typer.Option(
-            "--on", metavar="QUANTITY", help="Section QUANTITY = value: gamma_3, or a formula."
-        ),
-    ],
-    value: Annotated[float, typer.Option(help="Value of QUANTITY on the section.")] = 0.0,
-    direction: Direction = "rising",
-    angle: Annotated[
-        bool, typer.Option("--angle", help="QUANTITY is an angle: take it modulo 2π.")
-    ] = False,
-    after: Annotated[
-        int, typer.Option(help="Returns of the motion to the section before the search starts.")
-    ] = 1,
-    period: Annotated[int, typer.Option(help="Number of returns after which it closes.")] = 1,
-    hold: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME", help="Hold the value of this integral fixed."),
-    ] = None,
-    follow: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME=VALUE",
-            help="Continue the orbit as this integral or parameter goes to VALUE.",
-        ),
-    ] = None,
-    tolerance: Tolerance = 1e-15,
-    output: Annotated[
-        Path | None,
-        typer.Option(
-            "-o", "--output", metavar="FILE", help="File for one period: .nc, .zarr or .csv."
-        ),
-    ] = None,
-    figure: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE.png", help="Figure of one period or the branch: .png, .svg or .pdf."
-        ),
-    ] = None,
-    overrides: Override = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    on: str,
+    value: float = 0.0,
+    direction: str = "rising",
+    angle: bool = False,
+    after: int = 1,
+    period: int = 1,
+    hold: list[str] | None = None,
+    follow: str | None = None,
+    tolerance: float = 1e-15,
+    output: Path | None = None,
+    figure: Path | None = None,
+    overrides: list[str] | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Find a periodic orbit near the motion: period, multipliers, stability; or continue it.
 
     The motion is integrated to the Poincaré section; from there Newton's method
     finds a closed orbit. All results are observed, not proven.
     """
-    from flowlanes.errors import InputError
-
     from ..experiment.formats import check_output as check_trajectory
 
-    for least, name, number in ((0, "after", after), (1, "period", period)):
-        if number < least:
-            raise InputError(f"--{name} {number}: it must be at least {least}")
     varied = None if follow is None else _varied_quantity(follow)
     if output is not None:
         check_output("--output", output, force, json, what, place=check_trajectory)

@@ -3,24 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import typer
 
 from ..interruption import EXIT_CODE, print_interruption, results_on_interrupt
-from .terminal.options import (
-    NO_LAWS,
-    Effort,
-    Force,
-    Json,
-    Override,
-    What,
-    console,
-    inform,
-    operations,
-    print_json,
-    study_of,
-)
+from .terminal.options import NO_LAWS, console, inform, operations, print_json, study_of
 from .terminal.output_destination import beside, check_output, name_of, output_file
 from .terminal.progress import progress
 
@@ -39,21 +27,13 @@ COLOURS = {
 
 
 def command(
-    what: What,
-    overrides: Override = None,
-    only: Annotated[
-        list[str] | None,
-        typer.Option("--law", metavar="LAW", help="Prove only the law of this name."),
-    ] = None,
-    effort: Effort = 1.0,
-    certificate: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE", help="Certificates to write (JSON), for an independent check."
-        ),
-    ] = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    overrides: list[str] | None = None,
+    only: list[str] | None = None,
+    effort: float = 1.0,
+    certificate: Path | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Prove or refute the laws of a system; exit 1 unless all are proven without conditions.
 
@@ -86,7 +66,7 @@ def command(
 
 
 class _Attempt(NamedTuple):
-    """A law with its verdict, and the verdict on its printed form if it differs."""
+    """A law with its verdict, and the verdict on its printed form if that differs."""
 
     system: System
     law: Law
@@ -95,7 +75,7 @@ class _Attempt(NamedTuple):
 
 
 def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool) -> list[_Attempt]:
-    """The verdicts, or those until an interruption."""
+    """The verdicts, or those obtained until an interruption."""
     from lawproof.proof.certificates.certificate import prove_with_certificate
     from lawproof.proof.prover import judgement_of, prove
 
@@ -149,7 +129,7 @@ def _record(attempt: _Attempt, effort: int) -> dict[str, object]:
     system, law, verdict, printed = attempt
     record = {
         "source": law.source,
-        "statement": _words(law),
+        "statement": _law_description(law),
         "printed": (verdict if printed is None else printed).decision,
         "corrected": law_latex(law, system),
         "verdict": verdict.decision,
@@ -169,18 +149,16 @@ def _record(attempt: _Attempt, effort: int) -> dict[str, object]:
     return record
 
 
-def _words(law: Law) -> str:
+def _law_description(law: Law) -> str:
     """Kind and meaning of a law, without saying the same twice."""
-    from flowlanes.printing.laws import heading
-
-    kind, meaning = heading(law), str(getattr(law, "meaning", ""))
+    kind, meaning = law.heading, str(getattr(law, "meaning", ""))
     if kind.lower() in meaning.lower():
         return meaning[0].upper() + meaning[1:]
     return f"{kind}: {meaning}" if meaning else kind
 
 
 def coloured_decision(decision: str) -> str:
-    """A verdict in its colour, for the terminal."""
+    """A verdict in its terminal colour."""
     return f"[{COLOURS[decision]}]{decision}[/]"
 
 
@@ -212,7 +190,7 @@ def _print(attempts: list[_Attempt]) -> None:
         where = condition_text(law, system, text)
         table.add_row(
             escape(law.name),
-            escape(f"{_words(law)} {where}".strip()),
+            escape(f"{_law_description(law)} {where}".strip()),
             escape(law.source),
             coloured_decision(verdict.decision),
             f"{verdict.terms:,}" if verdict.terms else "",
@@ -252,7 +230,7 @@ def _write(path: Path, verdicts: list[Verdict]) -> None:
     own = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
     by_theorem = [verdict for verdict in verdicts if verdict.identities]
     identities = [part for verdict in by_theorem for part in verdict.identities]
-    # one identity may serve several laws
+    # One identity may serve several laws.
     further = [part for i, part in enumerate(identities) if part not in identities[:i]]
     with output_file(path) as place:
         place.write_text(json.dumps([*own, *further], ensure_ascii=False), encoding="utf-8")

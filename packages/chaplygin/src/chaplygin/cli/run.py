@@ -3,32 +3,23 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
 
 import typer
 
 from ..interruption import EXIT_CODE, NOTHING_SAVED, message_on_interrupt, print_interruption
 from .messages.results import results
-from .terminal.options import Force, Json, Override, Precision, What, inform, print_json, study_of
+from .terminal.options import inform, print_json, study_of
 from .terminal.output_destination import beside, check_output, deliver, name_of
 from .terminal.progress import progress
 
 
 def command(
-    what: What,
-    output: Annotated[
-        Path,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            help="File to write: .nc, .zarr or .csv; - for NetCDF on standard output.",
-        ),
-    ],
-    overrides: Override = None,
-    precision: Precision = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    output: Path,
+    overrides: list[str] | None = None,
+    precision: str | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Integrate one motion and write the trajectory: NetCDF, Zarr, or a table for a spreadsheet."""
     from ..experiment.formats import check_output as check_trajectory

@@ -1,30 +1,16 @@
-"""``chaplygin section``: where motions pass through a surface, again and again."""
+"""``chaplygin section``: the points at which motions repeatedly cross a surface."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
-from .terminal.options import (
-    Direction,
-    Force,
-    Json,
-    Override,
-    Tolerance,
-    What,
-    at_least_one,
-    console,
-    inform,
-    print_json,
-    study_of,
-)
+from .terminal.options import console, inform, print_json, study_of
 from .terminal.output_destination import STANDARD_OUTPUT
 from .terminal.progress import progress
 from .terminal.stores import (
-    OnDevice,
-    Workers,
     check_picture,
     check_store,
     check_workers,
@@ -38,70 +24,30 @@ from .terminal.stores import (
 if TYPE_CHECKING:
     import xarray as xr
 
-#: Points looked at together.
+#: Number of points processed together.
 _AT_ONCE = 2**18
 
 
 def command(
-    what: What,
-    on: Annotated[
-        str,
-        typer.Option(
-            "--on", metavar="QUANTITY", help="Section QUANTITY = value: gamma_3, or a formula."
-        ),
-    ],
-    output: Annotated[
-        Path,
-        typer.Option(
-            "-o", "--output", metavar="FILE.zarr|DIR", help="Zarr store to write, or its folder."
-        ),
-    ],
-    value: Annotated[float, typer.Option(help="Value of QUANTITY on the section.")] = 0.0,
-    direction: Direction = "rising",
-    angle: Annotated[
-        bool, typer.Option("--angle", help="QUANTITY is an angle: take it modulo 2π.")
-    ] = False,
-    within: Annotated[
-        list[str] | None,
-        typer.Option(metavar="QUANTITY<WIDTH", help="Count only points with |QUANTITY| < WIDTH."),
-    ] = None,
-    points: Annotated[
-        int, typer.Option(help="Number of points of each motion.", callback=at_least_one)
-    ] = 1000,
-    starts: Annotated[
-        int,
-        typer.Option(
-            help="Number of motions; if several, they start at random on a level.",
-            callback=at_least_one,
-        ),
-    ] = 1,
-    level: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME=VALUE,…",
-            help="Level of the integrals for the starts; default: that of the experiment.",
-        ),
-    ] = None,
-    seed: Annotated[int, typer.Option(help="Seed of the random starts.")] = 0,
-    coordinates: Annotated[
-        str,
-        typer.Option(
-            metavar="A,B[,C]",
-            help="Two or three coordinates to draw: M_1,M_2, NAME=FORMULA, andoyer:l,L,H.",
-        ),
-    ] = "",
-    until: Annotated[
-        float | None,
-        typer.Option(
-            help="Time limit of a motion; default: the experiment's duration for each point."
-        ),
-    ] = None,
-    tolerance: Tolerance = 1e-13,
-    workers: Workers = None,
-    device: OnDevice = "cpu",
-    overrides: Override = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    on: str,
+    output: Path,
+    value: float = 0.0,
+    direction: str = "rising",
+    angle: bool = False,
+    within: list[str] | None = None,
+    points: int = 1000,
+    starts: int = 1,
+    level: str | None = None,
+    seed: int = 0,
+    coordinates: str = "",
+    until: float | None = None,
+    tolerance: float = 1e-13,
+    workers: str | None = None,
+    device: str = "cpu",
+    overrides: list[str] | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Compute and draw a Poincaré section; resumes an interrupted run.
 
@@ -168,7 +114,7 @@ def command(
     result = {"file": str(store), "figure": str(picture), **_summary(dataset)}
     if not result["points"]:
         dataset.close()
-        # another section may be requested under the same name
+        # Another section may be requested under the same name.
         rmtree(store)
         reasons = ", ".join(result["outcomes"])
         raise RunError(f"no motion passes {surface}: {reasons}", result["longest"])
@@ -180,7 +126,7 @@ def command(
 
 
 def _store(output: Path) -> Path:
-    """The store that is meant: itself, or that in a folder."""
+    """The store: the given path itself, or a store in a folder."""
     from flowlanes.errors import InputError
 
     if output.suffix == ".zarr":
@@ -198,7 +144,7 @@ def _store(output: Path) -> Path:
 
 
 def _slab(text: str) -> tuple[str, float]:
-    """A quantity, and how far from zero it may be."""
+    """A quantity, and its largest distance from zero."""
     from flowlanes.errors import InputError
 
     quantity, less, width = (part.strip() for part in text.rpartition("<"))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import sys
 import textwrap
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .terminal.options import NO_LAWS, Json, Override, What, print_json, study_of
+from .terminal.options import NO_LAWS, print_json, study_of
 
 if TYPE_CHECKING:
     from flowlanes.system.laws import Law
@@ -18,11 +19,9 @@ if TYPE_CHECKING:
 
     from ..experiment.study import Study
 
-FORMS = ("text", "latex", "julia", "c", "toml", "javascript", "wasm")
-
 
 def _print_schema(now: bool) -> None:
-    """Print the schema and end, whatever else is asked for."""
+    """Print the schema and end, ignoring all other arguments."""
     if now:
         from ..experiment.models.schema import experiment_schema
 
@@ -31,20 +30,11 @@ def _print_schema(now: bool) -> None:
 
 
 def command(
-    what: What,
-    overrides: Override = None,
-    form: Annotated[
-        str,
-        typer.Option(
-            "--as",
-            help="text, latex, julia, c, toml (the experiment file), javascript (a module that "
-            "computes motions) or wasm (its machine code).",
-        ),
-    ] = "text",
-    laws: Annotated[
-        bool, typer.Option("--laws", help="Print only the known laws of the system.")
-    ] = False,
-    json: Json = False,
+    what: str,
+    overrides: list[str] | None = None,
+    form: str = "text",
+    laws: bool = False,
+    json: bool = False,
     schema: Annotated[
         bool,
         typer.Option(
@@ -63,8 +53,6 @@ def command(
     """
     from flowlanes.errors import InputError
 
-    if form not in FORMS:
-        raise InputError(f"--as {form}: it must be one of {', '.join(FORMS)}")
     if json and form != "text":
         raise InputError(f"--as {form} and --json both print the system: choose one of them")
     if laws and (form != "text" or json):
@@ -79,8 +67,10 @@ def command(
     from flowlanes.printing.system import motion_text
     from nonholonomic.classification.classifier import classify_quickly
 
+    from ..experiment.catalogue_text import catalogue_text
+
     system = study.system
-    # laws of one mode alone give a motion through several no place in the hierarchy
+    # Laws of a single mode do not place a motion through several in the hierarchy.
     place = (
         None
         if study.subject.changes_equations or not (json or form == "text") or laws
@@ -99,7 +89,7 @@ def command(
         return
     if json:
         from flowlanes.printing.formula import latex
-        from flowlanes.printing.laws import condition_text, heading
+        from flowlanes.printing.laws import condition_text
         from flowlanes.printing.system import law_latex
 
         print_json(
@@ -122,7 +112,7 @@ def command(
                 "laws": [
                     {
                         "kind": type(law).__name__,
-                        "heading": heading(law),
+                        "heading": law.heading,
                         "name": getattr(law, "name", ""),
                         "meaning": getattr(law, "meaning", ""),
                         "value": law_latex(law, system),
@@ -137,12 +127,12 @@ def command(
             }
         )
         return
-    texts = {
+    texts: dict[str, Callable[[], str]] = {
         "text": lambda: str(system),
         "latex": system.latex,
         "julia": lambda: source_code(system, "julia"),
         "c": lambda: source_code(system, "c"),
-        "toml": study.complete_toml,
+        "toml": lambda: catalogue_text(study),
     }
     typer.echo(texts[form]().rstrip())
     if form == "text" and study.subject.has_own_reconstruction and (lines := motion_text(system)):
@@ -158,7 +148,7 @@ def command(
 
 
 def _systems_with_laws(study: Study) -> list[System]:
-    """The systems of which laws can be proved, each with those laws."""
+    """The systems with provable laws, each with those laws."""
     laws: dict[System, list[Law]] = {}
     for system, law in study.claims:
         laws.setdefault(system, []).append(law)
@@ -166,7 +156,7 @@ def _systems_with_laws(study: Study) -> list[System]:
 
 
 def _require_no_terminal(what: str) -> None:
-    """Refuse to write machine code to a terminal."""
+    """Raise an error instead of writing machine code to a terminal."""
     from flowlanes.errors import InputError
 
     if sys.stdout.isatty():
@@ -177,7 +167,7 @@ def _require_no_terminal(what: str) -> None:
 
 
 def _write_module(study: Study, form: str) -> None:
-    """Write what computes motions to standard output: as JavaScript, or its machine code."""
+    """Write a module that computes motions to standard output: JavaScript, or its machine code."""
     if form == "javascript":
         from ..page.javascript import javascript_module
 

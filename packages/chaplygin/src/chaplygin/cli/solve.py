@@ -6,21 +6,11 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import typer
 
-from .terminal.options import (
-    Force,
-    Json,
-    Override,
-    What,
-    complain,
-    console,
-    inform,
-    print_json,
-    study_of,
-)
+from .terminal.options import complain, console, inform, print_json, study_of
 from .terminal.output_destination import beside, check_figure, check_output, deliver, name_of
 from .terminal.progress import progress, waiting
 
@@ -31,9 +21,9 @@ if TYPE_CHECKING:
 
     from ..experiment.study import Study
 
-#: So many times are printed at most, and so many of a longer list.
+#: Maximum number of printed times, and number of shown times of a longer list.
 MANY, FEW = 12, 5
-#: Digits that `--digits` may ask for.
+#: Largest value of `--digits`.
 MOST_DIGITS = 1000
 
 #: Name, unit, label of a component, and its values at the times.
@@ -41,26 +31,14 @@ Row = tuple[str, str, list[str]]
 
 
 def command(
-    what: What,
-    at: Annotated[
-        str | None,
-        typer.Option(
-            metavar="TIMES", help="Times, such as 0,1,1e6; default: those of the experiment."
-        ),
-    ] = None,
-    digits: Annotated[
-        int | None,
-        typer.Option(help="Evaluate rigorously to this many digits, with error bounds."),
-    ] = None,
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="File to write: .nc, .zarr or .csv.")
-    ] = None,
-    figure: Annotated[
-        Path | None, typer.Option(help="Figure of the closed form: .png, .svg or .pdf.")
-    ] = None,
-    overrides: Override = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    at: str | None = None,
+    digits: int | None = None,
+    output: Path | None = None,
+    figure: Path | None = None,
+    overrides: list[str] | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Compute the state at any time in closed form; exit 1 if none is known."""
     from flowlanes.errors import InputError
@@ -85,7 +63,7 @@ def command(
     try:
         with waiting("solving"):
             solution = solution_of_study(study)
-            # its figures are computed when they are asked for
+            # The constants of the form are computed on demand.
             _ = solution.form
     except NoClosedFormError as refused:
         complain(str(refused))
@@ -102,7 +80,7 @@ def command(
 
 
 def _times(text: str) -> list[Fraction]:
-    """Times as the user wrote them, exactly.
+    """Times exactly as the user wrote them.
 
     Raises
     ------
@@ -113,7 +91,7 @@ def _times(text: str) -> list[Fraction]:
 
     try:
         times = [Fraction(word.strip()) for word in text.split(",")]
-        # a time must be a double too
+        # A time must also be representable as a double.
         _ = [float(time) for time in times]
     except (ValueError, ZeroDivisionError, OverflowError):
         raise InputError(
@@ -136,7 +114,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
 
     form = solution.form
     shown = _moments_shown(moments)
-    # what is refused is refused before anything is printed
+    # Errors are raised before anything is printed.
     rows = list(_rows(study, solution, shown, digits))
     titles = dict.fromkeys((study.system.title, form.title))
     typer.echo(f"{': '.join(titles)}, {form.source}".rstrip(", "))
@@ -191,14 +169,14 @@ def _blocks(moments: Sequence[Fraction], rows: Sequence[Row], width: int) -> Ite
 
 
 def _plain(time: Fraction) -> str:
-    """A time as one would write it."""
+    """A time in plain notation."""
     return f"{float(time):.15g}"
 
 
 def _rows(
     study: Study, solution: Solution, moments: Sequence[Fraction], digits: int | None
 ) -> Iterator[Row]:
-    """The quantities at the given times, one row for each component."""
+    """The quantities at the given times, one row per component."""
     if digits is not None:
         yield from _balls(study, solution, moments, digits)
         return
@@ -236,7 +214,7 @@ def _doubles(moments: Sequence[Fraction]) -> list[float]:
 def _balls(
     study: Study, solution: Solution, moments: Sequence[Fraction], digits: int
 ) -> Iterator[Row]:
-    """The state with error bars."""
+    """The state with error bounds."""
     from ..experiment.closed_form import ball, units
 
     states = list(_rigorous_states(solution, moments, digits))

@@ -3,52 +3,25 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
 
 import typer
 
 from ..interruption import NOTHING_SAVED, message_on_interrupt
 from .messages.results import results
-from .terminal.options import (
-    Force,
-    Json,
-    Override,
-    Precision,
-    What,
-    operations,
-    print_json,
-    study_of,
-)
+from .terminal.options import operations, print_json, study_of
 from .terminal.output_destination import STANDARD_OUTPUT
 from .terminal.progress import progress
 
 
 def command(
-    what: What,
-    output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FOLDER",
-            help="Folder to write; default: named after NAME|FILE.",
-        ),
-    ] = None,
-    overrides: Override = None,
-    precision: Precision = None,
-    quick: Annotated[
-        bool, typer.Option("--quick", help="Skip the proofs; laws are only observed.")
-    ] = False,
-    effort: Annotated[
-        float | None,
-        typer.Option(
-            metavar="FACTOR",
-            help="Work allowed for the proof of one law, in the units of prove --effort; default "
-            "0.05. All proofs together may take four times as much.",
-        ),
-    ] = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    output: str | None = None,
+    overrides: list[str] | None = None,
+    precision: str | None = None,
+    quick: bool = False,
+    effort: float | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Write equations, trajectory, figures and a report of one motion; resumes if interrupted."""
     from flowlanes.errors import InputError, InterruptionError
@@ -71,7 +44,7 @@ def command(
     from ..report.study_output import write_study
 
     each = allowed or EFFORT_PER_PROOF
-    # a law of one mode alone says nothing of a motion through several
+    # A law of a single mode does not apply to a motion through several.
     altogether = 0 if quick or study.subject.changes_equations else TIMES * each
 
     def words() -> str:

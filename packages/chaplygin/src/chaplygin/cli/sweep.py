@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
 from .ensemble import given_start
-from .terminal.options import Force, Json, Override, Tolerance, What, inform, print_json, study_of
+from .terminal.options import inform, print_json, study_of
 from .terminal.output_destination import check_figure
 from .terminal.progress import progress
 from .terminal.stores import (
-    Workers,
     check_picture,
     check_store,
     check_workers,
@@ -25,35 +24,17 @@ from .terminal.stores import (
 
 
 def command(
-    what: What,
-    over: Annotated[
-        list[str],
-        typer.Option(
-            metavar="NAME=VALUES",
-            help="A parameter and its values: m=1,1.5,2, or m=1:2:5 for five from 1 to 2. Given "
-            "several times: every combination.",
-        ),
-    ],
-    output: Annotated[
-        Path,
-        typer.Option("-o", "--output", metavar="FILE.zarr", help="Zarr store to write."),
-    ],
-    record: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME", help="Also record this observable or integral."),
-    ] = None,
-    draw: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME", help="Variable to draw: M_3, theta; default: the first of the state."
-        ),
-    ] = None,
-    figure: Annotated[Path | None, typer.Option(help="Figure to write; default: FILE.png.")] = None,
-    tolerance: Tolerance = 1e-13,
-    workers: Workers = None,
-    overrides: Override = None,
-    force: Force = False,
-    json: Json = False,
+    what: str,
+    over: list[str],
+    output: Path,
+    record: list[str] | None = None,
+    draw: str | None = None,
+    figure: Path | None = None,
+    tolerance: float = 1e-13,
+    workers: str | None = None,
+    overrides: list[str] | None = None,
+    force: bool = False,
+    json: bool = False,
 ) -> None:
     """Integrate one motion for each value of a parameter; resumes an interrupted run.
 
@@ -161,7 +142,7 @@ def values_of(text: str) -> tuple[str, list[float]]:
 
 
 def _require_drawable(label: str, symbols: list[str], records: list[Any]) -> None:
-    """Refuse a picture of what is not recorded."""
+    """Raise an error for a figure of a quantity that is not recorded."""
     from flowlanes.errors import InputError
 
     names = [*symbols, *records]

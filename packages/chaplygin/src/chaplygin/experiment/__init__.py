@@ -1,4 +1,4 @@
-"""An experiment: read from its file, made ready as a study, run, kept in files."""
+"""Experiments: read from a file, prepared as a study, run, and stored in files."""
 
 import lazy_loader
 

@@ -1,4 +1,4 @@
-"""A study in closed form: its motion at any times and its section of a report."""
+"""The closed form of a study: its motion at any time and its section of a report."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from flowlanes.printing.formula import latex, text
 from flowlanes.printing.mathml import mathml
 from flowlanes.printing.numerals import typographic_signs, unit
 from flowlanes.system.arrays import FloatArray
-from flowlanes.system.system import flat
+from flowlanes.system.named_formulas import flat
 from flowlanes.system.vectors import real_symbol
 from nonholonomic.closed_form.base.problem import Problem
 from nonholonomic.closed_form.base.solution import NamedConstant, Solution, times_in_range
@@ -46,7 +46,7 @@ def solution_of_study(study: Study) -> Solution:
     """
     system = single_system(study)
     solution = solution_of(Problem(system, system.defaults, study.start, study.rolling))
-    # the set-up is done here, so that what it cannot do is told before anything is printed
+    # Do the set-up here, so that its errors are reported before anything is printed.
     solution.states(np.zeros(1))
     return solution
 
@@ -61,7 +61,7 @@ def known_solution(study: Study) -> Solution | None:
 def diagram_if_known(study: Study) -> tuple[Diagram, tuple[float, float]] | None:
     """The bifurcation diagram of a study and its point in it; None if none is known.
 
-    A body with two equal moments, for one, has none on a plane of two integrals.
+    For example, a body with two equal moments has no diagram in a plane of two integrals.
     """
     with contextlib.suppress(InputError):
         system = single_system(study)
@@ -70,7 +70,7 @@ def diagram_if_known(study: Study) -> tuple[Diagram, tuple[float, float]] | None
 
 
 def in_space(study: Study, solution: Solution) -> bool:
-    """Whether a solution holds the motion in space, where the system has one."""
+    """Whether a solution includes the motion in space, if the system has one."""
     moves = study.system.reconstruction is not None
     return moves and len(solution.system.symbols) > len(study.system.symbols)
 
@@ -78,7 +78,7 @@ def in_space(study: Study, solution: Solution) -> bool:
 def closed_form_trajectory(
     study: Study, solution: Solution, times: Sequence[float] | FloatArray
 ) -> Trajectory:
-    """A motion at chosen times, with all that a run records.
+    """A motion at given times, with everything that a run records.
 
     Parameters
     ----------
@@ -118,7 +118,7 @@ def closed_form_trajectory(
 
 
 def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Dataset:
-    """The dataset of a closed form, with the names of an integrated trajectory."""
+    """The dataset of a closed form, with the variable names of an integrated trajectory."""
     closed = dataset_of(study, trajectory)
     start = zip(trajectory.system.symbols, study.start, strict=False)
     return closed.assign_attrs(
@@ -128,7 +128,7 @@ def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Data
 
 
 def units(study: Study, solution: Solution) -> dict[sp.Symbol, str]:
-    """The unit of every component of the lifted state, where it is known."""
+    """The unit of every component of the lifted state, if known."""
     variables = dataset(study, closed_form_trajectory(study, solution, [0.0]), solution)
     by_symbol: dict[sp.Symbol, str] = {}
     for name in solution.system.state:
@@ -178,14 +178,14 @@ _CAPTION_OF_ONE = "The interval on which the separated variable moves."
 
 
 def _captions(ovals: int) -> str:
-    """The caption of the figure of so many intervals."""
+    """The caption of the figure for a number of intervals."""
     if ovals <= 1:
         return _CAPTION_OF_ONE
     return _CAPTION if ovals == 2 else _CAPTION_OF_MORE
 
 
 def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFormSection:
-    """The words and formulas of a closed form, and how far an integration is from it.
+    """The text and formulas of a closed form, and its distance from an integration.
 
     Parameters
     ----------
@@ -228,29 +228,29 @@ def equation(left: sp.Expr, right: sp.Expr) -> str:
         return rf"\mathrm{{d}}{latex(sp.Symbol(match[1]))}"
 
     written = f"{latex(left)} = {latex(right)}".replace(r"\text{varphi}", r"\varphi")
-    # a differential stands after the factors before it: z₁ dz₁, not dz₁ z₁
+    # Put differentials after other factors: z₁ dz₁, not dz₁ z₁.
     written = _AFTER.sub(r"\2 \, \1", written)
     return re.sub(r"\\text\{d([a-z]+)\}", differential, written)
 
 
 def typeset_value(value: str) -> str:
-    """A value with its error and unit, signs, powers of ten and units as in print."""
+    """A value with its error and unit, with signs, powers of ten and units as in print."""
     return unit(typographic_signs(value))
 
 
 def _symbol(text: str) -> str:
-    """A symbol as a formula; what is no name, such as V_1/V_2, as words."""
+    """A symbol as a formula; other expressions, such as V_1/V_2, as words."""
     return Markup(mathml(latex(real_symbol(text)))) if text.isidentifier() else letters(text)
 
 
 def letters(words: str) -> str:
-    """Words with z_1, dtau and Omega in them as z₁, dτ and Ω."""
+    """Words in which z_1, dtau and Omega are written z₁, dτ and Ω."""
     named = r"(?<=\bd)tau\b|\b(?:tau|theta|phi|psi|rho|omega|Omega|lambda|Lambda)\b|[A-Za-z]+_\w+"
     return re.sub(named, lambda match: text(real_symbol(match[0])), words)
 
 
 def number(figure: NamedConstant, digits: int = 20) -> str:
-    """The value of a figure with its error bound and unit."""
+    """The value of a constant with its error bound and unit."""
     middle, radius = ball(figure.value, digits)
     unit = "" if figure.unit in ("", "1") else f" {figure.unit}"
     return f"{middle}{unit}" if radius == "0" else f"{middle} ± {radius}{unit}"

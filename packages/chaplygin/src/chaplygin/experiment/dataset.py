@@ -38,7 +38,7 @@ Samples: TypeAlias = npt.NDArray[Any]
 #: Dimensions, values and attributes of a variable.
 Variable: TypeAlias = tuple[str | tuple[str, ...], FloatArray | list[object], dict[str, str]]
 
-#: Horizontal place of a centre of mass in the lift to space, which is recorded whole.
+#: Horizontal position of a centre of mass in the lift to space, which is recorded as part of it.
 _PLACE = "place"
 
 
@@ -48,7 +48,7 @@ def to_dataset(
     attributes: Mapping[str, object] | None = None,
     meanings: Mapping[str, tuple[str, str]] | None = None,
 ) -> xr.Dataset:
-    """A trajectory as a dataset.
+    """Convert a trajectory to a dataset.
 
     Parameters
     ----------
@@ -165,7 +165,7 @@ def _add_state(
     name: str,
     description: tuple[str, str] | None,
 ) -> None:
-    """A variable of the state, its meaning given or inferred from its name."""
+    """Add a state variable, with its meaning given or inferred from its name."""
     values = trajectory[name]
     size = values.shape[1] if values.ndim > 1 else 1
     meaning, units, source, frame = variable_metadata(trajectory.system, name, size, description)
@@ -203,7 +203,7 @@ def _add(
 
 
 def _split(values: Samples) -> tuple[FloatArray, FloatArray | None]:
-    """Doubles, and for 34-digit numbers what is missing to them."""
+    """Doubles and, for 34-digit numbers, the remainders."""
     array = np.asarray(values)
     if array.dtype == np.float64:
         return array, None
@@ -214,7 +214,7 @@ def _split(values: Samples) -> tuple[FloatArray, FloatArray | None]:
 
 @arguments_checked
 def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
-    """Write a dataset to a file or store; it appears complete or not at all.
+    """Write a dataset to a file or store atomically.
 
     Parameters
     ----------
@@ -250,7 +250,7 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     return target
 
 
-#: Looks through a file by HDF5 alone: the layer above complains past Python of what is none.
+#: Scan the file with h5py only: h5netcdf prints to stderr when the file is not HDF5.
 _LOOK = """
 import h5py, sys
 try:
@@ -262,14 +262,14 @@ except Exception:
 """
 _DAMAGE_CODE = 3
 
-#: Seconds after which HDF5 is taken to go round in circles; it needs a hundredth of one.
+#: Seconds after which HDF5 counts as stuck in a loop; a hundredth of a second suffices.
 _READ_TIMEOUT = 20.0
 
 
 def _require_readable(path: Path) -> None:
-    """Refuse a file that HDF5 cannot read; in some damaged ones it never comes to an end.
+    """Raise an error for a file that HDF5 cannot read; on some damaged files it never ends.
 
-    So it looks through the file in a process of its own, which can be ended.
+    The file is therefore scanned in a separate process, which can be killed.
     """
     try:
         looked = subprocess.run(
@@ -283,7 +283,7 @@ def _require_readable(path: Path) -> None:
         raise InputError(
             f"{path}: not a readable NetCDF file: HDF5 came to no end of it in {_READ_TIMEOUT:g} s"
         ) from None
-    # a signal ends it where HDF5 breaks down
+    # A signal kills it if HDF5 crashes.
     if looked.returncode == _DAMAGE_CODE or looked.returncode < 0:
         raise InputError(f"{path}: not a readable NetCDF file")
 
@@ -326,6 +326,6 @@ def read(path: str | Path) -> xr.Dataset:
         ) as stored:
             return stored.load()
     except Exception as problem:
-        # what a damaged file makes the libraries raise may be anything
+        # A damaged file may make the libraries raise any exception.
         kind = "Zarr store" if zarr else "NetCDF file"
         raise InputError(f"{path}: not a readable {kind}") from problem

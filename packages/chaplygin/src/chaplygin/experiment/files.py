@@ -1,4 +1,4 @@
-"""Files that appear complete or not at all, and never replace another unasked."""
+"""Write files atomically, without replacing others unasked."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 from flowlanes.errors import InputError
 from flowlanes.files.partial_files import partial_file, require_file_name, umask
 
-#: Kinds of files that are no regular files, with the tests for them.
+#: Kinds of files other than regular files, with their tests.
 _OTHERS = (
     (stat.S_ISDIR, "a folder"),
     (stat.S_ISCHR, "a device"),
@@ -30,7 +30,7 @@ def check_target(target: Path, force: bool = False) -> None:
 
 
 def status_of_target(target: Path) -> os.stat_result | None:
-    """The status of a path, links followed; None if nothing is there.
+    """The status of a path, following links; None if it does not exist.
 
     Raises
     ------
@@ -55,7 +55,7 @@ def status_of_target(target: Path) -> os.stat_result | None:
 
 
 def _check_replaced(target: Path, status: os.stat_result, force: bool) -> None:
-    """Raise InputError unless a file that exists may be replaced."""
+    """Raise InputError unless an existing file may be replaced."""
     for holds, what in _OTHERS:
         if holds(status.st_mode):
             raise InputError(f"{target} is {what}: the name of a regular file is needed")
@@ -75,8 +75,8 @@ def check_replaced_store(store: Path) -> None:
 
 
 def _check_writable(target: Path, status: os.stat_result) -> None:
-    """Raise InputError if a file or folder is marked as read-only."""
-    # the superuser may write to what is marked so too
+    """Raise InputError if a file or folder is marked read-only."""
+    # The superuser could write to it nevertheless.
     if not (status.st_mode & 0o222 and os.access(target, os.W_OK)):
         raise InputError(
             f"{target} is read-only and is not replaced: choose another name, or make it writable"
@@ -85,10 +85,10 @@ def _check_writable(target: Path, status: os.stat_result) -> None:
 
 @contextmanager
 def atomic_file(target: Path) -> Iterator[Path]:
-    """A temporary file that becomes `target` only when the block ends well.
+    """A temporary file that becomes `target` only if the block ends without an error.
 
-    Where `target` is a link, the file to which it points is replaced; a file that is replaced
-    hands on its permissions.
+    If `target` is a link, the file it points to is replaced; the permissions of a replaced file are
+    kept.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The formats of a trajectory: NetCDF, Zarr, and CSV for tables."""
+"""File formats of a trajectory: NetCDF, Zarr, and CSV for tables."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from .files import atomic_file, check_replaced_store, check_target
 if TYPE_CHECKING:
     import xarray as xr
 
-#: Endings of names, and what they mean.
+#: File name endings, and their meaning.
 FORMATS = {".nc": "NetCDF", ".zarr": "a Zarr store", ".csv": "a table"}
 
 
 def check_format(path: Path) -> None:
-    """Raise InputError unless the ending of a name means a kind of file."""
+    """Raise InputError unless the ending of a name denotes a known format."""
     if path.suffix.lower() not in FORMATS:
         kinds = ", ".join(f"{ending} ({kind})" for ending, kind in FORMATS.items())
         raise InputError(f"{path}: the name of a trajectory must end in {kinds}")
@@ -52,7 +52,7 @@ def check_output(path: Path, force: bool = False) -> None:
 
 
 def save(dataset: xr.Dataset, path: Path, force: bool = False) -> None:
-    """Write a trajectory in the format of the file name, completely or not at all.
+    """Write a trajectory in the format of the file name, atomically.
 
     Raises
     ------
@@ -73,13 +73,13 @@ def save(dataset: xr.Dataset, path: Path, force: bool = False) -> None:
 def netcdf(dataset: xr.Dataset) -> bytes:
     """The content of the NetCDF file of a dataset.
 
-    By way of memory, since HDF5 may bring the process down when a disk is full.
+    It is created in memory, since HDF5 may crash the process if a disk is full.
     """
     return bytes(dataset.to_netcdf(engine="h5netcdf", encoding=_encoding(dataset)))
 
 
 def _encoding(dataset: xr.Dataset) -> dict[str, dict[str, bool]]:
-    """The encoding in which HDF5 keeps a checksum of all numbers."""
+    """The encoding with which HDF5 stores a checksum of all numbers."""
     return {
         str(name): {"fletcher32": True}
         for name, variable in dataset.variables.items()
@@ -88,7 +88,7 @@ def _encoding(dataset: xr.Dataset) -> dict[str, dict[str, bool]]:
 
 
 def csv_text(dataset: xr.Dataset) -> str:
-    """A trajectory as a table: one row for each instant, all digits of every number.
+    """A trajectory as a table: one row per sample time, with all digits of every number.
 
     The columns are ``time`` and the quantities, vectors by components (``M_1``, ``attitude_w``).
     Lines that begin with ``#`` give meaning and unit of each quantity, and how it was computed.
@@ -97,7 +97,7 @@ def csv_text(dataset: xr.Dataset) -> str:
 
     columns = {"time": dataset["time"].values}
     lines = [f"{name}: {value}" for name, value in dataset.attrs.items()]
-    # what has no instant of its own, as the states at events, has no place in these rows
+    # Variables without a time dimension, such as the states at events, have no place in these rows.
     sampled = {name: item for name, item in dataset.data_vars.items() if "time" in item.dims}
     for name, item in {"time": dataset["time"], **sampled}.items():
         lines.append(f"{name}: {item.attrs['long_name']} [{item.attrs['units']}]")
@@ -106,7 +106,7 @@ def csv_text(dataset: xr.Dataset) -> str:
         if rows.ndim == 1:
             columns[str(name)] = rows.values
             continue
-        # of a matrix the labels of row and column stand together
+        # For a matrix, the labels of row and column are combined.
         labels = [
             dataset[axis].values if axis in dataset.coords else range(1, size + 1)
             for axis, size in zip(rows.dims[1:], rows.shape[1:], strict=True)
@@ -126,7 +126,7 @@ def csv_text(dataset: xr.Dataset) -> str:
 
 
 def _save_zarr(dataset: xr.Dataset, path: Path) -> None:
-    """The store is filled under another name first."""
+    """The store is first written under another name."""
     try:
         with partial_folder(path.parent) as provisional:
             dataset.to_zarr(provisional, mode="w", zarr_format=2, consolidated=True)

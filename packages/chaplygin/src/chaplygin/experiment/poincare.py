@@ -29,7 +29,7 @@ from .study import Study
 #: Functions whose value is an angle.
 ANGLES = (sp.atan2, sp.atan, sp.asin, sp.acos)
 
-#: Words for the direction in which a quantity passes its value.
+#: Names of the directions in which a quantity passes its value.
 DIRECTIONS: Mapping[str, int] = {"rising": 1, "falling": -1, "both": 0}
 
 
@@ -64,7 +64,7 @@ class SectionSurface:
 
 @dataclass(frozen=True)
 class Starts:
-    """The starts whose motions are followed.
+    """The starts of the motions.
 
     Attributes
     ----------
@@ -92,7 +92,7 @@ def section_of(
     tolerance: float = 1e-13,
     device: Device = "cpu",
 ) -> tuple[Task, tuple[str, ...]]:
-    """The section of an experiment, to be computed, and the coordinates to be drawn.
+    """Prepare the section of an experiment; also return the coordinates to be drawn.
 
     Parameters
     ----------
@@ -151,7 +151,7 @@ def section_of(
 
 
 def _starts(study: Study, system: System, starts: Starts) -> tuple[FloatArray, str]:
-    """States at time 0, and how they were chosen."""
+    """States at time 0, and a description of how they were chosen."""
     if starts.count < 1:
         raise InputError(f"--starts {starts.count}: there must be one at least")
     own = np.array([[float(value) for value in study.start[: len(system.symbols)]]])
@@ -165,7 +165,7 @@ def _starts(study: Study, system: System, starts: Starts) -> tuple[FloatArray, s
 
 
 def _level(system: System, start: FloatArray) -> dict[str, float]:
-    """The integrals of a start that hold without condition."""
+    """The unconditional integrals at a start."""
     laws = [law for law in system.integrals if not law.on]
     (numbers,) = values(system, [law.value for law in laws], start)
     return {law.name: float(x) for law, x in zip(laws, numbers, strict=True)}
@@ -289,7 +289,7 @@ def coordinates_of(
 
 
 def _at_commas(text: str) -> list[str]:
-    """A text at its commas, but not those within brackets."""
+    """Split a text at commas outside brackets."""
     parts, depth = [""], 0
     for letter in text:
         depth += (letter in "([") - (letter in ")]")

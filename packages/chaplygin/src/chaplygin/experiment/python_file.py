@@ -1,9 +1,9 @@
-"""A system made by a Python file of the user.
+"""Load a system defined by a Python file of the user.
 
-The file is run: it is theirs, and they have named it.  It defines ``mechanism`` (a Mechanism),
-``system`` (a System) or ``study`` (a Study); besides, if it likes, ``start`` and ``run``, mappings
-with the keys of the tables of the same names, and ``plan`` (a Plan), what is drawn in the plane.
-What it guards by ``__name__ == "__main__"`` is not run.
+The file is executed, as the user asked for it.  It defines ``mechanism`` (a Mechanism), ``system``
+(a System) or ``study`` (a Study), and optionally ``start`` and ``run``, mappings with the keys of
+the tables of the same names, and ``plan`` (a Plan), the drawing in the plane.  Code guarded by
+``__name__ == "__main__"`` is not executed.
 """
 
 from __future__ import annotations
@@ -26,26 +26,26 @@ from flowlanes.system.system import Parameter, System
 from nonholonomic.mechanics.lagrangian.mechanism import Mechanism
 from nonholonomic.mechanics.lagrangian.plan import Plan, plan_of
 from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.system_files.source import Source
+from nonholonomic.system_files.toml import Key, Tables
+from nonholonomic.system_files.validation import validation_messages, value_text
+from nonholonomic.system_files.write import plan_table_of, tables_of, writable_laws
 
-from .file.source import Source
-from .file.toml import Key, Tables
-from .file.validation import validation_messages, value_text
 from .models.described_models import EquationsExperiment
 from .study import Study
 from .subjects.described_system import described_subject
 from .subjects.initial_state import lift_of
-from .write_equations import plan_table_of, tables_of
 
 _SYSTEMS: Mapping[str, type] = {"mechanism": Mechanism, "system": System, "study": Study}
 _KINDS: Mapping[str, type] = {**_SYSTEMS, "plan": Plan}
 _CHANGEABLE = ("parameters", "run", "start", "title")
 
-#: Numbers that a value has at most, and lists in lists.
+#: Maximum number of numbers in a value, and maximum nesting of lists.
 _MOST, _DEEPEST = 1000, 3
 
 
 def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
-    """Run a Python file and make ready what it defines.
+    """Execute a Python file and prepare the study it defines.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
     mechanism: Mechanism | None = definitions.get("mechanism")
     with _PlacingErrors(path):
         system: System = definitions.get("system") or equations(definitions["mechanism"])
-        tables: dict[str, Any] = tables_of(system)
+        tables: dict[str, Any] = tables_of(writable_laws(system))
         plan = definitions.get("plan") or (plan_of(mechanism) if mechanism else None)
         if plan is not None:
             tables["plan"] = plan_table_of(plan)
@@ -95,7 +95,7 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
 
 
 def _with_value(experiment: EquationsExperiment, parameter: Parameter) -> Parameter:
-    """A parameter with the value that the experiment gives it."""
+    """A parameter with the value given by the experiment."""
     name = str(parameter.symbol)
     value = experiment.parameters[name].value
     if not isinstance(value, float):
@@ -105,7 +105,7 @@ def _with_value(experiment: EquationsExperiment, parameter: Parameter) -> Parame
 
 
 class _PlacingErrors:
-    """Tells what goes wrong in foreign code by file and line, in one sentence."""
+    """Reports errors in the user's code with file and line, in one sentence."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -137,7 +137,7 @@ class _PlacingErrors:
 
 
 def _message(error: BaseException) -> str:
-    """The message of an error of foreign code, empty where that fails too."""
+    """The message of an exception of the user's code; empty if printing it fails."""
     try:
         return str(error)
     except Exception:
@@ -145,7 +145,7 @@ def _message(error: BaseException) -> str:
 
 
 def _definitions(path: Path) -> dict[str, Any]:
-    """The mechanism, system, study, plan, start and run that the file defines."""
+    """The mechanism, system, study, plan, start and run defined by the file."""
     if not path.is_file():
         raise InputError("there is no such file", str(path))
     folder = str(path.parent)
@@ -168,14 +168,14 @@ def _definitions(path: Path) -> dict[str, Any]:
 
 
 def _plain(table: object, name: str) -> Tables:
-    """A mapping of the file's with names for keys and plain numbers for values."""
+    """A mapping of the file with names as keys and plain numbers as values."""
     if not isinstance(table, Mapping):
         raise InputError(f"{name} must be a mapping, not {type(table).__name__}")
     return {str(key): _number(value, f"{name}: {key}") for key, value in table.items()}
 
 
 def _number(value: object, name: str, depth: int = 0) -> object:
-    """Numbers of any library as those of TOML; texts and truth values as they are."""
+    """Numbers of any library converted to TOML types; texts and booleans are unchanged."""
     if isinstance(value, str | bool | int | float):
         return value
     if not hasattr(value, "__iter__"):

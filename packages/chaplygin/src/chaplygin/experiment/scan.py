@@ -1,4 +1,4 @@
-"""A chart of an experiment."""
+"""Charts of an experiment."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from flowlanes.scans.grid import Axis, ScanGrid, scan_grid
 from flowlanes.scans.quantity_names import quantity_from_text
 from flowlanes.scans.scan_task import Scan
 from flowlanes.scans.system_quantities import meaning
-from flowlanes.system.system import System, flat
+from flowlanes.system.named_formulas import flat
+from flowlanes.system.system import System
 
 from .single_system import without_reconstruction
 from .study import Study
@@ -88,10 +89,10 @@ def plane_of(
 
 
 def _start(study: Study, system: System) -> dict[str, float | Sequence[float]]:
-    """The start by ω and γ where the state follows from these, else by the state."""
+    """The start by ω and γ if the state follows from these, otherwise by the state."""
     follow = {str(name) for name, _ in system.start} | study.start_values.keys()
     if study.subject.starts_by_velocity and all(str(name) in follow for name in system.state):
-        # a fluid of which nothing is said is at rest in the body
+        # A fluid that is not mentioned is at rest in the body.
         names = ("omega", "gamma", *map(str, system.start_vectors))
         return {name: study.start_values.get(name, (0.0, 0.0, 0.0)) for name in names}
     numbers = iter([float(value) for value in study.start])

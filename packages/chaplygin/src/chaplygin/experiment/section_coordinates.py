@@ -9,20 +9,21 @@ from flowlanes.errors import InputError
 from flowlanes.flow.sections.poincare_dataset import Quantity
 from flowlanes.formulas.array_evaluation import values
 from flowlanes.scans.state_coordinates import chart
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import Vector, to_components
+from flowlanes.system.vectors import Vector
 
-#: States at which it is tried whether a variable is an angle.
+#: Number of states at which a variable is tested for being an angle.
 _TRIALS = 5
 _ROUNDING = 1e-9
 
 
 def usual(system: System, condition: str = "") -> str:
-    """Two or three coordinates as ``--coordinates`` takes them.
+    """Two or three coordinates in the syntax of ``--coordinates``.
 
-    Andoyer's variables l and L/G of a momentum beside γ; else the cylinder of γ's longitude and the
-    third component of the other vector; else the first variables of the state.  Three where points
-    of one level fill space.
+    Andoyer's variables l and L/G of a momentum beside γ; otherwise the longitude of γ and the third
+    component of the other vector; otherwise the first variables of the state.  Three if the points
+    of one level fill a volume.
 
     Parameters
     ----------
@@ -60,8 +61,8 @@ def _has_andoyer(system: System) -> bool:
 
 
 def is_angle(system: System, symbol: sp.Symbol) -> bool:
-    """Whether a variable enters the equations of motion as an angle alone."""
-    rates = [entry for _, rate in system.field for entry in _entries(rate)]
+    """Whether a variable enters the equations of motion only as an angle."""
+    rates = [entry for _, rate in system.field for entry in scalars(rate)]
     place = system.symbols.index(symbol)
     states = np.random.default_rng(0).uniform(0.2, 1.1, (_TRIALS, len(system.symbols)))
 
@@ -74,11 +75,6 @@ def is_angle(system: System, symbol: sp.Symbol) -> bool:
     near = _ROUNDING * (1.0 + np.abs(here))
     same = np.isfinite(here).all() and np.all(np.abs(turned - here) < near)
     return bool(same and np.any(np.abs(elsewhere - here) > near))
-
-
-def _entries(rate: object) -> list[sp.Expr]:
-    formula = to_components(sp.sympify(rate))
-    return list(formula) if isinstance(formula, sp.MatrixBase) else [formula]
 
 
 def within_a_turn(symbol: sp.Symbol, description: tuple[str, str] | None = None) -> Quantity:

@@ -1,4 +1,4 @@
-"""The one system of equations of a study, with or without its reconstruction in space."""
+"""The single system of equations of a study, with or without its reconstruction in space."""
 
 from __future__ import annotations
 

@@ -55,12 +55,12 @@ class Study(WithOverview):
 
     @property
     def system(self) -> System:
-        """The system, with every integral that the catalogue knows of it."""
+        """The system, with all its known integrals."""
         return self.subject.system
 
     @property
     def claims(self) -> tuple[tuple[System, Law], ...]:
-        """The laws that can be proved, each with the system that it is a law of."""
+        """The laws that can be proved, each with its system."""
         if isinstance(self.subject, ContactSubject):
             return provable_laws(self.subject.contact)
         return tuple((self.system, law) for law in self.system.laws)
@@ -82,7 +82,7 @@ class Study(WithOverview):
 
     @property
     def variables(self) -> Variables:
-        """Meaning and unit of variables of the state, where the start is given by it."""
+        """Meaning and unit of state variables, if the start gives the state."""
         return self.subject.variables
 
     def overview(self) -> Overview:
@@ -98,7 +98,7 @@ class Study(WithOverview):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Sentences on what was done to the input, and on what is unusual in it."""
+        """Sentences on corrections of the input, and on unusual properties."""
         start = self.experiment.start
         values = start if isinstance(start, dict) else start.model_dump(exclude_none=True)
         lengths = tuple(
@@ -124,7 +124,7 @@ class Study(WithOverview):
 
     @cached_property
     def system_on_level(self) -> System:
-        """The system with those integrals alone whose level the start lies on."""
+        """The system with only those integrals whose level contains the start."""
         state = self.start[: len(self.system.symbols)]
         holding = [law for law in self.system.integrals if on_level(self.system, law.on, state)]
         return replace(self.system, laws=tuple(holding))
@@ -140,13 +140,13 @@ class Study(WithOverview):
         """The sample times, equidistant, both ends included."""
         run = self.experiment.run
         sign = -1.0 if run.direction == "backward" else 1.0
-        # adding zero turns −0 into 0
+        # Adding zero turns −0 into 0.
         return sign * np.linspace(0.0, self.until, run.samples) + 0.0
 
     def complete_toml(self) -> str:
-        """The experiment file with nothing left to defaults of the catalogue."""
+        """The experiment file with all defaults of the catalogue written out."""
         tables = self.experiment.complete_tables()
-        # the fluids of several cavities stand in one list in a file
+        # The fluids of several cavities form one list in a file.
         single = {str(name) for name in self.system.start_vectors} - {"fluid"}
         tables["start"] |= {n: v for n, v in self.start_values.items() if n not in single}
         tables["run"] |= {"until": self.until}
@@ -199,13 +199,13 @@ class Study(WithOverview):
 
 
 def _subdivided_times(times: FloatArray, pieces: int) -> FloatArray:
-    """Times with each interval divided, the given ones unchanged to the bit."""
+    """Times with each interval divided, keeping the given ones bit for bit."""
     indices = np.arange((len(times) - 1) * pieces + 1) / pieces
     return np.interp(indices, np.arange(len(times)), times)
 
 
 def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> xr.Dataset:
-    """The dataset of a trajectory, together with the text of the experiment."""
+    """The dataset of a trajectory, with the text of the experiment."""
     attributes = {"experiment": study.complete_toml(), "complete": int(complete)}
     return to_dataset(trajectory, attributes, study.variables)
 

@@ -1,4 +1,4 @@
-"""The tables of an experiment file that describe a given System."""
+"""Write the tables of an experiment file that describe a given System."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ _CONSTANTS = (sp.pi,)
 
 
 def tables_of(system: System) -> Tables:
-    """The tables of a file that brings the same equations, lifted to space.
+    """The tables of a file with the same equations, lifted to space.
 
-    Of the laws it has integrals, measures and symmetries; others have no form in a file.
+    Integrals, measures and symmetries are included; other laws have no form in a file.
 
     Raises
     ------
@@ -63,7 +63,7 @@ def tables_of(system: System) -> Tables:
 
 
 def plan_table_of(plan: Plan) -> Tables:
-    """The table [plan] of a file that draws the same."""
+    """The table [plan] of a file with the same drawing."""
     tables = {
         field.name: [_all(part) for part in getattr(plan, field.name)]
         for field in fields(plan)
@@ -99,7 +99,7 @@ def _all(formulas: Iterable[Formula]) -> list[str]:
 
 
 def _formula_text(formula: Formula) -> str:
-    """A formula as a user would type it, its numbers exact."""
+    """A formula as a user would type it, with exact numbers."""
     value = to_components(sp.sympify(formula))
     if isinstance(value, sp.MatrixBase):
         return f"[{', '.join(map(_formula_text, value))}]"
@@ -107,5 +107,5 @@ def _formula_text(formula: Formula) -> str:
         if not isinstance(part, _WRITABLE) and part not in _CONSTANTS:
             raise InputError(f"{type(part).__name__} in {formula} cannot be written to a file")
     words = str(sp.sstr(with_exact_decimals(value)))
-    # some names of SymPy are others in a file
+    # Some SymPy names differ in a file.
     return re.sub(r"\b(Abs|Max|Min)\(", lambda match: match.group().lower(), words)

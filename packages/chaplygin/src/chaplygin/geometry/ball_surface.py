@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -10,8 +10,10 @@ import numpy as np
 import sympy as sp
 
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.system import Parameter
 from flowlanes.system.vectors import Vector
 from nonholonomic.mechanics.ball.ball import RollingBall
+from nonholonomic.mechanics.shapes.surfaces import Surface
 
 from .view import unit
 
@@ -134,14 +136,29 @@ def heights_on_grid(box: Box, ground: SurfaceGround) -> tuple[FloatArray, FloatA
 
 def ground_of_ball(ball: RollingBall) -> SurfaceGround:
     """The surface that carries the ball, by its own equation where it has one."""
-    symbols = Vector("x").symbols
-    numbers = {p.symbol: p.default for p in ball.surface.parameters}
     shift = 0.0 if ball.carrier == "support" else ball.radius
-    below = ball.surface.equation(symbols, -sp.Float(shift)) if shift else ball.carrying
-    f = (ball.carrying if below is None else below).subs(numbers)
+    below = ball.surface.equation(_PLACE, -sp.Float(shift)) if shift else ball.carrying
+    f = ball.carrying if below is None else below
+    guards = [guard.value for guard in ball.surface.domain(_PLACE)]
+    return _ground(f, ball.surface.parameters, guards, shift if below is None else 0.0)
+
+
+def ground_of_surface(surface: Surface) -> SurfaceGround:
+    """A surface on which bodies roll, by its equation."""
+    return _ground(surface.equation(_PLACE), surface.parameters, (), 0.0)
+
+
+_PLACE = Vector("x").symbols
+
+
+def _ground(
+    f: sp.Expr, parameters: Iterable[Parameter], guards: Iterable[sp.Expr], shift: float
+) -> SurfaceGround:
+    """f = 0 with its own numbers."""
+    f = f.subs({p.symbol: p.default for p in parameters})
 
     def values(formula: sp.Expr) -> Callable[[FloatArray], FloatArray]:
-        function = sp.lambdify(symbols, formula, "numpy")
+        function = sp.lambdify(_PLACE, formula, "numpy")
 
         def values_at(points: FloatArray) -> FloatArray:
             heights = np.asarray(function(*points.T), dtype=np.float64)
@@ -149,16 +166,16 @@ def ground_of_ball(ball: RollingBall) -> SurfaceGround:
 
         return values_at
 
-    slopes = [values(f.diff(s)) for s in symbols]
-    guards = [values(g.value) for g in ball.surface.domain(symbols)]
+    slopes = [values(f.diff(s)) for s in _PLACE]
+    borders = [values(guard) for guard in guards]
 
     def domain(points: FloatArray) -> FloatArray:
-        found = [_everywhere(points), *(guard(points) for guard in guards)]
+        found = [_everywhere(points), *(border(points) for border in borders)]
         return np.asarray(np.minimum.reduce(found), dtype=np.float64)
 
     return SurfaceGround(
         values(f),
         lambda points: np.stack([slope(points) for slope in slopes], axis=-1),
-        shift if below is None else 0.0,
+        shift,
         domain,
     )

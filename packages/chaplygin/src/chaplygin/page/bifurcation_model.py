@@ -1,4 +1,4 @@
-"""The bifurcation diagram of a page, where the system has one."""
+"""The bifurcation diagram of a page, if the system has one."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from ..experiment.closed_form import diagram_if_known
 from ..experiment.study import Study
 from .scene_model import Json
 
-#: States at which an axis of a diagram is compared with the integrals of the system.
+#: Number of states at which an axis of a diagram is compared with the integrals of the system.
 _STATES = 5
 _SAME = 1e-9
 
 
 def bifurcation_model(study: Study, system: System) -> Json:
-    """The boundaries of the diagram in values of two integrals; None where there is none.
+    """The boundaries of the diagram in terms of two integrals; None if there is none.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def bifurcation_model(study: Study, system: System) -> Json:
 
 
 def _integral_of(system: System, formula: sp.Expr) -> str | None:
-    """The integral that has a formula's values at all states, if there is one."""
+    """The integral that agrees with a formula at all test states, if there is one."""
     states = np.random.default_rng(0).uniform(0.3, 1.2, (_STATES, len(system.symbols)))
     try:
         (wanted,) = values(system, [formula], states).T

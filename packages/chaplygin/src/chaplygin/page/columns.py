@@ -1,4 +1,4 @@
-"""Quantities that a page records along a motion, and the scalars that it can draw."""
+"""Quantities that a page records along a motion, and the scalars that it can plot."""
 
 from __future__ import annotations
 
@@ -14,16 +14,17 @@ from flowlanes.formulas.array_evaluation import formula
 from flowlanes.printing.formula import latex
 from flowlanes.printing.mathml import mathml
 from flowlanes.printing.symbol_names import GREEK
-from flowlanes.system.system import System, flat
-from flowlanes.system.vectors import Vector, real_symbol, to_components
+from flowlanes.system.named_formulas import flat, scalars
+from flowlanes.system.system import System
+from flowlanes.system.vectors import Vector, real_symbol
 
 from ..experiment.section_coordinates import is_angle
 from ..experiment.study import Study
 
-#: Horizontal place of a centre of mass, which is recorded whole.
+#: Horizontal position of a centre of mass, which is recorded as part of it.
 _PLACE = "place"
 
-#: Parts of a drawing in the plane, and what each is called.
+#: Parts of a drawing in the plane, and their names.
 PARTS = {
     "links": "rod",
     "wheels": "wheel",
@@ -35,7 +36,7 @@ PARTS = {
 
 @dataclass(frozen=True)
 class Column:
-    """A quantity recorded along a motion, by its name in a dataset.
+    """A quantity recorded along a motion, under its name in a dataset.
 
     Attributes
     ----------
@@ -57,7 +58,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Scalar:
-    """A number at every state of the reduced system.
+    """A scalar function of the state of the reduced system.
 
     Attributes
     ----------
@@ -80,7 +81,7 @@ class Scalar:
 
 
 def symbol_mathml(name: str, size: int = 1) -> str:
-    """A letter in MathML; empty for what is a word."""
+    """A letter in MathML; empty for a word."""
     letter = name.partition("_")[0].rstrip("0123456789").removesuffix("dot")
     if len(letter) > 1 and letter not in GREEK:
         return ""
@@ -88,9 +89,9 @@ def symbol_mathml(name: str, size: int = 1) -> str:
 
 
 def columns_of(study: Study) -> tuple[Column, ...]:
-    """The columns of a study, as :func:`chaplygin.to_dataset` names them.
+    """The columns of a study, named as by :func:`chaplygin.to_dataset`.
 
-    Those of a mechanism in the plane are followed by the places of its drawing.
+    For a mechanism in the plane, the positions of its drawing follow.
     """
     system = study.system_on_level
     whole = system.lifted() if system.reconstruction else system
@@ -103,9 +104,9 @@ def columns_of(study: Study) -> tuple[Column, ...]:
         columns.append(
             Column(item.name, item.formulas, item.frame, item.unit, item.meaning, letter)
         )
-    for law in system.integrals:
+    for law in system.scalar.integrals:
         if law.name == "energy":
-            value = (to_components(sp.sympify(law.value)),)
+            value = (law.value,)
             columns.append(Column("energy", value, "", law.unit or "1", law.meaning, ""))
     columns += [*_of_contact_force(columns), *_of_plan(study)]
     return tuple(columns)
@@ -122,7 +123,7 @@ def _of_state(study: Study, whole: System, variable: sp.Basic) -> Column:
 
 
 def _of_contact_force(columns: Sequence[Column]) -> Iterator[Column]:
-    """The whole force at the contact, by its two recorded parts."""
+    """The total force at the contact, from its two recorded parts."""
     known = {column.name: column for column in columns}
     if not known.keys() >= {"normal_force", "friction_force", "gamma"}:
         return
@@ -143,7 +144,7 @@ def _of_plan(study: Study) -> Iterator[Column]:
     yield Column("plan_path", tuple(map(sp.sympify, plan.path)), "plane", "m", "path", "")
     for key, kind in PARTS.items():
         for number, part in enumerate(getattr(plan, key), 1):
-            formulas = tuple(to_components(sp.sympify(entry)) for entry in part)
+            formulas = tuple(scalars(tuple(part)))
             yield Column(f"plan_{kind}_{number}", formulas, "plane", "m", f"{kind} {number}", "")
 
 

@@ -1,8 +1,8 @@
-"""A system as an element of a page: front end, model and machine code, all in the page itself.
+"""A system as a page element: front end, model and machine code, all within the page.
 
 Everything is packed into one text of letters and digits, so that nothing in it can end a script or
-be read as HTML, and unpacked by the browser. A page allows nothing but that: its policy names every
-script by a digest, and forbids it to fetch anything.
+be read as HTML, and is unpacked by the browser.  The page permits nothing else: its policy
+identifies every script by a digest, and forbids it to fetch anything.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from flowlanes.errors import InputError
 
 from .._version import __version__
 
-#: All that a page knows of a system; see :mod:`chaplygin.page.page_model`.
+#: The page model of a system; see :mod:`chaplygin.page.page_model`.
 PageModel: TypeAlias = Mapping[str, object]
 
 #: The folder of the front end, built from ``web/``.
 STATIC = Path(str(files("chaplygin.page") / "static"))
 
-#: Unpacks the front end and mounts the element, or leaves the still where the browser cannot.
+#: Unpacks the front end and mounts the element, or keeps the still image if the browser cannot.
 _LOADER = """\
 (async () => {
   const data = document.getElementById("chaplygin-data");
@@ -73,7 +73,7 @@ class Element:
 
 @cache
 def front_end() -> str:
-    """The script of the front end, which brings its style sheet along.
+    """The script of the front end, which includes its style sheet.
 
     Raises
     ------
@@ -110,7 +110,7 @@ def policy(scripts: Sequence[str], connect: str = "'none'") -> str:
 
 
 def element(model: PageModel, still: str = "", base: str | None = None) -> Element:
-    """A system that plays and computes, as part of a page.
+    """An interactive system as part of a page.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ def element(model: PageModel, still: str = "", base: str | None = None) -> Eleme
 
 
 def page(model: PageModel, still: str = "", base: str | None = None) -> str:
-    """A page of its own, which needs no other file and no network.
+    """A self-contained page, which needs no other file and no network.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Numbers as text, to the bit: base64 of little-endian doubles, floats or integers."""
+"""Numbers as text, bit for bit: base64 of little-endian doubles, floats or integers."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ def doubles(numbers: npt.ArrayLike) -> str:
 
 
 def floats(numbers: npt.ArrayLike) -> str:
-    """Numbers for a picture, of 24 bits each."""
+    """Numbers for graphics, as 32-bit floats."""
     return _text(numbers, "<f4")
 
 
 def integers(numbers: npt.ArrayLike) -> str:
-    """Numbers of corners, of 32 bits each."""
+    """Vertex indices, as 32-bit integers."""
     return _text(numbers, "<u4")
 
 

@@ -20,9 +20,9 @@ export default () => WasmEngine.create(model);
 
 
 def javascript_module(study: Study) -> str:
-    """The text of a module that computes motions of a study, and needs nothing else.
+    """The text of a self-contained module that computes motions of a study.
 
-    Its default export is a function that gives a promise of the engine; see docs/laboratory.md.
+    Its default export is a function that returns a promise of the engine; see docs/laboratory.md.
 
     Raises
     ------

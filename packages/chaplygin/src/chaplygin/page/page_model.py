@@ -1,4 +1,4 @@
-"""All that a page knows of a study, as JSON; the types are those of ``web/src/model.ts``."""
+"""Everything that a page knows of a study, as JSON; the types are those of ``web/src/model.ts``."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from .sections import section_choice, sectionable
 from .slider_range import parameter_range
 from .wasm_module import SECTION_TOLERANCE, TOLERANCE, page_module
 
-#: Samples of a motion in a page at most.
+#: Maximum number of samples of a motion in a page.
 MOST_SAMPLES = 1201
 
 
@@ -133,7 +133,7 @@ def live_page_model(
     return page_model(study, dataset, verdicts) | computing
 
 
-#: Of a motion through several modes, which no equations give as a whole.
+#: Columns of a motion through several modes, which no single system of equations describes.
 _NO_FORMULAS: dict[str, Json] = {
     "state": [],
     "parameters": [],
@@ -225,7 +225,7 @@ def _quantity(scalar: Scalar) -> Json:
 
 
 def columns_of_dataset(dataset: xr.Dataset) -> tuple[Column, ...]:
-    """The columns of a motion through several modes, which no formulas give as a whole."""
+    """The columns of a motion through several modes, which no single formula describes."""
     frames = {dimension: frame for frame, (dimension, _) in FRAMES.items()}
     columns = []
     for name, variable in dataset.data_vars.items():
@@ -248,7 +248,7 @@ def columns_of_dataset(dataset: xr.Dataset) -> tuple[Column, ...]:
 
 
 def motion_record(study: Study, columns: Sequence[Column], dataset: xr.Dataset) -> dict[str, Json]:
-    """A motion as it stands in a page; of a long one, samples evenly spread."""
+    """A motion as stored in a page; a long one is subsampled evenly."""
     size = dataset.sizes["time"]
     chosen = np.unique(np.linspace(0, size - 1, min(size, MOST_SAMPLES)).round().astype(int))
     part = dataset.isel(time=chosen)
@@ -275,13 +275,13 @@ def motion_record(study: Study, columns: Sequence[Column], dataset: xr.Dataset) 
 
 
 def _modes(dataset: xr.Dataset) -> list[dict[str, Json]]:
-    """The times between changes of the mode of a contact; none where there are no modes."""
+    """The intervals between mode changes of a contact; empty if there are no modes."""
     intervals = mode_intervals(dataset) if "mode" in dataset else []
     return [{"mode": i.mode, "begin": i.begin, "end": i.end} for i in intervals]
 
 
 def _events(dataset: xr.Dataset) -> list[dict[str, Json]]:
-    """The changes of a contact by name; none where there are no modes."""
+    """The changes of a contact by name; empty if there are no modes."""
     if "mode" not in dataset:
         return []
     kinds = map(str, dataset["event_kind"].values)
@@ -290,7 +290,7 @@ def _events(dataset: xr.Dataset) -> list[dict[str, Json]]:
 
 
 def _column_from_state(study: Study, column: Column, dataset: xr.Dataset) -> FloatArray:
-    """A column that datasets do not have, from the state that they do."""
+    """A column that datasets do not have, computed from the state."""
     whole = study.system.lifted() if study.system.reconstruction else study.system
     parts = []
     for variable in map(str, whole.state):

@@ -1,4 +1,4 @@
-"""The controls of a page by which a user gives the start."""
+"""The controls of a page with which a user sets the start."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ _OF_BODY = {
 }
 
 
-#: Where ω must be horizontal, as Python says it: with the numbers in question among the inputs.
+#: Error message for ω that must be horizontal, as in Python, with the relevant numbers among the
+#: inputs.
 SPINS: dict[str, Json] = {
     "message": "omega: (omega, gamma) = {excess}, and a body that must not spin about the normal "
     "needs 0; the nearest admissible omega is [{nearest}]",
@@ -36,7 +37,7 @@ SPINS: dict[str, Json] = {
 
 
 def start_tables(study: Study, whole: System) -> dict[str, Json]:
-    """Tables by which the engine checks a start, with the sentences that refuse one."""
+    """Tables with which the engine validates a start, with the error messages."""
     by_velocity = study.subject.starts_by_velocity
     places = {str(symbol): i for i, symbol in enumerate(whole.symbols)}
     directions: list[Json] = [
@@ -59,10 +60,10 @@ def start_tables(study: Study, whole: System) -> dict[str, Json]:
 
 
 def start_inputs(study: Study) -> list[Json]:
-    """The numbers that give the start: ω and γ of a body, else the whole state.
+    """The numbers that give the start: ω and γ of a body, otherwise the whole state.
 
-    Numbers of one vector share their range.  A body with an implicit shape, whose contact point γ
-    gives by no formula, has its whole state here.
+    The components of one vector share their range.  For a body with an implicit shape, whose
+    contact point γ does not give by a formula, this is the whole state.
     """
     if not study.subject.starts_by_velocity or Vector("r") in study.system.state:
         return _state_inputs(study)

@@ -12,7 +12,7 @@ from ..experiment.study import Study
 def reduced_system(study: Study) -> System:
     """The system without its motion in space, with the integrals that hold at the start.
 
-    Guards that only warn are left out, as :func:`chaplygin.integrate` goes on there.
+    Guards that only warn are omitted, as :func:`chaplygin.integrate` continues there.
     """
     return replace(page_system(study), reconstruction=None)
 

@@ -10,23 +10,22 @@ import xarray as xr
 
 from flowlanes.formulas.array_evaluation import values
 from flowlanes.system.arrays import FloatArray
-from nonholonomic.mechanics.ball.ball import RollingBall
-from nonholonomic.mechanics.shapes.surfaces import Plane, Surface
+from nonholonomic.mechanics.shapes.surfaces import Surface
 
 from ..experiment.study import Study
-from ..geometry.ball_surface import frame_of, ground_of_ball
+from ..geometry.ball_surface import SurfaceGround, frame_of, ground_of_ball, ground_of_surface
 from ..geometry.mesh import DirectionGrid, direction_grid
 from .columns import Column
 from .encoding import floats, integers
 from .surface_mesh import surface_mesh
 
-#: What JSON holds.
+#: The types of JSON.
 Json: TypeAlias = "bool | int | float | str | Sequence[Json] | dict[str, Json] | None"
 
-#: Steps of the grid of directions from pole to pole and around.
+#: Number of steps of the grid of directions from pole to pole and around.
 ROWS, COLUMNS = 32, 64
 
-#: Vectors worth drawing, by their columns: where they begin.
+#: Vectors worth drawing, by column, with their starting points.
 _VECTORS = {
     "omega": "centre",
     "M": "contact",
@@ -47,9 +46,11 @@ def scene_model(study: Study, columns: Sequence[Column], dataset: xr.Dataset | N
     """
     subject, size = study.subject, 1.0
     grid = None if subject.outline is None else direction_grid(subject.outline, ROWS, COLUMNS)
-    support = None if subject.surface is None else _support(subject.surface)
+    support = None
     if subject.ball is not None:
-        support = _surface_of_ball(subject.ball, dataset)
+        support = _mesh(ground_of_ball(subject.ball), subject.ball.radius, dataset)
+    elif subject.surface is not None:
+        support = _support(subject.surface, grid, dataset)
     names = {column.name for column in columns}
     axes, turn = _inertia(study)
     if grid is None and subject.plan is None and "attitude" in names and axes is not None:
@@ -76,12 +77,12 @@ def scene_model(study: Study, columns: Sequence[Column], dataset: xr.Dataset | N
 
 
 def _size_of_mechanism(study: Study, columns: Sequence[Column]) -> float:
-    """The extent of a mechanism at the start; 1 where it is a point."""
+    """The extent of a mechanism at the start; 1 if it is a point."""
     formulas = [
         formula
         for column in columns
         if column.name.startswith("plan_")
-        # of a heading nothing is long
+        # A heading has no length.
         for formula in column.formulas[: 2 if len(column.formulas) == 3 else None]
     ]
     whole = study.system.lifted() if study.system.reconstruction else study.system
@@ -100,14 +101,21 @@ def _body(grid: DirectionGrid) -> dict[str, Json]:
     }
 
 
-def _support(surface: Surface) -> dict[str, Json]:
-    if isinstance(surface, Plane):
+def _support(
+    surface: Surface, grid: DirectionGrid | None, dataset: xr.Dataset | None
+) -> dict[str, Json]:
+    """A plane, a sphere, or the mesh of any other surface around the motion."""
+    radius = surface.signed_radius
+    if surface.is_flat:
         return {"kind": "plane"}
-    return {"kind": "sphere", "radius": surface.radius, "inside": surface.side == "inside"}
+    if radius is not None:
+        return {"kind": "sphere", "radius": abs(radius), "inside": radius < 0}
+    size = 1.0 if grid is None else float(np.max(np.ptp(grid.points.reshape(-1, 3), axis=0)))
+    return _mesh(ground_of_surface(surface), size / 2, dataset)
 
 
 def _ellipsoid_grid(axes: FloatArray) -> DirectionGrid:
-    """The ellipsoid of inertia, for a body whose shape does not matter."""
+    """The ellipsoid of inertia, for a body whose shape is irrelevant."""
     squares = axes**2
 
     def contact(gamma: FloatArray) -> FloatArray:
@@ -117,16 +125,15 @@ def _ellipsoid_grid(axes: FloatArray) -> DirectionGrid:
     return direction_grid(contact, ROWS, COLUMNS)
 
 
-def _surface_of_ball(ball: RollingBall, dataset: xr.Dataset | None) -> dict[str, Json]:
-    """The part of the surface around the motion, or around the ball's start."""
-    ground = ground_of_ball(ball)
+def _mesh(ground: SurfaceGround, radius: float, dataset: xr.Dataset | None) -> dict[str, Json]:
+    """The part of a surface around the motion of a body of that radius, or around the origin."""
     points = np.zeros((1, 3))
     if dataset is not None:
         both = [dataset[name].to_numpy() for name in ("contact", "centre")]
         points = np.concatenate(both).astype(np.float64)
         points = points[np.isfinite(points).all(axis=1)]
     extent = float(np.max(np.ptp(points, axis=0)))
-    margin = 1.5 * ball.radius + extent * np.array([0.15, 0.15, 0.05])
+    margin = 1.5 * radius + extent * np.array([0.15, 0.15, 0.05])
     mesh = surface_mesh(ground, frame_of(points, margin, ground))
     return {
         "kind": "mesh",
@@ -137,7 +144,7 @@ def _surface_of_ball(ball: RollingBall, dataset: xr.Dataset | None) -> dict[str,
 
 
 def _inertia(study: Study) -> tuple[FloatArray | None, FloatArray]:
-    """Semi-axes of (x, Ix) = 1, the longest of them 1, and the turn of its axes in the body."""
+    """Semi-axes of (x, Ix) = 1, the longest scaled to 1, and the rotation of its axes."""
     upright = np.array([1.0, 0.0, 0.0, 0.0])
     tensor = study.subject.inertia
     if tensor is None:

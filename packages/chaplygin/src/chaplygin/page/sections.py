@@ -1,4 +1,4 @@
-"""Sections of a motion in a page: the one that it opens with, and others chosen by parameters."""
+"""Sections of a motion in a page: the initial one, and others chosen by parameters."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from ..experiment.study import Study
 from .columns import Scalar
 from .scene_model import Json
 
-#: Operations that the rate of a quantity may take besides those of the equations of motion.
+#: Maximum number of operations in the rate of a quantity besides those of the equations of motion.
 _MOST = 400
 
-#: Looks at the motion, and stretches of its length in which a crossing is looked for.
+#: Number of samples of the motion, and of intervals searched for a crossing.
 _LOOKS, _LONGER = 2000, 10.0
 
-#: A section that the motion passes so many times less often than another is not the first one.
+#: A section crossed less often than another by this factor is not chosen initially.
 _SELDOM = 10
 
 #: Coordinates and quantities of a section in order of preference.
@@ -34,10 +34,11 @@ _PREFERRED_Y = ("M_3", "omega_3", "M_1", "omega_1")
 
 
 def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Json:
-    """A quantity that the motion passes again and again, rising, and two to be drawn; or None.
+    """A quantity that the motion repeatedly crosses while increasing, and two coordinates; or None.
 
-    It passes zero if it ever does, else the middle of its range; and not much less often than
-    others, as a point of the section takes as long as the motion from one passage to the next.
+    It crosses zero if it ever does, and otherwise the middle of its range.  It should be crossed
+    about as often as others, since a section point takes as long as the motion between two
+    crossings.
 
     Parameters
     ----------
@@ -75,7 +76,7 @@ def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Js
     on = places[chosen].name
     others = [scalar.name for i, scalar in enumerate(places) if i != chosen]
     if on in ("gamma_1", "gamma_2"):
-        # on which the longitude is a quarter of a turn
+        # where the longitude is a quarter turn
         others.remove("longitude")
     x = min(others, key=lambda name: _rank(name, _PREFERRED_X))
     y = min((n for n in others if n != x), key=lambda name: _rank(name, _PREFERRED_Y))
@@ -83,7 +84,7 @@ def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Js
 
 
 def _rises(column: FloatArray) -> int:
-    """The number of times that values rise through zero."""
+    """The number of times that values increase through zero."""
     return int(np.count_nonzero((column[:-1] < 0.0) & (column[1:] >= 0.0)))
 
 
@@ -92,7 +93,7 @@ def _rank(name: str, order: Sequence[str]) -> int:
 
 
 def sectionable(system: System, scalars: Sequence[Scalar]) -> tuple[Scalar, ...]:
-    """The quantities on which sections can be taken: what changes, and has no long formula."""
+    """The quantities on which sections can be taken: nonconstant, with a short formula."""
     reader, rates = read_formulas(system)
     graph = reader.graph
     flow = {graph.state(i): rate for i, rate in enumerate(rates)}
@@ -109,10 +110,10 @@ def sectionable(system: System, scalars: Sequence[Scalar]) -> tuple[Scalar, ...]
 
 
 def chosen_section(system: System, scalars: Sequence[Scalar], backward: bool) -> Equations:
-    """The equations with a section chosen by further parameters.
+    """The equations with a section chosen by additional parameters.
 
-    After those of the system come the value, the direction (1, −1 or 0, in the direction of time in
-    which the motion runs), and one number for each quantity: 1 for the chosen one, 0 for others.
+    The additional parameters are the value, the direction (1, −1 or 0, along the direction of
+    integration), and one number for each quantity: 1 for the chosen one, 0 for others.
     """
     bare = equations_of(system, 0, None, backward)
     reader, _ = read_formulas(system)

@@ -9,14 +9,14 @@ import sympy as sp
 from flowlanes.system.parameters import satisfies
 from flowlanes.system.system import Parameter, System
 
-#: How far a slider reaches beyond the value, as a factor.
+#: Factor by which a slider extends beyond the value.
 _FACTOR = 3.0
 
 
 def parameter_range(parameter: Parameter, system: System) -> tuple[float, float]:
-    """The ends of the slider of a parameter: a round range of its own.
+    """The range of the slider of a parameter, with round ends.
 
-    Conditions that compare several parameters cut it further; the engine checks them.
+    Conditions that compare several parameters restrict it further; the engine checks them.
     """
     value = float(parameter.default)
     low, high = value_range(value)
@@ -38,7 +38,7 @@ def parameter_range(parameter: Parameter, system: System) -> tuple[float, float]
 
 
 def value_range(value: float) -> tuple[float, float]:
-    """A round range about a value."""
+    """A round range around a value."""
     if value == 0.0:
         return -1.0, 1.0
     reach = round_number(_FACTOR * abs(value))

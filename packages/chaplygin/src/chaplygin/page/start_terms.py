@@ -1,6 +1,6 @@
 """The state from the numbers that give a start, as terms.
 
-These are the formulas of :func:`chaplygin.initial_state`, which takes the same numbers with 50
+These are the formulas of :func:`chaplygin.initial_state`, which evaluates the same numbers with 50
 digits.
 """
 
@@ -14,8 +14,11 @@ import numpy as np
 import sympy as sp
 
 from flowlanes.formulas.graph import Graph, Reader, Term
-from flowlanes.system.system import System, flat
-from flowlanes.system.vectors import Vector, to_components
+from flowlanes.system.named_formulas import flat_pairs
+from flowlanes.system.rotations import quaternion_product
+from flowlanes.system.system import System
+from flowlanes.system.tuple_vectors import cross, dot
+from flowlanes.system.vectors import Vector
 from nonholonomic.mechanics.rolling.attitude import attitude
 from nonholonomic.mechanics.rolling.initial_state import is_no_spin
 
@@ -76,22 +79,20 @@ def start_terms(subject: BodySubject, system: System) -> StartTerms | None:
     turn = _attitude(graph, up, subject.normal, given[-1])
     reader.know(dict(zip(attitude.symbols, turn, strict=True)))
     reader.know(dict(zip(_ZETA, _third_row(graph, turn), strict=True)))
-    for name, formula in system.start:
-        reader.know(
-            {s: reader(f) for s, f in zip(flat([name]), to_components(formula), strict=True)}
-        )
+    for symbol, formula in flat_pairs(system.start):
+        reader.know({symbol: reader(formula)})
     lifted = system.lifted() if system.reconstruction else system
     if _PLACE in lifted.state:
         zero = graph.number(0)
         origin = reader.copy()
         origin.know(dict.fromkeys(_PLACE.symbols, zero))
-        contact = next(item.value for item in lifted.observables if item.name == "contact")
-        shifted = [-origin(part) for part in to_components(contact)[:2]]
+        contact = next(item.value for item in lifted.scalar.observables if item.name == "contact")
+        shifted = [-origin(part) for part in contact[:2]]
         reader.know(dict(zip(_PLACE.symbols, shifted, strict=True)))
     excess: tuple[Term, ...] = ()
     nearest = tuple(given)
     if any(is_no_spin(relation) for relation in system.relations):
-        along = _dot(spin, up)
+        along = dot(spin, up)
         excess = (along,)
         nearest = (*(w - along * g for w, g in zip(spin, up, strict=True)), *given[3:])
     state = tuple(reader(symbol) for symbol in lifted.symbols)
@@ -99,7 +100,7 @@ def start_terms(subject: BodySubject, system: System) -> StartTerms | None:
 
 
 class _StartReader(Reader):
-    """Formulas of a system whose state is not known yet, as terms in the inputs."""
+    """Formulas of a system whose state is not yet known, as terms in the inputs."""
 
     def __init__(self, system: System, graph: Graph) -> None:
         super().__init__(system, graph)
@@ -107,38 +108,33 @@ class _StartReader(Reader):
             del self._elements[symbol]
 
     def know(self, terms: Mapping[sp.Symbol, Term]) -> None:
-        """Give symbols their terms."""
+        """Assign terms to symbols."""
         self._elements.update(terms)
 
     def copy(self) -> _StartReader:
-        """A reader that knows as much, and learns apart."""
+        """An independent copy of the reader."""
         other = object.__new__(_StartReader)
         other.graph = self.graph
         other._elements, other._definitions = dict(self._elements), self._definitions
         return other
 
 
-def _dot(u: Sequence[Term], v: Sequence[Term]) -> Term:
-    a, b, c = (x * y for x, y in zip(u, v, strict=True))
-    return a + b + c
-
-
 def _unit(graph: Graph, vector: Sequence[Term]) -> list[Term]:
-    length = graph.call("sqrt", _dot(vector, vector))
+    length = graph.call("sqrt", dot(vector, vector))
     return [x / length for x in vector]
 
 
 def _attitude(
     graph: Graph, up: Sequence[Term], normal: Sequence[float], heading: Term
 ) -> Quaternion:
-    """The quaternion from `up` (body) to `normal` (space), turned by `heading`."""
+    """The quaternion that maps `up` (body) to `normal` (space), rotated by `heading`."""
     direction = np.asarray(normal, dtype=np.float64)
     n = [_constant(graph, x) for x in direction / np.linalg.norm(direction)]
-    cosine = _dot(up, n)
-    axis = _cross(up, n)
-    # opposite: a half turn about the most lateral axis
+    cosine = dot(up, n)
+    axis = cross(up, n)
+    # Opposite directions: a half turn about the most perpendicular axis.
     least = int(np.argmin(np.abs(direction)))
-    lateral = _cross(up, [graph.number(int(i == least)) for i in range(3)])
+    lateral = cross(up, [graph.number(int(i == least)) for i in range(3)])
     one, zero = graph.number(1), graph.number(0)
     apart = one + cosine - _constant(graph, 1e-15)
     short = (
@@ -148,14 +144,10 @@ def _attitude(
     half = heading * _constant(graph, 0.5)
     sine = graph.call("sin", half)
     turn = (graph.call("cos", half), *(sine * x for x in n))
-    scalar = turn[0] * short[0] - _dot(turn[1:], short[1:])
-    vector = [
-        turn[0] * y + short[0] * x + z
-        for x, y, z in zip(turn[1:], short[1:], _cross(turn[1:], short[1:]), strict=True)
-    ]
-    square = scalar * scalar + _dot(vector, vector)
+    product = quaternion_product(turn, short)
+    square = product[0] * product[0] + dot(product[1:], product[1:])
     length = graph.call("sqrt", square)
-    a, b, c, d = (x / length for x in (scalar, *vector))
+    a, b, c, d = (x / length for x in product)
     return a, b, c, d
 
 
@@ -163,16 +155,8 @@ def _constant(graph: Graph, value: float) -> Term:
     return graph.number(Fraction(value))
 
 
-def _cross(u: Sequence[Term], v: Sequence[Term]) -> list[Term]:
-    return [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ]
-
-
 def _third_row(graph: Graph, turn: Quaternion) -> list[Term]:
-    """The vertical of space seen from the body."""
+    """The vertical of space in body axes."""
     w, x, y, z = turn
     two, one = graph.number(2), graph.number(1)
     return [two * (x * z - w * y), two * (y * z + w * x), one - two * (x * x + y * y)]

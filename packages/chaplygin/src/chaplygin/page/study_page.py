@@ -1,4 +1,4 @@
-"""The model of the page of a study, with its motion in it."""
+"""The page model of a study, including its motion."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def study_model(
     verdicts: Mapping[str, Verdict] | None = None,
     diagram: Callable[[], Json] | None = None,
 ) -> dict[str, Json]:
-    """The model of a page that shows a motion: by computing it, or else as it is recorded.
+    """The model of a page that shows a motion: computed by the page, or as recorded.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def laboratory_model(study: Study, subject: Mapping[str, Json]) -> dict[str, Jso
 
 
 def sample_for_page(dataset: xr.Dataset) -> xr.Dataset:
-    """A motion with as many samples as a page is to have, its ends among them."""
+    """A motion with as many samples as a page should have, including its ends."""
     count = dataset.sizes["time"]
     if count <= MOST_SAMPLES:
         return dataset

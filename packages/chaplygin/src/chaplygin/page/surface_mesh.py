@@ -1,9 +1,9 @@
 """A surface f = 0 as a mesh.
 
-In each cell of a grid that the surface passes through lies one corner, the mean of the crossings of
-its edges, drawn onto the surface itself; around each crossed edge lies a face (surface nets).  The
-grid goes beyond the box and the end of the surface, where it is cut, so that its rim is a smooth
-curve.
+Each grid cell crossed by the surface contains one vertex, the mean of the crossings of its edges,
+projected onto the surface; around each crossed edge there is a face (the surface nets method).  The
+grid extends beyond the box and the end of the surface, and the mesh is clipped there, so that its
+rim is a smooth curve.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from flowlanes.system.arrays import BoolArray, FloatArray, IntArray
 from ..geometry.ball_surface import Box, SurfaceGround
 from ..geometry.view import unit
 
-#: Cells along the longest side of the box.
+#: Number of cells along the longest side of the box.
 _CELLS = 32
-#: Newton's steps by which corners are drawn onto the surface.
+#: Number of Newton steps that project vertices onto the surface.
 _STEPS = 3
 
 _CORNERS = np.array(list(product((0, 1), repeat=3)))
@@ -33,7 +33,7 @@ _EDGES = [
 
 
 class SurfaceMesh(NamedTuple):
-    """Triangles of a surface, with the normals towards the ball."""
+    """Triangles of a surface, with normals on the ball's side."""
 
     positions: FloatArray
     normals: FloatArray
@@ -99,7 +99,7 @@ def _corner_values(array: FloatArray, corner: IntArray) -> FloatArray:
 
 
 def _triangles(above: BoolArray, names: IntArray) -> IntArray:
-    """Two triangles around every crossed edge, between the corners of the four cells there."""
+    """Two triangles around every crossed edge, between the vertices of the four adjacent cells."""
     faces = []
     for axis in range(3):
         u, v = (axis + 1) % 3, (axis + 2) % 3
@@ -116,13 +116,13 @@ def _triangles(above: BoolArray, names: IntArray) -> IntArray:
 
 
 def _cut(mesh: SurfaceMesh, beyond: FloatArray) -> SurfaceMesh:
-    """The part of a mesh where a function, given at its corners, is not positive."""
+    """The part of a mesh where a function, given at its vertices, is not positive."""
     out = beyond > 0.0
     if not out.any():
         return mesh
     faces = mesh.indices
     count = out[faces].sum(axis=1)
-    # the corner that is alone on its side comes first
+    # The vertex that is alone on its side comes first.
     alone = np.where(count == 1, out[faces].argmax(axis=1), out[faces].argmin(axis=1))
     faces = np.take_along_axis(faces, (alone[:, None] + np.arange(3)) % 3, axis=1)
     corner, left = faces[count == 2], faces[count == 1]

@@ -1,4 +1,4 @@
-"""The surfaces that a page draws, as formulas of its parameters."""
+"""The surfaces drawn by a page, as formulas of its parameters."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.formulas.array_evaluation import read_formulas
 from flowlanes.formulas.graph import Term
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import Diagonal, Symmetric, Vector, dot, real_symbol, to_components
+from flowlanes.system.vectors import Diagonal, Symmetric, Vector, dot, real_symbol
 from nonholonomic.mechanics.ball.ball import RollingBall
 from nonholonomic.mechanics.rolling.contact import contact
 
@@ -18,7 +19,7 @@ _GAMMA = Vector("gamma")
 
 
 def surface_terms(study: Study, reduced: System) -> tuple[dict[str, list[Term]], int]:
-    """Terms for the points of each surface from three numbers of a reduced state.
+    """Terms for the points of each surface as functions of three numbers of a reduced state.
 
     Parameters
     ----------
@@ -51,33 +52,35 @@ def surface_terms(study: Study, reduced: System) -> tuple[dict[str, list[Term]],
 def _formulas(
     study: Study, reduced: System
 ) -> dict[str, tuple[tuple[sp.Symbol, ...], list[sp.Expr]]]:
-    """Formulas by name, each with the symbols of its three numbers."""
+    """Formulas by name, each with the symbols of its three arguments."""
     found: dict[str, list[sp.Expr]] = {}
     subject, rolling = study.subject, study.rolling
     inertia = _inertia(study, reduced)
     if inertia is not None:
-        # the support function of (x, Ix) = 1 is √(γ, I⁻¹γ)
+        # The support function of (x, Ix) = 1 is √(γ, I⁻¹γ).
         inverse = inertia**-1 * _GAMMA
-        found["inertia"] = list(to_components(-inverse / sp.sqrt(dot(_GAMMA, inverse))))
+        found["inertia"] = scalars(-inverse / sp.sqrt(dot(_GAMMA, inverse)))
     if subject.ball is not None:
         b = real_symbol("b")
         found["contact"] = [-b * s for s in _GAMMA.symbols]
     elif rolling is not None and _GAMMA in reduced.state:
-        found["contact"] = list(
-            to_components(contact(rolling.equivalent.body.shape, rolling.surface).r)
-        )
+        found["contact"] = scalars(contact(rolling.equivalent.body.shape, rolling.surface).r)
     elif inertia is not None and rolling is None:
-        # the ellipsoid stands for a body whose shape does not matter: 1 long at first
+        # The ellipsoid represents a body whose shape is irrelevant, initially scaled to length 1.
         least = min(study.system.defaults[s] for s in Diagonal("I").symbols)
         found["contact"] = [sp.sqrt(least) * part for part in found["inertia"]]
     formulas = {name: (_GAMMA.symbols, parts) for name, parts in found.items()}
     if subject.ball is not None:
         formulas["ground"] = _ground(subject.ball)
+    elif subject.surface is not None and not subject.surface.is_even:
+        symbols = Vector("x").symbols
+        f = subject.surface.equation(symbols)
+        formulas["ground"] = symbols, [f, *(f.diff(s) for s in symbols), sp.S.Zero]
     return formulas
 
 
 def _inertia(study: Study, reduced: System) -> MatrixExpr | None:
-    """The tensor of inertia, by parameters."""
+    """The inertia tensor in terms of parameters."""
     known = {p.symbol for p in reduced.parameters}
     options: tuple[Diagonal | Symmetric, ...] = (Diagonal("I"), Symmetric("I"))
     return next((tensor for tensor in options if known >= set(tensor.symbols)), None)

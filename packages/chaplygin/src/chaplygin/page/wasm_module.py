@@ -1,4 +1,4 @@
-"""The machine code of a page: all that it computes of a system, as one WebAssembly module."""
+"""The machine code of a page: everything it computes for a system, as one WebAssembly module."""
 
 from __future__ import annotations
 
@@ -10,12 +10,11 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.flow.kernel.equations import Equations, equations_of
 from flowlanes.flow.kernel.outcomes import STATUS_MESSAGES
-from flowlanes.flow.kernel.wasm import march_text, values_text, wasm_module
+from flowlanes.flow.kernel.wasm import emit_integration_loop, emit_row_functions, wasm_module
 from flowlanes.formulas.array_evaluation import read_formulas
 from flowlanes.formulas.graph import Term
 from flowlanes.system.parameters import ROUNDING, condition_words, conditions
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components
 
 from ..experiment.study import Study
 from ..experiment.subjects.subject import BodySubject
@@ -30,14 +29,14 @@ from .surface_terms import surface_terms
 #: Lanes of the loops: WebAssembly has vectors of two doubles.
 LANES = 2
 
-#: Of a motion in a page, so that states agree with Taylor series to 1e-12, and of its sections,
-#: as on the command line.
+#: Tolerances: of a motion in a page, so that states agree with Taylor series to 1e-12, and of its
+#: sections, as on the command line.
 TOLERANCE, SECTION_TOLERANCE = 2e-16, 1e-13
 
 
 @dataclass(frozen=True)
 class PageModule:
-    """A module and what its caller needs to know.
+    """A module and the information its caller needs.
 
     Attributes
     ----------
@@ -51,7 +50,7 @@ class PageModule:
 
 
 class _Texts:
-    """The functions of a module, as they are written."""
+    """The generated functions of a module."""
 
     def __init__(self) -> None:
         self.texts: list[str] = []
@@ -60,8 +59,8 @@ class _Texts:
     def march(
         self, prefix: str, equations: Equations, deviations: int, tolerance: float
     ) -> dict[str, Json]:
-        """A loop, and the table of its call."""
-        text, work = march_text(prefix, equations, LANES, tolerance)
+        """Add an integration loop; return the table of its call."""
+        text, work = emit_integration_loop(prefix, equations, LANES, tolerance)
         self.texts.append(text)
         self.exports.append(f"{prefix}_march")
         return {
@@ -75,8 +74,8 @@ class _Texts:
     def values(
         self, prefix: str, pieces: Mapping[str, Sequence[Term]], inputs: int
     ) -> dict[str, dict[str, Json]]:
-        """Groups of formulas, and the table of the call of each."""
-        text, names, work = values_text(prefix, pieces, inputs)
+        """Add groups of formulas; return the tables of their calls."""
+        text, names, work = emit_row_functions(prefix, pieces, inputs)
         self.texts.append(text)
         self.exports.extend(names.values())
         return {
@@ -86,7 +85,7 @@ class _Texts:
 
 
 def page_module(study: Study) -> PageModule:
-    r"""The module of a study.
+    r"""r"Generate the module of a study.
 
     Raises
     ------
@@ -139,11 +138,11 @@ def page_module(study: Study) -> PageModule:
 
 
 def _whole_pieces(study: Study, whole: System) -> dict[str, list[Term]]:
-    """The columns, and the relations with their slopes."""
+    """The columns, and the relations with their gradients."""
     reader, _ = read_formulas(whole)
     graph = reader.graph
     columns: Sequence[Column] = columns_of(study)
-    relations = [reader(to_components(r)) for r in whole.relations]
+    relations = [reader(r) for r in whole.scalar.relations]
     states = [graph.state(i) for i in range(len(whole.symbols))]
     slopes = [t for row in graph.jacobian(relations, states) for t in row] if relations else []
     pieces = {"columns": [reader(f) for column in columns for f in column.formulas]}
@@ -152,12 +151,12 @@ def _whole_pieces(study: Study, whole: System) -> dict[str, list[Term]]:
 
 
 def _reduced_pieces(reduced: System, scalars: Sequence[Scalar]) -> dict[str, list[Term]]:
-    """Quantities, conditions with their slopes, rates and guards."""
+    """Quantities, conditions with their gradients, rates and guards."""
     reader, rates = read_formulas(reduced)
     graph = reader.graph
     quantities = list(terms_of(reduced, scalars))
-    relations = [reader(to_components(r)) for r in reduced.relations]
-    integrals = [reader(to_components(law.value)) for law in reduced.integrals]
+    relations = [reader(r) for r in reduced.scalar.relations]
+    integrals = [reader(law.value) for law in reduced.scalar.integrals]
     states = [graph.state(i) for i in range(len(reduced.symbols))]
 
     def with_slopes(terms: list[Term]) -> list[Term]:
@@ -168,7 +167,7 @@ def _reduced_pieces(reduced: System, scalars: Sequence[Scalar]) -> dict[str, lis
         "conditions": with_slopes([*relations, *integrals, *quantities]),
         "invariants": with_slopes([*relations, *integrals]),
         "rates": list(rates),
-        "guards": [reader(to_components(guard.value)) for guard in reduced.guards],
+        "guards": [reader(guard.value) for guard in reduced.scalar.guards],
         "admissible": [reader(side) for _, _, side in _admissible(reduced)],
     }
 
@@ -177,7 +176,7 @@ def _reduced_pieces(reduced: System, scalars: Sequence[Scalar]) -> dict[str, lis
 
 
 def _admissible(system: System) -> list[tuple[str, sp.Basic, sp.Expr]]:
-    """Conditions on parameters, each with its parameter and what is positive where it holds."""
+    """Conditions on parameters, each with a formula that is positive where it holds."""
     return [
         (str(item.symbol), condition, side)
         for item, condition in conditions(system.parameters)
@@ -186,7 +185,7 @@ def _admissible(system: System) -> list[tuple[str, sp.Basic, sp.Expr]]:
 
 
 def positive_where(condition: sp.Basic) -> sp.Expr | None:
-    """A formula that is positive where a condition holds; None of an equation or a truth value."""
+    """A formula that is positive where a condition holds; None for an equation or a truth value."""
     match condition:
         case sp.Gt() | sp.Lt():
             return condition.gts - condition.lts
@@ -217,7 +216,7 @@ def _admissible_table(system: System) -> list[Json]:
 
 
 def _start(texts: _Texts, study: Study, system: System) -> dict[str, Json]:
-    """The start from ω and γ; none where it is the state itself."""
+    """The start from ω and γ; None if it is the state itself."""
     terms: StartTerms | None = None
     if isinstance(study.subject, BodySubject):
         terms = start_terms(study.subject, system)
@@ -229,7 +228,7 @@ def _start(texts: _Texts, study: Study, system: System) -> dict[str, Json]:
 
 
 def _surfaces(texts: _Texts, study: Study, reduced: System) -> dict[str, Json]:
-    """The surfaces that are drawn, where formulas give them."""
+    """The drawn surfaces, if formulas give them."""
     pieces, place = surface_terms(study, reduced)
     tables: dict[str, Json] = {"contact": None, "inertia": None, "ground": None, "gamma": place}
     if pieces:

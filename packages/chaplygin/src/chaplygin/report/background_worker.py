@@ -1,8 +1,8 @@
-"""Work done beside other work, on a second core.
+"""Do work in the background, on a second core.
 
-The process is a copy of this one, so that nothing is sent to it, and what it returns does not
-depend on when it is asked for.  Where processes cannot be copied, and in a thread of a server,
-where others may hold locks, the work is done when its result is asked for.
+The process is a fork of this one, so nothing is sent to it, and its result does not depend on when
+it is requested. Where processes cannot be forked, and in a thread of a server, where other threads
+may hold locks, the work is done when its result is requested.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ T = TypeVar("T")
 
 @contextmanager
 def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
-    """A function that waits for the result of work, which is done meanwhile.
+    """Start the work in the background; the returned function waits for its result.
 
     Parameters
     ----------
@@ -41,9 +41,9 @@ def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
     if sys.platform == "linux" and threading.current_thread() is threading.main_thread():
         context = get_context("fork")
         receiver, sender = context.Pipe(duplex=False)
-        process = context.Process(target=_do, args=(work, receiver, sender), daemon=True)
+        process = context.Process(target=_send_result, args=(work, receiver, sender), daemon=True)
         with signals_blocked(), warnings.catch_warnings():
-            # of other threads: those of this program hold no lock that the copy asks for
+            # Threads of this program hold no lock that the fork needs.
             warnings.simplefilter("ignore", DeprecationWarning)
             process.start()
         sender.close()
@@ -53,7 +53,7 @@ def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
             try:
                 answer: tuple[T] | Exception = receiver.recv()
             except EOFError:
-                # it was ended from outside, such as for want of memory
+                # It was killed from outside, for example when memory was short.
                 return work()
             if isinstance(answer, Exception):
                 raise answer
@@ -68,19 +68,22 @@ def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
         yield cache(work)
 
 
-def _do(work: Callable[[], T], receiver: Connection, sender: Connection) -> None:
-    """Send the result of work, or what it raises; interruptions are for the first process."""
-    # a copy has both ends: with its own end for reading it would wait for itself for ever
+def _send_result(work: Callable[[], T], receiver: Connection, sender: Connection) -> None:
+    """Send the result of work, or its exception.
+
+    Interruptions are handled by the parent process.
+    """
+    # A fork has both ends of the pipe: with its own reading end open it would wait forever.
     receiver.close()
     follow_parent()
-    # the other process may hold the lock of what stands in place of a terminal
+    # The parent may hold the lock of the object that replaces a terminal.
     sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
     answer: tuple[T] | Exception
     try:
         answer = (work(),)
     except Exception as error:
         answer = error
-    # nobody reads it where the first process has ended
+    # The parent has ended, so nobody reads the result.
     with suppress(BrokenPipeError):
         sender.send(answer)
     sender.close()

@@ -1,4 +1,4 @@
-"""The part of a page on friction: laws, events, energy."""
+"""The section of a page on friction: laws, events, energy."""
 
 from __future__ import annotations
 
@@ -9,10 +9,8 @@ import numpy as np
 import xarray as xr
 
 from flowlanes.printing.numerals import number, typographic_signs, unit
-from nonholonomic.contact.friction.dry_friction import Coulomb
 from nonholonomic.contact.friction.friction_law import FrictionLaw
 from nonholonomic.contact.simulation.event_rules import EventRules
-from nonholonomic.mechanics.shapes.surfaces import Plane
 
 from ..experiment.contact.trajectory import ContactTrajectory
 from ..experiment.subjects.contact_subject import ContactSubject
@@ -20,31 +18,8 @@ from .drawing.contact_values import FrictionLimits, event_impulses, friction_lim
 from .drawing.modes import changes_mode
 from .figures.contact_time import energy_parts
 
-#: So many events stand in the table of the page; all are in the dataset.
+#: Number of events in the table of the page; the dataset has all of them.
 MOST_EVENTS = 24
-
-_WORDS = {
-    "coulomb": "Dry friction at a point: while the contact slides, the force μN against the slip; "
-    "without slip, whatever force holds the contact, up to μN.",
-    "contensou": "Dry friction over a round patch of contact of radius a with Hertz's pressure: "
-    "slip and spin share it, so that the force falls with the spin and the couple with the slip.",
-    "spin": "Friction against spin: a couple about the normal, the arm times N; without spin, "
-    "whatever couple holds it, up to this one.",
-    "viscous": "Viscous friction: a force in proportion to the slip and a couple in proportion to "
-    "the spin, whatever the normal force. It holds nothing at rest.",
-    "power": "Friction in proportion to the normal force and a power of the slip. It holds "
-    "nothing at rest.",
-    "slip": "Friction in proportion to slip and normal force. It holds nothing at rest.",
-    "rolling": "Resistance to rolling: a couple against rolling, the arm times N, which also holds "
-    "a body that does not roll.",
-    "viscous_rolling": "Viscous resistance to rolling: a couple in proportion to the angular "
-    "velocity of rolling and the normal force.",
-    "contour": "Resistance along the contour: the power lost is the coefficient times N and the "
-    "speed of the contact point over the body.",
-}
-
-
-_NOT_AGAINST_SLIP = {"spin", "rolling", "viscous_rolling", "contour"}
 
 
 @dataclass(frozen=True)
@@ -69,7 +44,7 @@ class EventRow:
 
 @dataclass(frozen=True)
 class EnergyRow:
-    """A part of the energy at the start and at the end (J)."""
+    """A form of energy at the start and at the end (J)."""
 
     words: str
     start: str
@@ -115,7 +90,7 @@ class ContactSection:
 def contact_section(
     subject: ContactSubject, trajectory: ContactTrajectory, dataset: xr.Dataset
 ) -> ContactSection:
-    """The section of a motion with friction.
+    """The section for a motion with friction.
 
     Parameters
     ----------
@@ -147,16 +122,16 @@ def contact_section(
 def contact_plates(
     subject: ContactSubject, trajectory: ContactTrajectory, dataset: xr.Dataset
 ) -> dict[str, tuple[str, str]]:
-    """The figures of the page, in their order, with heading and caption."""
+    """The figures of the page, in order, with heading and caption."""
     limits, surface = friction_limits(subject.contact), subject.contact.surface
     collides = any(np.any(event.impulse != 0.0) for event in trajectory.changes)
     turned = (
         ""
-        if isinstance(surface, Plane)
+        if surface.is_flat
         else " The axes x and y of space are turned into the tangent plane by the shortest way."
     )
-    # of the laws that act against the slip
-    alone = {law.name for law in subject.contact.laws} <= _NOT_AGAINST_SLIP | {"coulomb"}
+    # The laws that act against the slip.
+    alone = all(law.has_constant_force or not law.resists_slip for law in subject.contact.laws)
     given = " What the moving support gives is below zero." if surface.turntable else ""
     jumps = " Broken lines are jumps in impacts." if collides else ""
     return {
@@ -196,7 +171,7 @@ def contact_plates(
 
 
 def _cone(limits: FrictionLimits, collides: bool, alone: bool) -> str:
-    """The caption of friction against its limit."""
+    """The caption of the figure of friction relative to its limit."""
     if limits.mu is None:
         words = "The friction force over the normal force, seen from above and coloured by mode."
     else:
@@ -233,9 +208,9 @@ def _share(limits: FrictionLimits, alone: bool) -> str:
 
 
 def law_row(law: FrictionLaw) -> LawRow:
-    """A law of friction in words, with its coefficients."""
-    words = _WORDS.get(law.name, f"For each unit of the normal force, {law.words}.")
-    if isinstance(law, Coulomb) and math.isinf(law.mu):
+    """A description of a friction law, with its coefficients."""
+    words = law.description
+    if law.static_mu == math.inf:
         words = "Dry friction without limit: the contact never slips."
     coefficients = [
         f"{p.meaning or p.symbol} {number(float(p.default), 6)} {_unit(p.unit)}".strip()
@@ -245,7 +220,7 @@ def law_row(law: FrictionLaw) -> LawRow:
 
 
 def _unit(text: str) -> str:
-    """A unit as in print; that of a power with a fraction in words."""
+    """A unit in print notation; that of a fractional power in words."""
     if "^" in text and "." in text:
         return text.replace("^", " to the power ")
     return "" if text in ("1", "unknown") else unit(text)
@@ -279,7 +254,7 @@ def _summary(trajectory: ContactTrajectory) -> str:
 
 
 def _event_rows(trajectory: ContactTrajectory, dataset: xr.Dataset) -> list[EventRow]:
-    """The first events; impulses by their parts along the normal and across it."""
+    """The first events; impulses by their components along and across the normal."""
     normal, across = event_impulses(dataset)
     rows = []
     for place, event in enumerate(trajectory.changes[:MOST_EVENTS]):

@@ -1,4 +1,4 @@
-"""The figures and the closed form of a study: written to its folder, and as its page has them."""
+"""The figures and the closed form of a study: written to its folder, and for its page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a page shows of a study besides words: figures, the closed form, a diagram."""
+"""The graphical parts of a study's page: figures, the closed form, a diagram."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..page.scene_model import Json
 
 @dataclass(frozen=True)
 class Illustrations:
-    """What a page shows that is drawn, and what is known in closed form.
+    """The figures of a page, and the section on the closed form.
 
     Attributes
     ----------

@@ -14,7 +14,6 @@ from flowlanes.errors import RunError
 from flowlanes.flow.trajectory import Trajectory
 from flowlanes.printing.equations import equations_html
 from flowlanes.printing.formula import latex, text
-from flowlanes.printing.laws import heading
 from flowlanes.printing.mathml import mathml
 from flowlanes.printing.numerals import number, typographic_signs, unit
 from flowlanes.printing.system import claims_html, motion_html, system_html
@@ -25,7 +24,6 @@ from lawproof.proof.verdict import Verdict
 from nonholonomic.classification.classification import Classification, rows
 from nonholonomic.classification.classifier import classify
 from nonholonomic.classification.facts import ProofBudget
-from nonholonomic.mechanics.shapes.surfaces import Plane
 
 from .._version import __version__
 from ..experiment.contact.trajectory import ContactTrajectory
@@ -36,15 +34,15 @@ from ..page.study_page import study_model
 from .illustrations import Illustrations
 from .summary import drift_text
 
-#: Term operations that the proof of one law may take, and those of all together: the first unless
-#: more is asked for, the second so many times the first.
+#: Term operations allowed for the proof of one law by default, and the ratio of the total budget to
+#: it.
 EFFORT_PER_PROOF = EFFORT // 20
 TIMES = 4
 
-#: Pictures whose colours stay as they are: shades, and the colours of time.
+#: Figures whose colours are fixed: shading, and the colours of time.
 PICTURES = ("scene", "plan_view", "contact_path", "normal_on_sphere", "bifurcation")
 
-#: Figures in the order in which the page shows them, with heading and caption.
+#: Figures in the order of the page, with heading and caption.
 PLATES = {
     "plan_view": (
         "Path in the plane",
@@ -93,7 +91,7 @@ def render(
     budget: ProofBudget,
     failure: RunError | None = None,
 ) -> str:
-    """The page as text.
+    """Render the page as text.
 
     Parameters
     ----------
@@ -126,7 +124,7 @@ def render(
     verdicts: dict[str, Verdict] = {}
     places: list[dict[str, object]] = []
     uncounted: tuple[tuple[str, tuple[str, ...]], ...] = ()
-    # laws of one mode of a contact say nothing of a motion through several
+    # Laws of a single contact mode do not apply to a motion through several.
     if isinstance(subject, ContactSubject) and isinstance(trajectory, ContactTrajectory):
         from .contact_section import contact_plates, contact_section
 
@@ -215,13 +213,13 @@ def render(
 
 
 def _is_picture(name: str, study: Study, dataset: xr.Dataset) -> bool:
-    """Whether the colours of a figure stay as they are."""
+    """Whether the colours of a figure are fixed."""
     subject = study.subject
-    flat = isinstance(subject, ContactSubject) and isinstance(subject.surface, Plane)
+    flat = isinstance(subject, ContactSubject) and subject.surface.is_flat
     if name == "contact_path" and flat:
         from .drawing.modes import changes_mode
 
-        # a path on a plane in the colours of modes has no shades
+        # A path on a plane in the colours of modes has no shading.
         return not changes_mode(dataset)
     return name in PICTURES
 
@@ -262,7 +260,7 @@ def _value_text(value: float) -> str:
 
 
 def _legend(words: str) -> dict[str, object]:
-    """The meaning of the letters, one below the other where there are several."""
+    """The meaning of the letters, one per line if there are several."""
     head, colon, listed = words.partition(": ")
     letters = listed.removesuffix(".").split("; ")
     if len(letters) < 3:
@@ -271,25 +269,25 @@ def _legend(words: str) -> dict[str, object]:
 
 
 def _section(part: Classification) -> dict[str, object]:
-    """A place in the hierarchy, as the page shows it."""
+    """A classification as shown on the page."""
     return {"level": part.level, "rows": [row for row in rows(part) if row[1]]}
 
 
 def _law_text(law: Law) -> str:
     """Kind and meaning of a law."""
-    kind, meaning = heading(law), str(getattr(law, "meaning", ""))
+    kind, meaning = law.heading, str(getattr(law, "meaning", ""))
     if meaning.casefold().startswith(kind.casefold()):
         return kind + meaning[len(kind) :]
     return f"{kind}: {meaning}" if meaning else kind
 
 
 def _unobserved_laws(study: Study) -> tuple[Law, ...]:
-    """The laws that are no integrals observed along this motion."""
+    """The laws that are not integrals observed along this motion."""
     return tuple(law for law in study.system.laws if law not in study.system_on_level.laws)
 
 
 def _caption(study: Study, name: str, caption: str) -> str:
-    """The caption of a figure; without a surface γ is another vector."""
+    """The caption of a figure; without a surface γ is a different vector."""
     if name == "normal_on_sphere" and not study.subject.gamma_is_normal:
         return "In body axes: the components of a unit vector fixed in space."
     return caption
@@ -316,5 +314,5 @@ def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
         ("corrections", f"{corrections} projection{plural} onto the phase space"),
         ("integrals", "enforced by projection" if run.keep_integrals else "free, as a check"),
     ]
-    # what projections there are with friction belongs to its events
+    # With friction, projections belong to the events.
     return facts[:-2] if study.subject.changes_equations else facts

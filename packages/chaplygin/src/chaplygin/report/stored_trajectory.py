@@ -1,4 +1,4 @@
-"""The trajectory of an unfinished study, stored so that it can be resumed."""
+"""The trajectory of an unfinished study, stored so that the study can be resumed."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from flowlanes.formulas.digest import digest
 from ..experiment.files import atomic_file
 from ..experiment.study import Study
 
-#: Digits of the start that take part in the digest.
+#: Number of digits of the start that enter the digest.
 _DIGITS = 50
 
 
 def trajectory_digest(study: Study, pieces: int) -> str | None:
-    """A digest of all that determines a trajectory; None if a part has no digest.
+    """A digest of everything that determines a trajectory; None if a part has no digest.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def trajectory_digest(study: Study, pieces: int) -> str | None:
 
 
 def store_trajectory(path: Path, key: str | None, trajectory: Trajectory) -> None:
-    """Write a trajectory, except one whose numbers are no fixed number of bytes.
+    """Store a trajectory, unless its numbers have no fixed size in bytes.
 
     Parameters
     ----------
@@ -64,14 +64,14 @@ def store_trajectory(path: Path, key: str | None, trajectory: Trajectory) -> Non
         "events": [(e.time, guards.index(e.guard), e.is_terminal) for e in trajectory.events],
         "shapes": {name: array.shape for name, array in arrays.items()},
     }
-    # as bytes, since NumPy's own format does not know numbers of 34 digits
+    # As bytes, since NumPy's own format does not support 34-digit numbers.
     contents = {name: np.frombuffer(array.tobytes(), np.uint8) for name, array in arrays.items()}
     with atomic_file(path) as temporary, temporary.open("wb") as stream:
         np.savez(stream, allow_pickle=False, **{"": np.array(json.dumps(facts)), **contents})
 
 
 def read_trajectory(path: Path, key: str | None, study: Study) -> Trajectory | None:
-    """The trajectory that was stored with a digest; None if there is none.
+    """The trajectory stored with a digest; None if there is none.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def read_trajectory(path: Path, key: str | None, study: Study) -> Trajectory | N
     study : Study
     """
     try:
-        # read whole: NumPy leaves a damaged file open
+        # Read as a whole: NumPy would leave a damaged file open.
         with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as stored:
             facts = json.loads(str(stored[""]))
             if key is None or facts["key"] != key:

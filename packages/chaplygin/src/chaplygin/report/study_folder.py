@@ -13,14 +13,14 @@ from ..experiment.files import atomic_file, check_target
 
 FILES = ("report.html", "trajectory.nc", "experiment.toml", "figures")
 
-#: Holds the experiment of a study that is not complete.
+#: File with the experiment of an unfinished study.
 MARK = ".unfinished.toml"
-#: Holds its trajectory, once that is complete.
+#: File with its trajectory, once that is complete.
 TRAJECTORY = ".unfinished.npz"
 
 
 def check_folder(folder: Path, force: bool = False, what: str = "") -> None:
-    """Raise InputError where a study can in no case be written to `folder`.
+    """Raise InputError if a study can certainly not be written to `folder`.
 
     Parameters
     ----------
@@ -52,13 +52,13 @@ def check_folder(folder: Path, force: bool = False, what: str = "") -> None:
 
 
 def is_begun(folder: Path) -> bool:
-    """Whether the folder holds a study that was interrupted."""
+    """Whether the folder holds an interrupted study."""
     return (folder / MARK).is_file()
 
 
 @contextmanager
 def being_written(folder: Path) -> Iterator[None]:
-    """A block in which no other process writes to the folder, which is made if need be.
+    """A context in which no other process writes to the folder, which is created if necessary.
 
     Raises
     ------
@@ -75,7 +75,7 @@ def being_written(folder: Path) -> Iterator[None]:
 
 
 def begin(folder: Path, experiment: str, force: bool) -> None:
-    """Make the folder, and mark it as that of an unfinished study.
+    """Create the folder, and mark it as that of an unfinished study.
 
     Parameters
     ----------
@@ -105,6 +105,6 @@ def begin(folder: Path, experiment: str, force: bool) -> None:
 
 
 def end(folder: Path) -> None:
-    """The study in the folder is complete."""
+    """Mark the study in the folder as complete."""
     (folder / TRAJECTORY).unlink(missing_ok=True)
     (folder / MARK).unlink(missing_ok=True)

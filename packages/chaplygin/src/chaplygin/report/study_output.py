@@ -1,4 +1,4 @@
-"""A study on disk: trajectory, experiment file, figures and report in one folder."""
+"""Write a study to disk: trajectory, experiment file, figures and report in one folder."""
 
 from __future__ import annotations
 
@@ -22,25 +22,25 @@ from .illustrations import Illustrations
 from .stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
 from .study_folder import TRAJECTORY, begin, being_written, end
 
-#: Points through which curves are drawn, at least.
+#: Minimum number of points of a drawn curve.
 SMOOTH = 3000
 
 
 class Report(Protocol):
-    """Receives what is being done, and the share that is done."""
+    """Receives progress: the current activity, and the completed fraction."""
 
     def __call__(self, share: float, /) -> None:
-        """Say how much is done, from 0 to 1."""
+        """Report the completed fraction, from 0 to 1."""
 
     def say(self, what: str) -> None:
-        """Say what is being done."""
+        """Report the current activity."""
 
 
 @arguments_checked
 def write_study(
     study: Study, folder: Path, force: bool, budget: ProofBudget, report: Report
 ) -> tuple[Trajectory, RunError | None]:
-    """Integrate and write everything; of a failed run, the part before the failure.
+    """Integrate and write everything; if the run fails, the part before the failure.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def _complete(
     study: Study, folder: Path, budget: ProofBudget, report: Report
 ) -> tuple[Trajectory, RunError | None]:
     failure: RunError | None = None
-    # curves are drawn through more points than the file is to have
+    # Curves are drawn through more points than the file will have.
     pieces = -(-SMOOTH // (study.experiment.run.samples - 1))
     try:
         trajectory = _trajectory(study, folder / TRAJECTORY, pieces, report)
@@ -104,7 +104,7 @@ def _complete(
     plan = None if study.subject.plan is None else plan_motion(study.subject.plan, trajectory)
     trajectory = trajectory.subsample(pieces)
     dataset = dataset_of(study, trajectory, complete=failure is None)
-    # what is there is of this study, or may be replaced
+    # Existing files belong to this study, or may be replaced.
     write(dataset, folder / "trajectory.nc", force=True)
     with atomic_file(folder / "experiment.toml") as temporary:
         temporary.write_text(study.complete_toml(), encoding="utf-8")
@@ -119,7 +119,7 @@ def _complete(
 
 
 def _trajectory(study: Study, path: Path, pieces: int, report: Report) -> Trajectory:
-    """The trajectory of the interrupted study, or else the motion integrated."""
+    """The trajectory of the interrupted study, or otherwise of a new integration."""
     if study.subject.changes_equations:
         return study.trajectory(report, pieces)
     key = trajectory_digest(study, pieces)
@@ -135,7 +135,7 @@ def _trajectory(study: Study, path: Path, pieces: int, report: Report) -> Trajec
 def _illustrations(
     study: Study, smooth: xr.Dataset, trajectory: Trajectory, plan: PlanMotion | None, folder: Path
 ) -> Illustrations:
-    # the process that proves needs nothing of matplotlib
+    # The process that proves does not need matplotlib.
     from .drawings import illustrations
 
     return illustrations(study, smooth, trajectory, plan, folder)

@@ -1,4 +1,4 @@
-"""The figures of a study, by the kind of system that it follows."""
+"""The figures of a study, by the kind of system."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..experiment.subjects.subject import BallSubject, BodySubject, Subject
 from . import figures
 from .drawing.contact_values import friction_limits
 from .figures.contact_figures import contact_figures
-from .scenes.scene import ball_scene_of, scene_of
+from .scenes.scene import scene_of, surface_scene_of
 
 
 def subject_figures(
@@ -28,18 +28,17 @@ def subject_figures(
     plan : PlanMotion or None
         The motion of a mechanism in the plane.
     """
-    drawn = scene_of(subject)
+    drawn, on_surface = scene_of(subject), surface_scene_of(subject)
     match subject:
-        case BallSubject():
-            scene = ball_scene_of(subject.ball)
-            return figures.ball_figures(dataset, *scene, subject.state_names, subject.weight)
+        case BallSubject() if on_surface is not None:
+            return figures.ball_figures(dataset, *on_surface, subject.state_names, subject.weight)
         case BodySubject():
-            return figures.all_figures(dataset, drawn, subject.weight)
+            return figures.all_figures(dataset, drawn or on_surface, subject.weight)
         case ContactSubject(contact=contact, body=body) if drawn is not None:
             limits = friction_limits(contact)
             return contact_figures(dataset, drawn, body, limits, subject.weight)
         case _:
             pictures = {} if plan is None else {"plan_view": figures.plan_view(dataset, plan)}
-            # a horizontal place is recorded as part of the centre
+            # A horizontal position is recorded as part of the centre.
             names = [name for name in subject.state_names if name in dataset]
             return pictures | figures.state_figures(dataset, names, subject.recorded_names)

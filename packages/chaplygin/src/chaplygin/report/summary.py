@@ -1,4 +1,4 @@
-"""A trajectory in a few lines: how it was computed, what it kept, what happened."""
+"""A trajectory in a few lines: method, conserved quantities, events."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..experiment.dataset import Samples
 
 
 def drift(values: Samples) -> float:
-    """Largest |F(t) − F(0)|, relative to |F(0)|; absolute when F(0) = 0."""
+    """Largest |F(t) − F(0)|, relative to |F(0)|; absolute if F(0) = 0."""
     with np.errstate(invalid="ignore"):
         change = max(abs(float(v - values[0])) for v in values)
     size = abs(float(values[0]))
@@ -23,7 +23,7 @@ def drift(values: Samples) -> float:
 
 
 def summary(trajectory: Trajectory) -> dict[str, Any]:
-    """The facts of a run, ready for JSON; 34-digit numbers are strings."""
+    """The facts of a run as JSON-compatible data; 34-digit numbers are strings."""
     system, statistics = trajectory.system, trajectory.statistics
     return {
         "system": system.name,
@@ -44,7 +44,7 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
 
 
 def drift_text(trajectory: Trajectory, law: str) -> str:
-    """The drift as a number, or that there is none."""
+    """The drift as text, or a statement that there is none."""
     value = _drift_or_none(trajectory, law)
     return _words_of_none(trajectory, law) if value is None else number(value, 2)
 

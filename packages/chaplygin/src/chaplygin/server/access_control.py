@@ -1,8 +1,7 @@
-"""Access to a laboratory: only a page that it has served, to the user who started it.
+"""Access control of a laboratory: only pages served by it, for the user who started it.
 
-Another page in the same browser, and a name that somebody else's server has made to mean this
-machine, come with another Origin or Host. The token in the address keeps out other users of the
-machine.
+Another page in the same browser, or a host name redirected to this machine (DNS rebinding), has a
+different Origin or Host.  The token in the address excludes other users of the machine.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from dataclasses import dataclass
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-#: Sent with every answer.
+#: Headers sent with every response.
 HEADERS = {
     "cache-control": "no-store",
     "cross-origin-opener-policy": "same-origin",
@@ -29,7 +28,7 @@ _NOTHING = "There is nothing here. The address that chaplygin lab printed has al
 
 @dataclass(frozen=True)
 class AccessControl:
-    """An application that answers only what was asked in the right way.
+    """An ASGI application that only accepts properly authorised requests.
 
     Parameters
     ----------
@@ -44,10 +43,10 @@ class AccessControl:
     port: int
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer what may be asked, and refuse the rest."""
+        """Answer permitted requests, and refuse all others."""
         if scope["type"] != "http":
-            # there are no sockets of the web here; the server refuses them
-            raise RuntimeError(f"a laboratory does not speak {scope['type']}")
+            # Websockets are not supported; the server refuses them.
+            raise RuntimeError(f"unsupported protocol: {scope['type']}")
 
         async def guarded(message: Message) -> None:
             if message["type"] == "http.response.start":
@@ -62,7 +61,7 @@ class AccessControl:
         await self.app(scope, receive, guarded)
 
     def _refusal(self, scope: Scope) -> PlainTextResponse | None:
-        """The answer to what is not answered."""
+        """The response to a refused request."""
         headers = [(name.lower(), value.decode("latin-1")) for name, value in scope["headers"]]
         places = {f"{name}:{self.port}" for name in ("127.0.0.1", "localhost")}
         hosts = [value for name, value in headers if name == b"host"]

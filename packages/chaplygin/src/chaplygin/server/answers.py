@@ -1,4 +1,4 @@
-"""Answers of a worker to a page, part by part; a mistake of the user gives one sentence."""
+"""The answers of a worker to a page, part by part; a user's mistake gives one sentence."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Answer: TypeAlias = Iterator[Message]
 
 @dataclass(frozen=True)
 class Assignment:
-    """A request with all that is needed to answer it.
+    """A request with everything needed to answer it.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ def answer(task: object) -> Answer:
 
 
 def study_of(subject: Subject, experiment: str | None) -> Study:
-    """The study that a subject means.
+    """The study that a subject refers to.
 
     Raises
     ------
@@ -86,8 +86,8 @@ def _study(task: Assignment) -> Study:
     return study_of(task.request.subject, task.experiment)
 
 
-def _short(study: Study) -> Study:
-    """A study, if its motion is not too long to be sent."""
+def _bounded(study: Study) -> Study:
+    """The study, if its motion is short enough to be sent."""
     samples = study.experiment.run.samples
     if samples > MOST_SAMPLES:
         raise InputError(
@@ -102,14 +102,14 @@ def _open(task: Assignment) -> Answer:
 
     assert isinstance(task.request, Opening)
     yield {"doing": "computing the motion"}
-    yield {"model": laboratory_model(_short(_study(task)), task.request.subject.model_dump())}
+    yield {"model": laboratory_model(_bounded(_study(task)), task.request.subject.model_dump())}
 
 
 def _motion(task: Assignment) -> Answer:
     from ..experiment.study import dataset_of
     from .json_numbers import columns
 
-    study = _short(_study(task))
+    study = _bounded(_study(task))
     dataset = dataset_of(study, study.trajectory())
     yield {"motion": {"times": dataset["time"].values.tolist(), "columns": columns(dataset)}}
 
@@ -120,7 +120,7 @@ def _data(task: Assignment) -> Answer:
 
     request = task.request
     assert isinstance(request, Data)
-    study = _short(_study(task))
+    study = _bounded(_study(task))
     dataset = dataset_of(study, study.trajectory())
     content = netcdf(dataset) if request.format == "nc" else csv_text(dataset).encode()
     name = f"{study.system.name}.{request.format}"

@@ -1,4 +1,4 @@
-"""The application: one page, and one place to which it sends its requests."""
+"""The application: one page, and one address for its requests."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from .folder import Folder
 from .requests import LARGEST, Chart, Computation, Listing, Saving, request_of
 from .workers import BusyError, Message, Pool
 
-#: Seconds in which a message must have arrived.
+#: Seconds within which a message must have arrived.
 MESSAGE_TIMEOUT = 20.0
 
 
 @dataclass(frozen=True)
 class Laboratory:
-    """All that the application needs.
+    """The resources of the application.
 
     Attributes
     ----------
@@ -63,7 +63,7 @@ class Laboratory:
             Route(f"{self.base}ask", self.ask, methods=["POST"]),
         ]
         application = Starlette(routes=routes)
-        # an address that is almost right is wrong
+        # A nearly correct address is still wrong.
         application.router.redirect_slashes = False
         return AccessControl(application, self.token, self.port)
 
@@ -85,7 +85,7 @@ class Laboratory:
         return PlainTextResponse(f"{error}\n", 400)
 
     async def ask(self, request: Request) -> Response:
-        """The answer to a request, an object on each line, as they come."""
+        """The response to a request, one JSON object per line, as they are computed."""
         kind = request.headers.get("content-type", "").partition(";")[0].strip()
         if kind != "application/json":
             return _refusal("a request is sent as application/json", 415)
@@ -135,7 +135,7 @@ class Laboratory:
                 yield part
 
     def _assignment(self, request: Computation) -> Assignment:
-        """The task of a worker; experiments are checked there too, as that can take long.
+        """Prepare the task of a worker; experiments are validated there too, as this may be slow.
 
         Raises
         ------
@@ -158,7 +158,7 @@ def _refusal(sentence: str, status: int) -> Response:
 
 
 async def _body(request: Request) -> bytes | None:
-    """The whole message; None if it is too large."""
+    """The complete message; None if it is too large."""
     declared = request.headers.get("content-length", "0")
     if declared.isdecimal() and int(declared) > LARGEST:
         return None

@@ -1,4 +1,4 @@
-"""Charts that are kept in a store and sent to a page row by row, as they are computed."""
+"""Charts stored on disk and sent to a page row by row, as they are computed."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .workers import Message
 
 
 def store_name(request: Chart, experiment: str | None) -> str:
-    """The name of the store of a chart: the same request finds the same store again."""
+    """The name of the store of a chart; the same request gives the same store."""
     words = "-".join(
         "".join(c if c.isalnum() or c == "_" else "-" for c in part.partition("=")[0])[:24]
         for part in (request.subject.what.removesuffix(".toml"), request.of, request.x, request.y)
@@ -30,7 +30,7 @@ def store_name(request: Chart, experiment: str | None) -> str:
 
 
 def tiles(study: Study, request: Chart, store: str) -> Iterator[Message]:
-    """Rows of a chart: first those that the store has, then the others as they are computed.
+    """Rows of a chart: first those in the store, then the others as they are computed.
 
     Parameters
     ----------

@@ -15,10 +15,10 @@ from ..experiment.files import atomic_file, check_target
 from ..experiment.models.experiment import loads
 from ..experiment.study import prepare
 
-#: Bytes of an experiment file at most.
+#: Maximum size of an experiment file in bytes.
 LARGEST = 1_000_000
 
-#: Bytes of a name of a file at most.
+#: Maximum length of a file name in bytes.
 LONGEST = 200
 
 #: Folder for the stores of charts.
@@ -70,7 +70,7 @@ class Folder:
         place = self.inside(what)
         try:
             if not place.is_file():
-                # reading a pipe would wait for ever
+                # Reading a pipe would block forever.
                 raise InputError(f"{what} is no file in the folder of the laboratory")
             if place.stat().st_size > LARGEST:
                 raise InputError(f"{what} is no experiment file: it has more than a megabyte")
@@ -79,7 +79,7 @@ class Folder:
             raise InputError(f"{what} cannot be read in the folder of the laboratory") from None
 
     def inside(self, name: str) -> Path:
-        """The place of a file in the folder.
+        """The path of a file in the folder.
 
         Raises
         ------
@@ -100,7 +100,7 @@ class Folder:
         return place
 
     def save(self, name: str, experiment: str, replace: bool) -> None:
-        """Write an experiment file, complete or not at all.
+        """Write an experiment file atomically.
 
         Raises
         ------
@@ -118,7 +118,7 @@ class Folder:
             temporary.write_text(experiment, encoding="utf-8")
 
     def store(self, name: str) -> Path:
-        """The place of the store of a chart, whose folder is made."""
+        """The path of the store of a chart; its folder is created."""
         stores = self.path / STORES
         try:
             stores.mkdir(exist_ok=True)

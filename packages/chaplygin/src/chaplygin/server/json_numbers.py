@@ -1,4 +1,4 @@
-"""Numbers of datasets as JSON has them."""
+"""Numbers of datasets as JSON."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import xarray as xr
 
 
 def numbers(values: npt.ArrayLike) -> list[float | None]:
-    """Numbers row by row; what is not finite is None.
+    """Numbers row by row; None for values that are not finite.
 
     Examples
     --------
@@ -22,7 +22,7 @@ def numbers(values: npt.ArrayLike) -> list[float | None]:
 
 
 def columns(dataset: xr.Dataset) -> dict[str, list[float | None]]:
-    """The quantities sampled along a motion by name, each row by row."""
+    """The quantities sampled along a motion by name, row by row."""
     return {
         str(name): numbers(item.transpose("time", ...).values)
         for name, item in dataset.data_vars.items()

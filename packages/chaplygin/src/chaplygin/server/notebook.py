@@ -1,6 +1,6 @@
 """The laboratory in a notebook: Jupyter, JupyterLab, VS Code, marimo.
 
-Needs the extra: ``pip install 'chaplygin[lab]'``.
+Requires the extra: ``pip install 'chaplygin[lab]'``.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ from ..experiment.study import Study
 if TYPE_CHECKING:
     from anywidget import AnyWidget
 
-#: Makes a module of the front end that a notebook can import, and speaks to the kernel by messages.
+#: Turns the front end into a module that a notebook can import and that exchanges messages with the
+#: kernel.
 _BRIDGE = """
 function ask(model) {
   let last = 0;
@@ -54,9 +55,9 @@ export default {
 
 @arguments_checked
 def widget(what: Study | System) -> AnyWidget:
-    """The laboratory of a study, or of a system of the catalogue, to be shown in a notebook.
+    """The laboratory of a study, or of a catalogue system, for display in a notebook.
 
-    Its motions are computed in the page; the kernel answers what needs Python.
+    Motions are computed in the page; the kernel answers requests that need Python.
 
     Parameters
     ----------
@@ -107,7 +108,7 @@ def widget(what: Study | System) -> AnyWidget:
 
 
 def _study_of(system: System) -> Study:
-    """The study that the catalogue suggests for a system."""
+    """The default study of the catalogue for a system."""
     from nonholonomic.catalogue import CATALOGUE
 
     from ..experiment.models.experiment import catalogue_experiment
@@ -131,7 +132,7 @@ class _Kernel:
         self._turn = threading.Lock()
 
     def hear(self, widget: Any, content: object, buffers: object) -> None:
-        """Begin what a message asks."""
+        """Start the computation requested by a message."""
         if not isinstance(content, dict) or not isinstance(content.get("id"), int):
             return
         if content.get("cancel"):

@@ -10,7 +10,7 @@ from ..experiment.study import Study
 from .requests import PeriodicOrbit
 from .workers import Message
 
-#: Error tolerance of one step, as of the command line.
+#: Tolerance of one step, as on the command line.
 _TOLERANCE = 1e-15
 
 

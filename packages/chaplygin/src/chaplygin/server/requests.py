@@ -1,7 +1,7 @@
 """Requests that a page may send, validated before anything is done.
 
-A request is a JSON object; ``do`` says what is asked. Its subject is a system of the catalogue or
-an experiment, with options as of ``--set``.
+A request is a JSON object; ``do`` names the action.  Its subject is a system of the catalogue or an
+experiment, with options as for ``--set``.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError,
 
 from flowlanes.errors import InputError
 
-#: Bytes of a request at most.
+#: Maximum size of a request in bytes.
 LARGEST = 256 * 1024
 
-#: Samples of a motion that is sent to a page at most.
+#: Maximum number of samples of a motion sent to a page.
 MOST_SAMPLES = 20_001
 
-#: Cells along each axis of a chart at most.
+#: Maximum number of cells along each axis of a chart.
 MOST_CELLS = 2000
 
 #: A key of an experiment file, or the name of a parameter.
@@ -35,13 +35,13 @@ Formula: TypeAlias = Annotated[str, Field(max_length=2000)]
 
 
 class _Request(BaseModel):
-    """A table whose keys are all known, with values of exactly these kinds."""
+    """A table with known keys and strictly typed values."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
 
 class Subject(_Request):
-    """The subject of a request: a name of the catalogue or a file, and options.
+    """The subject of a request: a catalogue name or a file, and options.
 
     Attributes
     ----------
@@ -72,7 +72,7 @@ class Subject(_Request):
 
 
 def _toml(value: object, key: str, depth: int = 0) -> str:
-    """A value as TOML writes it.
+    """A value written as TOML.
 
     Raises
     ------
@@ -98,25 +98,25 @@ class _OfSubject(_Request):
 
 
 class Listing(_Request):
-    """Which systems and files there are."""
+    """Lists the available systems and files."""
 
     do: Literal["list"]
 
 
 class Opening(_OfSubject):
-    """The model of a page."""
+    """Requests the model of a page."""
 
     do: Literal["open"]
 
 
 class Motion(_OfSubject):
-    """A motion, sampled."""
+    """Requests a sampled motion."""
 
     do: Literal["motion"]
 
 
 class Proof(_OfSubject):
-    """The verdicts on the laws of a system, or on one of them."""
+    """Requests the verdicts on the laws of a system, or on one of them."""
 
     do: Literal["prove"]
     law: Short | None = None
@@ -124,7 +124,7 @@ class Proof(_OfSubject):
 
 
 class Search(_OfSubject):
-    """Laws found from the equations alone."""
+    """Requests a search for laws from the equations alone."""
 
     do: Literal["find"]
     kind: Literal["integrals", "measure", "symmetries"]
@@ -133,19 +133,19 @@ class Search(_OfSubject):
 
 
 class ClosedForm(_OfSubject):
-    """The motion in closed form."""
+    """Requests the motion in closed form."""
 
     do: Literal["solve"]
 
 
 class BifurcationDiagram(_OfSubject):
-    """The bifurcation diagram of an integrable system."""
+    """Requests the bifurcation diagram of an integrable system."""
 
     do: Literal["bifurcation"]
 
 
 class Chart(_OfSubject):
-    """A number over a plane, kept in a store."""
+    """Requests a quantity over a plane, kept in a store."""
 
     do: Literal["chart"]
     of: Formula
@@ -155,7 +155,7 @@ class Chart(_OfSubject):
 
 
 class PeriodicOrbit(_OfSubject):
-    """A periodic orbit near the motion."""
+    """Requests a periodic orbit near the motion."""
 
     do: Literal["orbit"]
     on: Formula
@@ -167,14 +167,14 @@ class PeriodicOrbit(_OfSubject):
 
 
 class Data(_OfSubject):
-    """A trajectory as a file."""
+    """Requests a trajectory as a file."""
 
     do: Literal["data"]
     format: Literal["nc", "csv"]
 
 
 class Saving(_Request):
-    """An experiment to be written to the folder."""
+    """Requests that an experiment be written to the folder."""
 
     do: Literal["save"]
     file: Short
@@ -182,7 +182,7 @@ class Saving(_Request):
     replace: bool = False
 
 
-#: What a worker computes.
+#: The requests that a worker computes.
 Computation: TypeAlias = (
     Opening
     | Motion
@@ -202,7 +202,7 @@ _REQUEST: TypeAdapter[Computation | Listing] = TypeAdapter(Request)
 
 
 def request_of(body: bytes) -> Computation | Listing:
-    """The request that a message makes.
+    """Parse a message into a request.
 
     Raises
     ------

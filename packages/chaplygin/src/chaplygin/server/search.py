@@ -1,4 +1,4 @@
-"""Laws found from the equations alone, one by one as they are found."""
+"""Laws found from the equations alone, sent one by one."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _SEARCHES = {"integrals": integrals, "measure": measures, "symmetries": symmetri
 
 
 def search_messages(study: Study, request: Search) -> Iterator[Message]:
-    """Messages on the progress of a search, and a message for each law that is found.
+    """Messages on the progress of a search, and a message for each law found.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Starting a laboratory, on this machine alone, until Ctrl-C or SIGTERM."""
+"""Start a laboratory on this machine only, until Ctrl-C or SIGTERM."""
 
 from __future__ import annotations
 
@@ -24,21 +24,21 @@ from .workers import Pool
 #: Only this machine can reach it.
 HOST = "127.0.0.1"
 
-#: Seconds in which a page must have read the answer that it was sent so far.
+#: Seconds within which a page must have read the response sent so far.
 READING_TIMEOUT = 20.0
 
-#: Seconds that the check of an experiment may take before it is saved.
+#: Seconds that the validation of an experiment may take before it is saved.
 SAVING_TIMEOUT = 60.0
 
-#: Connections at most; more are told to come again.
+#: Maximum number of connections; further ones are told to retry.
 CONNECTIONS = 256
 
-#: Connections at most that wait for a request; of more, those that have waited longest are closed.
+#: Maximum number of idle connections; of more, the longest idle ones are closed.
 IDLE_CONNECTIONS = 64
 
 
 class _Server(uvicorn.Server):
-    """A server that leaves signals to the command line."""
+    """A server that leaves signal handling to the command line."""
 
     @contextlib.contextmanager
     def capture_signals(self) -> Iterator[None]:
@@ -46,27 +46,27 @@ class _Server(uvicorn.Server):
 
 
 class _Connection(H11Protocol):
-    """A connection that is closed where no request comes, or nobody reads the answer.
+    """A connection that is closed if no request arrives, or the response is not read.
 
-    There are only so many connections, and processes that compute.
+    The numbers of connections and of worker processes are limited.
     """
 
     _unread: asyncio.TimerHandle | None = None
     _since = 0.0
 
     def pause_writing(self) -> None:
-        """Wait until more has been read, but not for ever."""
+        """Wait until more has been read, but only for a limited time."""
         super().pause_writing()
         self._unread = self.loop.call_later(READING_TIMEOUT, self.transport.abort)
 
     def resume_writing(self) -> None:
-        """Go on with the answer."""
+        """Continue sending the response."""
         super().resume_writing()
         if self._unread is not None:
             self._unread.cancel()
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Begin to watch it."""
+        """Start watching the connection."""
         super().connection_made(transport)
         self._since = self.loop.time()
         self._watch()
@@ -78,7 +78,7 @@ class _Connection(H11Protocol):
             and not other.transport.is_closing()
         ]
         if len(idle) > IDLE_CONNECTIONS:
-            # first those from which no request has ever come
+            # First those without any request so far.
             min(idle, key=lambda other: (other.cycle is not None, other._since)).transport.close()
 
     def _watch(self) -> None:
@@ -88,7 +88,7 @@ class _Connection(H11Protocol):
         return self.cycle is None or self.cycle.response_complete
 
     def _close_if_idle(self, before: bool, cycle: object) -> None:
-        """Close it if it was idle before, and no request has come since."""
+        """Close the connection if it was idle before, and no request has arrived since."""
         if before and self.cycle is cycle and self._is_idle():
             self.transport.close()
         elif not self.transport.is_closing():
@@ -96,7 +96,7 @@ class _Connection(H11Protocol):
 
 
 def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None]) -> None:
-    """Serve a laboratory until it is interrupted; no process is left then.
+    """Serve a laboratory until it is interrupted; no process remains afterwards.
 
     Parameters
     ----------
@@ -141,13 +141,13 @@ async def _serve(server: _Server, listening: socket.socket, pools: list[Pool]) -
     try:
         await server.serve([listening])
     finally:
-        # before the loop waits for threads, which wait for workers
+        # Before the event loop waits for threads, which wait for workers.
         for pool in pools:
             pool.close()
 
 
 def listen(port: int) -> socket.socket:
-    """A socket on which only this machine can be reached.
+    """A socket that only this machine can reach.
 
     Raises
     ------
@@ -172,7 +172,7 @@ def listen(port: int) -> socket.socket:
 
 
 def _is_laboratory(port: int) -> bool:
-    """Whether what listens there says that it is a laboratory."""
+    """Whether the listening server identifies itself as a laboratory."""
     connection = http.client.HTTPConnection(HOST, port, timeout=1.0)
     try:
         connection.request("GET", "/")

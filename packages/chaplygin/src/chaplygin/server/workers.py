@@ -1,4 +1,4 @@
-"""Processes that compute for pages: each does one thing at a time, and can be stopped at any."""
+"""Worker processes that compute for pages: one task at a time each, cancellable at any moment."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ else:
 #: A part of an answer; the last one is None.
 Message: TypeAlias = dict[str, object]
 
-#: Computes the parts of an answer to a task; it is called in a worker.
+#: Computes the parts of an answer to a task; called in a worker.
 Answer: TypeAlias = Callable[[object], Iterator[Message]]
 
-#: Computations that may wait at most.
+#: Maximum number of waiting computations.
 WAITING = 200
 
-#: Seconds in which a computation that nobody wants may end by itself.
+#: Seconds that a cancelled computation has to end by itself.
 GRACE = 0.5
 
 
 class BusyError(Exception):
-    """Too many computations wait already."""
+    """Too many computations are already waiting."""
 
 
 @dataclass(eq=False)
@@ -43,7 +43,7 @@ class _Worker:
 
 @dataclass
 class Pool:
-    """Workers, made when they are first needed.
+    """A pool of workers, started on demand.
 
     Parameters
     ----------
@@ -65,9 +65,9 @@ class Pool:
     _clearing: set[asyncio.Task[None]] = field(default_factory=set)
 
     async def ask(self, task: object) -> AsyncGenerator[Message, None]:
-        """The parts of an answer as they come.
+        """The parts of an answer, as they are computed.
 
-        When the iteration is given up, the computation ends.
+        If the iteration is abandoned, the computation is cancelled.
 
         Raises
         ------
@@ -118,7 +118,7 @@ class Pool:
     async def _worker(self) -> _Worker:
         while self._free:
             worker = self._free.pop()
-            # one that was waiting may have been killed, as where memory is short
+            # A waiting worker may have been killed, for example when memory was short.
             if worker.process.is_alive():
                 return worker
             self._end(worker)
@@ -127,7 +127,7 @@ class Pool:
     async def _clear(
         self, making: asyncio.Task[_Worker], reading: asyncio.Task[Message | None] | None
     ) -> None:
-        """End a computation that nobody wants, and give its place to the next."""
+        """Cancel a computation, and give its slot to the next one."""
         assert self._turn is not None
         try:
             worker = await making
@@ -139,14 +139,14 @@ class Pool:
             self._turn.release()
 
     async def _drained(self, worker: _Worker, reading: asyncio.Task[Message | None]) -> bool:
-        """Whether the worker came to the end of its answer within a moment."""
+        """Whether the worker finished its answer within a moment."""
         try:
             async with asyncio.timeout(GRACE):
                 while await asyncio.shield(reading) is not None:
                     reading = asyncio.create_task(asyncio.to_thread(worker.pipe.recv))
                 return True
         except (TimeoutError, EOFError, OSError):
-            # when the process is gone, so is the thread that reads from it
+            # Once the process is gone, so is the thread that reads from it.
             reading.add_done_callback(_hear)
             return False
 
@@ -174,13 +174,13 @@ class Pool:
 
 
 def _hear(task: asyncio.Task[Message | None]) -> None:
-    """Take note of how a task ended that nobody waits for."""
+    """Retrieve the result of a task that nobody awaits."""
     if not task.cancelled():
         task.exception()
 
 
 def work(pipe: Connection, answer: Answer) -> None:
-    """Compute answers until the other end of the pipe is closed; what a worker runs."""
+    """The main function of a worker: compute answers until the other end of the pipe is closed."""
     follow_parent()
     with contextlib.suppress(EOFError, OSError):
         while True:

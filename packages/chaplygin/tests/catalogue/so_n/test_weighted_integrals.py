@@ -46,7 +46,7 @@ def test_a_third_is_no_decimal():
     assert further_weights(moments(NO_BODY, 4)) == ()
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_laws_are_proven_and_a_wrong_weight_is_refuted(name):
     system = from_catalogue(name, moments=of_body(4))
@@ -67,7 +67,7 @@ def test_slips_of_the_lemma_are_refuted():
         assert prove(replace(system, laws=(wrong,)), wrong.name).decision == "refuted"
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [4, 5])
 @pytest.mark.parametrize("kind", ["moments", "mass_tensor"])
 def test_the_level_is_that_of_the_whole_ball(n, kind):

@@ -67,7 +67,7 @@ def rates(n: int, inertia: Array, a: float, rubber: bool) -> Callable[[float, Ar
     return rate
 
 
-@pytest.mark.slow(every=6)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["moments", "mass_tensor"])
 @pytest.mark.parametrize("a", [2.0, -3.1, -0.6])
 @pytest.mark.parametrize("n", [3, 4, 5, 6])
@@ -132,8 +132,15 @@ def test_a_dataset_has_the_contact_point_by_as_many_coordinates_as_the_space(nam
     assert contact.shape[1] == 4
 
 
-@pytest.mark.parametrize("name", [MARBLE, RUBBER])
-@pytest.mark.parametrize("n", [3, 4])
+@pytest.mark.parametrize(
+    ("name", "n"),
+    [
+        (MARBLE, 3),
+        pytest.param(MARBLE, 4, marks=pytest.mark.slow),
+        pytest.param(RUBBER, 3, marks=pytest.mark.slow),
+        pytest.param(RUBBER, 4, marks=pytest.mark.slow),
+    ],
+)
 def test_laws_are_proven_and_another_measure_is_refuted(name, n):
     ball = from_catalogue(name, dimension=n, a=-3.0)
     assert {v.decision for v in prove(ball)} == {"proven"}

@@ -15,7 +15,7 @@ import xarray as xr
 
 from borisov_mamaev_2008.audit import TITLES
 from chaplygin.cli import audit, bifurcation, main
-from chaplygin.cli.terminal import options
+from chaplygin.cli.terminal import option_table
 from chaplygin.experiment.dataset import read
 from chaplygin.experiment.poincare import DIRECTIONS
 from nonholonomic.closed_form.bifurcation.families import PLANES
@@ -287,9 +287,9 @@ def test_mistakes_in_files_are_told_before_anything_heavy_is_imported(
     "arguments",
     [
         ("rattleback", "--set", "I_1=-1"),
-        ("rattleback", "--set", "system.parameters.s=0"),
-        ("snakeboard", "--set", "m=0"),
-        ("suslov-nd", "--set", "dimension=40"),
+        pytest.param(("rattleback", "--set", "system.parameters.s=0"), marks=pytest.mark.slow),
+        pytest.param(("snakeboard", "--set", "m=0"), marks=pytest.mark.slow),
+        pytest.param(("suslov-nd", "--set", "dimension=40"), marks=pytest.mark.slow),
     ],
 )
 def test_parameters_are_refused_before_what_integrates_is_imported(
@@ -352,7 +352,7 @@ def test_a_command_says_what_it_does_before_anything_heavy_is_imported(
 
 
 def test_the_choices_of_options_are_those_of_what_computes() -> None:
-    assert tuple(DIRECTIONS) == options.DIRECTIONS
+    assert tuple(DIRECTIONS) == option_table.WORDS["direction"]
     assert tuple(PLANES) == bifurcation.PLANES
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import mpmath
 import pytest
@@ -23,8 +24,24 @@ from nonholonomic.closed_form.separations.chaplygin_ball_area_constant import (
 )
 
 SEPARABLE = chaplygin_area()
-SLIPS = dict(slips(replace(SEPARABLE, fixed=(M, gamma))))
-CHART, FROZEN = chart(), chart_at_level()
+ON_CHART = ("energy", "square", "momentum", "levels", "time")
+AT_LEVEL = ("constants", "normal", "state", "curve", "clock")
+SLIPS = ("leading", "root", "weight", "speed", "clock", "state", "fixed")
+the_chart, the_level = cache(chart), cache(chart_at_level)
+
+
+@cache
+def planted():
+    """The laws with slips, by their names."""
+    return dict(slips(replace(SEPARABLE, fixed=(M, gamma))))
+
+
+def named(system, name):
+    """A law of a system."""
+    (law,) = (law for law in system.laws if law.name == name)
+    return law
+
+
 PARAMETERS = {"m": "1.3", "I_1": "2.1", "I_2": "1", "I_3": "1.5", "R": "0.7"}
 #: M and γ with an area constant of either sign, small, and near the largest one.
 STARTS = {
@@ -40,36 +57,44 @@ def test_proven_of_the_ball(law):
     assert prove(SEPARABLE.system, law).decision == "proven"
 
 
-@pytest.mark.parametrize("law", CHART.laws, ids=lambda law: law.name)
-def test_proven_on_the_chart(law):
-    assert prove(CHART, law).decision == "proven"
+def test_nothing_else_is_stated():
+    assert tuple(law.name for law in the_chart().laws) == ON_CHART
+    assert tuple(law.name for law in the_level().laws) == AT_LEVEL
+    assert tuple(planted()) == SLIPS
 
 
-@pytest.mark.parametrize("law", FROZEN.laws, ids=lambda law: law.name)
-def test_proven_at_a_level(law):
-    assert prove(FROZEN, law).decision == "proven"
+@pytest.mark.parametrize("name", ON_CHART)
+def test_proven_on_the_chart(name):
+    assert prove(the_chart(), name).decision == "proven"
 
 
-@pytest.mark.parametrize("law", CHART.laws[2:], ids=lambda law: law.name)
-def test_a_slip_on_the_chart_is_refuted(law):
-    (symbol,) = CHART.laws[0].value.free_symbols
+@pytest.mark.parametrize("name", AT_LEVEL)
+def test_proven_at_a_level(name):
+    assert prove(the_level(), name).decision == "proven"
+
+
+@pytest.mark.parametrize("name", ON_CHART[2:])
+def test_a_slip_on_the_chart_is_refuted(name):
+    law = named(the_chart(), name)
+    (symbol,) = the_chart().laws[0].value.free_symbols
     values = list(sp.flatten([to_components(sp.sympify(law.value))]))
     wrong = Identity(law.name, (*values[:-1], values[-1] + symbol))
-    assert prove(CHART, wrong).decision == "refuted"
+    assert prove(the_chart(), wrong).decision == "refuted"
 
 
-@pytest.mark.parametrize("law", FROZEN.laws, ids=lambda law: law.name)
-def test_a_slip_at_a_level_is_refuted(law):
+@pytest.mark.parametrize("name", AT_LEVEL)
+def test_a_slip_at_a_level_is_refuted(name):
+    law = named(the_level(), name)
     (place,) = (i for i, (name, _) in enumerate(law.quantities) if str(name) == "sigma")
-    name, value = law.quantities[place]
-    quantities = (*law.quantities[:place], (name, 2 * value), *law.quantities[place + 1 :])
+    symbol, value = law.quantities[place]
+    quantities = (*law.quantities[:place], (symbol, 2 * value), *law.quantities[place + 1 :])
     wrong = Identity(law.name, law.value, quantities=quantities)
-    assert prove(FROZEN, wrong).decision == "refuted"
+    assert prove(the_level(), wrong).decision == "refuted"
 
 
 @pytest.mark.parametrize("slip", SLIPS)
 def test_a_slip_is_refuted(slip):
-    assert prove(SEPARABLE.system, SLIPS[slip]).decision == "refuted"
+    assert prove(SEPARABLE.system, planted()[slip]).decision == "refuted"
 
 
 def test_both_forms_are_diagonal():

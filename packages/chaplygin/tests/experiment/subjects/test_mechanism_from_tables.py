@@ -12,7 +12,6 @@ from hypothesis import given, settings, strategies as st
 from chaplygin.experiment.models.described_models import EquationsExperiment, MechanismExperiment
 from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import Study, prepare
-from chaplygin.experiment.subjects.mechanism_from_tables import mechanism_of
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Integral, Measure
 from flowlanes.system.system import System
@@ -28,6 +27,7 @@ from flowlanes.system.vectors import (
 from lawproof.proof.prover import prove
 from nonholonomic.mechanics.lagrangian.mechanism import Frame, Mechanism, rotations
 from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.system_files.systems import mechanism_of
 
 EXAMPLES = Path(__file__).parents[5] / "examples"
 SLEIGH, SUSLOV, VOLTERRA, TURNTABLE = (

@@ -9,7 +9,7 @@ from fractions import Fraction
 import mpmath
 import numpy as np
 
-from flowlanes.flow.kernel.wasm import values_text, wasm_module, with_prefix
+from flowlanes.flow.kernel.wasm import emit_row_functions, wasm_module, with_prefix
 from flowlanes.flow.machine_code.arithmetic import WithoutFused
 from flowlanes.flow.machine_code.ir_writer import IRWriter
 from flowlanes.formulas.graph import Graph
@@ -36,7 +36,7 @@ FUNCTIONS = ["sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"
 
 def evaluated(terms, rows):
     """Terms of two state variables at rows of these."""
-    text, names, _ = values_text("of", {"all": terms}, rows.shape[1])
+    text, names, _ = emit_row_functions("of", {"all": terms}, rows.shape[1])
     code = wasm_module([text], list(names.values()))
     task = {
         "code": code.hex(),
@@ -79,7 +79,7 @@ def test_formulas_keep_what_rounding_takes_where_it_is_wanted():
     k.store(k.multiply_add(a, b, c), "%result", 1)
     head = "internal void @all(ptr noalias %result, ptr noalias %state, ptr noalias %constants)"
     graph = Graph()
-    loops, names, _ = values_text("of", {"all": [graph.state(0), graph.state(1)]}, 3)
+    loops, names, _ = emit_row_functions("of", {"all": [graph.state(0), graph.state(1)]}, 3)
     start = loops.index("define internal void @of_all(")
     text = (
         loops[:start]

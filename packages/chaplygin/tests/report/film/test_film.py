@@ -15,6 +15,7 @@ from chaplygin.report.film.encode import write_film
 from chaplygin.report.film.encoders import require_encoder
 from chaplygin.report.film.frames import Picture, frames
 from flowlanes.errors import InputError
+from needs import optional
 
 EXAMPLES = Path(__file__).parents[5] / "examples"
 SIZE = (320, 180)
@@ -27,7 +28,7 @@ def drawn(study: Study, every: int = 4) -> tuple[int, list[Picture]]:
     return count, list(pictures)
 
 
-@pytest.mark.slow(every=5)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["coin", "sleigh", "ball_in_a_bowl", "ball_on_waves", "tippe_top"])
 def test_frames_show_a_motion(name: str) -> None:
     study = prepare(load(EXAMPLES / f"{name}.toml", ["run.until=1", "run.samples=13"]))
@@ -38,7 +39,7 @@ def test_frames_show_a_motion(name: str) -> None:
         assert np.mean(np.any(before != after, axis=2)) > 0.002
 
 
-@pytest.mark.slow(every=3)
+@pytest.mark.slow
 def test_what_stays_in_sight_is_never_cut_off() -> None:
     study = prepare(load(EXAMPLES / "rattleback.toml", ["run.until=2", "run.samples=9"]))
     for picture in drawn(study)[1]:
@@ -65,7 +66,7 @@ def squares(count: int) -> list[Picture]:
 
 @pytest.mark.parametrize("ending", [".mp4", ".webm"])
 def test_a_film_is_read_back(tmp_path: Path, ending: str) -> None:
-    av = pytest.importorskip("av")
+    av = optional("av")
     require_encoder(ending)
     made, path = squares(10), tmp_path / f"film{ending}"
     write_film(made, path, 10, SIZE)

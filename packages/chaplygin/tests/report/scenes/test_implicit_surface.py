@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from chaplygin.geometry.ball_surface import SurfaceGround, frame_of
+from chaplygin.geometry.ball_surface import SurfaceGround, frame_of, ground_of_ball
 from chaplygin.geometry.view import View
 from chaplygin.report.scenes.implicit_surface import crossings
-from chaplygin.report.scenes.scene import ball_scene_of
 from mechanics.balls import POINTS, SURFACES, on
 
 VIEW = View(0.3, 0.4)
@@ -54,13 +53,13 @@ def test_an_open_surface_is_cut_by_the_box():
 def test_the_ground_of_a_ball_is_where_it_touches(name):
     """Of a ball whose centre moves on a surface, what carries it is the parallel one."""
     place = np.array([POINTS[name]])
-    carried = ball_scene_of(on(SURFACES[name])).surface
+    carried = ground_of_ball(on(SURFACES[name]))
     np.testing.assert_allclose(carried.height(place), 0.0, atol=1e-9)
-    centred = ball_scene_of(on(SURFACES[name], radius=0.1, carrier="centre")).surface
+    centred = ground_of_ball(on(SURFACES[name], radius=0.1, carrier="centre"))
     below = place - 0.1 * carried.normals(place)
     np.testing.assert_allclose(centred.height(below), 0.0, atol=2e-3)
 
 
 def test_the_other_half_of_a_cone_is_no_ground():
-    ground = ball_scene_of(on(SURFACES["cone"])).surface
+    ground = ground_of_ball(on(SURFACES["cone"]))
     assert np.isnan(ground.height(np.array([[0.0, 1.0, -1.0]])))

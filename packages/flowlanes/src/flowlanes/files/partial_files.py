@@ -1,8 +1,8 @@
-"""Files and folders that are being written, and locks; those of a process that was killed go.
+"""Partially written files and folders, and locks; those of killed processes are removed.
 
-What is being written has a name that says which process of which machine writes it.  The next
-process that writes into the same folder removes what belongs to none that runs, and locks that
-nobody holds.
+The name of a partial file contains the process and the machine that write it.  The next process
+that writes to the same folder removes the partial files of processes that no longer run, and locks
+that nobody holds.
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ from ..errors import InputError
 
 _LOG = logging.getLogger(__name__)
 
-#: The end of the name of a lock.
+#: Suffix of a lock file.
 _LOCK = ".chaplygin.lock"
 
-#: Seconds for which a lock is waited for: another process may be looking whether anybody holds it.
+#: Seconds to wait for a lock: another process may just be testing whether anybody holds it.
 _PATIENCE = 0.5
 
-#: Seconds after which what is no longer written has been left, also by another machine.
+#: Seconds after which an unmodified partial file counts as abandoned, even from another machine.
 _OLD = 7 * 86_400.0
 
 _NAME = re.compile(r"\.(?P<machine>[0-9a-f]{8})-(?P<process>\d+)-\w+\.partial")
 
 
-#: What this process is writing, and its locks.
+#: Partial files of this process, and its locks.
 _OWN: set[Path] = set()
 
 
@@ -51,7 +51,7 @@ def _own(path: Path) -> Iterator[None]:
 
 
 def remove_own() -> None:
-    """Remove what this process is writing, which is about to end in the middle of it."""
+    """Remove the partial files of this process, which is about to end."""
     for path in list(_OWN):
         with suppress(OSError):
             _remove(path)
@@ -66,7 +66,7 @@ def _remove(path: Path) -> None:
 
 @cache
 def _machine() -> str:
-    """The machine, and the container, within which numbers of processes have a meaning."""
+    """The machine and the container, within which process ids are meaningful."""
     space = ""
     with suppress(OSError):
         space = os.readlink("/proc/self/ns/pid")  # noqa: PTH115
@@ -105,7 +105,7 @@ def partial_folder(folder: Path) -> Iterator[Path]:
 
 
 def umask() -> int:
-    """The permissions that new files are to lack."""
+    """The permission bits that new files must not have."""
     current = os.umask(0)
     os.umask(current)
     return current
@@ -113,10 +113,10 @@ def umask() -> int:
 
 @contextmanager
 def write_lock(target: Path, inside: bool = False) -> Iterator[None]:
-    """A block in which no other process writes to a folder; the lock ends with the process.
+    """A context in which no other process writes to a folder; the lock ends with the process.
 
-    The lock is a file, which is deleted while it is still locked: who waits for a deleted file
-    starts over with a new one.
+    The lock is a file, which is deleted while it is still locked: a process that waits for a
+    deleted file starts over with a new one.
 
     Parameters
     ----------
@@ -135,14 +135,14 @@ def write_lock(target: Path, inside: bool = False) -> Iterator[None]:
     place = target.resolve()
     place = place / _LOCK if inside else place.with_name(f".{place.name}{_LOCK}")
     remove_leftovers(place.parent)
-    # filelock waits where nothing can be written; this says why not
+    # filelock would wait if nothing can be written; this reports the reason.
     place.touch()
     try:
         with filelock.FileLock(place, timeout=_PATIENCE), _own(place):
             try:
                 yield
             finally:
-                # Windows does not delete a file that is open
+                # Windows does not delete an open file.
                 with suppress(OSError):
                     place.unlink()
     except filelock.Timeout as problem:
@@ -152,19 +152,19 @@ def write_lock(target: Path, inside: bool = False) -> Iterator[None]:
 
 
 def remove_leftovers(folder: Path) -> None:
-    """Remove what processes that were killed have left in a folder, and say so."""
+    """Remove what killed processes have left in a folder, and report it."""
     found = []
     with suppress(OSError):
         for entry in os.scandir(folder):
-            if entry.name.startswith(".") and _is_left(entry):
+            if entry.name.startswith(".") and _is_abandoned(entry):
                 _remove(Path(entry.path))
                 found.append(entry.name)
     if found:
         _LOG.info("removed from %s what a killed process had left: %s", folder, ", ".join(found))
 
 
-def _is_left(entry: os.DirEntry[str]) -> bool:
-    """Whether something is ours and nobody's who runs."""
+def _is_abandoned(entry: os.DirEntry[str]) -> bool:
+    """Whether a partial file is ours and its process no longer runs."""
     if entry.name.endswith(_LOCK):
         return _is_free(Path(entry.path))
     name = _NAME.fullmatch(entry.name)
@@ -176,7 +176,7 @@ def _is_left(entry: os.DirEntry[str]) -> bool:
     import psutil
 
     try:
-        # the number of a process that has ended may be that of another one
+        # The id of a process that has ended may have been reused.
         return psutil.Process(int(name["process"])).create_time() > written + 1.0
     except psutil.NoSuchProcess:
         return True
@@ -196,7 +196,7 @@ def _is_free(lock: Path) -> bool:
     return True
 
 
-#: Whether the system keeps names of files for devices, and the names that it keeps.
+#: Whether the system reserves file names for devices, and these names.
 WINDOWS = sys.platform == "win32"
 _DEVICES = {"CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"} | {
     f"{port}{i}" for port in ("COM", "LPT") for i in "123456789¹²³"
@@ -204,6 +204,6 @@ _DEVICES = {"CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"} | {
 
 
 def require_file_name(path: Path) -> None:
-    """Raise InputError if the name of a file is that of a device, with or without an ending."""
+    """Raise InputError if a file name is that of a device, with or without an ending."""
     if WINDOWS and path.name.partition(".")[0].rstrip().upper() in _DEVICES:
         raise InputError(f"{path} is the name of a device on Windows: choose another name")

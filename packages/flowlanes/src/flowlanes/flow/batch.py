@@ -1,7 +1,7 @@
-"""Many motions of a System at once: machine code with one motion in each vector lane.
+"""Many motions of a System at once: machine code with one motion per vector lane.
 
-The result of a motion depends on its own start and parameters alone, to the bit: not on the
-number of threads, the width of the processor's vectors, or the motions computed with it.
+The result of a motion depends only on its own start and parameters, bit for bit: not on the number
+of threads, the width of the processor's vectors, or the other motions computed with it.
 """
 
 from __future__ import annotations
@@ -31,13 +31,13 @@ from .kernel.outcomes import outcome_message
 from .machine_code.double_double_conversion import as_pairs, parameter_pairs
 from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
-#: Numbers that one call may return.
+#: Largest number of values that one call may return; it bounds memory use.
 MOST_NUMBERS = 1 << 32
 
 
 @dataclass(frozen=True)
 class BatchIntegrator:
-    """The flow of a System as vector code.
+    """The flow of a System as vectorised machine code.
 
     Attributes
     ----------
@@ -69,7 +69,7 @@ class BatchIntegrator:
 
     @arguments_checked
     def status_message(self, code: int) -> str:
-        """The reason why a motion ended, in words; empty for 0."""
+        """Why a motion ended; empty for code 0."""
         return outcome_message(self.system, code)
 
     @arguments_checked
@@ -82,7 +82,7 @@ class BatchIntegrator:
         deviations: npt.ArrayLike | None = None,
         threads: int | None = None,
     ) -> BatchTrajectories:
-        """Motions from time 0 through given times.
+        """Follow motions from time 0 through given times.
 
         Parameters
         ----------
@@ -104,7 +104,9 @@ class BatchIntegrator:
             If starts, times or parameters cannot be used.
         """
         if self.section is not None:
-            raise InputError("these lanes stop at a section: ask for returns instead of times")
+            raise InputError(
+                "this integrator was built for a section: call crossings instead of propagate"
+            )
         moments = read_moments(times, self.backward)
         rows, constants = self._rows(starts, parameters, deviations)
         numbers, _, _, ends = self._call(rows, constants, moments, len(moments), threads)
@@ -122,10 +124,10 @@ class BatchIntegrator:
         deviations: npt.ArrayLike | None = None,
         threads: int | None = None,
     ) -> BatchCrossings:
-        """Crossings of the section, of which a start that lies on it is none.
+        """Follow motions to their crossings of the section; a start on the section is not counted.
 
-        Two crossings within one step are found where a cubic through its ends, within its error,
-        shows both: down to a hundred-thousandth of a turn apart.
+        Two crossings within one step are detected if the cubic interpolant of the step shows them
+        within its error, that is down to a separation of about 1e-5 turns.
 
         Parameters
         ----------
@@ -142,7 +144,9 @@ class BatchIntegrator:
             If starts, count or parameters cannot be used.
         """
         if self.section is None:
-            raise InputError("these lanes have no section: make them with one")
+            raise InputError(
+                "this integrator was built without a section; pass section=… to batch_integrator"
+            )
         _require_count(count)
         end = np.array([-until if self.backward and until < 0 else until], dtype=float)
         if not end[0] > 0:
@@ -156,7 +160,7 @@ class BatchIntegrator:
     def require_reach(
         self, start: npt.ArrayLike, until: float, parameters: Parameters = None
     ) -> None:
-        """Refuse a time that a motion does not reach within the largest number of steps.
+        """Raise an error for a time that needs more than the maximum number of steps.
 
         Parameters
         ----------
@@ -185,7 +189,7 @@ class BatchIntegrator:
         parameters: Parameters,
         deviations: npt.ArrayLike | None,
     ) -> tuple[FloatArray, FloatArray]:
-        """Starts with deviations (motions, numbers, words); parameters in words."""
+        """Initial values with deviations (motions, numbers, words), and parameters in words."""
         words = reduced_rows(self.system, self._words("starts", starts))
         points = words[..., 0]
         check_state_shape(self.system, points)
@@ -193,7 +197,9 @@ class BatchIntegrator:
         require_on_phase_space(self.system, self._relations, points, constants[..., 0])
         if self.deviations == 0:
             if deviations is not None:
-                raise InputError("these lanes carry no deviations: make them with some")
+                raise InputError(
+                    "this integrator carries no deviations; pass deviations=… to batch_integrator"
+                )
             return np.ascontiguousarray(words), np.ascontiguousarray(constants)
         needed = (len(points), self.deviations, self.size)
         tangents = self._words("deviations", np.asarray(deviations))
@@ -210,11 +216,11 @@ class BatchIntegrator:
 
     @property
     def words(self) -> int:
-        """Doubles that a number takes."""
+        """Number of doubles that represent one number."""
         return 1 if self.digits == 16 else 2
 
     def _words(self, name: str, numbers: npt.ArrayLike) -> FloatArray:
-        """Numbers with a last axis for the doubles of each."""
+        """Add a last axis that holds the doubles of each number."""
         if self.digits == 16:
             words: FloatArray = as_float_array(name, numbers)[..., None]
             return words
@@ -223,7 +229,7 @@ class BatchIntegrator:
     def _split(
         self, numbers: FloatArray
     ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-        """States, deviations, low words of states; from (motions, times, numbers, words)."""
+        """Split results into states, deviations and low words of the states."""
         states = numbers[:, :, : self.size, 0]
         low = numbers[:, :, : self.size, 1] if self.words == 2 else None
         if self.deviations == 0:
@@ -240,7 +246,7 @@ class BatchIntegrator:
         threads: int | None,
         most: int | None = None,
     ) -> tuple[FloatArray, FloatArray, IntArray, tuple[IntArray, FloatArray, IntArray]]:
-        """Numbers, times and counts of the samples; outcome, end and steps of each motion."""
+        """Run the loop; return its samples, sample counts, outcomes, end times and step counts."""
         motions, width, words = rows.shape
         if motions * samples * width * words > MOST_NUMBERS:
             size = motions * samples * width * words * 8 / 2**30
@@ -267,7 +273,7 @@ def batch_integrator(
     digits: Literal[16, 30] = 16,
     device: Device = "cpu",
 ) -> BatchIntegrator:
-    """The flow of a system as machine code for many motions at once.
+    """Compile the flow of a system to machine code for many motions at once.
 
     Parameters
     ----------

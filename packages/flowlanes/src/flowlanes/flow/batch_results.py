@@ -1,4 +1,4 @@
-"""Results of many motions: states at given times, crossings of a section."""
+"""Results for many motions: states at given times, or crossings of a section."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Linear algebra of many small vectors and matrices at once, the same to the bit for any number.
+"""Linear algebra for many small vectors and matrices, bit for bit independent of their number.
 
-Sums run in a fixed order, which the reductions of NumPy do not promise.
+Sums are evaluated in a fixed order, which NumPy's reductions do not guarantee.
 """
 
 from __future__ import annotations

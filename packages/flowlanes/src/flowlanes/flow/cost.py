@@ -1,4 +1,4 @@
-"""Refusal of computations that would take years, or more memory or disk than there is."""
+"""Reject computations that would take years, or more memory or disk space than is available."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from pathlib import Path
 from ..errors import InputError
 from .kernel.outcomes import STEPS
 
-#: A computation that would take longer is refused: seconds in a year.
+#: Longest accepted duration in seconds: one year.
 YEAR = 365.25 * 86400.0
-#: Seconds after which the pace is known.
+#: Time in seconds after which the speed is measured.
 _WARM_UP = 0.5
-#: Steps that a motion may take, and steps by which the length of a motion is estimated.
+#: Maximum number of steps of a motion, and number of steps used to estimate the cost of a motion.
 MOST_STEPS, FEW_STEPS = 100_000_000, 2_000
 _UNITS = ("bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB", "ZiB", "YiB")
 _KIBI = 1024.0
 
 
 class TooMuchError(InputError):
-    """A computation that asks for more time or room than there is."""
+    """A computation would take too long or too much space."""
 
 
 @dataclass(frozen=True)
 class Pace:
-    """The pace of a computation, from the creation of this object on."""
+    """Estimates the duration of a computation, starting when this object is created."""
 
     began: float = field(default_factory=time.perf_counter)
 
     def check(self, fraction: float, what: str) -> None:
-        """Refuse a computation that would take more than a year.
+        """Raise an error if the computation would take more than a year.
 
         Parameters
         ----------
@@ -57,7 +57,7 @@ class Pace:
 
 
 def require_room(size: float, folder: Path | None, what: str) -> None:
-    """Refuse a result that finds no room.
+    """Raise an error if a result does not fit into memory or on the disk.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
     else:
         there = next((p for p in (folder, *folder.absolute().parents) if p.is_dir()), Path("/"))
         usage = shutil.disk_usage(there)
-        # a file system without room of its own says nothing about it
+        # A file system without free space of its own gives no information.
         room, place = float(usage.free) if usage.total else math.inf, "disk"
     if size > room:
         raise TooMuchError(
@@ -89,7 +89,7 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
 
 
 def require_steps(until: float, outcome: int, end_time: float, steps: int) -> None:
-    """Refuse a time that needs more steps than are allowed, by the first few of them.
+    """Raise an error if a time needs more steps than allowed, judged by the first few steps.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def require_steps(until: float, outcome: int, end_time: float, steps: int) -> No
 
 
 def in_words(size: float) -> str:
-    """A number of bytes with two or three digits."""
+    """A number of bytes as text with two or three digits."""
     steps = 0
     while size >= _KIBI and steps < len(_UNITS) - 1:
         size, steps = size / _KIBI, steps + 1

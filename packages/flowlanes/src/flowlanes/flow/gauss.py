@@ -1,7 +1,7 @@
 """Single motions to the last digit of a double, or to 30 digits.
 
-The state is held on the level of the integrals of a System, if there are any: without that the
-rounding errors of every method in doubles add up to a hundred times more.
+The state is projected onto the level of the integrals of a System, if there are any.  Otherwise the
+rounding errors of any method in doubles add up to about a hundred times more.
 """
 
 from __future__ import annotations
@@ -40,7 +40,8 @@ from .machine_code.double_double_conversion import as_pairs, parameter_pairs
 from .sign_branches import sign_branches
 from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
-#: Stages, and what the highest coefficient of the rates over a step may be, relative to the state.
+#: Number of stages, and largest allowed highest Legendre coefficient of the rates over a step,
+#: relative to the state.
 _METHODS = {16: (8, 1e-7), 30: (16, 3e-15)}
 
 _I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
@@ -96,7 +97,7 @@ class GaussIntegrator:
 
     @arguments_checked
     def status_message(self, code: int) -> str:
-        """The reason why a motion ended, in words; empty for 0."""
+        """Why a motion ended; empty for code 0."""
         return outcome_message(self.system, code)
 
     @arguments_checked
@@ -108,7 +109,7 @@ class GaussIntegrator:
         *,
         threads: int | None = None,
     ) -> GaussTrajectories:
-        """Motions from time 0 through given times.
+        """Follow motions from time 0 through given times.
 
         Parameters
         ----------
@@ -133,7 +134,7 @@ class GaussIntegrator:
     def require_reach(
         self, start: npt.ArrayLike, until: float, parameters: Parameters = None
     ) -> None:
-        """Refuse a time that a motion does not reach within the largest number of steps.
+        """Raise an error for a time that needs more than the maximum number of steps.
 
         Raises
         ------
@@ -186,7 +187,7 @@ def gauss_integrator(
     *,
     backward: bool = False,
 ) -> GaussIntegrator:
-    """The flow of a system with all digits, compiled or fetched from the cache.
+    """Compile the flow of a system for Gauss–Legendre collocation, or fetch it from the cache.
 
     Parameters
     ----------

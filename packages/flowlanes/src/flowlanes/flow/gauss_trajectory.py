@@ -16,10 +16,28 @@ from ..system.arrays import BoolArray, FloatArray
 from ..system.parameters import parameter_values
 from ..system.system import System
 from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
+from .integration_method import IntegrationMethod, MotionRequest
 from .kernel.outcomes import STATUS_MESSAGES
 from .machine_code.double_double_conversion import from_pairs
 from .taylor.working_numbers import WorkingArray, WorkingNumber
 from .trajectory import Event, Statistics, Trajectory, recorded_values
+
+
+class Collocation(IntegrationMethod):
+    """Gauss–Legendre collocation to the last digit; it has no options of its own."""
+
+    name = "gauss"
+
+    def motion(self, request: MotionRequest) -> Trajectory:
+        """The motion with 16 digits, or 30 at precision "quad"."""
+        return collocate(
+            request.system,
+            request.start,
+            request.times,
+            request.parameters,
+            digits=16 if request.precision == "double" else 30,
+            on_liftoff=request.on_liftoff,
+        )
 
 
 def collocate(
@@ -31,7 +49,7 @@ def collocate(
     digits: Literal[16, 30] = 16,
     on_liftoff: Literal["stop", "warn"] = "stop",
 ) -> Trajectory:
-    """Integrate a system to the last digit by collocation.
+    """Integrate a system to full double (or 30-digit) accuracy by collocation.
 
     See :func:`flowlanes.flow.integrator.integrate`.
     The state is held on the level of its relations and integrals.  With 30 digits the states are
@@ -103,13 +121,13 @@ def collocate(
 
 
 def _states(flow: GaussIntegrator, motion: GaussTrajectories, good: BoolArray) -> WorkingArray:
-    """The states (times, size) of one motion, with all their digits."""
+    """The states (times, size) of one motion, with all digits."""
     states: FloatArray = motion.states[0, good]
     return states if flow.digits == 16 else from_pairs(states, motion.rest[0, good])
 
 
 def _decimal(number: WorkingNumber) -> mpmath.mpf:
-    """A number with all its digits, a float as the decimal that is printed for it."""
+    """A number with all its digits; a float counts as the decimal that is printed for it."""
     with mpmath.workdps(50):
         if isinstance(number, (int, float, np.number)):
             return mpmath.mpf(repr(float(number)))

@@ -16,15 +16,15 @@ from ..errors import InputError
 from ..formulas.array_evaluation import values
 from ..system.arrays import FloatArray
 from ..system.matrices import Column, Skew, SquareMatrix
-from ..system.named_formulas import in_words
+from ..system.named_formulas import flat, in_words
 from ..system.rotations import finite_numbers, rotation_near, upright_matrix
-from ..system.system import System, flat
+from ..system.system import System
 from ..system.vectors import Vector
 from .taylor.working_numbers import WorkingNumber
 
-#: Digits of the attitude that goes with a start, and what is left of a half turn.
+#: Digits of the attitude computed for a start, and tolerance for recognising a half turn.
 _DIGITS, _TURNED = 50, 1e-12
-#: What γ may differ from the last row of an attitude, and ω from one that the constraint admits.
+#: Tolerance for γ against the last row of an attitude, and for ω against the constraint.
 _SLACK, _OF_SPIN = 1e-12, 1e-9
 
 omega, gamma = Vector("omega"), Vector("gamma")
@@ -53,7 +53,7 @@ def reduced_start(
         If a name or the number of numbers is wrong.
     """
     if isinstance(start, Mapping):
-        named, _ = _apart(system, start)
+        named, _ = _split_space_state(system, start)
         rows = {name: np.array([value], dtype=float) for name, value in named.items()}
         numbers = {str(key): value for key, value in (parameters or {}).items()}
         return tuple(flat_starts(system, rows, numbers)[0].tolist())
@@ -66,9 +66,9 @@ def whole_start(
     start: Mapping[str, npt.ArrayLike] | Sequence[WorkingNumber],
     parameters: Parameters = None,
 ) -> tuple[WorkingNumber, ...]:
-    """The state of a system with its motion in space, where it has one, in flat order.
+    """The state of a system including its motion in space, if it has one, in flat order.
 
-    Variables that a start leaves out begin at zero; the attitude turns ζ, or else γ, upward.
+    Variables that a start omits begin at zero; the attitude turns ζ, or else γ, upward.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def whole_start(
     """
     placed: dict[str, list[WorkingNumber]] = {}
     if isinstance(start, Mapping):
-        _, placed = _apart(system, start)
+        _, placed = _split_space_state(system, start)
         start = reduced_start(system, start, parameters)
     _require_size(system, len(start))
     if system.reconstruction is None or len(start) > len(system.symbols):
@@ -104,7 +104,7 @@ def whole_start(
 
 
 def vector_components(system: System, name: object, value: Any) -> list[tuple[object, Any]]:
-    """The components of a vector of the state with their values; anything else unchanged.
+    """Expand a vector of the state into named components; other values are returned unchanged.
 
     Raises
     ------
@@ -121,9 +121,9 @@ def vector_components(system: System, name: object, value: Any) -> list[tuple[ob
 
 
 def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
-    """The quaternion of the shortest turn of a unit vector (body) to the vertical."""
+    """The quaternion of the shortest rotation that takes a unit vector (body) to the vertical."""
     with mpmath.workdps(_DIGITS):
-        # float also turns numbers of NumPy into ones that repr writes as digits
+        # float also converts NumPy scalars, whose repr is not a plain number.
         decimals = (repr(float(v)) if isinstance(v, float) else v for v in vertical)
         x, y, z = map(mpmath.mpf, decimals)
         turn = [1 + z, y, -x, mpmath.mpf(0)]
@@ -133,10 +133,10 @@ def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
         return [part / length for part in turn]
 
 
-def _apart(
+def _split_space_state(
     system: System, start: Mapping[str, npt.ArrayLike]
 ) -> tuple[dict[str, npt.ArrayLike], dict[str, list[WorkingNumber]]]:
-    """State and motion in space that the start of an n-dimensional body gives."""
+    """Split the start of an n-dimensional body into its reduced state and its motion in space."""
     named, lift = dict(start), system.reconstruction
     matrix = next((x for x, _ in lift.field if isinstance(x, SquareMatrix)), None) if lift else None
     if lift is None or matrix is None:
@@ -149,7 +149,7 @@ def _apart(
         rows = rotation_near(named.pop(str(matrix)), int(matrix.shape[0]))
         placed[str(matrix)] = [x for row in rows for x in row]
         last = [float(x) for x in rows[-1]]
-        # on a sphere the normal γ moves in space, and no relation ties it to the attitude
+        # On a sphere the normal γ moves in space, and no relation ties it to the attitude.
         ties = {str(s) for relation in lift.relations for s in relation.free_symbols}
         if "gamma" in named and "gamma_1" not in ties:
             return named, placed
@@ -172,7 +172,7 @@ def reduced_rows(system: System, rows: FloatArray) -> FloatArray:
 
 
 def _require_size(system: System, count: int) -> None:
-    """Refuse a start whose size is not that of the state, reduced or in space."""
+    """Raise an error unless a start has the size of the state, reduced or in space."""
     size = len(system.symbols)
     whole = system.lifted() if system.reconstruction else system
     if count in (size, len(whole.symbols)):
@@ -213,7 +213,7 @@ def flat_starts(
         states = reduced_rows(system, np.asarray(arrays["state"], dtype=float))
         return _checked_shape(system, "state", states, len(system.symbols))
     if "omega" in arrays and ("gamma" in arrays or omega not in system.state):
-        return _flat_states(system, _of_spin(system, arrays, parameters))
+        return _flat_states(system, _state_from_omega(system, arrays, parameters))
     return _flat_states(system, arrays)
 
 
@@ -252,15 +252,15 @@ def _checked_shape(system: System, name: str, array: FloatArray, size: int) -> F
 
 
 def _names_in_words(system: System) -> str:
-    """The names that a start may have, to end a sentence."""
+    """The names that a start may use, as the end of a sentence."""
     numbers = ", ".join(str(p.symbol) for p in system.parameters)
     return f"its state has {in_words(system.state)}; its parameters are {numbers or 'none'}"
 
 
-def _of_spin(
+def _state_from_omega(
     system: System, arrays: Mapping[str, FloatArray], parameters: Parameters
 ) -> dict[str, Any]:
-    """The variables of the state that follow from ω and γ, and the others."""
+    """The variables of the state that follow from ω and γ, and the remaining ones."""
     if not system.start and omega not in system.state:
         raise InputError(f"{system.name}: its state does not follow from omega; give the state")
     if "gamma" not in arrays:
@@ -292,7 +292,7 @@ def _of_spin(
 
 
 def _require_spin(system: System, spin: Skew, states: FloatArray, omega: FloatArray) -> None:
-    """Refuse an ω that the constraint of an n-dimensional body does not admit."""
+    """Raise an error for an ω that violates the constraint of an n-dimensional body."""
     has = values(system, list(spin.symbols), states)
     excess = np.abs(has - omega).max(axis=1)
     if np.any(excess > _OF_SPIN * np.abs(omega).max(axis=1)):
@@ -300,7 +300,7 @@ def _require_spin(system: System, spin: Skew, states: FloatArray, omega: FloatAr
 
 
 def _spin_and_direction(system: System) -> tuple[Vector | Skew, Vector]:
-    """The names of ω and γ: vectors, or of n dimensions a skew matrix and a column."""
+    """The names of ω and γ: vectors, or for n dimensions a skew matrix and a column."""
     direction = next((v for v in system.state if str(v) == "gamma"), gamma)
     if not isinstance(direction, Column):
         return omega, gamma
@@ -309,7 +309,7 @@ def _spin_and_direction(system: System) -> tuple[Vector | Skew, Vector]:
 
 @lru_cache(maxsize=16)
 def _spinning(system: System) -> tuple[System, tuple[sp.Symbol, ...]]:
-    """A system with the state ω, γ, of which the other variables are definitions."""
+    """A system with the state ω, γ, whose other variables are definitions."""
     state = (*_spin_and_direction(system), *system.start_vectors)
     still = {name: sp.ImmutableDenseMatrix.zeros(*name.shape) for name in state}
     known = flat(state)

@@ -1,30 +1,18 @@
-"""Integrating a System: one start, chosen times, everything the system records."""
+"""Integrate a System from one start through given times, with everything it records."""
 
 from __future__ import annotations
 
-import itertools
-import math
-import time as clock
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Literal
 
-import sympy as sp
-
 from ..arguments import Numbers, Parameters, Start, arguments_checked
-from ..errors import InputError, InterruptionError, RunError
-from ..system.parameters import parameter_values, require_admissible, require_finite
+from ..errors import InputError
 from ..system.system import System
-from .gauss_trajectory import collocate
 from .initial_states import whole_start
-from .sign_branches import sign_branches
-from .taylor.compiled_system import SignedOutputs, compile_system
-from .taylor.working_numbers import Direction, Precision, WorkingNumber, number_type
-from .taylor_run import RunLog, StoppedError, TaylorRun, decimal_text
-from .trajectory import Statistics, Trajectory
-
-#: Tolerances by default.
-DEFAULT_TOLERANCE = {"double": 1e-15, "quad": 1e-30}
+from .integration_method import MotionRequest
+from .methods import method_named, require_options
+from .taylor.working_numbers import Precision
+from .trajectory import Trajectory
 
 
 @arguments_checked
@@ -41,7 +29,7 @@ def integrate(
     time_limit: float | None = None,
     dense: bool = False,
     progress: Callable[[float], None] | None = None,
-    method: Literal["taylor", "gauss"] = "taylor",
+    method: str = "taylor",
 ) -> Trajectory:
     """Integrate a system from `start` through `times`.
 
@@ -72,7 +60,8 @@ def integrate(
         Keep the continuous trajectory.
     progress : callable, optional
         Called with the fraction done.
-    method : ``"taylor"`` or ``"gauss"``
+    method : str
+        One of :func:`flowlanes.flow.methods.methods`: ``"taylor"`` or ``"gauss"``.
         Taylor series of any tolerance, with steps that end where the argument of an absolute value
         or a sign is zero; or Gauss–Legendre collocation with all digits of a double
         (30 digits at precision "quad"), some ten times faster; see
@@ -106,97 +95,24 @@ def integrate(
     >>> bool(abs(energy - energy[0]).max() < 1e-13)
     True
     """
+    chosen = method_named(method)
     if time_limit is not None and not time_limit > 0:
         raise InputError(f"time_limit = {time_limit}: it must be a positive number of seconds")
     if not system.state:
         raise InputError(f"{system.name}: a system without state has no motion")
     start = whole_start(system, start, parameters)
-    if method == "gauss":
-        for name, value in (
-            ("tolerance", tolerance),
-            ("time_limit", time_limit),
-            ("dense", dense or None),
-        ):
-            if value is not None:
-                raise InputError(f"{name}: method 'gauss' has none; use method 'taylor'")
-        return collocate(
-            system,
-            start,
-            times,
-            parameters,
-            digits=16 if precision == "double" else 30,
-            on_liftoff=on_liftoff,
-        )
-    if method != "taylor":
-        raise InputError(f"method {method!r}: it must be 'taylor' or 'gauss'")
-    values = _values(system, parameters)
-    kind = number_type(precision)
-    moments = _moments(times, kind)
-    direction: Direction = "forward" if moments[0] < moments[-1] else "backward"
-    if tolerance is None:
-        tolerance = DEFAULT_TOLERANCE[precision]
-    code = compile_system(system, tolerance, precision, direction)
-    lifted = system.lifted() if system.reconstruction else system
-    branches = sign_branches(lifted)
-    if branches is not None:
-        own = compile_system(branches.system, tolerance, precision, direction)
-        guards = own.variable_guards
-        signed = SignedOutputs(own.outputs, branches.arguments)
-        code = replace(code, series=own.series, variable_guards=guards, signed=signed)
-    run = TaylorRun(lifted, len(system.symbols), code, kind, values, precision)
-    run.begin(start, moments[0], keep_integrals)
-    began = clock.perf_counter()
-    log = RunLog()
-    failure = None
-    error: type[RunError] = RunError
-    try:
-        for done in run.walk(moments, log, on_liftoff, dense, began, time_limit):
-            if progress is not None:
-                progress(done)
-    except StoppedError as stop:
-        failure = str(stop)
-    except KeyboardInterrupt:
-        if not log.times:
-            raise
-        failure, error = "interrupted", InterruptionError
-    if failure is not None:
-        run.keep_last(log)
-    seconds = clock.perf_counter() - began
-    trajectory = run.finish(
-        log,
-        Statistics(
-            method="Taylor series",
-            steps=log.steps,
-            order=code.series.order,
-            tolerance=tolerance,
-            precision=precision,
-            corrections=log.corrections,
-            seconds=seconds,
-            from_cache=code.from_cache,
-        ),
+    request = MotionRequest(
+        system,
+        start,
+        times,
+        parameters,
+        tolerance,
+        precision,
+        on_liftoff,
+        keep_integrals,
+        time_limit,
+        dense,
+        progress,
     )
-    if failure is not None:
-        last = float(log.times[-1])
-        raise error(f"{system.name}: {failure}", last, trajectory)
-    return trajectory
-
-
-def _values(system: System, parameters: Parameters) -> dict[sp.Symbol, WorkingNumber]:
-    values: dict[sp.Symbol, WorkingNumber] = parameter_values(system, parameters)
-    if parameters:
-        require_finite(system, values)
-        require_admissible(system, {s: float(value) for s, value in values.items()}, values)
-    return values
-
-
-def _moments(times: Numbers, kind: type[WorkingNumber]) -> list[WorkingNumber]:
-    """Times in the working precision, all increasing or all decreasing."""
-    moments = [kind(decimal_text(t)) for t in times]
-    if len(moments) < 2:
-        raise InputError(f"{len(moments)} time(s) given: at least a first and a last are needed")
-    if not all(math.isfinite(float(t)) for t in moments):
-        raise InputError("times: all of them must be finite numbers")
-    pairs = list(itertools.pairwise(moments))
-    if not (all(s < t for s, t in pairs) or all(s > t for s, t in pairs)):
-        raise InputError("times: they must be all increasing or all decreasing")
-    return moments
+    require_options(chosen, request)
+    return chosen.motion(request)

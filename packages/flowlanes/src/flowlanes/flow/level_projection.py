@@ -1,6 +1,6 @@
-"""Projection of states onto levels of formulas, many at once.
+"""Projection of states onto levels of formulas, for many states at once.
 
-Each state is moved independently: where it ends does not depend on its neighbours.
+Each state is moved independently; its result does not depend on its neighbours.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from ..arguments import Parameters, ParameterValue, arguments_checked
 from ..formulas.array_formulas import Formulas
 from ..system.arrays import BoolArray, FloatArray
 
-#: Steps of Newton's method, at most.
+#: Maximum number of Newton steps.
 STEPS = 60
-#: A level is met when it is missed by no more than this, relative to the size of its value.
+#: Relative tolerance for being on the level.
 LEVEL_TOLERANCE = 1e-12
-#: Below this, relative to the largest, a singular value counts as zero: redundant conditions.
+#: Relative size below which a singular value counts as zero: redundant conditions.
 REDUNDANT = 1e-9
 
 
@@ -31,7 +31,7 @@ def project_to_level(
     parameters: Parameters = None,
     movable: Sequence[bool] | BoolArray | None = None,
 ) -> tuple[FloatArray, BoolArray]:
-    """States moved along the shortest way until formulas have given values.
+    """Project states orthogonally onto given values of formulas.
 
     Parameters
     ----------
@@ -65,9 +65,7 @@ def project_to_level(
     >>> from flowlanes.formulas.array_formulas import Formulas
     >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
     >>> M, gamma = ball.state
-    >>> length = Formulas(
-    ...     ball, (flowlanes.system.to_components(flowlanes.system.norm_squared(gamma)),)
-    ... )
+    >>> length = Formulas(ball, (flowlanes.system.norm_squared(gamma),))
     >>> states, met = flowlanes.flow.project_to_level(
     ...     length, np.array([[1.0, 0, 0, 0, 0, 2.0]]), 1.0
     ... )
@@ -90,7 +88,7 @@ def project_to_level(
         better = size < missed[pending]
         best[pending[better]] = moving[pending[better]]
         missed[pending[better]] = size[better]
-        # a state on its level is polished until nothing is gained any more
+        # A state on its level is refined until nothing improves any more.
         going = np.isfinite(size) & (size > 0.0) & (better | (size > LEVEL_TOLERANCE))
         pending, defects = pending[going], defects[going]
         if not len(pending) or not len(free):
@@ -106,10 +104,10 @@ def project_to_level(
 
 
 def _inverse(slopes: FloatArray) -> FloatArray:
-    """Moore and Penrose's inverses of slopes (n, formulas, size)."""
+    """Moore–Penrose inverses of gradients (n, formulas, size)."""
     if slopes.shape[1] > 1:
         return np.asarray(np.linalg.pinv(slopes, rcond=REDUNDANT), dtype=np.float64)
-    # of a single row, without its decomposition
+    # Computed directly for a single row, without a decomposition.
     squares = (slopes**2).sum(axis=2, keepdims=True)
     return np.swapaxes(
         np.divide(slopes, squares, out=np.zeros_like(slopes), where=squares > 0), 1, 2
@@ -119,6 +117,6 @@ def _inverse(slopes: FloatArray) -> FloatArray:
 def select_parameters(
     parameters: Parameters, selection: npt.NDArray[np.integer] | BoolArray
 ) -> dict[sp.Symbol | str, ParameterValue]:
-    """The parameters of some of the motions: arrays are indexed, numbers stay."""
+    """The parameters of some of the motions: arrays are indexed, numbers are kept."""
     arrays = {name: np.asarray(value) for name, value in (parameters or {}).items()}
     return {name: value[selection] if value.ndim else value[()] for name, value in arrays.items()}

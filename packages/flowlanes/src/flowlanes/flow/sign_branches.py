@@ -1,8 +1,8 @@
-"""Equations with absolute values and signs, as smooth ones between the zeros of their arguments.
+"""Replace absolute values and signs in equations by smooth branches between their zeros.
 
 A Taylor series does not see that |u| has a corner at u = 0.  With |u| = σu and sign u = σ the
-equations are smooth as long as σ = ±1 stays; where σu falls to zero, the step ends there and σ
-is turned around.
+equations are smooth while σ = ±1 is constant.  Where σu falls to zero the step ends, and σ changes
+its sign.
 """
 
 from __future__ import annotations
@@ -16,18 +16,18 @@ import sympy as sp
 
 from ..formulas.evaluation import with_absolute_values
 from ..system.system import Guard, Parameter, System
-from ..system.vectors import real_symbol, to_components
+from ..system.vectors import real_symbol
 from .taylor.compiled_system import SignedOutputs
 from .taylor.working_numbers import WorkingArray
 
-#: A value so far below zero, beside the state, is no rounding.
+#: A negative value larger than this, relative to the state, is not rounding.
 ROUNDING = 1e-9
 KINDS = (sp.Abs, sp.sign, sp.Max, sp.Min)
 
 
 @dataclass(frozen=True)
 class SignBranches:
-    """A system whose signs are parameters.
+    """A system with signs as parameters.
 
     Attributes
     ----------
@@ -44,8 +44,8 @@ class SignBranches:
 
 @lru_cache(maxsize=32)
 def sign_branches(system: System) -> SignBranches | None:
-    """The smooth system between zeros of arguments, or None where nothing has a corner."""
-    watched = [to_components(guard.value) for guard in system.guards]
+    """The smooth system between zeros of the arguments, or None if there are no corners."""
+    watched = [guard.value for guard in system.scalar.guards]
     formulas = [*system.rates, *watched]
     steps = system.required_definitions(formulas)
     if not any(formula.has(*KINDS) for formula in (*formulas, *(f for _, f in steps))):
@@ -115,11 +115,11 @@ class RunningSigns:
                 self._signs[i] *= -1
 
     def turn(self, number: int) -> None:
-        """Turn a sign around."""
+        """Reverse a sign."""
         self._signs[number] *= -1
 
     def wrong(self, state: WorkingArray, changing: int | None) -> str:
-        """What is wrong where a sign is not that of its argument, as where that only touched zero.
+        """Describe a sign that disagrees with its argument, which may only have touched zero.
 
         Parameters
         ----------
@@ -136,7 +136,7 @@ class RunningSigns:
 
 
 class _Branches:
-    """Formulas with a symbol for the sign of each argument that moves."""
+    """Formulas with a symbol for the sign of each argument that varies."""
 
     def __init__(self, system: System) -> None:
         self.signs: dict[sp.Expr, sp.Symbol] = {}
@@ -145,7 +145,7 @@ class _Branches:
         self._names |= {str(p.symbol) for p in system.parameters}
 
     def note(self, symbol: sp.Symbol, formula: sp.Expr) -> None:
-        """Note that a definition moves if its formula does."""
+        """Record that a definition varies if its formula does."""
         if self._moves([formula]):
             self._moving.add(symbol)
 

@@ -14,7 +14,6 @@ import sympy as sp
 
 from ..errors import InputError
 from ..system.system import System
-from ..system.vectors import to_components
 from .cost import Pace
 from .sign_branches import RunningSigns
 from .taylor.compiled_system import CompiledSystem
@@ -30,10 +29,10 @@ from .trajectory import (
 )
 from .validation import extremes_in_words
 
-#: Residuals of the relations that are left alone, per precision.
+#: Residuals of the relations below which a state is not projected, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
 
-#: A guard has vanished at a singularity when this little is left of its first value.
+#: Fraction of its initial value below which a guard counts as zero at a singularity.
 VANISHING = 1e-5
 
 
@@ -49,7 +48,7 @@ class RunLog:
     corrections: int = 0
 
 
-#: The reason why a formula has no finite value if its variables have usual sizes.
+#: Explanation of a formula without a finite value whose variables have ordinary sizes.
 NO_VALUE = (
     "a formula divides by zero, or takes a root or logarithm of what has none, or the numbers of "
     "the system differ too much in size"
@@ -57,13 +56,13 @@ NO_VALUE = (
 
 
 class StoppedError(Exception):
-    """The integration cannot go on."""
+    """The integration cannot continue."""
 
 
 def decimal_text(number: float | mpmath.mpf) -> str:
-    """A number in decimal digits, so that 0.1 means one tenth at any precision."""
+    """A number as decimal text, so that 0.1 means one tenth at any precision."""
     if isinstance(number, mpmath.mpf):
-        # str would round to the digits that mpmath happens to work with
+        # str would round to the current mpmath precision.
         return str(mpmath.nstr(number, 40))
     return repr(float(number)) if isinstance(number, (int, float, np.number)) else str(number)
 
@@ -84,7 +83,7 @@ class TaylorRun:
         self.values = values
         self.kind = kind
         self.code = code
-        # a copy, since stepping changes it and the code is shared
+        # A copy, since stepping changes it and the code is shared.
         self.stepper = code.series.copy()
         numbers = [kind(decimal_text(v)) for v in values.values()]
         self.parameters = np.array(numbers, dtype=kind)
@@ -103,7 +102,7 @@ class TaylorRun:
     def begin(
         self, start: Sequence[WorkingNumber], moment: WorkingNumber, keep_integrals: bool
     ) -> None:
-        """Put the integrator at a start, or refuse it."""
+        """Set the integrator to a start; raise an error if the start is invalid."""
         state = np.array([self.kind(decimal_text(x)) for x in start], dtype=self.kind)
         if not all(math.isfinite(float(x)) for x in state):
             raise InputError("start: all of its numbers must be finite")
@@ -129,12 +128,13 @@ class TaylorRun:
         self.good = (moment, self._with_quadratures(self.stepper.state))
 
     def _scale_events(self, state: WorkingArray) -> None:
-        """Set the factors of the events: powers of two, which scale large guards to one."""
+        """Set the scale factors of the events: powers of two that scale large guards down."""
         if not self.code.variable_guards:
             return
         first = np.array([float(x) for x in self._guards(state)])
         sizes = np.abs(first)
-        # a guard may be small just where the motion starts: one eighth more of each variable tells
+        # A guard may be small exactly at the start: increase each variable by an eighth to find its
+        # scale.
         for i, value in enumerate(state):
             varied = np.array(state)
             varied[i] = value * 9 / 8
@@ -147,9 +147,9 @@ class TaylorRun:
         self.stepper.parameters[first_factor:] = [self.kind(x) for x in factors]
 
     def _require_numbers(self, state: WorkingArray) -> None:
-        """Refuse a start at which a recorded quantity is not a finite number.
+        """Raise an error for a start at which a recorded quantity is not finite.
 
-        Where the motion itself goes on, as at rest where a quotient of momenta is constant, the
+        If the motion itself can continue, as at rest where a quotient of momenta is constant, the
         quantity is undefined there and is recorded as NaN.
         """
         values = iter(self.code.outputs(state, self.parameters))
@@ -167,7 +167,7 @@ class TaylorRun:
     def _extreme_numbers(
         self, state: WorkingArray, possible: Callable[[WorkingArray, WorkingArray], bool]
     ) -> str:
-        """The numbers of state and parameters that make something impossible, in words."""
+        """Name the numbers of state and parameters that make something impossible."""
         names = [str(s) for s in (*self.system.symbols, *self.values)]
         numbers = [float(x) for x in (*state, *self.parameters)]
 
@@ -178,7 +178,7 @@ class TaylorRun:
         return extremes_in_words(names, numbers, finite)
 
     def _has_values(self, state: WorkingArray, parameters: WorkingArray) -> bool:
-        """Whether all recorded quantities are finite numbers there."""
+        """Whether all recorded quantities are finite there."""
         values = self.code.outputs(state, parameters)
         return all(math.isfinite(float(value)) for value in values)
 
@@ -202,7 +202,7 @@ class TaylorRun:
                 )
 
     def _with_integrals(self, state: WorkingArray) -> Projector:
-        """A projector onto the relations and the present values of the integrals together."""
+        """A projector onto both the relations and the current values of the integrals."""
         blocks = (*self.code.core, *self.code.laws())
         relations = sum(block.count for block in self.code.core)
         free = Projector(blocks, slice(0, self.core), self.parameters, self.left_alone)
@@ -212,7 +212,7 @@ class TaylorRun:
         return replace(free, threshold=self.left_alone * scale, target=target)
 
     def project(self, state: WorkingArray) -> bool:
-        """Project a state in place; return whether it had to be moved."""
+        """Project a state in place; return whether it was changed."""
         return any([projector(state) for projector in self.projectors])
 
     def _guards(self, state: WorkingArray) -> WorkingArray:
@@ -228,7 +228,10 @@ class TaylorRun:
         began: float,
         time_limit: float | None,
     ) -> Iterator[float]:
-        """Step through `moments`, filling `log`; yields the fraction done now and then."""
+        """Step through `moments`, filling `log`.
+
+        Yields the completed fraction from time to time.
+        """
         stepper, last = self.stepper, moments[-1]
         forward = bool(last > moments[0])
         length = float(last - moments[0])
@@ -280,12 +283,12 @@ class TaylorRun:
                 yield float(now - moments[0]) / length
 
     def _sign_of(self, event: int | None) -> int | None:
-        """The number of the sign that an event turns around, if it does."""
+        """The index of the sign that an event reverses, or None."""
         own = -1 if event is None else self.code.variable_guards[event] - len(self.first_guards)
         return own if own >= 0 else None
 
     def _is_pressed(self, now: WorkingNumber, log: RunLog, on_liftoff: str) -> bool:
-        """Record a normal force negative at the start; return whether to begin."""
+        """Record a negative normal force at the start; return whether to continue."""
         go_on = True
         for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if guard.lift_off and not float(value) > 0:
@@ -295,7 +298,7 @@ class TaylorRun:
         return go_on
 
     def _record_event(self, event: int, now: WorkingNumber, log: RunLog, on_liftoff: str) -> bool:
-        """Record that a guard was passed; return whether to go on."""
+        """Record a violated guard; return whether to continue."""
         guard = self.system.guards[self.code.variable_guards[event]]
         go_on = guard.lift_off and on_liftoff == "warn"
         log.events.append(Event(float(now), guard, not go_on))
@@ -304,10 +307,10 @@ class TaylorRun:
         return go_on
 
     def _break_down(self, log: RunLog, reason: str) -> None:
-        """End at a singularity: in failure, unless a guard says what has happened.
+        """End at a singularity: as a failure, unless a guard explains it.
 
-        At a flat point of a shape, the contact point runs away as the root of the time that is
-        left, so that no step gets past the guard that vanishes there.
+        At a flat point of a shape the contact point diverges like the square root of the remaining
+        time, so no step reaches the guard that vanishes there.
         """
         now, state = self.good
         guards = zip(self.system.guards, self.first_guards, self._guards(state), strict=True)
@@ -325,7 +328,7 @@ class TaylorRun:
             self._append(log, now, np.array(state))
 
     def _with_quadratures(self, state: WorkingArray) -> WorkingArray:
-        """A copy of a state of the integrator together with its quadratures."""
+        """A copy of the integrator's state together with its quadratures."""
         complete = np.array(state)
         complete[self.quadratures] += self.sums
         return complete
@@ -339,10 +342,10 @@ class TaylorRun:
         log.states.append(sample)
 
     def _extract_quadratures(self) -> None:
-        """Take the quadratures out of the state, summing them without loss.
+        """Move the quadratures out of the state, summing them without loss.
 
-        The step size depends on the largest component of the state, so that a position far from
-        the origin would cost the dynamics its digits.
+        The step size depends on the largest component of the state, so a position far from the
+        origin would reduce the accuracy of the dynamics.
         """
         if self.quadratures:
             gain = self.stepper.state[self.quadratures] + self.remainder
@@ -352,7 +355,7 @@ class TaylorRun:
             self.stepper.state[self.quadratures] = self.kind(0)
 
     def finish(self, log: RunLog, statistics: Statistics) -> Trajectory:
-        """The trajectory of all that was logged."""
+        """Build the trajectory from the log."""
         states = np.array(log.states, dtype=self.kind)
         recorded = columns_by_name(self.system, self.code.outputs(states.T, self.parameters))
         return Trajectory(
@@ -369,11 +372,11 @@ class TaylorRun:
 
 @lru_cache(maxsize=32)
 def _quadratures(system: System) -> list[int]:
-    """Indices of the variables on which neither rates nor relations nor guards depend."""
+    """Indices of the variables on which no rate, relation or guard depends."""
     formulas = [
         *system.rates,
-        *map(to_components, system.relations),
-        *(to_components(guard.value) for guard in system.guards),
+        *system.scalar.relations,
+        *(guard.value for guard in system.scalar.guards),
     ]
     used = {s for formula in formulas for s in formula.free_symbols}
     used |= {s for _, value in system.required_definitions(formulas) for s in value.free_symbols}

@@ -1,4 +1,4 @@
-"""Results of an integration: states, recorded quantities, events, the continuous trajectory."""
+"""Results of an integration: states, recorded quantities, events, dense output."""
 
 from __future__ import annotations
 
@@ -19,37 +19,36 @@ from ..system.arrays import BoolArray, FloatArray
 from ..system.laws import Integral
 from ..system.overview import Overview, WithOverview
 from ..system.system import Guard, Observable, System
-from ..system.vectors import to_components
 from .taylor.working_numbers import WorkingArray, WorkingNumber
 
 Number = TypeVar("Number", bound=np.generic)
 
-#: Of the drift of a quantity without a value along the motion, such as 0/0 at rest.
+#: Drift of a quantity that is undefined along the motion, such as 0/0 at rest.
 NO_VALUE = "undefined along this motion"
 
-#: Of the drift of a quantity that numbers in double precision cannot follow.
+#: Drift of a quantity that double precision cannot represent.
 TOO_LARGE = "too large for double precision"
 
 
 class UnknownVariableError(InputError, KeyError):
-    """A name that no quantity of a motion has; a KeyError too, as of any mapping."""
+    """A name that matches no quantity of a motion; also a KeyError, as for any mapping."""
 
 
 def _read_only(array: WorkingArray) -> WorkingArray:
-    """A view of an array that cannot be written into."""
+    """A read-only view of an array."""
     view = array.view()
     view.flags.writeable = False
     return view
 
 
 def _doubles(array: WorkingArray) -> FloatArray:
-    """Numbers of any precision as doubles, infinite where they are too large."""
+    """Numbers of any precision as doubles, infinite if too large."""
     with np.errstate(over="ignore"):
         return np.asarray(array).astype(float)
 
 
 def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArray[Number]:
-    """A variable of states (n, size) by name: (n, components), (n,) for a scalar.
+    """A variable of states (n, size) by name: (n, components), or (n,) for a scalar.
 
     Raises
     ------
@@ -65,7 +64,7 @@ def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArr
 
 
 def unknown_variable(system: System, name: object, records: Iterable[str]) -> UnknownVariableError:
-    """The mistake of asking for a quantity that is neither in the state nor recorded."""
+    """The error for a quantity that is neither in the state nor recorded."""
     if not isinstance(name, str):
         return UnknownVariableError(
             f"{system.name}: a quantity is asked for by its name in quotes, not by {name!r}"
@@ -77,7 +76,7 @@ def unknown_variable(system: System, name: object, records: Iterable[str]) -> Un
 
 @dataclass(frozen=True)
 class Event:
-    """A guard that was passed: what happened, and when.
+    """A violated guard: what happened, and when.
 
     Parameters
     ----------
@@ -141,7 +140,7 @@ class Statistics:
 
     @property
     def integrator(self) -> str:
-        """The method with its order and the number of its steps."""
+        """The method with its order and number of steps."""
         if not self.steps:
             return self.method
         return f"{self.method} of order {self.order}, {self.steps} steps"
@@ -272,7 +271,7 @@ class Trajectory(WithOverview):
 
     @cached_property
     def overflows(self) -> Mapping[str, BoolArray]:
-        """Where recorded quantities have no value since a number is too large: (n,), by name.
+        """Samples (n,) at which recorded quantities overflow, by name.
 
         The state is finite there; names as in `records`.
         """
@@ -294,7 +293,7 @@ class Trajectory(WithOverview):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """A sentence for every quantity that is too large to be recorded at some samples."""
+        """A sentence for each quantity that is too large to be recorded at some samples."""
         return tuple(
             f"{name.removeprefix('law_')} is recorded as inf or nan at {places.sum():,} of "
             f"{len(places):,} samples, first at t = {float(self.times[places][0]):.9g}: a number "
@@ -356,22 +355,21 @@ class RecordedQuantity:
 @lru_cache(maxsize=32)
 def recorded_quantities(system: System) -> tuple[RecordedQuantity, ...]:
     """The observables of a system, and its integrals as ``law_<name>``."""
-    quantities = [_quantity(item.name, item.frame, item) for item in system.observables]
-    quantities += [_quantity(f"law_{law.name}", "", law) for law in system.integrals]
+    quantities = [_quantity(item.name, item.frame, item) for item in system.scalar.observables]
+    quantities += [_quantity(f"law_{law.name}", "", law) for law in system.scalar.integrals]
     return tuple(quantities)
 
 
 def _quantity(name: str, frame: str, item: Observable | Integral) -> RecordedQuantity:
-    formula = to_components(sp.sympify(item.value))
-    is_vector = isinstance(formula, sp.MatrixBase)
-    components = tuple(formula) if is_vector else (formula,)
+    is_vector = isinstance(item.value, sp.MatrixBase)
+    components = tuple(item.value) if is_vector else (item.value,)
     return RecordedQuantity(
         name, components, is_vector, frame, item.meaning, item.unit or "1", item.source
     )
 
 
 def columns_by_name(system: System, columns: npt.NDArray[Number]) -> dict[str, npt.NDArray[Number]]:
-    """The recorded quantities whose components are columns, one after another.
+    """Group columns into the recorded quantities, by name.
 
     Parameters
     ----------

@@ -14,13 +14,13 @@ from ..formulas.graph import Term
 from ..system.arrays import FloatArray
 from ..system.system import System
 
-#: A start may miss a relation by this share of what it consists of, and by so much besides.
+#: Allowed residual of a relation at a start, relative to the terms of the relation, and absolute.
 SLACK, LEAST = 1e-9, 1e-13
 
-#: Starts that are examined at a time.
+#: Number of starts examined at a time.
 ROWS = 2048
 
-#: Numbers within so many powers of ten of one are not called too large or too small.
+#: Numbers within this many powers of ten of one are not called too large or too small.
 _USUAL_POWERS = 10
 
 
@@ -43,7 +43,7 @@ def moments(times: npt.ArrayLike, backward: bool = False) -> FloatArray:
 
 
 def check_state_shape(system: System, points: FloatArray) -> None:
-    """Refuse starts that are not rows of a state each."""
+    """Raise an error for starts that are not rows of one state each."""
     size = len(system.symbols)
     if points.ndim != 2 or points.shape[1] != size:
         names = ", ".join(map(str, system.symbols))
@@ -56,7 +56,7 @@ def check_state_shape(system: System, points: FloatArray) -> None:
 def require_on_phase_space(
     system: System, relations: Sequence[Term], points: FloatArray, parameters: FloatArray
 ) -> None:
-    """Refuse starts that miss a relation of the system.
+    """Raise an error for starts that violate a relation of the system.
 
     Parameters
     ----------
@@ -70,14 +70,14 @@ def require_on_phase_space(
         return
 
     def excess(rows: slice) -> tuple[FloatArray, FloatArray]:
-        """By how much relations are missed, and how many times what is allowed that is."""
+        """Residuals of the relations, and their ratio to the allowed ones."""
         varied = parameters[rows] if len(parameters) > 1 else parameters
         missed, sizes = np.split(np.abs(numbers(relations, points[rows], varied)), 2, axis=1)
         return missed, missed / (SLACK * sizes + LEAST)
 
-    # part by part: intermediate results stay in the cache of the processor
+    # Piece by piece: intermediate results stay in the processor's cache.
     parts = (slice(first, first + ROWS) for first in range(0, len(points), ROWS))
-    # what is not a number is not within bounds
+    # NaN is not within the bounds.
     if all((excess(rows)[1] <= 1).all() for rows in parts):
         return
     missed, ratios = excess(slice(None))
@@ -96,7 +96,7 @@ def require_on_phase_space(
 def extremes_in_words(
     names: Sequence[str], numbers: Sequence[float], finite: Callable[[Sequence[float]], bool]
 ) -> str:
-    """The numbers whose sizes make a value infinite or undefined, in a sentence.
+    """Name the numbers whose sizes make a value infinite or undefined, in a sentence.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def extremes_in_words(
 def too_extreme(numbers: Sequence[float], finite: Callable[[Sequence[float]], bool]) -> list[int]:
     """Indices of the numbers whose sizes make a value infinite or undefined.
 
-    As few as suffice; empty if the sizes of the numbers are not the reason.
+    As few as suffice; empty if the sizes of the numbers are not the cause.
     """
     sizes = {i: abs(math.log10(abs(x))) for i, x in enumerate(numbers) if x}
     blamed = [i for i in sorted(sizes, key=sizes.__getitem__) if sizes[i] > _USUAL_POWERS]

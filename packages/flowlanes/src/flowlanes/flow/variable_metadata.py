@@ -1,4 +1,4 @@
-"""Meaning, unit, source and axes of the variables of a state, for datasets."""
+"""Meaning, unit, source and axes of state variables, for datasets."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from itertools import combinations
 from ..system.matrices import Column, NamedMatrix, Skew
 from ..system.system import System
 
-#: Frames in which vectors are given: the name of the axis, and what its places are called.
+#: Frames in which vectors are given: name of the axis, and labels of its components.
 FRAMES = {
     "body": ("axis", (1, 2, 3)),
     "space": ("space", ("x", "y", "z")),
@@ -35,7 +35,7 @@ _N_DIMENSIONAL = {
     "contact": ("contact point in the hyperplane, space axes", "m"),
 }
 
-#: Vectors of three components in body axes: meaning, unit, source.
+#: Three-component vectors in body axes: meaning, unit, source.
 _BODY = {
     "omega": ("angular velocity", "rad/s", "(1.13)"),
     "gamma": ("unit vector fixed in space", "1", "(1.10)"),
@@ -51,7 +51,7 @@ _TOUCHING = {
     "M": ("angular momentum about the contact point", "kg m^2/s", "(7.1)"),
 }
 
-#: The unit of a variable without metadata.
+#: Unit of a variable without metadata.
 UNKNOWN = "unknown"
 
 
@@ -72,7 +72,7 @@ def system_attributes(system: System) -> dict[str, str]:
 
 
 def dimensions_of(variable: Column | NamedMatrix) -> tuple[str, ...]:
-    """The dimensions of a column or matrix in a dataset, besides the time."""
+    """The dimensions of a column or matrix in a dataset, besides time."""
     match variable:
         case Skew():
             return ("pair",)
@@ -83,7 +83,7 @@ def dimensions_of(variable: Column | NamedMatrix) -> tuple[str, ...]:
 
 
 def labels_of(dimension: str, size: int) -> list[int] | list[str]:
-    """The places along such a dimension: 1, 2, … or 12, 13, …."""
+    """The labels along such a dimension: 1, 2, … or 12, 13, …."""
     if dimension != "pair":
         return list(range(1, size + 1))
     n = (1 + math.isqrt(1 + 8 * size)) // 2

@@ -1,4 +1,4 @@
-"""Formulas turned into numbers of any kind: doubles, balls, jets, Taylor series, fields."""
+"""Evaluate formulas in numbers of any kind: doubles, balls, jets, Taylor series, fields."""
 
 import lazy_loader
 

@@ -13,9 +13,9 @@ from ..arguments import arguments_checked
 from ..errors import InputError
 from ..parsing import NamedQuantity, parse_formula
 from ..system.arrays import BoolArray, FloatArray
+from ..system.named_formulas import Quantity
 from ..system.parameters import Parameters, parameters_by_symbol, require_admissible
-from ..system.system import Quantity, System
-from ..system.vectors import to_components
+from ..system.system import System
 from .digest import canonical
 from .graph import Reader, Term, of_system, term_values, topological_order
 
@@ -52,7 +52,7 @@ NUMPY: Mapping[str, Callable[..., FloatArray]] = {
 
 
 def relation_terms(system: System) -> tuple[Term, ...]:
-    """The relations of a system as terms, and after them the sizes of what they consist of.
+    """The relations of a system as terms, followed by the sizes of their summands.
 
     The size of f is Σ |xᵢ ∂f/∂xᵢ|.
     """
@@ -71,8 +71,8 @@ def relation_terms(system: System) -> tuple[Term, ...]:
 
 @lru_cache(maxsize=64)
 def read_formulas(system: System) -> tuple[Reader, tuple[Term, ...]]:
-    """A reader of a system's formulas and the rates of its state, kept for later."""
-    # as a worker gets it, so that bits are the same everywhere
+    """A reader of a system's formulas and the rates of its state, cached."""
+    # Use the form that a worker receives, so that bits are the same everywhere.
     reader, rates = of_system(canonical(system))
     return reader, tuple(rates)
 
@@ -92,7 +92,7 @@ def as_float_array(name: str, numbers: object) -> FloatArray:
 
 
 def formula(system: System, quantity: sp.Expr | float | str, where: str = "") -> sp.Expr:
-    """A scalar formula of a system: itself, or what a text says.
+    """A scalar formula of a system, given as an expression or as text.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def formula(system: System, quantity: sp.Expr | float | str, where: str = "") ->
             expression = parse_formula(
                 quantity, _names(system), where or f"{system.name}: quantity"
             )
-    value = to_components(sp.sympify(expression))
+    value = system.scalar.of(expression)
     if isinstance(value, sp.MatrixBase):
         raise InputError(
             f"{quantity} is a vector; name one of its components", where or system.name
@@ -128,7 +128,7 @@ def formula(system: System, quantity: sp.Expr | float | str, where: str = "") ->
 def _names(system: System) -> dict[str, NamedQuantity]:
     quantities: list[Quantity] = [*system.state, *(name for name, _ in system.definitions)]
     quantities.extend(p.symbol for p in system.parameters)
-    # a symmetric tensor has no name in formulas
+    # A symmetric tensor has no name in formulas.
     return {str(q): q for q in quantities if isinstance(q, NamedQuantity)}
 
 
@@ -217,9 +217,9 @@ def overflows(
     states: npt.ArrayLike,
     parameters: Parameters | None = None,
 ) -> BoolArray:
-    """Whether an intermediate result of formulas is larger than every double, at states (n, size).
+    """Whether an intermediate result of formulas overflows double precision, at states (n, size).
 
-    A quotient by zero and a logarithm of zero are none: they have no value at any precision.
+    A quotient by zero and a logarithm of zero do not count: they have no value at any precision.
 
     Returns
     -------
@@ -241,7 +241,8 @@ def overflows(
     return found
 
 
-#: Operations that may give infinity at finite arguments because it is too large for a double.
+#: Operations that may give infinity at finite arguments because the result is too large for a
+#: double.
 _OVERFLOWING = frozenset({"add", "sub", "mul", "recip", "exp", "sinh", "cosh"})
 
 
@@ -251,7 +252,7 @@ def _at_states(
     states: npt.ArrayLike,
     parameters: Parameters | None,
 ) -> tuple[list[Term], FloatArray, FloatArray]:
-    """Formulas as terms, states as an array, and parameters as rows that fit it."""
+    """Formulas as terms, states as an array, and parameters as matching rows."""
     points = as_float_array("states", states)
     size = len(system.symbols)
     if points.shape[-1:] != (size,):
@@ -269,7 +270,10 @@ def _at_states(
 
 @lru_cache(maxsize=64)
 def _in_order(terms: tuple[Term, ...]) -> tuple[Term, ...]:
-    """The terms on which some depend, operands first; once for terms that are evaluated often."""
+    """The terms on which others depend, operands first.
+
+    Cached for terms that are evaluated often.
+    """
     return tuple(topological_order(terms))
 
 

@@ -1,4 +1,4 @@
-"""Formulas of a System at many states at once, with their slopes."""
+"""Formulas of a System at many states at once, with their gradients."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ from ..errors import InputError
 from ..system.arrays import FloatArray
 from ..system.parameters import Parameters
 from ..system.system import System
-from ..system.vectors import to_components
 from .array_evaluation import as_float_array, numbers, parameter_rows
 from .graph import Graph, Reader, Term
 
@@ -23,7 +22,7 @@ from .graph import Graph, Reader, Term
 class Formulas:
     """Scalar formulas in state, definitions and parameters of a System.
 
-    The values at a state do not depend on the other states.
+    The value at a state does not depend on the other states.
 
     Parameters
     ----------
@@ -68,7 +67,7 @@ class Formulas:
 
     @arguments_checked
     def slopes(self, states: npt.ArrayLike, parameters: Parameters | None = None) -> FloatArray:
-        """Their derivatives with respect to the state.
+        """Derivatives with respect to the state.
 
         Returns
         -------
@@ -101,15 +100,15 @@ class Formulas:
         return numbers(terms, points, rows.reshape(count, *(1,) * (points.ndim - 2), -1))
 
     def __getstate__(self) -> dict[str, object]:
-        # terms are told apart by their identity, which another process does not keep
+        # Terms are identified by object identity, which another process does not preserve.
         return {"system": self.system, "formulas": self.formulas}
 
 
-# kept for all instances: code for many motions makes one for each block of them
+# Cached for all instances: code for many motions creates one for each block.
 @lru_cache(maxsize=256)
 def _read(system: System, formulas: tuple[sp.Expr, ...]) -> tuple[Term, ...]:
     known = {*system.symbols, *system.defaults, *dict(system.scalar_definitions)}
-    scalars = [to_components(formula) for formula in formulas]
+    scalars = [system.scalar.of(formula) for formula in formulas]
     for formula in scalars:
         unknown = sorted(map(str, formula.free_symbols - known))
         if unknown:

@@ -1,4 +1,4 @@
-"""Formulas evaluated in numbers: balls (python-flint) and arrays (NumPy)."""
+"""Formulas evaluated in balls (python-flint) and arrays (NumPy)."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from flint import acb, arb, fmpq
 
 from ..arguments import arguments_checked
 from ..errors import InputError
-from ..system.vectors import to_components
+from ..system.named_formulas import scalars
 from .straight_line_program import REAL, Steps, StraightLineProgram
 
-#: Balls (arb or acb) by the symbol that names them.
+#: Balls (arb or acb) by symbol.
 Values: TypeAlias = Mapping[sp.Symbol, Any]
 
 
@@ -52,7 +52,7 @@ def ball(value: Any) -> Any:
     if isinstance(value, int | np.integer):
         return arb(int(value))
     if isinstance(value, mpmath.mpf):
-        # any arithmetic would round to mpmath's own precision
+        # Any arithmetic would round to mpmath's own precision.
         sign, mantissa, exponent, _ = value._mpf_
         return (-1) ** int(sign) * arb(int(mantissa)) * arb(2) ** int(exponent)
     try:
@@ -63,7 +63,7 @@ def ball(value: Any) -> Any:
 
 
 def exact(value: Any) -> Fraction:
-    """A number as a fraction: the decimal that a double is written as, the middle of a ball."""
+    """A number as a fraction: the written decimal for a double, the midpoint for a ball."""
     if isinstance(value, arb):
         mantissa, exponent = value.mid().man_exp()
         return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
@@ -76,14 +76,13 @@ def exact(value: Any) -> Fraction:
 
 
 def number(value: SupportsFloat | str) -> float:
-    """The double nearest to the middle of a ball."""
+    """The double nearest to the midpoint of a ball."""
     return float(value.mid()) if isinstance(value, arb) else float(value)
 
 
 def components(formula: sp.Expr) -> tuple[sp.Expr, ...]:
     """A scalar or vector formula as scalar formulas."""
-    value = to_components(sp.sympify(formula))
-    return tuple(value) if isinstance(value, sp.MatrixBase) else (value,)
+    return tuple(scalars(formula))
 
 
 @arguments_checked

@@ -1,4 +1,4 @@
-"""Small rational formulas in lowest terms, common factors of their terms before brackets."""
+"""Small rational formulas in lowest terms, with common factors taken out."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from sympy.polys.rings import PolyElement, sring
 def in_lowest_terms(formula: sp.Expr) -> sp.Expr:
     """The result of `factor_terms(cancel(formula))`, computed faster in simple cases.
 
-    Simple are quotients of polynomials with integer coefficients in symbols, and in sines and
+    Simple cases are quotients of polynomials with integer coefficients in symbols, and in sines and
     cosines of symbols, their sums and differences.
 
     Examples
@@ -57,7 +57,7 @@ def _is_plain(generator: sp.Expr) -> bool:
 
 
 def _taken_out(p: PolyElement) -> tuple[int, list[int], sp.Expr]:
-    """The number and the powers of letters that divide all terms, and what remains."""
+    """The number and the powers of symbols that divide all terms, and the quotient."""
     numbers = [int(c) for c in p.values()]
     number = reduce(gcd, numbers)
     if all(c < 0 for c in numbers):

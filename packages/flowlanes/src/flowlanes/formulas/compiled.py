@@ -1,6 +1,6 @@
-"""Formulas of a System as one NumPy function each, for loops that call them again and again.
+"""Formulas of a System as one NumPy function each, for loops that call them repeatedly.
 
-A formula that is evaluated only once is better left to :mod:`flowlanes.formulas.array_formulas`.
+For a formula that is evaluated only once use :mod:`flowlanes.formulas.array_formulas`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from ..system.system import System
 from .array_evaluation import NUMPY
 from .graph import Graph, Reader, Term, topological_order
 
-#: States that are evaluated at a time, so that intermediate results stay in the processor's cache.
+#: Number of states evaluated at a time, so that intermediate results stay in the processor's cache.
 _STATES = 2048
 
 
@@ -59,7 +59,7 @@ class CompiledTerms:
 
 
 class SystemFormulas:
-    """The formulas of one System as terms, with derivatives in the state.
+    """The formulas of one System as terms, with derivatives with respect to the state.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ class SystemFormulas:
         self.state = tuple(self.graph.state(i) for i in range(len(system.symbols)))
 
     def slopes(self, terms: Sequence[Term]) -> list[list[Term]]:
-        """The derivatives of terms: one row for each term, one column for each variable."""
+        """The derivatives of terms: one row per term, one column per variable."""
         return self.graph.jacobian(terms, self.state)
 
     def depends(self, terms: Sequence[Term]) -> set[int]:

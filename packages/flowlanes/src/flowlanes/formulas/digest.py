@@ -1,4 +1,4 @@
-"""A digest of what determines a computation, the same in every process."""
+"""A digest of everything that determines a computation, the same in every process."""
 
 from __future__ import annotations
 
@@ -15,7 +15,6 @@ import sympy as sp
 
 from ..errors import InputError
 from ..system.formula_text import exact_text
-from ..system.laws import Integral, Law, Measure, Symmetry
 from ..system.system import System
 
 #: The attributes of a System that determine its motions.
@@ -40,7 +39,7 @@ def digest(value: object) -> str:
 
 
 def field_digests(work: object) -> dict[str, str]:
-    """Digests of a piece of work by the names of what it is made of.
+    """Digests of a piece of work by the names of its parts.
 
     Parameters
     ----------
@@ -65,17 +64,17 @@ def field_digests(work: object) -> dict[str, str]:
 
 @lru_cache(maxsize=64)
 def canonical(system: System) -> System:
-    """An equal system, the formulas of which do not change when it is sent to a worker.
+    """An equal system whose formulas do not change when it is sent to a worker.
 
-    SymPy writes some of its own products, such as −(a + b), in another way when it unpickles them;
-    and the same bits everywhere need the same formulas everywhere.
+    SymPy writes some of its own products, such as −(a + b), differently after unpickling; identical
+    bits everywhere require identical formulas everywhere.
     """
     copy: System = pickle.loads(pickle.dumps(system))
     return copy
 
 
 def _text(value: object) -> bytes:
-    """Kind and content of a value, without ambiguity."""
+    """Type and content of a value, unambiguously."""
     kind, content = _content(value)
     return f"{kind}:{len(content)}:".encode() + content
 
@@ -115,25 +114,10 @@ def _content(value: object) -> tuple[str, bytes]:
 
 
 def _of_a_system(system: System) -> list[Any]:
-    """All of a System that determines its motions and recorded quantities; texts do not."""
+    """Everything in a System that determines its motions and recorded quantities; texts do not."""
     seen = [(item.name, item.value) for item in system.observables]
-    laws = [
-        (law.name, law.on, formula) for law in system.laws for formula in _formulas_with_effect(law)
-    ]
+    laws = [(law.name, law.on, formula) for law in system.laws for formula in law.computed]
     return [*(getattr(system, name) for name in _OF_A_SYSTEM), seen, laws]
-
-
-def _formulas_with_effect(law: Law) -> tuple[Any, ...]:
-    """The formula of a law from which numbers are made: recorded, drawn by, or divided out."""
-    match law:
-        case Integral():
-            return (law.value,)
-        case Measure():
-            return (law.density,)
-        case Symmetry():
-            return (law.field,)
-        case _:
-            return ()
 
 
 def _plain(value: Any) -> tuple[str, bytes]:
@@ -142,7 +126,7 @@ def _plain(value: Any) -> tuple[str, bytes]:
 
 
 def _instance_or_name(value: Any) -> tuple[str, bytes]:
-    """A dataclass by its type and fields; a function or a type by where it stands."""
+    """A dataclass by its type and fields; a function or a type by its qualified name."""
     if is_dataclass(value) and not isinstance(value, type):
         contents: Iterable[Any] = (getattr(value, item.name) for item in fields(value))
         return "instance", _concatenated_digests([_text(type(value)), *map(_text, contents)])

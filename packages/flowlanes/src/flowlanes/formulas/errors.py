@@ -1,14 +1,14 @@
-"""Why a proof attempt stops; none of these reaches a user as a traceback."""
+"""Reasons why a proof attempt stops; users never see them as a traceback."""
 
 from __future__ import annotations
 
 
 class OutOfReachError(Exception):
-    """The computation would be too large, or meets a formula it cannot treat."""
+    """The computation would be too large, or meets an unsupported formula."""
 
 
 class EffortSpentError(OutOfReachError):
-    """The computation takes more operations than are allowed."""
+    """The computation takes more operations than allowed."""
 
 
 class NotExactError(Exception):
@@ -16,11 +16,11 @@ class NotExactError(Exception):
 
 
 class NoRealValueError(OutOfReachError):
-    """A root of what is negative, at all points that are spoken of."""
+    """The radicand is negative at all points considered."""
 
 
 class NoVolumeError(ZeroDivisionError):
-    """Conditions whose gradients depend on each other cut out no volume."""
+    """The gradients of the conditions are dependent, so they define no volume."""
 
 
 class NeedMoreGeneratorsError(Exception):

@@ -1,4 +1,4 @@
-"""Evaluation of formulas in an algebra: numbers, terms of a graph, power series, jets."""
+"""Evaluate formulas in an algebra: numbers, terms of a graph, power series, jets."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ N = TypeVar("N")
 
 
 class Evaluation(ABC, Generic[N]):
-    """Scalar formulas as elements of an algebra, every part of them computed once.
+    """Scalar formulas as elements of an algebra; every subexpression is computed once.
 
-    An algebra is a subclass: it says what constants, powers and functions are, and what sums and
-    products are unless these are + and * of the elements.
+    An algebra is a subclass: it defines constants, powers and functions, and also sums and products
+    unless these are + and * of the elements.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ class Evaluation(ABC, Generic[N]):
         self._definitions = dict(definitions or {})
 
     def __call__(self, formula: sp.Expr) -> N:
-        """The element that a scalar formula stands for."""
+        """The element for a scalar formula."""
         return self._visit(formula)
 
     def define(self, steps: Iterable[tuple[sp.Symbol, sp.Expr]]) -> None:
@@ -53,7 +53,10 @@ class Evaluation(ABC, Generic[N]):
         return element
 
     def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], N]:
-        """The method for a kind of formula; returned, not called, to save a level of recursion."""
+        """The method for a kind of formula.
+
+        Returned, not called, to save one level of recursion.
+        """
         if formula.is_Rational or formula.is_Float:
             return self._constant
         if formula.is_Symbol:
@@ -65,7 +68,7 @@ class Evaluation(ABC, Generic[N]):
         return self._power if formula.is_Pow else self._function
 
     def _parts(self, formula: sp.Expr) -> list[N]:
-        """The elements of what a formula consists of."""
+        """The elements of the arguments of a formula."""
         return list(map(self._visit, formula.args))
 
     @abstractmethod
@@ -73,7 +76,7 @@ class Evaluation(ABC, Generic[N]):
         """A rational or decimal number."""
 
     def _symbol(self, symbol: sp.Symbol) -> N:
-        """The element of a symbol without value or definition; by default there is none."""
+        """The element of a symbol without value or definition; by default an error."""
         raise KeyError(symbol)
 
     def _sum(self, formula: sp.Add) -> N:
@@ -94,7 +97,7 @@ class Evaluation(ABC, Generic[N]):
 
 
 def numerator_and_denominator(product: sp.Mul) -> tuple[list[sp.Expr], list[sp.Expr]]:
-    """The factors of a product, and those by which it is divided."""
+    """The factors of the numerator and of the denominator of a product."""
     divided = [
         bool(factor.is_Pow and factor.exp.is_number and factor.exp.is_negative)
         for factor in product.args
@@ -104,7 +107,7 @@ def numerator_and_denominator(product: sp.Mul) -> tuple[list[sp.Expr], list[sp.E
 
 
 def with_absolute_values(formula: sp.Max | sp.Min) -> sp.Expr:
-    """A maximum or minimum by absolute values: max(a, b) = (a + b + |a - b|)/2."""
+    """A maximum or minimum in terms of absolute values: max(a, b) = (a + b + |a - b|)/2."""
     sign = 1 if isinstance(formula, sp.Max) else -1
     arguments = sorted(formula.args, key=sp.default_sort_key)
     return reduce(lambda a, b: (a + b + sign * sp.Abs(a - b)) / 2, arguments)

@@ -1,9 +1,9 @@
-"""Formulas as Taylor series about a point, exactly.
+"""Exact Taylor series of formulas about a point.
 
-Angles enter by sine and cosine, for which rational numbers are taken; e^x by a number of its own.
-At an angle that is a rational number, not zero, its sine is transcendental, and no polynomial
-relation with rational coefficients holds there that does not hold everywhere (Lindemann and
-Weierstrass): any point of the circle stands for it.
+Angles enter through sine and cosine, for which rational numbers are chosen; e^x is represented by a
+separate number.  At an angle that is a nonzero rational number, its sine is transcendental, and a
+polynomial relation with rational coefficients that holds there holds everywhere
+(Lindemann–Weierstrass theorem): any point of the circle can represent it.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from .evaluation import Evaluation
 from .taylor import Number, Numbers, Series
 
 Steps = Mapping[sp.Symbol, sp.Expr]
-#: Angles α of which sines and cosines are taken, with n where those of α/n are needed.
+#: Angles α whose sines and cosines are taken, with n if those of α/n are needed.
 Angles = Mapping[sp.Expr, int]
 
 _CIRCULAR = (sp.sin, sp.cos, sp.tan)
-#: Functions whose value at a point is a number of its own.
+#: Functions whose value at a point is represented by a separate number.
 _OPAQUE = (sp.log, sp.atan, sp.asin, sp.acos)
 
 
@@ -126,7 +126,7 @@ class TaylorExpansion(Evaluation[Series]):
             argument = self(formula.args[0])
             return argument.primitive(self._formal_value(formula), self(formula.fdiff()))
         if formula.is_number:
-            # π, e, π^e: numbers of their own
+            # π, e, π^e: represented by separate numbers.
             return self.constant(self._formal_value(formula))
         if isinstance(formula, (AppliedUndef, sp.Derivative)):
             return self._unspecified_function(formula)
@@ -156,7 +156,7 @@ class TaylorExpansion(Evaluation[Series]):
         units = angles([formula], self.steps, (sp.exp,))
         value = self.numbers.number(1)
         for core, factor in combination(formula.args[0], self.steps).items():
-            # one number for e^(core/60), so that e^(x/2), e^(x/3), … of one point agree
+            # One number for e^(core/60), so that e^(x/2), e^(x/3), … of one point agree.
             multiple = factor * 60 * units[core]
             whole = int(factor * 60) if multiple.is_Integer and 60 % units[core] == 0 else None
             if whole is None:
@@ -165,7 +165,7 @@ class TaylorExpansion(Evaluation[Series]):
         return self(formula.args[0]).exponential(value)
 
     def _formal_value(self, formula: sp.Expr) -> Number:
-        """A number of its own for a transcendental value."""
+        """The separate number that represents a transcendental value."""
         if formula not in self._formal:
             self._formal[formula] = self.numbers.random_number(
                 random.Random(f"{self._seed} {formula}")
@@ -173,7 +173,7 @@ class TaylorExpansion(Evaluation[Series]):
         return self._formal[formula]
 
     def _unspecified_function(self, formula: sp.Expr) -> Series:
-        """A function of some variables that nobody specified, or a derivative of it."""
+        """An unspecified function of some variables, or a derivative of it."""
         function = formula.expr if isinstance(formula, sp.Derivative) else formula
         orders = dict(formula.variable_count) if isinstance(formula, sp.Derivative) else {}
         indices = [self.variables.index(s) for s in function.args if s in self.variables]

@@ -1,7 +1,7 @@
 """Formulas as a graph of terms in which equal subexpressions are one node.
 
-SymPy formulas become terms of a few operations.  Each term is made only once, so that common parts
-are shared without a search for them.  Named intermediate quantities of a System become shared
+SymPy formulas become terms with a few operations.  Each term is created only once, so common
+subexpressions are shared without a search.  Named intermediate quantities of a System become shared
 nodes and are never expanded.  Derivatives are terms as well.
 """
 
@@ -14,11 +14,11 @@ from typing import Any
 import sympy as sp
 
 from ..errors import InputError
+from ..system.named_formulas import scalars
 from ..system.system import System
-from ..system.vectors import to_components
 from .evaluation import Evaluation, N, numerator_and_denominator, with_absolute_values
 
-#: Functions of one variable that the machine code knows, by SymPy's name for them.
+#: Functions of one variable supported by the machine code, by SymPy's name.
 FUNCTIONS: Mapping[Any, str] = {
     sp.sin: "sin",
     sp.cos: "cos",
@@ -37,7 +37,7 @@ FUNCTIONS: Mapping[Any, str] = {
 
 
 class Term:
-    """A node of a graph: an operation and what it acts on; made by `Graph` alone.
+    """A node of a graph: an operation and its operands; created only by `Graph`.
 
     Attributes
     ----------
@@ -81,7 +81,7 @@ class Term:
 
 
 class Graph:
-    """Terms, each made once."""
+    """A collection of terms, each created once."""
 
     def __init__(self) -> None:
         self._terms: dict[tuple[Any, ...], Term] = {}
@@ -210,7 +210,7 @@ class Graph:
         return [known[id(term)] for term in terms]
 
     def jacobian(self, terms: Sequence[Term], variables: Sequence[Term]) -> list[list[Term]]:
-        """The partial derivatives: one row for each term, one column for each variable."""
+        """The partial derivatives: one row per term, one column per variable."""
         zero, one = self.number(0), self.number(1)
         columns = [
             self.directional_derivative(terms, {v: one if v is x else zero for v in variables})
@@ -264,10 +264,10 @@ class Graph:
 def topological_order(
     terms: Iterable[Term], is_needed: Callable[[Term], bool] = lambda _: True
 ) -> list[Term]:
-    """All terms on which some depend, and these, operands first.
+    """All terms on which the given ones depend, and these, operands first.
 
-    A term that is not `is_needed` is left out, with those on which only it depends; each is asked
-    about once.
+    A term that is not `is_needed` is omitted, with those on which only it depends; each is tested
+    once.
     """
     seen: set[int] = set()
     order: list[Term] = []
@@ -311,7 +311,7 @@ def term_values(
 
 
 class Reader(Evaluation[Term]):
-    """Formulas of one System as terms.
+    """Converts formulas of one System to terms.
 
     State variables are numbered in flat order, parameters in the order of
     ``system.parameters``.
@@ -325,13 +325,11 @@ class Reader(Evaluation[Term]):
 
     def __call__(self, formula: sp.Expr | float) -> Term:
         """The term of a scalar formula."""
-        return self._visit(to_components(sp.sympify(formula)))
+        return self._visit(*scalars(formula))
 
     def components(self, formulas: Iterable[sp.Expr]) -> list[Term]:
         """The terms of several formulas, of a vector those of its components."""
-        values = [to_components(formula) for formula in formulas]
-        parts = (value if isinstance(value, sp.MatrixBase) else [value] for value in values)
-        return [self(part) for group in parts for part in group]
+        return list(map(self._visit, scalars(tuple(formulas))))
 
     def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], Term]:
         return self._constant if formula.is_number else super()._rule(formula)
@@ -348,7 +346,7 @@ class Reader(Evaluation[Term]):
         raise InputError(f"{symbol}: neither a state variable, a definition nor a parameter")
 
     def _sum(self, formula: sp.Add) -> Term:
-        # what is subtracted last, so that no sign has to be turned
+        # Subtracted terms last, so that no sign has to be changed.
         first, *others = sorted(self._parts(formula), key=lambda term: term.kind == "neg")
         for term in others:
             first = first + term

@@ -21,10 +21,10 @@ from .errors import OutOfReachError, UnknownSymbolError
 from .evaluation import Evaluation, with_absolute_values
 from .number_fields import Element
 
-#: Multiples of an angle whose sine is written in the sine and cosine of the angle.
+#: Multiples of an angle whose sine is expanded in the sine and cosine of the angle.
 MOST_MULTIPLES = 24
 
-#: Along the field of the system.
+#: Direction index of the field of the system.
 ALONG = -1
 
 
@@ -49,16 +49,16 @@ class Jet:
         return Jet(self.value * other.value, slopes)
 
     def through(self, value: Element, derivative: Element) -> Jet:
-        """A function of this jet, by its value and derivative here."""
+        """A function of this jet, from its value and derivative here."""
         return Jet(value, {i: derivative * slope for i, slope in self.slopes.items()})
 
 
 @dataclass(frozen=True)
 class GeneratorSwap:
-    """A definition ``name = factor·parameter + rest`` read as one of the parameter.
+    """A definition ``name = factor·parameter + rest`` solved for the parameter.
 
-    The name becomes a generator, and what is divided by it stays short: with J = I + m r² one
-    computes with J, not with I.
+    The name becomes a generator, which keeps denominators short: with J = I + m r² one computes
+    with J, not with I.
     """
 
     name: sp.Symbol
@@ -69,7 +69,7 @@ class GeneratorSwap:
 
 @dataclass(frozen=True)
 class Inversion:
-    """A symmetric tensor A = J⁻¹ read as J = A⁻¹, where J is exchanged: A is the generator.
+    """A symmetric tensor A = J⁻¹ read as J = A⁻¹ when J is exchanged: A is the generator.
 
     Both as six symbols 11, 12, 13, 22, 23, 33.
     """
@@ -189,7 +189,7 @@ class Evaluator(Evaluation[Jet]):
         return self._elementary(formula)
 
     def _of_inverse(self, inversion: Inversion, number: int) -> Jet:
-        """An entry of A: a generator, with the slopes −A J̇ A."""
+        """An entry of A: a generator, with the derivatives −A J̇ A."""
         A = [self.field.generator(str(s)) for s in inversion.name]
         remainders = [self(self._by_name[s].rest) for s in inversion.of]
         row, column = next((i, j) for i in range(3) for j in range(3) if _SIX[i][j] == number)
@@ -240,7 +240,7 @@ class Evaluator(Evaluation[Jet]):
         return inner.through(raised, outer.value * raised / inner.value)
 
     def _root_power(self, base: Element, exponent: sp.Expr, value: Element) -> Element:
-        """A power with an exponent that is rational, or becomes so on the level, or is symbolic."""
+        """A power whose exponent is rational, becomes rational on the level, or is symbolic."""
         number = exponent if exponent.is_Rational else self.field.as_rational(value)
         if number is not None:
             return self.field.root(base, int(number.q)) ** int(number.p)
@@ -312,7 +312,7 @@ class Evaluator(Evaluation[Jet]):
             return angle + lower.through(field.zero, field.zero - upper.value / square)
         x = values[0]
         if isinstance(formula, sp.Abs | sp.sign):
-            # |x| = √(x²) has the derivative x/|x|, which is the sign of x; zeros are left aside
+            # |x| = √(x²) has the derivative x/|x|, the sign of x; zeros are excluded.
             size = field.root(x * x, 2)
             sign = x / size
             return inner[0].through(size, sign) if isinstance(formula, sp.Abs) else Jet(sign, {})
@@ -337,12 +337,12 @@ class Evaluator(Evaluation[Jet]):
 
 
 def angle_terms(formula: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
-    """The terms of the angle of a sine or cosine: numbers, and what they are multiples of."""
+    """The terms of the angle of a sine or cosine: coefficients and the base angles."""
     return [term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(formula.args[0]))]
 
 
 def _in_parts(formula: sp.Expr, angle_parts: Mapping[sp.Expr, int]) -> sp.Expr:
-    """A sine or cosine as a polynomial in those of parts of its angle, where that is short."""
+    """A sine or cosine as a polynomial in those of parts of its angle, if that is short."""
     terms = [(number * angle_parts.get(t, 1), t) for number, t in angle_terms(formula)]
     if any(abs(number) > MOST_MULTIPLES for number, _ in terms):
         return formula
@@ -363,7 +363,7 @@ def _as_ratio(formula: sp.Expr) -> sp.Expr:
 
 
 def _function_and_orders(formula: sp.Expr) -> tuple[str, tuple[int, ...], tuple[sp.Expr, ...]]:
-    """Name of an unspecified function, orders of its derivatives, and where it is taken."""
+    """Name of an unspecified function, orders of its derivatives, and its arguments."""
     points: dict[sp.Symbol, sp.Expr] = {}
     inner = formula
     while isinstance(inner, sp.Subs):

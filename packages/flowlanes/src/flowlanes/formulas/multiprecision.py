@@ -1,4 +1,4 @@
-"""Formulas of a System and their derivatives as numbers of any precision."""
+"""Formulas of a System and their derivatives to any precision."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .evaluation import Evaluation
 
 
 def number(value: object, where: str) -> mpmath.mpf:
-    """A number of the user's with all its digits; a float means the decimal that it shows.
+    """A user's number with all its digits; a float means the decimal that it displays.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def number(value: object, where: str) -> mpmath.mpf:
 
 
 class Multiprecision(Evaluation[mpmath.mpf]):
-    """Formulas as numbers of mpmath at the working precision; complex where a root is."""
+    """Formulas as mpmath numbers at the working precision; complex where a root is."""
 
     def _constant(self, number: sp.Expr) -> mpmath.mpf:
         if number.is_Float:
@@ -70,7 +70,7 @@ class Multiprecision(Evaluation[mpmath.mpf]):
 
 @lru_cache(maxsize=256)
 def mpmath_function(of: Callable[..., sp.Expr], count: int) -> Callable[..., mpmath.mpf]:
-    """A function of SymPy in `count` arguments as one of mpmath; a constant in none."""
+    """A SymPy function of `count` arguments as an mpmath function; a constant for none."""
     names = sp.symbols(f"x:{count}")
     function: Callable[..., mpmath.mpf] = sp.lambdify(names, of(*names), "mpmath")
     return function
@@ -88,8 +88,8 @@ def slopes(
 ) -> tuple[mpmath.matrix, mpmath.matrix]:
     """Formulas of a system at a point, and their partial derivatives.
 
-    Derivatives are carried along with the values, by the rules of differentiation for every single
-    operation and through the definitions: they are exact, and nothing is ever expanded.
+    Derivatives are propagated with the values, by the differentiation rules of every operation and
+    through the definitions: they are exact, and nothing is expanded.
 
     Parameters
     ----------
@@ -164,7 +164,7 @@ def _weighted_sum(weights: Sequence[mpmath.mpf], parts: Sequence[Pair]) -> dict[
 def _with_partial_derivatives(
     of: Callable[..., sp.Expr], count: int, exponent: sp.Expr | None
 ) -> Callable[..., Sequence[mpmath.mpf]]:
-    """A function of SymPy with its partial derivatives, as one of mpmath."""
+    """A SymPy function with its partial derivatives, as mpmath functions."""
     names = sp.symbols(f"x:{count}", real=True)
     if exponent is not None:
         formula = names[0] ** exponent

@@ -1,6 +1,6 @@
-"""Fields of numbers in which laws are tried at a point: exact rationals, and balls.
+"""Number fields in which laws are tested at a point: exact rationals, and balls.
 
-Both offer what :class:`lawproof.proof.fields.function_field.FunctionField` offers, so that one
+Both have the interface of :class:`lawproof.proof.fields.function_field.FunctionField`, so the same
 evaluation of a law serves its proof and its refutation.
 """
 
@@ -17,24 +17,24 @@ from flint import arb, ctx, fmpq
 
 from .errors import NotExactError
 
-#: An element of the field in use; no static type has the arithmetic of all of them.
+#: An element of the field in use; no static type covers the arithmetic of all of them.
 Element: TypeAlias = Any
 
-#: Rational numbers are raised to no power with a larger numerator or denominator.
+#: Largest numerator or denominator of the exponent of a rational number.
 LARGEST_EXPONENT = 10_000
 
-#: Digits (binary) carried by balls.
+#: Precision of balls in bits.
 PRECISION = 320
 
 
 def ball_precision() -> AbstractContextManager[None]:
-    """The precision with which balls are computed, as a context."""
+    """A context with the precision of balls."""
     context: AbstractContextManager[None] = ctx.workprec(PRECISION)
     return context
 
 
 def _arbitrary_number(seed: str) -> fmpq:
-    """A rational number that depends on its seed alone: the value of an unspecified function."""
+    """A rational number determined by its seed: the value of an unspecified function."""
     generator = random.Random(seed)
     return fmpq(generator.choice((-1, 1)) * generator.randint(20, 60), generator.randint(20, 60))
 
@@ -57,11 +57,11 @@ def exact_root(value: fmpq, degree: int) -> fmpq:
 
 
 class Rationals:
-    """The rational numbers; whatever is not rational raises NotExactError."""
+    """The rational numbers; irrational values raise NotExactError."""
 
     exact = True
     one, zero = fmpq(1), fmpq(0)
-    #: Into how many parts angles are divided; nothing is gained by it at a point.
+    #: Number of parts into which angles are divided; at a point nothing is gained by it.
     angle_parts: Mapping[sp.Expr, int] = MappingProxyType({})
 
     def __init__(self, values: Mapping[str, Element]) -> None:
@@ -93,7 +93,7 @@ class Rationals:
         raise NotExactError
 
     def as_rational(self, element: fmpq) -> fmpq:
-        """The number itself; NotExactError where it is too large for an exponent."""
+        """The number itself; NotExactError if it is too large for an exponent."""
         if max(abs(element.p), element.q) > LARGEST_EXPONENT:
             raise NotExactError
         return element
@@ -115,7 +115,7 @@ class Rationals:
         raise NotExactError
 
     def function_value(self, name: str, arguments: Sequence[fmpq]) -> NoReturn:
-        """A value of a function such as the logarithm, which is not rational."""
+        """A value of a function such as the logarithm, which is irrational."""
         raise NotExactError
 
     def unspecified_value(
@@ -125,12 +125,12 @@ class Rationals:
         return _arbitrary_number(f"{function}{tuple(orders)}{arguments}")
 
     def same(self, first: Sequence[fmpq], second: Sequence[fmpq]) -> bool:
-        """Whether a function has one value at two places."""
+        """Whether the arguments of a function coincide at two points."""
         return list(first) == list(second)
 
 
 class Balls:
-    """Real balls (midpoint and radius); what holds for them holds for every number inside.
+    """Real balls (midpoint and radius); a statement about a ball holds for every number in it.
 
     To be used inside :func:`ball_precision`.
     """
@@ -153,7 +153,7 @@ class Balls:
         return self.values[name]
 
     def vanishes(self, element: Element) -> bool:
-        """Whether a ball contains zero, so that nothing can be said against it."""
+        """Whether a ball contains zero, so that it refutes nothing."""
         return 0 in element
 
     def root(self, element: arb, degree: int) -> arb:
@@ -185,7 +185,7 @@ class Balls:
         return element.exp()
 
     def logarithm(self, element: arb) -> arb:
-        """The logarithm; ZeroDivisionError where it has none."""
+        """The logarithm; ZeroDivisionError if it is undefined."""
         return self.function_value("log", [element])
 
     def pi(self) -> arb:
@@ -193,7 +193,7 @@ class Balls:
         return arb.pi()
 
     def function_value(self, name: str, arguments: Sequence[arb]) -> arb:
-        """A value of a function such as the logarithm; ZeroDivisionError where it has none."""
+        """A value of a function such as the logarithm; ZeroDivisionError if it is undefined."""
         value: arb = getattr(arb, name)(*arguments)
         if not value.is_finite():
             raise ZeroDivisionError
@@ -212,8 +212,9 @@ class Balls:
         return self._values[-1][2]
 
     def same(self, first: Sequence[arb], second: Sequence[arb]) -> bool:
-        """Whether a function may be given one value at two places.
+        """Whether the arguments of a function may coincide at two points.
 
-        Places whose balls overlap are the same, or a function can have one value at both.
+        If the balls of the arguments overlap, they may coincide; otherwise the values are
+        independent.
         """
         return all(a.overlaps(b) for a, b in zip(first, second, strict=True))

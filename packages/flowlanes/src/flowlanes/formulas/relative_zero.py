@@ -1,11 +1,11 @@
-"""Whether a number is zero relative to the size of the terms that it is a sum of.
+"""Decide whether a number is zero relative to the size of its summands.
 
-A number that has a unit is small or large only relative to another: 10⁻¹³ is a usual moment of
-inertia in kg m² for a ball of a millimetre.  So a sum is zero where it is small beside the terms
-that were summed up, and a start is on a level where what it misses is small beside those terms.
-Everything here is the same in every system of units.
+A number with a unit is small or large only relative to another one: 10⁻¹³ kg m² is an ordinary
+moment of inertia for a ball of a millimetre.  So a sum is zero if it is small compared with its
+summands, and a start is on a level if its residual is small compared with those terms.  Everything
+here is independent of the system of units.
 
-Every formula has a value and a size, the value that it would have if nothing cancelled.  Rational
+Every formula has a value and a size, the value it would have without cancellation.  Rational
 operations are exact, on fractions, and a decimal number means exactly the decimal.
 """
 
@@ -20,19 +20,19 @@ import mpmath
 import sympy as sp
 from flint import arb, fmpq
 
-from ..system.system import Quantity
+from ..system.named_formulas import Quantity
 from ..system.vectors import Vector
 from .evaluation import Evaluation
 from .multiprecision import mpmath_function
 
-#: A number below this, relative to its size, is zero: starts are read to fifty digits.
+#: Relative size below which a number counts as zero: starts are read to fifty digits.
 RESOLUTION = fmpq(1, 10**40)
-#: The rounding of doubles leaves at most this of a sum that is zero, relative to its size.
+#: Relative size that rounding of doubles may leave in a vanishing sum.
 ROUNDING = fmpq(1, 10**12)
-#: A start that misses the constraints by less, relative to the sizes, is moved onto them.
+#: Relative residual of the constraints up to which a start is projected onto them.
 START_TOLERANCE = fmpq(1, 10**9)
 
-#: Digits of what is not rational.
+#: Digits of irrational values.
 _DIGITS = 60
 
 
@@ -53,7 +53,7 @@ Real: TypeAlias = Fraction | mpmath.mpf
 
 @dataclass(frozen=True)
 class SizedNumber:
-    """A number and the size of the terms that it was summed up from.
+    """A number and the size of its summands.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class SizedNumber:
     size: Real
 
     def vanishes(self, part: fmpq = RESOLUTION) -> bool:
-        """Whether nothing is left of the terms but a `part` of them."""
+        """Whether the value is at most a fraction `part` of the size."""
         share = Fraction(int(part.p), int(part.q))
         value, limit = _alike(abs(self.value), _times(share, self.size))
         return bool(value <= limit)
@@ -87,9 +87,9 @@ class SizedNumber:
 def state_sizes(
     state: Iterable[Quantity], symbols: Sequence[sp.Symbol], numbers: Sequence[Fraction]
 ) -> dict[sp.Symbol, SizedNumber]:
-    """The numbers of a state with their sizes: a component of a vector is as large as the vector.
+    """The numbers of a state with their sizes: the size of a component is that of its vector.
 
-    So a component that is nothing but the rounding of the others counts as such.
+    A component that is only the rounding error of the others is then recognised as such.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def _mpf(number: Real) -> mpmath.mpf:
 
 
 def _alike(*numbers: Real) -> tuple[Real, ...]:
-    """All of them fractions, or none."""
+    """Convert to fractions only if all of them are."""
     if all(isinstance(number, Fraction) for number in numbers):
         return numbers
     return tuple(_mpf(number) for number in numbers)
@@ -207,5 +207,5 @@ class _Sizes(Evaluation[SizedNumber]):
         parts = self._parts(formula)
         function = mpmath_function(formula.func, len(parts))
         value = mpmath.mpmathify(function(*(_mpf(part.value) for part in parts)))
-        # its arguments have no unit: what they are summed up from is seen in its value
+        # The arguments have no unit, so their own values are their sizes.
         return SizedNumber(value, sum((_mpf(part.size) for part in parts), abs(value)))

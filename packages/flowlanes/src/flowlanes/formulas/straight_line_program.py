@@ -1,7 +1,7 @@
-"""Formulas as straight-line programs, which are run with numbers of any kind.
+"""Formulas as straight-line programs that run with numbers of any kind.
 
-Run with balls, a program encloses the exact value: its constants are exact and become balls of the
-working precision when it is run, and where there is no value the result is not finite.
+With balls, a program encloses the exact value: its constants are exact and are rounded to balls of
+the working precision when it runs, and the result is not finite where there is no value.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from .evaluation import Evaluation
 #: Named intermediate quantities, in order.
 Steps = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
-#: Functions that are analytic at every complex number.
+#: Entire functions: analytic at every complex number.
 ENTIRE = ("sin", "cos", "exp")
-#: Functions that real balls have, by SymPy's name for them.
+#: Functions of real balls, by SymPy's name.
 REAL = (
     *ENTIRE,
     "tan",
@@ -63,9 +63,9 @@ class Operation(NamedTuple):
 
 
 class BallArithmetic:
-    """Arithmetic of real balls, complex balls and what acts like them.
+    """Arithmetic of real balls, complex balls and similar numbers.
 
-    A root of a complex ball is the principal value, across its cut as well.
+    A root of a complex ball is the principal value, also across its branch cut.
     """
 
     def constant(self, number: fmpq) -> Any:
@@ -77,7 +77,7 @@ class BallArithmetic:
         return x.sqrt()
 
     def inverse(self, x: Any, index: int) -> Any:
-        """The reciprocal of x, the result of this index in the program."""
+        """The reciprocal of x, the result with this index in the program."""
         return 1 / x
 
     def function(self, name: str, arguments: Sequence[Any]) -> Any:
@@ -94,7 +94,7 @@ class BallArithmetic:
 
 
 class AnalyticArithmetic(BallArithmetic):
-    """Arithmetic of complex balls in which a root is not finite where it may meet its cut."""
+    """Arithmetic of complex balls in which a root is not finite if it may meet its branch cut."""
 
     def root(self, x: Any) -> Any:
         """The square root, where it is analytic."""
@@ -102,7 +102,7 @@ class AnalyticArithmetic(BallArithmetic):
 
 
 class FieldArithmetic(BallArithmetic):
-    """Arithmetic of the field that a number one belongs to; it has no roots."""
+    """Arithmetic of the field to which the number `one` belongs; it has no roots."""
 
     def __init__(self, one: Any) -> None:
         self.one = one
@@ -117,7 +117,7 @@ ANALYTIC = AnalyticArithmetic()
 
 
 class StraightLineProgram(Evaluation[int]):
-    """Scalar formulas as operations in order, each on arguments and results of earlier ones.
+    """Scalar formulas as a list of operations, each on arguments and earlier results.
 
     Parameters
     ----------
@@ -185,7 +185,7 @@ class StraightLineProgram(Evaluation[int]):
     # --- from formulas to operations -----------------------------------------------------------
 
     def _operation(self, kind: str, *operands: int, number: fmpq = ZERO) -> int:
-        """The index of the result of a further operation."""
+        """Append an operation; return the index of its result."""
         self.operations.append(Operation(kind, operands, number))
         return self._arguments + len(self.operations) - 1
 
@@ -208,7 +208,7 @@ class StraightLineProgram(Evaluation[int]):
             base = self(formula.base)
             if exponent.q == 2:
                 base = self._operation("root", base)
-            # a ball around zero has no power in python-flint, but it has a product
+            # python-flint has no power of a ball around zero, but has a product.
             count = abs(int(exponent.p))
             power = self._operation("product", *[base] * count) if count > 1 else base
             return power if exponent > 0 else self._operation("inverse", power)

@@ -1,8 +1,8 @@
-"""Derivatives through named definitions: every intermediate result gets a name, none is expanded.
+"""Derivatives through named definitions: every intermediate result is named, none is expanded.
 
 A formula of mechanics is a short expression in named quantities, which are short expressions in
 others.  A derivation (∂/∂w_i, a vector field, the rate of change along a motion) acts on it by the
-chain rule, and what it makes of a named quantity gets a name of its own, once.
+chain rule, and its result on a named quantity is named, once.
 """
 
 from __future__ import annotations
@@ -35,10 +35,9 @@ _operations = lru_cache(maxsize=4096)(sp.count_ops)
 
 @dataclass(frozen=True)
 class Derivation:
-    """A first-order differential operator, by its action on the symbols that it moves.
+    """A first-order differential operator, by its action on the symbols that it changes.
 
-    Symbols that it does not name are constant if they have no definition, and follow from their
-    definition otherwise.
+    Other symbols are constant if they have no definition, and otherwise follow from it.
     """
 
     rates: tuple[Step, ...]
@@ -68,7 +67,7 @@ class Tape:
         self._memo: dict[tuple[Derivation, sp.Symbol], sp.Expr] = {}
 
     def define(self, symbol: sp.Symbol, value: sp.Expr) -> None:
-        """Add a definition under a name of the caller's."""
+        """Add a definition under a given name."""
         self._values[symbol] = value
         self._reserved_names.add(str(symbol))
 
@@ -77,13 +76,13 @@ class Tape:
         return self._values[symbol]
 
     def fresh(self, label: str) -> sp.Symbol:
-        """A name that nothing bears yet: `label` if it is free and ends in a digit."""
+        """An unused name: `label` if it is free and ends in a digit."""
         symbol = real_symbol(self._free(label))
         self._reserved_names.add(str(symbol))
         return symbol
 
     def name(self, value: sp.Expr, label: str = "z") -> sp.Expr:
-        """A name for a value, made from `label`, or the value itself where it is short."""
+        """A name for a value, made from `label`, or the value itself if it is short."""
         if _operations(value) <= SHORT:
             return value
         if value not in self._names:
@@ -99,7 +98,7 @@ class Tape:
         return next(f"{stem}_{n}" for n in count(1) if f"{stem}_{n}" not in self._reserved_names)
 
     def along(self, derivation: Derivation, value: sp.Expr) -> sp.Expr:
-        """A derivation applied to a formula."""
+        """Apply a derivation to a formula."""
         terms = []
         for symbol in sorted(value.free_symbols, key=str):
             rate = self._rate(derivation, symbol)
@@ -118,9 +117,9 @@ class Tape:
         return self._memo[key]
 
     def short(self, value: sp.Expr, hold: Collection[sp.Symbol] = ()) -> sp.Expr:
-        """A formula with names written out and shortened, where that is small.
+        """A formula with names substituted and simplified, if that is small.
 
-        The definitions that the tape began with and the names to `hold` stay in it.
+        The initial definitions of the tape and the names to `hold` remain in it.
         """
         if value.is_Atom:
             return value
@@ -141,7 +140,7 @@ class Tape:
         return shortened if _operations(shortened) <= limit else value
 
     def steps(self, formulas: Iterable[sp.Expr]) -> tuple[Step, ...]:
-        """The definitions on which formulas depend, in an order in which each can be computed."""
+        """The definitions on which formulas depend, in an order in which they can be computed."""
         graph: dict[sp.Symbol, set[sp.Symbol]] = {}
         waiting = [s for value in formulas for s in value.free_symbols]
         while waiting:
@@ -151,7 +150,7 @@ class Tape:
             needs = self._values[symbol].free_symbols & self._values.keys()
             graph[symbol] = needs
             waiting += needs
-        # names in the order of their making, so that the same input gives the same output
+        # Names in the order of their creation, so that the same input gives the same output.
         position = {symbol: index for index, symbol in enumerate(self._values)}
         ordered = {
             symbol: sorted(graph[symbol], key=position.__getitem__)
@@ -162,8 +161,8 @@ class Tape:
 
 @lru_cache(maxsize=4096)
 def simplify_small(value: sp.Expr) -> sp.Expr:
-    """A small formula as short as cancelling and sin² + cos² = 1 make it; a large one unchanged."""
-    if value.is_Atom or _operations(value) > LARGEST or _spread(value) > SPREAD:
+    """Simplify a small formula by cancelling and sin² + cos² = 1; a large one is unchanged."""
+    if value.is_Atom or _operations(value) > LARGEST or _expanded_size(value) > SPREAD:
         return value
     candidates = [value]
     angles = sorted({f.args[0] for f in value.atoms(sp.sin, sp.cos)}, key=str)
@@ -174,20 +173,20 @@ def simplify_small(value: sp.Expr) -> sp.Expr:
     return min(candidates, key=_operations)
 
 
-def _spread(value: sp.Expr) -> int:
-    """A bound of the number of terms of a formula that is multiplied out."""
+def _expanded_size(value: sp.Expr) -> int:
+    """A bound of the number of terms of an expanded formula."""
     match value:
         case sp.Add():
-            return sum(_spread(part) for part in value.args)
+            return sum(_expanded_size(part) for part in value.args)
         case sp.Mul():
-            return math.prod(map(_spread, value.args))
+            return math.prod(map(_expanded_size, value.args))
         case sp.Pow() if value.exp.is_Integer:
-            return int(_spread(value.base) ** abs(int(value.exp)))
+            return int(_expanded_size(value.base) ** abs(int(value.exp)))
     return 1
 
 
 def _on_circles(value: sp.Expr, angles: Iterable[sp.Expr]) -> sp.Expr:
-    """Numerator and denominator reduced modulo sin² + cos² = 1, whichever way is shorter."""
+    """Numerator and denominator reduced modulo sin² + cos² = 1, in the shorter way."""
     above, below = (sp.expand(part) for part in sp.fraction(sp.together(value)))
     for angle in angles:
         above, below = (_on_circle(part, sp.sin(angle), sp.cos(angle)) for part in (above, below))
@@ -195,7 +194,7 @@ def _on_circles(value: sp.Expr, angles: Iterable[sp.Expr]) -> sp.Expr:
 
 
 def _on_circle(value: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
-    """A formula multiplied out, without the squares of the sine or without those of the cosine."""
+    """An expanded formula without squares of the sine or without those of the cosine."""
     squares = {p for p in value.atoms(sp.Pow) if p.base in (sine, cosine) and _whole(p.exp)}
     candidates = [value]
     for one, other in ((sine, cosine), (cosine, sine)):

@@ -1,10 +1,10 @@
 """Truncated Taylor series in several variables, over the rationals or modulo a prime.
 
-A series is kept by its homogeneous parts.  Euler's operator multiplies a part by its degree, so
-that quotients, roots and the elementary functions follow from recurrences between the parts.
+A series is stored by its homogeneous parts.  Euler's operator multiplies a part by its degree, so
+quotients, roots and elementary functions follow from recurrences between the parts.
 
-Modulo a prime one computes at a generic point even where roots are irrational at all rational
-points: a minor that is not zero there is not zero identically.
+Modulo a prime one computes at a generic point even if roots are irrational at all rational points:
+a minor that does not vanish there does not vanish identically.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ from flint import (
     nmod_poly,
 )
 
-#: Primes p with (p − 1)/2 prime: every number has roots of odd degree, every second one a square
-#: root; 2 and 3 have square roots.
+#: Primes p with (p − 1)/2 prime: every number has roots of odd degree, and every second one a
+#: square root; 2 and 3 have square roots.
 PRIMES = (4611686018427376319, 4611686018427375743, 4611686018427369527)
-#: A rational number (fmpq) or a residue (nmod); no static type has the arithmetic of both.
+#: A rational number (fmpq) or a residue (nmod); no static type covers both.
 Number: TypeAlias = Any
 #: A polynomial with such coefficients.
 Polynomial: TypeAlias = Any
@@ -39,12 +39,12 @@ Polynomial: TypeAlias = Any
 Matrix: TypeAlias = Any
 Fractional: TypeAlias = int | Fraction | fmpq | sp.Rational
 
-#: Numbers drawn for coordinates: numerators up to, denominators up to.
+#: Largest numerators and denominators of random coordinates.
 HEIGHT = 5
 
 
 class IrrationalError(ArithmeticError):
-    """A root that the numbers in use do not contain."""
+    """The numbers in use do not contain a required root."""
 
 
 class Rational:
@@ -58,7 +58,7 @@ class Rational:
         return fmpq(fraction.numerator, fraction.denominator)
 
     def random_number(self, rng: random.Random) -> Number:
-        """A small number at random, not zero."""
+        """A small nonzero random number."""
         return fmpq(rng.choice((-1, 1)) * rng.randint(1, HEIGHT), rng.randint(1, HEIGHT))
 
     def root(self, value: Number, degree: int) -> Number:
@@ -108,11 +108,11 @@ class Modular:
         return above / nmod(fraction.denominator, self.prime)
 
     def random_number(self, rng: random.Random) -> Number:
-        """A number at random, not zero."""
+        """A nonzero random number."""
         return nmod(rng.randrange(1, self.prime), self.prime)
 
     def root(self, value: Number, degree: int) -> Number:
-        """A root; of a fraction that has a rational one, the positive one.
+        """A root; for a fraction with a rational root, the positive one.
 
         Raises
         ------
@@ -139,7 +139,7 @@ class Modular:
         return nmod(pow(whole, pow(degree, -1, self.prime - 1), self.prime), self.prime)
 
     def fraction(self, value: nmod) -> Fraction | None:
-        """The fraction of small numerator and denominator that a number stands for, if any."""
+        """The fraction with small numerator and denominator that a residue represents, if any."""
         bound = isqrt(self.prime // 2)
         before, last = (self.prime, 0), (int(value), 1)
         while last[0] > bound:
@@ -173,7 +173,7 @@ Ring: TypeAlias = fmpq_mpoly_ctx | nmod_mpoly_ctx
 
 
 def _linear_zero(polynomial: Polynomial) -> Number:
-    """The zero of a factor of degree one; the last of them, which for a root is positive."""
+    """The zero of a linear factor; the last one, which for a root is positive."""
     for factor, _ in reversed(polynomial.factor()[1]):
         if factor.degree() == 1:
             return -factor[0] / factor[1]
@@ -236,12 +236,12 @@ class Series:
 
     @property
     def is_zero(self) -> bool:
-        """Whether everything known of it is zero."""
+        """Whether all known parts are zero."""
         return all(part.is_zero() for part in self.parts)
 
     @property
     def is_constant(self) -> bool:
-        """Whether nothing but its value is known to be other than zero."""
+        """Whether all known parts except the value are zero."""
         return all(part.is_zero() for part in self.parts[1:])
 
     def _with_parts(self, parts: list[Polynomial]) -> Series:
@@ -275,7 +275,7 @@ class Series:
         return self * other.power(-1, 1)
 
     def multiple(self, factor: Number) -> Series:
-        """A multiple by a number."""
+        """The series times a number."""
         whole = factor if self.numbers.exact else int(factor)
         return self._with_parts([part * whole for part in self.parts])
 
@@ -284,7 +284,7 @@ class Series:
         return self._with_parts(self.parts[: order + 1])
 
     def derivative(self, variable: int) -> Series:
-        """The partial derivative, known up to one order less."""
+        """The partial derivative, known to one order less."""
         return self._with_parts([part.derivative(variable) for part in self.parts[1:]])
 
     def power(self, top: int, bottom: int) -> Series:
@@ -323,7 +323,7 @@ class Series:
         return part * (inverse if self.numbers.exact else int(inverse))
 
     def primitive(self, value: Number, slope: Series) -> Series:
-        """A function of this series, by its value at the origin and its derivative along it."""
+        """A function of this series, from its value at the origin and its derivative."""
         parts = [self._like(value).parts[0]]
         for k in range(1, self.order + 1):
             total = self.ring.constant(0)

@@ -14,9 +14,9 @@ from ..system.arrays import FloatArray
 def kaplan_yorke(exponents: Sequence[float] | FloatArray) -> float:
     """The dimension of an attractor with given exponents (Kaplan and Yorke 1979).
 
-    With the exponents in falling order, j is the largest number of them whose sum is not
-    negative; the dimension is j + (λ_1 + … + λ_j)/|λ_{j+1}|, and the number of exponents where
-    all sums are not negative.
+    With the exponents in decreasing order, j is the largest number of them whose sum is
+    nonnegative; the dimension is j + (λ_1 + … + λ_j)/|λ_{j+1}|, and the number of exponents if all
+    sums are nonnegative.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Averages over a long motion, with an error estimate and whether they have converged."""
+"""Averages over a long motion, with error estimates and a convergence check."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ import numpy as np
 from ..errors import InputError
 from ..system.arrays import FloatArray
 
-#: Batches into which a series is divided.
+#: Number of batches into which a series is divided.
 BATCHES = 16
-#: Intervals that a batch has at least.
+#: Smallest number of intervals per batch.
 SMALLEST = 4
-#: Confidence of the statistical error.
+#: Confidence level of the statistical error.
 CONFIDENCE = 0.95
-#: Growth by this power of the time is not distinguished from none.
+#: Exponent of a power of time whose growth cannot be distinguished from a constant.
 POWER = 2
 
 
 @dataclass(frozen=True)
 class Average:
-    """The mean rate of a quantity that adds up along a motion.
+    """The mean rate of a quantity that accumulates along a motion.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Average:
 
     @property
     def halves_agree(self) -> bool:
-        """Whether both halves of the motion give the same within three errors."""
+        """Whether both halves of the motion agree within three errors."""
         first, second = self.halves
         return bool(abs(first - second) <= 3 * self.error)
 
@@ -64,7 +64,7 @@ class Average:
 def batch_means(series: FloatArray, batches: int = BATCHES) -> FloatArray:
     """Means (batches, ...) of equal batches of a series (m, ...).
 
-    The first few members are left out where the division leaves a rest.
+    If the length is not divisible, the first few members are omitted.
 
     Raises
     ------
@@ -83,12 +83,12 @@ def batch_means(series: FloatArray, batches: int = BATCHES) -> FloatArray:
 
 
 def resolution(span: float, began: float) -> float:
-    """The rate that quadratic growth shows over a time `span` from `began`."""
+    """The apparent rate of quadratic growth over a time `span` from `began`."""
     return POWER * float(np.log1p(span / began)) / span
 
 
 def average(growth: FloatArray, interval: float, began: float) -> Average:
-    """The mean rate of what grows by `growth` in each of a row of intervals.
+    """The mean rate of a quantity that grows by `growth` in each of a sequence of intervals.
 
     Parameters
     ----------

@@ -11,15 +11,14 @@ from ..arguments import Parameters
 from ..flow.linearisation.tangent_space import orthonormal
 from ..formulas.array_formulas import Formulas
 from ..system.arrays import FloatArray
-from ..system.laws import Measure
+from ..system.laws import Measure, of_kind
 from ..system.system import System
-from ..system.vectors import to_components
 from .averages import Average, average
 from .zero_exponents import TrivialDirections, vanishes_to_rounding
 
-#: Points of Gauss's rule in an interval, for the mean of the divergence.
+#: Number of Gauss points per interval for the mean of the divergence.
 NODES = 16
-#: Intervals taken together, to bound the memory.
+#: Number of intervals processed together; it bounds memory use.
 PIECE = 512
 
 
@@ -62,8 +61,8 @@ def divergence_average(
     transient: int,
     parameters: Parameters,
 ) -> Volume:
-    """The divergence along the motion, and what it must agree with."""
-    relations = [to_components(relation) for relation in system.relations]
+    """The divergence along the motion, and the quantities it must agree with."""
+    relations = system.scalar.relations
     _, weights = np.polynomial.legendre.leggauss(NODES)
     nodes = run.nodes[transient:]
     growth = np.empty(len(nodes))
@@ -75,7 +74,7 @@ def divergence_average(
         growth[first : first + PIECE] = rates.reshape(some.shape[:2]) @ weights
     growth *= run.interval / 2
     span = len(growth) * run.interval
-    # of what is removed, all but the relations belongs to volumes on the phase space
+    # Of the removed directions, all but the relations belong to volumes on the phase space.
     inside = [item.kind != "relation" for item in directions.trivial]
     change = float((run.sizes[-1] - run.sizes[transient])[inside].sum())
     balance = float(run.lengths[transient:].sum() + change - growth.sum()) / span
@@ -92,18 +91,15 @@ def _densities(
 ) -> Iterator[tuple[str, float]]:
     """For each invariant measure, its growth of volumes between two states."""
     moving = set(system.symbols) | {symbol for symbol, _ in system.scalar_definitions}
-    relations = [to_components(relation) for relation in system.relations]
+    relations = system.scalar.relations
     gradients = Formulas(system, relations).slopes(ends, parameters) * sizes
     _, lengths = orthonormal(gradients)
-    for law in system.laws:
-        if not isinstance(law, Measure):
+    for law in of_kind(system.scalar.laws, Measure):
+        if any(condition.free_symbols & moving for condition in law.on):
             continue
-        level = [to_components(condition) for condition in law.on]
-        if any(condition.free_symbols & moving for condition in level):
+        if not vanishes_to_rounding(system, law.on, ends[0], parameters, sizes):
             continue
-        if not vanishes_to_rounding(system, level, ends[0], parameters, sizes):
-            continue
-        density = Formulas(system, [to_components(law.value)])(ends, parameters)[:, 0]
+        density = Formulas(system, [law.value])(ends, parameters)[:, 0]
         # volumes are those of the surface: the form of the law times the size of the gradients
         logarithm = np.log(lengths).sum(axis=1) - np.log(np.abs(density))
         yield law.name, float(logarithm[1] - logarithm[0])

@@ -1,4 +1,4 @@
-"""A Lyapunov spectrum in sentences, and as plain values for other programs."""
+"""A Lyapunov spectrum in sentences, and as plain data."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .report import CAREFUL, Spectrum, sign_word, significant_digits
 
 
 def remarks(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str]:
-    """Sentences on what a spectrum shows; all of them observed unless they say proven.
+    """Sentences on what a spectrum shows; all are observed unless they say proven.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ def remarks(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[
 
 
 def _is_undecided(spectrum: Spectrum) -> bool:
-    """Whether an error is no smaller than the fluctuations of the growth."""
+    """Whether an error is not smaller than the fluctuations of the growth."""
     counted = spectrum.growth[round(spectrum.began / spectrum.interval) :]
     rates = counted.std(axis=0) / spectrum.interval
     return any(
@@ -123,7 +123,7 @@ def _pairs(spectrum: Spectrum, reversor: Reversor) -> Iterator[str]:
 
 
 def record(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, object]:
-    """A spectrum as numbers, texts and lists of these."""
+    """A spectrum as numbers, strings and lists of these."""
     return {
         "system": spectrum.system.name,
         "parameters": spectrum.parameters,

@@ -1,4 +1,4 @@
-"""A Lyapunov spectrum, and the dataset of it."""
+"""A Lyapunov spectrum, and its dataset."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from .zero_exponents import TrivialExponent
 if TYPE_CHECKING:
     import xarray as xr
 
-#: Draws of the bootstrap, and its seed.
+#: Number of bootstrap samples, and their seed.
 DRAWS, SEED = 400, 20080830
-#: A relative error of the computation above which it is reported.
+#: Relative error of the computation above which it is reported.
 CAREFUL = 0.1
 
 
@@ -99,9 +99,9 @@ class Spectrum(WithOverview):
 
     @property
     def in_order(self) -> tuple[Average | TrivialExponent, ...]:
-        """All exponents, the largest first, with the exact zeros in their places.
+        """All exponents, the largest first, including the exact zeros.
 
-        Relations are no directions of the phase space and have none.
+        Relations are not directions of the phase space and have no exponent.
         """
         above = sum(item.value > 0 for item in self.exponents)
         zeros = (item for item, rate in self.trivial if rate is not None)
@@ -109,18 +109,18 @@ class Spectrum(WithOverview):
 
     @property
     def numbers(self) -> tuple[int, ...]:
-        """The place of each genuine exponent among all, from 1."""
+        """The index of each genuine exponent among all, from 1."""
         return tuple(i for i, x in enumerate(self.in_order, 1) if isinstance(x, Average))
 
     @property
     def trivial_numbers(self) -> tuple[int | None, ...]:
-        """The place of each trivial exponent among all, from 1; None for relations."""
+        """The index of each trivial exponent among all, from 1; None for relations."""
         places = iter([i for i, x in enumerate(self.in_order, 1) if not isinstance(x, Average)])
         return tuple(None if rate is None else next(places) for _, rate in self.trivial)
 
     @property
     def chaotic(self) -> bool:
-        """Whether the largest exponent is settled and positive beyond its error: observed."""
+        """Whether the largest exponent has converged and is positive beyond its error: observed."""
         return any(one.halves_agree and one.value > one.error for one in self.exponents[:1])
 
     @property
@@ -132,7 +132,7 @@ class Spectrum(WithOverview):
     def dimension(self) -> tuple[float, float]:
         """The Kaplan–Yorke dimension on the level of the integrals, and its error.
 
-        The error is the standard deviation over bootstrap draws of the batches.
+        The error is the standard deviation over bootstrap samples of the batches.
         """
         began = round(self.began / self.interval)
         means = batch_means(self.growth[began:]) / self.interval
@@ -143,7 +143,7 @@ class Spectrum(WithOverview):
 
     @property
     def symmetric(self) -> bool:
-        """Whether the exponents come in pairs of opposite sign, within their errors."""
+        """Whether the exponents form pairs of opposite sign, within their errors."""
         pairs = self.values + self.values[::-1]
         return bool(np.all(np.abs(pairs) <= self.errors + self.errors[::-1]))
 
@@ -157,7 +157,7 @@ class Spectrum(WithOverview):
     def running(self) -> FloatArray:
         """Running averages: each exponent as if the motion had ended earlier.
 
-        (intervals, exponents); not a number before anything is counted.
+        (intervals, exponents); NaN before the averaging begins.
         """
         began = round(self.began / self.interval)
         averages = np.full(self.growth.shape, np.nan)
@@ -184,7 +184,7 @@ class Spectrum(WithOverview):
         )
 
     def dataset(self) -> xr.Dataset:
-        """Exponents, errors and the way they settled, with what they are of."""
+        """Exponents, errors and running averages, with metadata."""
         return dataset(self)
 
 
@@ -193,7 +193,7 @@ def _origin(item: TrivialExponent) -> str:
 
 
 def sign_word(item: Average) -> str:
-    """An exponent in a word."""
+    """Describe the sign of an exponent."""
     if not item.halves_agree:
         return "not converged"
     if item.zero:
@@ -204,12 +204,12 @@ def sign_word(item: Average) -> str:
 def significant_digits(value: float, error: float) -> tuple[str, str]:
     """A number and its error, to two digits of the error."""
     places = max(0, 1 - floor(log10(error))) if error > 0 else 12
-    # a zero has no sign
+    # Zero has no sign.
     return f"{round(value, places) + 0.0:.{places}f}", f"{error:.{places}f}"
 
 
 def dataset(spectrum: Spectrum) -> xr.Dataset:
-    """A spectrum with the way it settled.
+    """Convert a spectrum with its running averages to a dataset.
 
     Returns
     -------

@@ -1,9 +1,9 @@
-"""The Lyapunov spectrum of a motion: its exponents, their errors, and those that must be zero.
+"""The Lyapunov spectrum of a motion: exponents, errors, and the exponents that must be zero.
 
 After Benettin, Galgani, Giorgilli and Strelcyn (1980), with deviations that stay tangent to
-relations and integrals and are counted modulo the flow and the symmetries, so that zeros which
-are there in any case are neither computed nor mistaken for a result.  An exponent is a mean over
-a motion of finite length and has an error; it is *observed*, never proven.
+relations and integrals and are counted modulo the flow and the symmetries.  So zeros that exist in
+any case are neither computed nor mistaken for a result.  An exponent is a mean over a motion of
+finite length and has an error; it is *observed*, never proven.
 """
 
 from __future__ import annotations
@@ -31,13 +31,13 @@ from .zero_exponents import TrivialDirections, trivial_directions
 if TYPE_CHECKING:
     pass
 
-#: Part of a motion left out at the beginning, where deviations find their directions.
+#: Initial fraction of a motion that is omitted while deviations find their directions.
 TRANSIENT = 0.2
-#: Intervals of a motion, unless deviations part too fast.
+#: Number of intervals of a motion, unless deviations separate too fast.
 INTERVALS = 400
-#: Intervals at least, and at most.
+#: Smallest and largest number of intervals.
 LEAST, MOST = 100, 2_000_000
-#: Logarithm of the ratio of lengths that deviations may reach in an interval: at first, and later.
+#: Largest logarithm of the ratio of lengths of deviations within an interval: at first, and later.
 APART = (12.0, 28.0)
 FIRST = 8
 
@@ -54,7 +54,7 @@ def lyapunov_spectrum(
     device: Device = "cpu",
     progress: Callable[[float], None] | None = None,
 ) -> Spectrum:
-    """The Lyapunov spectrum of the motion from a start.
+    """Compute the Lyapunov spectrum of the motion from a start.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def lyapunov_spectrum(
     except _StoppedError as stop:
         run = stop.run
         length = run.interval * len(run.lengths)
-        # if more had to be left out, the motion would have to be integrated again
+        # If more had to be omitted, the motion would have to be integrated again.
         if len(run.lengths) < LEAST or set(_not_forced(directions, run)) - set(fading):
             raise InterruptionError("interrupted", length) from None
         partial = _spectrum(system, directions, run, length, tolerance, parameters, fading)
@@ -146,7 +146,7 @@ def _motion_record(
     numerics: tuple[float, Device],
     progress: Callable[[float], None],
 ) -> MotionRecord:
-    """The motion, in intervals so short that deviations keep apart."""
+    """Record the motion in intervals short enough to keep deviations apart."""
     space = directions.space
     tolerance, device = numerics
     machine = batch_integrator(
@@ -163,7 +163,7 @@ def _motion_record(
 def _not_forced(directions: TrivialDirections, run: MotionRecord) -> tuple[str, ...]:
     """Names of fading fields and integrals, whose exponents need not vanish.
 
-    So it is with the flow where the motion comes to rest.
+    This applies to the flow if the motion comes to rest.
     """
     skipped = round(TRANSIENT * len(run.lengths))
     began, span = (run.interval * n for n in (skipped, len(run.lengths) - skipped))
@@ -191,7 +191,7 @@ def _run(
     parameters: Parameters,
     progress: Callable[[float], None],
 ) -> MotionRecord | None:
-    """The motion; None where deviations grow too far apart within an interval."""
+    """Follow the motion; None if deviations separate too far within an interval."""
     until, count = times
     interval = until / count
     space = directions.space
@@ -219,7 +219,7 @@ def _run(
             lengths.append(stretch.lengths[0])
             sizes.append(stretch.sizes[0])
     except KeyboardInterrupt:
-        # the last entries exist for complete intervals alone
+        # The last entries exist only for complete intervals.
         n = len(sizes) - 1
         if n == 0:
             raise

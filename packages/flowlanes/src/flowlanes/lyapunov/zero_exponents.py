@@ -1,9 +1,9 @@
-"""Lyapunov exponents that are zero because they must be.
+"""Lyapunov exponents that must be zero.
 
-Every integral F forces one: the motion keeps dF, so that a deviation across its levels neither
-grows nor shrinks.  So does every field that the motion carries into itself and that stays bounded:
-the flow, a symmetry.  Where relations hold, deviations that break them are no deviations of the
-system at all.  The exponents that remain without these are the genuine spectrum.
+Every integral F forces a zero exponent: the motion preserves dF, so a deviation across its levels
+neither grows nor shrinks.  So does every bounded field that the motion carries into itself: the
+flow, a symmetry. Deviations that violate relations are not deviations of the system at all.  The
+remaining exponents are the genuine spectrum.
 """
 
 from __future__ import annotations
@@ -24,17 +24,16 @@ from ..formulas.array_formulas import Formulas
 from ..printing.formula import text
 from ..printing.laws import equation
 from ..system.arrays import FloatArray
-from ..system.laws import Law, Symmetry
+from ..system.laws import Symmetry
 from ..system.system import System
-from ..system.vectors import to_components
 
 Kind = Literal["relation", "integral", "flow", "symmetry", "quadrature"]
 
-#: Relative size below which a vector counts as dependent on others.
+#: Relative size below which a vector counts as linearly dependent.
 DEPENDENT = 1e-8
 #: Relative size below which a number counts as zero.
 ZERO = 1e-10
-#: States near by: how many, how far in sizes of the state, and the seed of their directions.
+#: Nearby states: their number, their distance in sizes of the state, and the seed of directions.
 BESIDE, NEAR, SEED = 4, 0.1, 20080830
 
 _REASONS: Mapping[Kind, str] = {
@@ -48,7 +47,7 @@ _REASONS: Mapping[Kind, str] = {
 
 @dataclass(frozen=True)
 class TrivialExponent:
-    """One dimension taken out of the tangent space.
+    """One dimension removed from the tangent space.
 
     Attributes
     ----------
@@ -63,7 +62,7 @@ class TrivialExponent:
 
     @property
     def exponent(self) -> float | None:
-        """0, or None for a relation: what breaks it is no deviation, and has no exponent."""
+        """0, or None for a relation: violating it is not a deviation, and has no exponent."""
         return None if self.kind == "relation" else 0.0
 
     @property
@@ -164,7 +163,7 @@ def vanishes_to_rounding(
     parameters: Parameters,
     sizes: FloatArray,
 ) -> bool:
-    """Whether formulas vanish at a state, up to rounding of what they consist of.
+    """Whether formulas vanish at a state, up to rounding of their terms.
 
     Parameters
     ----------
@@ -189,7 +188,7 @@ def _floor(vectors: FloatArray) -> float:
 
 @dataclass(frozen=True)
 class _Item:
-    """Something that may force a zero: a function or a field."""
+    """A function or a field that may force a zero exponent."""
 
     trivial: TrivialExponent
     formulas: tuple[sp.Expr, ...]
@@ -198,19 +197,19 @@ class _Item:
 
 @dataclass
 class _Span:
-    """Vectors independent of each other, as an orthonormal basis."""
+    """Independent vectors, as an orthonormal basis."""
 
     basis: list[FloatArray] = field(default_factory=list)
 
     def remainder(self, vector: FloatArray) -> FloatArray:
-        """A vector less its projection onto the span."""
+        """A vector minus its projection onto the span."""
         for _ in range(2):
             for other in self.basis:
                 vector = vector - (vector @ other) * other
         return vector
 
     def take(self, vector: FloatArray, floor: float) -> bool:
-        """Add a vector to the basis if it is independent; return whether it is."""
+        """Add a vector to the basis if it is independent; return whether it was added."""
         left = self.remainder(vector)
         size = float(np.linalg.norm(left))
         independent = size > max(floor, DEPENDENT * float(np.linalg.norm(vector)))
@@ -230,7 +229,7 @@ class _LocalSystem:
 
     @cached_property
     def places(self) -> FloatArray:
-        """The state and some near it, for the usual sizes of vectors that vanish here."""
+        """The state and some nearby ones, for typical sizes of vectors that vanish here."""
         moves = np.random.default_rng(SEED).standard_normal((BESIDE, self.state.shape[1]))
         return np.concatenate([self.state, self.state + NEAR * self.sizes * moves])
 
@@ -249,7 +248,7 @@ class _LocalSystem:
         return result
 
     def on_level(self, level: Sequence[sp.Expr], span: _Span) -> bool:
-        """Whether the state lies on a level, which deviations within the span keep."""
+        """Whether the state lies on a level to which deviations in the span are tangent."""
         return vanishes_to_rounding(
             self.system, level, self.state[0], self.parameters, self.sizes
         ) and all(
@@ -259,34 +258,33 @@ class _LocalSystem:
 
 
 def _conditions(at: _LocalSystem) -> Iterator[_Item]:
-    """Relations, then integrals: those that hold everywhere first."""
+    """Relations, then integrals; unconditional ones first."""
     system = at.system
-    for relation in system.relations:
+    for relation, scalar in zip(system.relations, system.scalar.relations, strict=True):
         name = " = ".join(map(text, equation(relation)))
-        yield _Item(TrivialExponent(name, "relation"), (to_components(relation),))
+        yield _Item(TrivialExponent(name, "relation"), (scalar,))
     idle = set(_idle(system))
     for law in sorted(system.integrals, key=lambda law: bool(law.on)):
-        value = to_components(law.value)
+        value = law.scalar.value
         used = {s for _, step in system.required_definitions([value]) for s in step.free_symbols}
-        # a variable on which nothing depends is removed as such
+        # A variable on which nothing depends is removed separately.
         if not idle & (used | value.free_symbols):
-            yield _Item(TrivialExponent(law.name, "integral"), (value,), _level(law))
+            yield _Item(TrivialExponent(law.name, "integral"), (value,), law.scalar.on)
 
 
 def _fields(at: _LocalSystem) -> Iterator[_Item]:
     """Variables on which nothing depends, symmetries, and the flow.
 
-    The flow comes last: where it leads along the others it forces no zero of its own, and where a
-    motion comes to rest the flow shows it.
+    The flow comes last: if it is a combination of the others it forces no zero of its own, and if a
+    motion comes to rest the flow shows this.
     """
     system = at.system
     for symbol in _idle(system):
         unit = tuple(sp.Integer(s == symbol) for s in system.symbols)
         yield _Item(TrivialExponent(str(symbol), "quadrature"), unit)
-    for law in system.laws:
-        if isinstance(law, Symmetry):
-            parts = tuple(components(law, system.symbols))
-            yield _Item(TrivialExponent(law.name, "symmetry"), parts, _level(law))
+    for law in system.laws_of(Symmetry):
+        parts = tuple(components(law, system.symbols))
+        yield _Item(TrivialExponent(law.name, "symmetry"), parts, law.scalar.on)
     yield _Item(TrivialExponent("flow", "flow"), system.rates)
 
 
@@ -295,17 +293,13 @@ def _idle(system: System) -> list[sp.Symbol]:
     return [s for s in system.symbols if s not in active]
 
 
-def _level(law: Law) -> tuple[sp.Expr, ...]:
-    return tuple(to_components(condition) for condition in law.on)
-
-
 def _tangent(
     at: _LocalSystem, fields: Sequence[_Item], across: _Span
 ) -> Iterator[tuple[TrivialExponent, Any]]:
     """Fields tangent to the conditions, and combinations of the others that are.
 
-    The combinations have constant coefficients: the rate of an integral along a symmetry is an
-    integral again.
+    The combinations have constant coefficients: the rate of an integral along a symmetry is again
+    an integral.
     """
     vectors = at.vectors(fields)[0]
     sizes = np.linalg.norm(vectors, axis=1)

@@ -1,9 +1,9 @@
 """Devil's staircases of rotation numbers, and Arnold tongues: the edges of their steps.
 
-A map of the circle x ↦ f(x) with a lift, in turns, has the rotation number p/q where its
-displacement D(x) = f^q(x) − x − p vanishes somewhere: where min D ≤ 0 ≤ max D.  If a parameter
-turns the map forwards, max D = 0 at the lower edge of the step and min D = 0 at the upper one.
-Both are smooth conditions; they give widths down to rounding, where rotation numbers cannot.
+A circle map x ↦ f(x) with a lift, in turns, has the rotation number p/q if its displacement D(x) =
+f^q(x) − x − p vanishes somewhere: if min D ≤ 0 ≤ max D.  If increasing a parameter moves the map
+forwards, max D = 0 at the lower edge of the step and min D = 0 at the upper one.  Both are smooth
+conditions; they determine widths down to rounding level, unlike rotation numbers.
 
 Examples
 --------
@@ -37,20 +37,21 @@ from ..errors import InputError, RunError
 from ..system.arrays import FloatArray
 from .rotation import FIRST, average
 
-#: Error of one step of an integrated map, turns.
+#: Error of one step of an integrated map, in turns.
 ACCURACY = 1e-13
-#: Points on the circle with which a displacement is first known, for each step of the cycle.
+#: Initial number of sample points of a displacement on the circle, per step of the cycle.
 SAMPLES = 8
-#: The most points.
+#: Maximum number of points.
 FINEST = 4096
-#: Share of the largest Fourier coefficient at which a displacement counts as known.
+#: Fraction of the largest Fourier coefficient at which a displacement counts as resolved.
 COEFFICIENT_TOLERANCE = 1e-9
-#: Share below which, and number of points from which, coefficients that stay are taken for noise.
+#: Relative size below which, and number of points above which, constant coefficients count as
+#: noise.
 NOISE, MANY = 1e-3, 256
 
 
 class CircleMaps(Protocol):
-    """A family of maps of the circle."""
+    """A family of circle maps."""
 
     def __call__(self, turns: FloatArray, values: FloatArray, count: int) -> FloatArray:
         """Orbits under lifts of the maps.
@@ -74,7 +75,7 @@ class CircleMaps(Protocol):
 
 @dataclass(frozen=True)
 class DevilsStaircase:
-    """Rotation numbers over a parameter.
+    """Rotation numbers as a function of a parameter.
 
     Attributes
     ----------
@@ -93,7 +94,7 @@ class DevilsStaircase:
 
 @dataclass(frozen=True)
 class Displacement:
-    """f^q(x) − x − p over the circle at one parameter, as a trigonometric polynomial.
+    """f^q(x) − x − p on the circle at one parameter, as a trigonometric polynomial.
 
     Attributes
     ----------
@@ -224,7 +225,7 @@ def displacement(
         sizes = np.abs(np.fft.rfft(moved)) / count
         tail = float(sizes[-count // 8 :].max())
         rounding = accuracy * fraction.denominator
-        # a level that does not fall with more points is the noise of the map
+        # A noise level does not decrease with more points.
         flat = tail > before / 4 and (tail < NOISE * float(sizes.max()) or count >= MANY)
         if flat or tail <= max(COEFFICIENT_TOLERANCE * float(sizes.max()), rounding):
             return _extrema(moved, tail * float(np.sqrt(count)) + rounding)
@@ -252,7 +253,7 @@ def _extrema(displacement: FloatArray, noise: float) -> Displacement:
             place += float(np.clip(step, -0.5 / count, 0.5 / count))
             if abs(step) < 1e-12:
                 break
-        # within rounding errors any sample will do
+        # Within rounding errors any sample will do.
         best = min(
             (at(place, 0), place),
             (float(displacement[start]), start / count),
@@ -324,7 +325,7 @@ def locked_interval(
 def _slope(
     maps: CircleMaps, fraction: Fraction, edges: tuple[float, float], bracket: tuple[float, float]
 ) -> float:
-    """The rate of the mean displacement at a plateau, from both sides of it."""
+    """The rate of the mean displacement at a plateau, from both sides."""
     reach = max(1e-4 * (bracket[1] - bracket[0]), edges[1] - edges[0])
     sides = [edges[0] - reach, edges[1] + reach]
     means = [displacement(maps, value, fraction).mean for value in sides]
@@ -334,7 +335,7 @@ def _slope(
 def plateaus(
     maps: CircleMaps, stairs: DevilsStaircase, longest: int, turns: Iterable[int] = ()
 ) -> list[Plateau]:
-    """The plateaus of a devil's staircase, of cycles up to a length.
+    """The plateaus of a devil's staircase, for cycles up to a given length.
 
     Parameters
     ----------
@@ -363,7 +364,7 @@ def _plateaus_of(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) 
     """The plateaus of a fraction, one for each time the staircase passes it."""
     known = np.flatnonzero(np.isfinite(stairs.rotations))
     values, excess = stairs.values[known], stairs.rotations[known] - float(fraction)
-    # an orbit near a fixed point has a poor average
+    # An orbit near a fixed point has a poor average.
     unsure = np.abs(excess) <= np.maximum(1e-9, 4 * stairs.errors[known])
     clear = np.flatnonzero(~unsure)
     plateaux = []
@@ -378,7 +379,7 @@ def _plateaus_of(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) 
 def _outwards(
     maps: CircleMaps, values: FloatArray, ends: tuple[int, int], fraction: Fraction
 ) -> tuple[int, int]:
-    """The next places on both sides where the displacement vanishes nowhere."""
+    """The nearest parameters on both sides at which the displacement vanishes nowhere."""
 
     def passes(index: int) -> bool:
         if not 0 <= index < len(values):

@@ -1,11 +1,11 @@
-"""Continuation of periodic orbits by pseudo-arclength, through folds and bifurcations.
+"""Pseudo-arclength continuation of periodic orbits, through folds and bifurcations.
 
-A parameter is one more integral (:func:`flowlanes.orbits.return_map.parameters_to_state`),
-so that there is one continuation: of the value of an integral.  The orbits with the other integrals
-held are a curve in the space of all their points; it is followed by steps along its tangent, each
-corrected across it, so that folds are passed like any other place.  On the way it is noticed where
-a branch folds, where a multiplier goes through 1 or −1 and where a pair goes through the unit
-circle.
+A parameter is treated as one more integral
+(:func:`flowlanes.orbits.return_map.parameters_to_state`), so there is only one kind of
+continuation: in the value of an integral.  The orbits with the other integrals fixed form a curve
+in the space of all their points.  It is followed by steps along its tangent, each corrected
+perpendicular to it, so folds need no special treatment.  On the way, folds are detected, and
+multipliers that pass 1, −1 or, as a pair, the unit circle.
 """
 
 from __future__ import annotations
@@ -30,12 +30,13 @@ from .periodic import (
     orbit_from_points,
 )
 
-#: Halvings of a step before a branch ends, and of an interval in which something happens.
+#: Maximum number of halvings of a step before a branch ends, and of an interval that contains an
+#: event.
 SHORTENED, LOCATED = 12, 50
-#: A step is lengthened by this factor when the tangent turns by less than `_STRAIGHT` radians,
-#: and shortened when it turns by more than twice that.
+#: A step is lengthened by this factor if the tangent turns by less than `_STRAIGHT` radians, and
+#: shortened if it turns by more than twice that.
 LONGER, _STRAIGHT = 1.5, 0.1
-#: Values of a test function below this many errors tell nothing.
+#: A test function below this number of errors is not significant.
 CLEAR = 100.0
 
 
@@ -117,7 +118,7 @@ class _BranchTracer:
     parameter: str
 
     def place(self, points: FloatArray, error: float, ahead: FloatArray | None) -> _BranchPoint:
-        """The place of an orbit, with the tangent in the direction of `ahead`."""
+        """A point of the branch, with the tangent oriented along `ahead`."""
         _, slopes, _ = self.equations(points)
         _, sizes, other = np.linalg.svd(slopes)
         free = points.size - int((sizes > FAMILY * sizes[0]).sum())
@@ -137,7 +138,7 @@ class _BranchTracer:
         return _BranchPoint(orbit_from_points(map, points, error), tangent, speed)
 
     def step(self, here: _BranchPoint, length: float) -> _BranchPoint:
-        """The place at a distance along the tangent."""
+        """The point at a distance along the tangent."""
         sizes = self.equations.sizes
         way = length * here.tangent.reshape(here.orbit.points.shape)
         guess = here.orbit.points + way * sizes
@@ -158,7 +159,7 @@ def continue_orbit(
     longest: float = 0.5,
     most: int = 400,
 ) -> Branch:
-    """The branch of periodic orbits through one of them.
+    """Continue a periodic orbit along a branch.
 
     Parameters
     ----------
@@ -251,7 +252,7 @@ def continue_orbit(
 def _advance(
     follower: _BranchTracer, here: _BranchPoint, length: float
 ) -> tuple[_BranchPoint, float] | None:
-    """The next place and its distance; None if there is none."""
+    """The next point and its distance; None if there is none."""
     for _ in range(SHORTENED):
         try:
             there = follower.step(here, length)
@@ -272,7 +273,7 @@ def _turn(here: _BranchPoint, there: _BranchPoint) -> float:
 def _passes(
     here: _BranchPoint, there: _BranchPoint, first: _BranchPoint, sizes: FloatArray
 ) -> bool:
-    """Whether a step passes the orbit with which the branch began, in its direction."""
+    """Whether a step passes the initial orbit of the branch in its direction."""
     begin, step = here.orbit.points / sizes, (there.orbit.points - here.orbit.points) / sizes
     length = float(np.linalg.norm(step))
     for k in range(len(begin)):
@@ -337,7 +338,7 @@ def _events(
 
 
 def _same_pairs(kind: str, here: _BranchPoint, there: _BranchPoint) -> bool:
-    """Whether as many multipliers are complex at both ends."""
+    """Whether both ends have the same number of complex multipliers."""
     counts = [int((p.orbit.multipliers.values.imag > 0).sum()) for p in (here, there)]
     return kind != "torus" or counts[0] == counts[1] > 0
 
@@ -350,7 +351,7 @@ def _locate_event(
     test: Callable[[_BranchPoint], float],
     kind: str,
 ) -> Event | None:
-    """The zero of a function between two places, by the Illinois method."""
+    """The zero of a function between two points, by the Illinois method."""
     ends = [(0.0, test(here), here), (length, test(there), there)]
     if ends[0][1] * ends[1][1] > 0 or ends[0][1] == 0:
         return None

@@ -1,8 +1,8 @@
-"""Floquet multipliers of a periodic orbit, the trivial ones left out.
+"""Floquet multipliers of a periodic orbit, without the trivial ones.
 
-An integral F has dF·S = dF for the derivative S of the return map at a point of the orbit, so that
-S acts on the level of all integrals; its eigenvalues there are the nontrivial multipliers.  The
-error of S, and of the multipliers, is estimated by how well dF·S = dF holds and how well S maps the
+For an integral F, dF·S = dF with the derivative S of the return map at a point of the orbit, so S
+acts on the level of all integrals; its eigenvalues there are the nontrivial multipliers.  The error
+of S, and of the multipliers, is estimated from how well dF·S = dF holds and how well S maps the
 tangents of the section and of the relations to themselves.
 """
 
@@ -17,10 +17,10 @@ from ..errors import InputError
 from ..system.arrays import FloatArray
 from .maps import Map, normalised_functions
 
-#: Differentials are dependent if the part of one across the others is a smaller share of it.
+#: Relative size of its independent part below which a differential counts as dependent.
 DEPENDENT = 1e-7
-#: Two eigenvalues that rounding drew apart from one are twice as far from it as the first-order
-#: estimate says, three of them three times.
+#: Two eigenvalues split by rounding are twice as far from one as the first-order estimate says,
+#: three of them three times.
 SAFETY = 4.0
 
 
@@ -98,7 +98,7 @@ def stability(values: FloatArray, errors: FloatArray) -> str:
 
 @arguments_checked
 def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multipliers:
-    """The multipliers of an orbit.
+    """The nontrivial multipliers of an orbit.
 
     Parameters
     ----------
@@ -184,10 +184,10 @@ def complement(rows: FloatArray) -> FloatArray:
 
 
 def _conditions(vectors: FloatArray) -> FloatArray:
-    """By how much errors of a matrix are magnified in its eigenvalues."""
+    """Condition numbers of the eigenvalues of a matrix."""
     if not len(vectors):
         return np.zeros(0)
-    # for a double eigenvalue the inverse is meaningless, and its size says so
+    # For a double eigenvalue the inverse is meaningless, and its size shows it.
     left = np.linalg.pinv(vectors, rcond=1e-15)
     conditions: FloatArray = np.linalg.norm(left, axis=1) * np.linalg.norm(vectors, axis=0)
     return conditions

@@ -1,7 +1,7 @@
-"""Periodic orbits of a System with 30 digits.
+"""Periodic orbits of a System to 30 digits.
 
-Newton's method with slopes in doubles and residuals in 30 digits: each step adds some thirteen
-digits to those of an orbit that is known in doubles.
+Newton's method with derivatives in doubles and residuals in 30 digits: each step adds about
+thirteen digits to an orbit known in doubles.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from ..flow.gauss import gauss_integrator
 from ..flow.machine_code.double_double_conversion import from_pairs
 from ..formulas.multiprecision import slopes
 from ..system.arrays import FloatArray
-from ..system.vectors import to_components
 from .maps import normalised_functions
 from .periodic import NoOrbitError, Orbit, held_values, minimal_norm_step, periodic_difference
 from .return_map import ReturnMap
 
-#: Digits of mpmath; steps at most; a step at which the iteration rests, relative to the state.
+#: Digits of mpmath; maximum number of steps; relative step size at which the iteration has
+#: converged.
 _DIGITS, _STEPS, _REST = 36, 8, 1e-29
 
 
@@ -51,7 +51,7 @@ class RefinedOrbit:
 def refine_orbit(
     section_map: ReturnMap, orbit: Orbit, hold: Mapping[str, float] | Iterable[str] = ()
 ) -> RefinedOrbit:
-    """An orbit to 30 digits.
+    """Refine an orbit to 30 digits.
 
     Parameters
     ----------
@@ -111,9 +111,9 @@ def refine_orbit(
 
 @dataclass(frozen=True)
 class _Problem:
-    """The equations of an orbit: closure, relations, the section, held integrals.
+    """The equations of an orbit: closure, relations, the section, fixed integrals.
 
-    Point and duration are measured by `sizes`.
+    Point and duration are measured in units of `sizes`.
     """
 
     section_map: ReturnMap
@@ -121,7 +121,7 @@ class _Problem:
     sizes: FloatArray
 
     def step(self, point: list[mpmath.mpf], duration: mpmath.mpf) -> FloatArray:
-        """The shortest step of point and duration to first order, in doubles."""
+        """The minimum-norm step of point and duration to first order, in doubles."""
         section = self.section_map.section
         system, size = section.system, section.size
         parameters = section.parameters
@@ -137,7 +137,7 @@ class _Problem:
         )
         (rates, _) = self._numbers(system.rates, end)
         remainder = duration - mpmath.mpf(whole)
-        # the flow for what the duration is longer than a double
+        # Correct by the flow for the part of the duration beyond double precision.
         misses = [e + remainder * r - x for e, r, x in zip(end, rates, point, strict=True)]
         turns = periodic_difference(np.array([float(m) for m in misses]), self.section_map.periods)[
             1
@@ -156,20 +156,20 @@ class _Problem:
         return minimal_norm_step(matrix, np.concatenate([gaps / sizes, excess])) * self.sizes
 
     def _period(self, index: int) -> mpmath.mpf:
-        """A period with all digits, where it is a turn."""
+        """A period with all digits, if it is a full turn."""
         period = float(self.section_map.periods[index])
         return 2 * mpmath.pi if period == 2 * np.pi else mpmath.mpf(period)
 
     def _levels(self, point: list[mpmath.mpf]) -> tuple[FloatArray, FloatArray]:
-        """Relations, the section and integrals less their values, with slopes."""
+        """Relations, the section and integrals minus their values, with derivatives."""
         section = self.section_map.section
-        laws = {law.name: law.value for law in section.system.integrals}
+        laws = {law.name: law.value for law in section.system.scalar.integrals}
         wanted = [
-            *section.system.relations,
+            *section.system.scalar.relations,
             section.section.value,
             *(laws[n] for n in self.held_integrals),
         ]
-        values, rows = self._numbers([to_components(f) for f in wanted], point)
+        values, rows = self._numbers(wanted, point)
         targets = [0.0] * (len(wanted) - len(self.held_integrals)) + list(
             self.held_integrals.values()
         )
@@ -180,7 +180,7 @@ class _Problem:
     def _numbers(
         self, formulas: Sequence[sp.Expr], point: Sequence[mpmath.mpf] | npt.NDArray[np.object_]
     ) -> tuple[mpmath.matrix, mpmath.matrix]:
-        """Formulas and their slopes with all digits."""
+        """Formulas and their derivatives with all digits."""
         section = self.section_map.section
         parameters = {str(name): value for name, value in section.parameters.items()}
         constants = {

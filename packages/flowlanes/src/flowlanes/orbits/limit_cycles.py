@@ -1,11 +1,11 @@
 """Limit cycles on a torus, proven in ball arithmetic with bounds on their multipliers.
 
-On a torus with the angles α and β, β growing, a motion is dα/dβ = f(α, β).  Where f lies between
-two numbers on a box, a motion in it lies between two lines; polygons of such lines enclose all
-motions that begin in an interval, and the integral of ∂f/∂α along them is the logarithm of the
-derivative of the map P that one turn of β gives.  If P takes an interval into itself and P′ < 1
-there, it has one fixed point in it: an attracting limit cycle.  If P takes the ends outwards and
-P′ > 1, it has one that repels.
+On a torus with the angles α and β, β increasing, a motion satisfies dα/dβ = f(α, β).  If f lies
+between two numbers on a box, a motion in it lies between two lines.  Polygons of such lines enclose
+all motions that begin in an interval, and the integral of ∂f/∂α along them is the logarithm of the
+derivative of the return map P over one turn of β.  If P maps an interval into itself and P′ < 1
+there, it has exactly one fixed point in it: an attracting limit cycle.  If P maps the ends outwards
+and P′ > 1, it has exactly one that repels.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from ..formulas.graph import Term, of_system, term_values, topological_order
 from ..system.parameters import require_parameters
 from ..system.system import System
 
-#: Bits of the numbers: the polygons are much rougher than these.
+#: Precision in bits: the polygons are much coarser than this.
 _BITS = 64
-#: Radius of the parts into which a box is cut.
+#: Radius of the pieces into which a box is divided.
 _FINE = 0.02
 
 
@@ -54,7 +54,7 @@ class Cycle:
 
 @dataclass(frozen=True)
 class _Slope:
-    """dα/dβ, its derivative by α, and dβ/dt, on boxes."""
+    """dα/dβ, its derivative with respect to α, and dβ/dt, on boxes."""
 
     terms: tuple[Term, Term, Term]
     nodes: list[Term]
@@ -113,7 +113,7 @@ def _ball(name: str, value: arb | str | float) -> arb:
 
 
 def _parts(whole: arb) -> list[arb]:
-    """A cover of a ball by small ones, on which bounds are closer."""
+    """A cover of a ball by small ones, on which bounds are tighter."""
     count = int(float(whole.rad()) / _FINE) + 1
     half = whole.rad() / count
     return [whole.mid() + (2 * k + 1 - count) * half + arb(0, 1) * half for k in range(count)]
@@ -131,7 +131,7 @@ def enclose_limit_cycle(
     steps: int = 4000,
     steepest: float = 8.0,
 ) -> Cycle:
-    """A proof of a limit cycle through an interval, with bounds of its multiplier.
+    """Prove a limit cycle through an interval, with bounds of its multiplier.
 
     Parameters
     ----------

@@ -1,8 +1,7 @@
 """Maps of a section to itself, with their derivatives and integrals.
 
-Periodic orbits, multipliers and continuation need only a map, wherever it comes from: an
-`ExplicitMap` is given by NumPy formulas, and :mod:`.return_map` has that of the returns of a System
-to a section.
+Periodic orbits, multipliers and continuation need only a map, whatever its origin: an `ExplicitMap`
+is given by NumPy formulas, and :mod:`.return_map` has the return map of a System to a section.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ from ..system.arrays import FloatArray
 
 Function = Callable[[FloatArray], FloatArray]
 
-#: Step along the imaginary axis; its square is nothing beside 1, so that no digits are lost.
+#: Step along the imaginary axis: its square is negligible beside 1, so no digits are lost.
 _STEP = 1e-100
 
 
@@ -82,42 +81,42 @@ class Map(Protocol):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """See above."""
+        """See the class."""
         ...
 
     @property
     def periods(self) -> FloatArray:
-        """See above."""
+        """See the class."""
         ...
 
     @property
     def domain(self) -> ConservedFunctions:
-        """See above."""
+        """See the class."""
         ...
 
     @property
     def integrals(self) -> ConservedFunctions:
-        """See above."""
+        """See the class."""
         ...
 
     @property
     def trivial(self) -> tuple[str, ...]:
-        """See above."""
+        """See the class."""
         ...
 
     def sizes(self, points: FloatArray) -> FloatArray:
-        """Units of the coordinates about points (n, size)."""
+        """Units of the coordinates at points (n, size)."""
         ...
 
     def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
-        """Images of points (n, size) after `count` steps; slopes on demand."""
+        """Images of points (n, size) after `count` steps; derivatives on request."""
         ...
 
 
 def normalised_functions(
     values: FloatArray, slopes: FloatArray, sizes: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Values (..., r) and slopes (..., r, size) of functions, normalised by slopes."""
+    """Values (..., r) and gradients (..., r, size) of functions, normalised by their gradients."""
     local = slopes * sizes
     lengths = np.sqrt((local**2).sum(axis=-1))
     lengths[lengths == 0] = 1.0
@@ -125,7 +124,7 @@ def normalised_functions(
 
 
 def slope_of(function: Function) -> Function:
-    """The derivative of an analytic function of points, exact to rounding.
+    """The derivative of an analytic function of points, by complex steps; exact to rounding.
 
     Parameters
     ----------
@@ -189,7 +188,7 @@ class ExplicitMap:
         return ConservedFunctions(tuple(self.keeps), values, slope_of(values))
 
     def sizes(self, points: FloatArray) -> FloatArray:
-        """All ones: coordinates of formulas are taken as they are."""
+        """All ones: coordinates of formulas are not rescaled."""
         return np.ones(len(self.names))
 
     def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:

@@ -94,7 +94,7 @@ def orbit_near(
 
 
 def orbit_facts(orbit: Orbit) -> dict[str, object]:
-    """The numbers of an orbit, ready for JSON."""
+    """The numbers of an orbit as JSON-compatible data."""
     multipliers = orbit.multipliers
     return {
         "period": orbit.duration,

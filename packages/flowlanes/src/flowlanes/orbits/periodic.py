@@ -1,10 +1,9 @@
 """Periodic orbits of maps of a section, by Newton's method with the integrals as unfolding.
 
-All points of an orbit are unknowns, each a lane: with the closure of the orbit, the relations and
-the section at each point and the integrals that are held, there are more equations than unknowns,
-all of which have a common solution; a step is the shortest one that solves them to first order.
-Orbits that come in families, as they do where an integral is not held, are thereby reached at the
-place of the family that is next.
+All points of an orbit are unknowns, each a lane.  The closure of the orbit, the relations and the
+section at each point, and the fixed integrals are more equations than unknowns, but have a common
+solution; a step is the minimum-norm solution of the linearised equations.  Orbits that form
+families, as they do if an integral is not fixed, are reached at the closest member of the family.
 """
 
 from __future__ import annotations
@@ -20,18 +19,18 @@ from ..system.arrays import FloatArray
 from .floquet import Multipliers, multipliers
 from .maps import Image, Map, normalised_functions
 
-#: Singular values below this share of the greatest belong to a family.
+#: Relative size below which a singular value belongs to a family.
 FAMILY = 1e-10
-#: Steps of Newton's method, and halvings of one of them.
+#: Maximum number of Newton steps, and of halvings of one step.
 STEPS, HALVINGS = 30, 6
-#: An orbit that closes no better than this share of its size has not been found.
+#: Relative closure error above which no orbit has been found.
 CLOSURE = 1e-10
-#: Below this, residuals may grow: at rounding level, and where two orbits are near each other.
+#: Size below which residuals may increase: at rounding level, and near another orbit.
 ROUGH = 1e-8
 
 
 class NoOrbitError(RunError):
-    """No orbit was found; `partial` holds the points where the search ended.
+    """No orbit was found; `partial` holds the points at which the search ended.
 
     Examples
     --------
@@ -129,10 +128,10 @@ class Equations:
     sizes: FloatArray
 
     def __call__(self, points: FloatArray) -> tuple[FloatArray, FloatArray, Image]:
-        """Residuals, their derivatives by all coordinates, and the images.
+        """Residuals, their derivatives with respect to all coordinates, and the images.
 
-        The residual of a function is the measured distance to where it has its value, to first
-        order.
+        The residual of a function is, to first order, the measured distance to its prescribed
+        value.
         """
         count, size = points.shape
         image = self.map.image(points, slopes=True)
@@ -166,7 +165,7 @@ class Equations:
 def periodic_difference(
     differences: FloatArray, periods: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Differences of coordinates without whole periods of angles, and these periods."""
+    """Differences of coordinates modulo the periods of angles, and the number of periods."""
     finite = np.where(np.isfinite(periods), periods, 1.0)
     turns = np.where(np.isfinite(periods), np.round(differences / finite), 0.0)
     return differences - turns * finite, turns
@@ -175,7 +174,7 @@ def periodic_difference(
 def held_values(
     section_map: Map, point: FloatArray, hold: Mapping[str, float] | Iterable[str]
 ) -> dict[str, float]:
-    """Values of the integrals that are held: those given, or those at a point.
+    """Values of the fixed integrals: those given, or those at a point.
 
     Raises
     ------
@@ -199,13 +198,13 @@ def held_values(
 
 
 def minimal_norm_step(slopes: FloatArray, residuals: FloatArray) -> FloatArray:
-    """The shortest step that annuls residuals to first order, as far as they can be."""
+    """The minimum-norm step that cancels the residuals to first order, as far as possible."""
     solution = np.linalg.lstsq(slopes, -residuals, rcond=FAMILY)[0]
     return np.asarray(solution, dtype=np.float64)
 
 
 def projection_to_domain(section_map: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
-    """The points of the domain of a map that are next to given ones, to rounding."""
+    """The points of the domain of a map nearest to given ones, to rounding."""
     for _ in range(8):
         misses, slopes = normalised_functions(
             section_map.domain.values(points), section_map.domain.slopes(points), sizes
@@ -220,7 +219,7 @@ def projection_to_domain(section_map: Map, points: FloatArray, sizes: FloatArray
 def newton_solution(
     equations: Equations, points: FloatArray, row: tuple[FloatArray, float] | None = None
 ) -> tuple[FloatArray, float]:
-    """A solution by damped Newton steps, and the size of the last step.
+    """Find a solution by damped Newton steps; also return the size of the last step.
 
     Parameters
     ----------
@@ -295,7 +294,7 @@ def find_periodic(
     period: int = 1,
     hold: Mapping[str, float] | Iterable[str] = (),
 ) -> Orbit:
-    """The periodic orbit near a guess.
+    """Find the periodic orbit near a guess.
 
     Parameters
     ----------
@@ -351,7 +350,7 @@ def find_periodic(
 
 
 def orbit_from_points(section_map: Map, points: FloatArray, error: float) -> Orbit:
-    """An orbit with all that is known of it, from its points."""
+    """An orbit with all derived quantities, from its points."""
     image = section_map.image(points, slopes=True)
     assert image.slopes is not None
     gaps, _ = periodic_difference(np.roll(points, -1, axis=0) - image.points, section_map.periods)

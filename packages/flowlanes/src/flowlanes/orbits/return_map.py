@@ -1,7 +1,7 @@
-"""The return map of a System to a section, for periodic orbits, and as maps of a circle.
+"""The return map of a System to a section, for periodic orbits, and as circle maps.
 
-A parameter that is to change along a branch becomes one more state variable, which stays what it
-is: then it is an integral like others, and the variational equations give derivatives by it too.
+A parameter that varies along a branch becomes an additional constant state variable.  It is then an
+integral like the others, and the variational equations give derivatives with respect to it too.
 """
 
 from __future__ import annotations
@@ -23,16 +23,15 @@ from ..system.arrays import FloatArray
 from ..system.laws import Integral
 from ..system.parameters import require_parameters
 from ..system.system import System
-from ..system.vectors import to_components
 from .maps import ConservedFunctions, Image
 from .rotation import average, unwrapped_turns
 
-#: Numbers kept at once when many motions are followed.
+#: Number of values stored at once when many motions are followed.
 AT_ONCE = 1 << 23
 
 
 def parameters_to_state(system: System, *names: str) -> System:
-    """A system with some parameters as state variables that stay what they are.
+    """A system with some parameters turned into constant state variables.
 
     Parameters
     ----------
@@ -108,7 +107,7 @@ class ReturnMap:
 
     @property
     def periods(self) -> FloatArray:
-        """The period of each, infinite where it is no angle."""
+        """The period of each variable, infinite if it is not an angle."""
         return np.array([self.angles.get(name, np.inf) for name in self.names])
 
     @cached_property
@@ -127,7 +126,7 @@ class ReturnMap:
     def _functions(
         self, names: tuple[str, ...], formulas: tuple[sp.Expr, ...]
     ) -> ConservedFunctions:
-        functions = Formulas(self.section.system, tuple(to_components(f) for f in formulas))
+        functions = Formulas(self.section.system, formulas)
         parameters = self.section.parameters
         return ConservedFunctions(
             names,
@@ -136,18 +135,18 @@ class ReturnMap:
         )
 
     def _holds(self, law: Integral) -> bool:
-        """Whether an integral has no condition but on parameters, which they satisfy."""
+        """Whether an integral has only conditions on parameters, and these are satisfied."""
         system = self.section.system
         parameters = {str(name): value for name, value in self.section.parameters.items()}
         values = {s: parameters.get(str(s), default) for s, default in system.defaults.items()}
-        conditions = [to_components(condition) for condition in law.on]
+        conditions = law.scalar.on
         if any(condition.free_symbols - set(values) for condition in conditions):
             return False
         return all(abs(float(condition.subs(values))) < 1e-12 for condition in conditions)
 
     @arguments_checked
     def sizes(self, points: FloatArray) -> FloatArray:
-        """The greatest sizes, (size,), of the vectors of the state among points (n, size)."""
+        """The largest sizes, (size,), of the vectors of the state among points (n, size)."""
         size = len(self.names)
         if points.ndim != 2 or not len(points) or points.shape[1] != size:
             raise InputError(
@@ -161,7 +160,7 @@ class ReturnMap:
 
     @arguments_checked
     def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
-        """The returns number `count` of points (n, size)."""
+        """The `count`-th returns of points (n, size)."""
         if slopes:
             derivative = self.section.derivative(points, count)
             return Image(derivative.images, derivative.times, derivative.matrices)
@@ -172,7 +171,7 @@ class ReturnMap:
 @arguments_checked
 @dataclass(frozen=True)
 class Circle:
-    """The returns of a flow on a torus, as maps of the circle of one angle.
+    """The returns of a flow on a torus, as circle maps of one angle.
 
     Parameters
     ----------
@@ -261,7 +260,7 @@ def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int =
     starts = np.asarray(starts, dtype=float)
     values, errors = np.full(len(starts), np.nan), np.full(len(starts), np.nan)
     outcome = np.zeros(len(starts), dtype=int)
-    formula = Formulas(section.system, (to_components(sp.sympify(angle)),))
+    formula = Formulas(section.system, (sp.sympify(angle),))
     rows = max(1, AT_ONCE // (count * section.size))
     for first in range(0, len(starts), rows):
         part = slice(first, min(first + rows, len(starts)))

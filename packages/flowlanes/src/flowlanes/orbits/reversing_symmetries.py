@@ -1,10 +1,10 @@
 """Linear involutions under which the equations run backwards.
 
 A *reversor* R changes the signs of some state variables, such as those of a reflection of space or
-of the angular velocity, and carries every motion into a motion run backwards: v(Rx) = −R v(x).
-Some need parameters to vanish, such as components of a displacement of the centre of mass: then R,
-with the signs of these parameters changed as well, reverses the whole family.  Candidates are
-found by numbers and proven exactly.  (Exchanges of axes, which need equal parameters, are not
+of the angular velocity, and maps every motion to a motion in reversed time: v(Rx) = −R v(x).  Some
+require parameters to vanish, such as components of a displacement of the centre of mass; then R,
+together with a sign change of these parameters, reverses the whole family.  Candidates are found
+numerically and proven exactly.  (Exchanges of axes, which require equal parameters, are not
 searched.)
 """
 
@@ -21,25 +21,26 @@ from ..arguments import arguments_checked
 from ..formulas.array_formulas import Formulas
 from ..printing.formula import text
 from ..system.arrays import FloatArray
+from ..system.named_formulas import flat
 from ..system.parameters import Parameters
-from ..system.system import Parameter, System, flat
+from ..system.system import Parameter, System
 from .sign_reversal import reverses
 
-#: So many signs are tried one by one; where there are more, a vector counts as one.
+#: Up to this number, signs are tried individually; above it, a vector counts as one.
 SIGNS = 16
-#: States at which candidates are tried, and how often a usable one is drawn for.
+#: Number of states at which candidates are tested, and of attempts to draw a usable one.
 POINTS, DRAWS = 2, 60
 SEED = 20080830
-#: Relative size below which two numbers count as equal, when candidates are chosen.
+#: Relative difference below which two numbers count as equal when candidates are selected.
 CLOSE = 1e-9
-#: Size of the parameters whose sign is free, at these states.
+#: Size of parameters of free sign at these states.
 SMALL = 0.2
 
 
 @arguments_checked
 @dataclass(frozen=True)
 class Reversor:
-    """A change of signs that reverses the equations; proven.
+    """A sign change that reverses the equations; proven.
 
     Attributes
     ----------
@@ -73,7 +74,7 @@ class Reversor:
 
     @arguments_checked
     def words(self, system: System) -> str:
-        """The variables that change sign, and the conditions, in words."""
+        """A description: the variables that change sign, and the conditions."""
         whole = [name for name in system.state if set(flat((name,))) <= set(self.odd)]
         scalars = [s for s in self.odd if s not in flat(whole)]
         names = [text(name) for name in (*whole, *scalars)]
@@ -84,7 +85,7 @@ class Reversor:
 
 @arguments_checked
 def reversors(system: System) -> tuple[Reversor, ...]:
-    """All changes of sign that are proven to reverse a system.
+    """All sign changes that are proven to reverse a system.
 
     Parameters
     ----------
@@ -123,7 +124,7 @@ def reversors(system: System) -> tuple[Reversor, ...]:
 
 
 def _candidates(system: System) -> Iterator[Reversor]:
-    """Changes of signs that reverse the equations at some states, by numbers."""
+    """Sign changes that reverse the equations at some states, numerically."""
     loose = [p.symbol for p in system.parameters if _sign_change(p)]
     units = [(s,) for s in (*system.symbols, *loose)]
     if len(units) > SIGNS:
@@ -158,7 +159,7 @@ def _sign_change(parameter: Parameter) -> bool:
 
 
 def _points(system: System, loose: list[sp.Symbol], rates: Formulas) -> Iterator[Any]:
-    """Some states and parameters at which the equations have a value, and it."""
+    """Some states and parameters at which the equations are defined, with their values."""
     random = np.random.default_rng(SEED)
     count = 0
     for _ in range(DRAWS):

@@ -1,9 +1,9 @@
-"""Rotation numbers to ten digits and more, and whether a motion is phase-locked.
+"""Rotation numbers to ten or more digits, and whether a motion is phase-locked.
 
-The mean advance of an angle converges like 1/N; weighted with exp(−1/(t(1−t))) along the orbit it
-converges faster than every power of 1/N where the motion is quasi-periodic and smooth (Das, Saiki,
-Sander, Yorke 2017).  On an orbit that approaches a limit cycle the beginning, where it is far from
-it, has next to no weight.
+The mean advance of an angle converges like 1/N.  Weighted with exp(−1/(t(1−t))) along the orbit it
+converges faster than every power of 1/N if the motion is quasi-periodic and smooth (Das, Saiki,
+Sander, Yorke 2017).  On an orbit that approaches a limit cycle, the initial part far from the cycle
+has almost no weight.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from ..arguments import arguments_checked
 from ..errors import InputError
 from ..system.arrays import FloatArray
 
-#: Points with which a rotation number is tried first.
+#: Initial number of points for a rotation number.
 FIRST = 256
-#: Rounds of a period that must be seen before an orbit may be called locked or closed.
+#: Number of rounds of a period required before an orbit may be called locked or closed.
 ROUNDS = 8
 #: Differences below this are rounding.
 ROUNDING = 1e-11
-#: Above so many times that, the noise of differences does not matter.
+#: Above this multiple of rounding, the noise of differences is negligible.
 CLEAR = 1e5
-#: Rates of approach above this cannot be distinguished from one.
+#: Approach rates above this cannot be distinguished from one.
 SLOW = 0.999
 
 
 @dataclass(frozen=True)
 class Rotation:
-    """A rotation number and what kind of motion has it.
+    """A rotation number and the kind of motion.
 
     Attributes
     ----------
@@ -104,12 +104,11 @@ def _weights(count: int) -> FloatArray:
 
 
 def unwrapped_turns(angles: FloatArray, period: float = 2 * np.pi) -> FloatArray:
-    """Turns of an angle of a section, without jumps, from its values modulo a period.
+    """Continuous turns of an angle of a section, from its values modulo a period.
 
-    The advance in one step is a continuous function on the circle and misses part of it; the
-    branch of the advance is the one without a jump, cut in the middle of the greatest gap.  Which
-    whole turns are in the advance cannot be seen on a section: rotation numbers of different
-    lifts differ by integers.
+    The advance per step is a continuous function on the circle that misses a part of it; the branch
+    of the advance is cut in the middle of the largest gap.  The integer part of the advance cannot
+    be seen on a section: rotation numbers of different lifts differ by integers.
 
     Parameters
     ----------
@@ -170,7 +169,7 @@ def frequency(turns: FloatArray, times: FloatArray) -> tuple[float, float]:
 
 
 def rotation(turns: FloatArray, target: float = 1e-10, longest: int = 64) -> Rotation:
-    """The rotation number of an orbit and what kind of motion it has.
+    """The rotation number of an orbit and the kind of motion.
 
     Parameters
     ----------
@@ -199,7 +198,7 @@ def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float 
         turns[fraction.denominator :] - turns[: -fraction.denominator] - fraction.numerator
     )
     noise = ROUNDING * max(1.0, float(np.abs(turns).max()) * 1e-3)
-    # the greatest miss in each round of the cycle
+    # the largest deviation in each round of the cycle
     rounds = misses[: len(misses) // fraction.denominator * fraction.denominator]
     rounds = rounds.reshape(-1, fraction.denominator).max(axis=1)
     if rounds.max() < noise:
@@ -207,13 +206,13 @@ def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float 
     seen = rounds[: int(np.argmax(rounds < noise))] if (rounds < noise).any() else rounds
     if len(seen) < 2:
         return "undecided", None
-    # near the cycle the approach is geometric; nearer yet there is noise
+    # Near the cycle the approach is geometric; even nearer there is noise.
     clear = seen[seen > CLEAR * noise] if (seen > CLEAR * noise).sum() >= 3 else seen
     arrives = bool(rounds[-1] < noise)
     rates = np.diff(np.log(clear))
     late = rates[-6:]
     approach = float(np.exp(late.mean()))
-    # an approach like 1/n has rates that fall like 1/n
+    # For an approach like 1/n the logarithmic rates decrease like 1/n.
     middle = rates[len(rates) // 2 :][:6]
     steady = np.abs(late - late.mean()).max() < 0.5 and middle.mean() > 1.3 * late.mean()
     falls = arrives or rounds[-1] < 0.5 * rounds[0]
@@ -224,7 +223,7 @@ def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float 
 
 
 def _passes(turns: FloatArray, value: float, longest: int) -> bool:
-    """Whether an orbit lies on no short cycle."""
+    """Whether an orbit neither meets nor crosses a cycle of up to `longest` steps."""
     for steps in range(1, longest + 1):
         misses = turns[steps:] - turns[:-steps] - round(value * steps)
         if misses.min() <= ROUNDING and misses.max() >= -ROUNDING:
@@ -240,7 +239,7 @@ def rotation_number(
     longest: int = 64,
     most: int = 1 << 17,
 ) -> Rotation:
-    """The rotation number, with as many points as it takes.
+    """The rotation number, with as many points as necessary.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""Reversible equations: changing signs of some variables makes time run backwards.
+"""Reversible equations: sign changes of some variables that reverse the direction of time.
 
-Like a rotation, a reversal is shown definition by definition: each is even or odd in what was
-before it, and the rates have the parity that a reversal needs.
+Like a rotation, a reversal is proven definition by definition: each is even or odd in the earlier
+quantities, and the rates have the parity that a reversal requires.
 """
 
 from __future__ import annotations
@@ -12,15 +12,15 @@ from itertools import combinations
 import sympy as sp
 
 from ..formulas.exact_zero import vanishes
-from ..system.system import Name, System, flat
-from ..system.vectors import to_components
+from ..system.named_formulas import flat
+from ..system.system import Name, System
 
-#: State variables, a vector counted as one, above which no reversal is looked for.
+#: Number of state variables (a vector counts as one) above which no reversal is searched.
 LARGEST = 6
 
 
 def reversal(system: System) -> tuple[Name, ...]:
-    """The fewest variables whose sign changes with the time in a reversing symmetry.
+    """The smallest set of variables whose sign change is a reversing symmetry.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def reversal(system: System) -> tuple[Name, ...]:
 
 
 def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
-    """Whether a change of sign of some symbols reverses the equations; exact.
+    """Whether a sign change of some symbols reverses the equations; exact.
 
     Parameters
     ----------
@@ -66,14 +66,14 @@ def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
         if parity is None:
             return False
         signs[symbol] = parity
-    if any(_parity(to_components(f).xreplace(zeros), signs) is None for f in system.relations):
+    if any(_parity(f.xreplace(zeros), signs) is None for f in system.scalar.relations):
         return False
     rates = zip(system.symbols, (f.xreplace(zeros) for f in system.rates), strict=True)
     return all(f == 0 or _parity(f, signs) == -signs[s] for s, f in rates)
 
 
 def _parity(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
-    """1 for an even formula, −1 for an odd one; None if it is shown neither."""
+    """1 for an even formula, −1 for an odd one; None if neither is shown."""
     seen = _parity_of_operands(formula, signs)
     if seen is not None:
         return seen
@@ -84,7 +84,7 @@ def _parity(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
 
 
 def _parity_of_operands(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
-    """The parity that follows from those of the parts, without computation."""
+    """The parity that follows from those of the operands, without computation."""
     if formula.is_Symbol or not formula.args:
         return signs.get(formula, 1)
     parts = [_parity_of_operands(part, signs) for part in formula.args]

@@ -1,3 +1,4 @@
+from .formula_printer import formula_text as formula_text
 from .grammar import (
     CONSTANTS as CONSTANTS,
     FUNCTIONS as FUNCTIONS,

@@ -19,11 +19,11 @@ _DOUBLE = 53
 
 
 def exact_number(number: object) -> sympy.Rational:
-    """The rational number that a decimal number says.
+    """The rational number represented by a decimal number.
 
-    Of a double this is the shortest decimal that reads back as it: 0.1 is 1/10, and
-    0.333333333333333 is not 1/3.  Of a number with more or fewer bits it is the decimal with as
-    many digits as these carry.
+    For a double this is the shortest decimal that reads back as the same double: 0.1 is 1/10, and
+    0.333333333333333 is not 1/3.  For other precisions it is the decimal with as many digits as the
+    precision carries.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def exact_number(number: object) -> sympy.Rational:
 
 
 def with_exact_decimals(formula: object) -> sympy.Basic:
-    """A formula in which every decimal number is the rational number that it says.
+    """A formula in which every decimal number is replaced by the rational number it represents.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def _shortest(number: float) -> sympy.Rational:
 
 
 def _decimal(number: tuple[int, int, int, int], bits: int) -> sympy.Rational:
-    """A number of mpmath as a decimal with the digits that so many bits carry."""
+    """An mpmath number as a decimal with the digits that its precision carries."""
     if number in (libmp.finf, libmp.fninf, libmp.fnan):
         raise InputError(f"{libmp.to_str(number, 5)} is not a finite number")
     if bits == _DOUBLE:

@@ -1,4 +1,4 @@
-"""The words of the formula language and the sizes that it allows."""
+"""The vocabulary of the formula language and its size limits."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ FUNCTIONS, CONSTANTS = formula_words.FUNCTIONS, formula_words.CONSTANTS
 
 RESERVED_WORDS = formula_words.RESERVED_WORDS
 
-PRODUCTS = frozenset({"dot", "cross"})
-"""Products of vectors, which a formula with vectors may call besides."""
+PRODUCTS = frozenset({"dot", "cross", "outer", "gradient", "diagonal", "identity", "Rate"})
+"""What a formula with vectors may call besides: products, gradients, tensors, time derivatives."""
 
 DECIMALS = 6
 MAX_LENGTH = 10_000

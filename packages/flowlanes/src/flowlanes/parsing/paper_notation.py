@@ -1,4 +1,4 @@
-"""Formulas as on paper, ``γ₃²``, spelt as in code, ``gamma_3**2``."""
+"""Convert formulas from paper notation, ``γ₃²``, to code notation, ``gamma_3**2``."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _GREEK = re.compile(r"GREEK (SMALL|CAPITAL) LETTER (\w+)")
 
 
 def code_spelling(text: str) -> str:
-    """A text with Greek letters, indices, powers and signs spelt as in code."""
+    """A text with Greek letters, indices, powers and signs converted to code notation."""
     return text if text.isascii() else "".join(map(_word, text.translate(_PLAIN)))
 
 

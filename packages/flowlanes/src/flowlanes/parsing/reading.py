@@ -1,4 +1,4 @@
-"""Reading of a formula, with scalars alone or with vectors too."""
+"""Parse a formula, with scalars alone or with vectors."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ nearest = arguments_checked(_nearest)
 def parse(
     text: str, names: Mapping[str, sympy.Symbol], where: str = "", further: str = ""
 ) -> sympy.Expr:
-    """Read a formula.
+    """Parse a scalar formula.
 
     Parameters
     ----------
@@ -59,15 +59,19 @@ def parse(
 
 
 def _in_order(names: Iterable[str], reserved_words: Collection[str]) -> Collection[str]:
-    """Names first as they come, then functions and constants."""
+    """Names first, in their given order, then functions and constants."""
     return dict.fromkeys([*names, *sorted(reserved_words)])
 
 
 @arguments_checked
 def parse_formula(
-    text: str, names: Mapping[str, NamedQuantity], where: str = "", further: str = ""
+    text: str,
+    names: Mapping[str, NamedQuantity],
+    where: str = "",
+    further: str = "",
+    definitions: Mapping[str, sympy.Basic] | None = None,
 ) -> Formula:
-    """Read a formula in which vectors may occur.
+    """Parse a formula that may contain vectors.
 
     Parameters
     ----------
@@ -80,6 +84,9 @@ def parse_formula(
         Where the formula stands, put before the message of an error.
     further
         Where further names can be declared.
+    definitions
+        Formulas by name, of which ``gradient(H, M)`` may be taken; a name that is none of `names`
+        stands for its formula.
 
     Returns
     -------
@@ -98,10 +105,13 @@ def parse_formula(
     >>> flowlanes.parsing.parse_formula("dot(M, omega)/2", {"M": M, "omega": omega})
     Dot(M, omega)/2
     """
-    scalars = {str(s): s for name in names.values() for s in _components(name)}
-    words = _in_order([*names, *scalars], RESERVED_WORDS | PRODUCTS)
+    scalars = {s.name: s for name in names.values() for s in _components(name)}
+    short = {n: v for n, v in (definitions or {}).items() if n not in {*names, *scalars}}
+    words = _in_order([*names, *scalars, *short], RESERVED_WORDS | PRODUCTS)
     source = Source(code_spelling(text), where, words, brackets=True, further=further)
-    return Vectors(source, {**CONSTANTS, **scalars}, names).read(syntax_tree(source), 0)
+    return Vectors(source, {**CONSTANTS, **short, **scalars}, names, definitions or {}).read(
+        syntax_tree(source), 0
+    )
 
 
 def _components(quantity: NamedQuantity) -> tuple[sympy.Symbol, ...]:

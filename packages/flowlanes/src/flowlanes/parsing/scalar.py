@@ -1,4 +1,4 @@
-"""Numbers and names put together to SymPy expressions, with every step checked."""
+"""Combine numbers and names into SymPy expressions, with every step checked."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from .grammar import (
 )
 from .syntax import TOO_DEEP, Source, chain
 
-# SymPy computes constants while it builds an expression, and where that is beyond its means it
-# fails in these ways (among them PrecisionExhausted, an ArithmeticError).
+# SymPy computes constants while it builds an expression, and fails in these ways if that is beyond
+# its means (among them PrecisionExhausted, an ArithmeticError).
 _SYMPY_FAILURES = (ArithmeticError, AttributeError, RecursionError, TypeError, ValueError)
 
 
 @dataclass(frozen=True)
 class Scalars:
-    """Turns the syntax tree of one formula into SymPy.
+    """Converts the syntax tree of one formula to SymPy.
 
     Parameters
     ----------
@@ -50,11 +50,11 @@ class Scalars:
     products: Mapping[str, Callable[[ast.Call, int], sympy.Expr]] = field(default_factory=dict)
 
     def error(self, message: str, node: ast.expr) -> InputError:
-        """Point at the first character of `node`."""
+        """An error message that points at the first character of `node`."""
         return self.source.at(message, node)
 
     def read(self, node: ast.expr, depth: int) -> sympy.Expr:
-        """The value of `node`, checked to be real, finite and of a sensible size."""
+        """The value of `node`, checked to be real, finite and of a reasonable size."""
         if depth > MAX_DEPTH:
             raise self.error(TOO_DEEP, node)
         try:
@@ -69,7 +69,7 @@ class Scalars:
         return value
 
     def build(self, node: ast.expr, depth: int) -> sympy.Expr:
-        """The value of `node`, whatever it is."""
+        """The value of `node`, unchecked."""
         match node:
             case ast.Constant():
                 return self.number(node)
@@ -102,7 +102,7 @@ class Scalars:
         return sympy.Rational(fraction.numerator, fraction.denominator)
 
     def name(self, node: ast.Name) -> sympy.Expr:
-        """The symbol or constant that a name stands for."""
+        """The symbol or constant for a name."""
         if node.id in self.vectors:
             message = f"a number is wanted here, and '{node.id}' is none"
             raise self.error(f"{message}; of a vector write a component or dot(u, v)", node)
@@ -111,7 +111,7 @@ class Scalars:
         return self.names[node.id]
 
     def sum(self, node: ast.BinOp, depth: int) -> sympy.Expr:
-        """A chain ``a + b - c`` at once; term by term SymPy would sort it each time."""
+        """A chain ``a + b - c`` at once; adding term by term SymPy would sort it each time."""
         terms = []
         for operator, operand in chain(node, (ast.Add, ast.Sub)):
             value = self.read(operand, depth + 1)
@@ -130,7 +130,7 @@ class Scalars:
         return sympy.Mul(*factors)
 
     def power(self, node: ast.BinOp, depth: int) -> sympy.Expr:
-        """A power, when the numbers in its exponent keep within bounds."""
+        """A power, if the numbers in its exponent stay within bounds."""
         exponent = self.read(node.right, depth + 1)
         self.check_exponent(exponent, node.right)
         value = sympy.Pow(self.read(node.left, depth + 1), exponent)
@@ -154,7 +154,7 @@ class Scalars:
         return FUNCTIONS[name](*arguments)
 
     def check_divisor(self, value: sympy.Expr, node: ast.expr) -> None:
-        """Refuse zero, and a number without symbols that no number of digits tells from zero."""
+        """Reject zero, and a constant that no number of digits distinguishes from zero."""
         zero = value.is_zero
         if zero is None and not value.free_symbols:
             zero = value.equals(0)
@@ -164,7 +164,7 @@ class Scalars:
             raise self.error("division by zero", node)
 
     def check_exponent(self, exponent: sympy.Expr, node: ast.expr) -> None:
-        """Refuse numbers of which SymPy, computing exactly, would make astronomic ones."""
+        """Reject numbers that would become astronomically large in exact arithmetic."""
         for number in exponent.atoms(sympy.Rational):
             if abs(number) > MAX_EXPONENT:
                 message = f"this exponent is too large; up to {MAX_EXPONENT} is allowed"
@@ -173,7 +173,7 @@ class Scalars:
                 raise self.error(f"this exponent has more than {DECIMALS} decimals", node)
 
     def check(self, value: sympy.Expr, node: ast.expr) -> None:
-        """Refuse a constant that is not real, or too large for SymPy to evaluate."""
+        """Reject a constant that is not real, or too large for SymPy to evaluate."""
         if value.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
             raise self.error("this has no finite value", node)
         if value.is_Rational:

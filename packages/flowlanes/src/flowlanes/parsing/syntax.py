@@ -1,4 +1,4 @@
-"""The syntax of formulas: tokens, precedence, and the places of mistakes."""
+"""The syntax of formulas: tokens, precedence, and the positions of mistakes."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ LONG_SUM = 500
 
 @dataclass(frozen=True)
 class Source:
-    """A formula as typed, and where it stands.
+    """The text of a formula, and its location.
 
     Parameters
     ----------
@@ -59,20 +59,20 @@ class Source:
     further: str = ""
 
     def error(self, message: str, position: int) -> InputError:
-        """Point at the character `position` of the formula."""
+        """An error message that points at the character `position` of the formula."""
         start = max(0, position - _EXCERPT // 2)
         window = self.text[start : start + _EXCERPT]
         excerpt = "".join(char if char.isprintable() else " " for char in window)
         return InputError(f"{message}\n    {excerpt}\n    {' ' * (position - start)}^", self.where)
 
     def at(self, message: str, node: ast.expr) -> InputError:
-        """Point at the first character of `node`."""
+        """An error message that points at the first character of `node`."""
         return self.error(message, node.col_offset - 1)
 
 
 @dataclass(frozen=True)
 class _Token:
-    """A number, name or operator, and the place of its first character."""
+    """A number, name or operator, and the position of its first character."""
 
     kind: str
     word: str
@@ -80,10 +80,10 @@ class _Token:
 
 
 def syntax_tree(source: Source) -> ast.expr:
-    """Let Python's own grammar decide what binds to what; nothing is run.
+    """Parse with Python's own grammar, which decides precedence; nothing is executed.
 
-    The parentheses put around the formula make blanks before it harmless and columns in the
-    tree one too large.
+    The parentheses put around the formula make leading blanks harmless and columns in the tree one
+    too large.
 
     Raises
     ------
@@ -110,7 +110,7 @@ def syntax_tree(source: Source) -> ast.expr:
 
 
 def _tokens(source: Source) -> list[_Token]:
-    """Cut the formula into words."""
+    """Split the formula into tokens."""
     tokens = []
     position = 0
     while position < len(source.text):
@@ -128,7 +128,7 @@ def _tokens(source: Source) -> list[_Token]:
 
 
 def _check_words(source: Source, tokens: Sequence[_Token]) -> None:
-    """Refuse unknown names, endless numbers and values with no operator between them."""
+    """Reject unknown names, endless numbers and values with no operator between them."""
     previous = ""
     for token in tokens:
         if _value_meets_value(source, previous, token.word):
@@ -144,7 +144,7 @@ def _check_words(source: Source, tokens: Sequence[_Token]) -> None:
 
 
 def _check_parentheses(source: Source, tokens: Sequence[_Token]) -> None:
-    """Refuse parentheses that do not pair, or pair too often."""
+    """Reject unbalanced or too deeply nested parentheses."""
     opened: list[_Token] = []
     for token in tokens:
         if token.word in _SHAPE:
@@ -162,7 +162,7 @@ def _check_parentheses(source: Source, tokens: Sequence[_Token]) -> None:
 
 
 def _terms(tokens: Sequence[_Token]) -> list[tuple[str, int, int]]:
-    """The terms of a sum: the operator before each (empty at first), where it begins and ends."""
+    """The terms of a sum: the operator before each (empty at first), its start and its end."""
     terms: list[tuple[str, int, int]] = []
     depth, operator, begin, previous = 0, "", 0, ""
     for token in tokens:
@@ -176,7 +176,7 @@ def _terms(tokens: Sequence[_Token]) -> list[tuple[str, int, int]]:
 
 
 def _long_sum(source: Source, line: str, tokens: Sequence[_Token]) -> ast.expr:
-    """The tree of a sum of so many terms that Python's parser gives up; each is read by itself."""
+    """The tree of a sum with too many terms for Python's parser; each term is parsed separately."""
     terms = _terms(tokens)
     if len(terms) < LONG_SUM:
         raise source.error(TOO_DEEP, 0)

@@ -7,7 +7,7 @@ A law is given as pairs of a left-hand side and a formula, for either notation;
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
+from functools import singledispatch
 
 import sympy as sp
 
@@ -21,40 +21,13 @@ from ..system.laws import (
     PoissonStructure,
     Rate,
     Reduction,
-    Separation,
     Symmetry,
 )
-from ..system.vectors import Diagonal, Vector, real_symbol, to_components
+from ..system.system import Name, System
+from ..system.vectors import Diagonal, Vector, real_symbol
 from .formula import latex, rate, text
 from .notation import UNICODE, Notation
 from .poisson_brackets import Side, bracket_sides, curly_brackets
-
-if TYPE_CHECKING:
-    from ..system.system import Name, System
-
-
-def heading(law: Law) -> str:
-    """The kind of a law, in words."""
-    match law:
-        case Integral():
-            return "First integral"
-        case Measure():
-            return "Invariant measure"
-        case Symmetry():
-            return "Symmetry field"
-        case PoissonStructure():
-            return "Poisson bracket"
-        case ConformallyHamiltonian():
-            return "Hamiltonian form" if law.multiplier == 1 else "Conformally Hamiltonian form"
-        case Isomorphism():
-            return f"The same motion as: {law.target.title}"
-        case Separation():
-            return "Separation of variables"
-        case Reduction():
-            return "Reduction"
-        case Identity():
-            return "Identity"
-    return "Law"
 
 
 def equation(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
@@ -84,8 +57,8 @@ def condition_text(law: Law, system: System, write: Callable[[sp.Basic], str]) -
     constants = set(system.defaults)
     for_: list[str] = []
     on: list[str] = []
-    for zero in law.on:
-        alone = not to_components(zero).free_symbols - constants
+    for zero, scalar in zip(law.on, law.scalar.on, strict=True):
+        alone = not scalar.free_symbols - constants
         (for_ if alone else on).append(write(sp.Eq(*equation(zero), evaluate=False)))
     parts = [f"for {', '.join(for_)}"] if for_ else []
     parts += [f"on {', '.join(on)}"] if on else []
@@ -95,38 +68,13 @@ def condition_text(law: Law, system: System, write: Callable[[sp.Basic], str]) -
 def caption(law: Law, system: System, write: Callable[[sp.Basic], str]) -> str:
     """Meaning, level and source of a law, in words."""
     meaning = getattr(law, "meaning", "")
-    if meaning.casefold() == heading(law).casefold():
+    if meaning.casefold() == law.heading.casefold():
         meaning = ""
     words = ", ".join(filter(None, (meaning, condition_text(law, system, write))))
     source = law.source
     if law.misprint:
         source = f"{source} (misprinted there: {law.misprint})".strip()
     return "; ".join(filter(None, (words, source)))
-
-
-def formulas(law: Law) -> list[sp.Basic]:
-    """Every formula that a law shows."""
-    match law:
-        case Integral():
-            parts = [law.value]
-        case Measure():
-            parts = [part for pair in law.density for part in pair]
-        case Symmetry():
-            parts = [component for _, component in law.field]
-        case PoissonStructure():
-            parts = [law.matrix, *law.casimirs]
-        case ConformallyHamiltonian():
-            parts = [law.multiplier, law.hamiltonian, *formulas(law.structure)]
-        case Isomorphism():
-            parts = [value for _, value in (*law.map, *law.constants)] + [law.time]
-        case Reduction():
-            parts = [value for _, value in law.quantities] + list(law.equations)
-        case Identity():
-            parts = list(law.value) if isinstance(law.value, tuple | list) else [law.value]
-            parts += [value for _, value in law.quantities]
-        case _:
-            parts = []
-    return [sp.sympify(formula) for formula in (*parts, *law.on)]
 
 
 def equation_sides(law: Law, system: System, notation: Notation) -> list[Side]:
@@ -152,30 +100,51 @@ def equation_sides(law: Law, system: System, notation: Notation) -> list[Side]:
     ]
 
 
+@singledispatch
 def _all_sides(law: Law, system: System, notation: Notation) -> list[Side]:
+    """The sides as the law gives them; its class may have a form of its own below."""
     write = text if notation is UNICODE else latex
-    match law:
-        case Integral():
-            return [(law.name if notation is UNICODE else rf"\text{{{law.name}}}", law.value)]
-        case Measure():
-            return [(write(real_symbol("rho")), law.value)]
-        case Symmetry():
-            return _field(law, system, notation)
-        case PoissonStructure():
-            return bracket_sides(law, system, notation)
-        case ConformallyHamiltonian():
-            return _hamiltonian(law, system, notation)
-        case Isomorphism():
-            return _isomorphism(law, system, notation)
-        case Reduction():
-            named = [(write(name), value) for name, value in law.quantities]
-            stated = map(_with_derivatives_left, law.equations)
-            return [*named, *((write(left), right) for left, right in stated)]
-        case Identity():
-            parts = law.value if isinstance(law.value, tuple | list) else (law.value,)
-            named = [(write(name), value) for name, value in law.quantities]
-            return [*named, *(_identity(part, bool(named), write) for part in parts)]
-    return []
+    return [
+        (_name(side, notation) if isinstance(side, str) else write(side), value)
+        for side, value in law.sides()
+    ]
+
+
+def _name(word: str, notation: Notation) -> str:
+    """A name as a left side."""
+    return word if notation is UNICODE else rf"\text{{{word}}}"
+
+
+@_all_sides.register
+def _(law: Integral, system: System, notation: Notation) -> list[Side]:
+    return [(_name(law.name, notation), law.value)]
+
+
+@_all_sides.register
+def _(law: Measure, system: System, notation: Notation) -> list[Side]:
+    write = text if notation is UNICODE else latex
+    return [(write(real_symbol("rho")), law.value)]
+
+
+@_all_sides.register
+def _(law: PoissonStructure, system: System, notation: Notation) -> list[Side]:
+    return bracket_sides(law, system, notation)
+
+
+@_all_sides.register
+def _(law: Reduction, system: System, notation: Notation) -> list[Side]:
+    write = text if notation is UNICODE else latex
+    named = [(write(name), value) for name, value in law.quantities]
+    stated = map(_with_derivatives_left, law.equations)
+    return [*named, *((write(left), right) for left, right in stated)]
+
+
+@_all_sides.register
+def _(law: Identity, system: System, notation: Notation) -> list[Side]:
+    write = text if notation is UNICODE else latex
+    parts = law.value if isinstance(law.value, tuple | list) else (law.value,)
+    named = [(write(name), value) for name, value in law.quantities]
+    return [*named, *(_identity(part, bool(named), write) for part in parts)]
 
 
 def _identity(vanishing: sp.Basic, has_names: bool, write: Callable[[sp.Basic], str]) -> Side:
@@ -188,6 +157,7 @@ def _identity(vanishing: sp.Basic, has_names: bool, write: Callable[[sp.Basic], 
     return "0", vanishing
 
 
+@_all_sides.register
 def _field(law: Symmetry, system: System, notation: Notation) -> list[Side]:
     """u = (M × e₃, ∂/∂M) + ∂/∂θ, one term a line."""
     write = text if notation is UNICODE else latex
@@ -209,6 +179,7 @@ def _field(law: Symmetry, system: System, notation: Notation) -> list[Side]:
     return lines
 
 
+@_all_sides.register
 def _hamiltonian(law: ConformallyHamiltonian, system: System, notation: Notation) -> list[Side]:
     """ẋ = N {x, H}, then N, H and the bracket unless it is a law by itself."""
     write = text if notation is UNICODE else latex
@@ -225,6 +196,7 @@ def _hamiltonian(law: ConformallyHamiltonian, system: System, notation: Notation
     return lines
 
 
+@_all_sides.register
 def _isomorphism(law: Isomorphism, system: System, notation: Notation) -> list[Side]:
     """The variables of the target, primed where they have the name of something here."""
     write = text if notation is UNICODE else latex

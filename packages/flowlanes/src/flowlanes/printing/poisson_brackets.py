@@ -9,8 +9,9 @@ from typing import TypeAlias
 import sympy as sp
 
 from ..system.laws import PoissonStructure
-from ..system.system import Name, System, flat
-from ..system.vectors import Vector, real_symbol, to_components
+from ..system.named_formulas import flat
+from ..system.system import Name, System
+from ..system.vectors import Vector, real_symbol
 from .formula import latex, text
 from .notation import LATEX, UNICODE, Notation
 
@@ -32,7 +33,7 @@ def curly_brackets(inner: str, notation: Notation) -> str:
 def bracket_sides(law: PoissonStructure, system: System, notation: Notation) -> list[Side]:
     """The brackets that do not vanish, then the Casimir functions and the rank."""
     write = text if notation is UNICODE else latex
-    matrix = to_components(law.matrix)
+    matrix = law.scalar.matrix
     lines: list[Side] = []
     for index, (one, rows) in enumerate(system.slices):
         for other, columns in system.slices[index:]:

@@ -17,7 +17,7 @@ import sympy as sp
 from ..system.named_formulas import Pairs
 from .equations import STYLE, equations_html
 from .formula import latex, rate, signed_terms, text, width
-from .laws import caption, equation, equation_sides, heading
+from .laws import caption, equation, equation_sides
 from .mathml import mathml
 from .notation import LATEX, UNICODE, Notation
 from .numerals import number, unit
@@ -133,7 +133,7 @@ def _other_laws(system: System) -> list[Law]:
 
 def _law_lines(law: Law, system: System) -> list[str]:
     """A law of any kind: what it is, its equations, its caption."""
-    lines = [heading(law)]
+    lines = [law.heading]
     for left, right in equation_sides(law, system, UNICODE):
         head = f"{_INDENT}{left} = " if left else _INDENT * 2
         lines += _wrapped_lines(head, right if isinstance(right, str) else text(right))
@@ -295,7 +295,7 @@ def motion_html(system: System) -> str:
 def law_html(law: Law, system: System) -> str:
     """A law of any kind as HTML: what it is, its equations in MathML, its caption."""
     sides = equation_sides(law, system, LATEX)
-    parts = [f"<h4>{html.escape(heading(law))}</h4>", equations_html(sides)]
+    parts = [f"<h4>{html.escape(law.heading)}</h4>", equations_html(sides)]
     sentence = _caption_html(law, system)
     if sentence:
         parts.append(f'<p class="caption">{sentence}</p>')

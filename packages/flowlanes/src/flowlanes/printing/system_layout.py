@@ -7,11 +7,10 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from ..system.named_formulas import Pairs
-from ..system.system import System, flat
+from ..system.named_formulas import Pairs, flat
+from ..system.system import System
 from ..system.vector_operators import Gradient
 from ..system.vectors import Diagonal, Symmetric, Vector, to_components
-from .laws import formulas
 
 
 @dataclass(frozen=True)
@@ -65,7 +64,7 @@ def _page_of(system: System) -> Layout:
         return Layout(stated, system.printed_definitions, ())
     needed = _needed_definitions(system, [formula for _, formula in system.field])
     where = tuple(pair for pair in needed if pair[0] not in spelt_out)
-    claims = [formula for law in system.laws for formula in formulas(law)]
+    claims = [formula for law in system.laws for formula in law.formulas]
     claims += system.relations
     extra = tuple(pair for pair in _needed_definitions(system, claims) if pair not in needed)
     tensors = _parameter_tensors(system, [formula for _, formula in (*field, *where)])

@@ -1,10 +1,10 @@
 from .grid import Axis as Axis, ScanGrid as ScanGrid, axis as axis, scan_grid as scan_grid
 from .observables import (
-    Frequency as Frequency,
-    Maximum as Maximum,
-    Minimum as Minimum,
-    SurvivalTime as SurvivalTime,
-    TimeAverage as TimeAverage,
+    frequency as frequency,
+    maximum as maximum,
+    minimum as minimum,
+    survival_time as survival_time,
+    time_average as time_average,
 )
 from .scan_task import Scan as Scan, scan as scan
 from .section_rotation import Winding as Winding

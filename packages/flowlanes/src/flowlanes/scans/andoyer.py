@@ -15,7 +15,7 @@ from ..system.arrays import FloatArray, IntArray
 from ..system.system import System
 from ..system.vectors import Vector
 
-#: Below this the sine of an angle is rounding, and what turns about its axis is not defined.
+#: Below this the sine of an angle is rounding, and the corresponding rotation angle is undefined.
 _FLAT = 1e-7
 
 
@@ -40,7 +40,7 @@ class Andoyer:
         self.momentum, self.normal = momentum_of(system)
 
     def states(self, points: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Indices of the points (5, k) with a state, and these states (size, n)."""
+        """Indices of the points (5, k) that have a state, and these states (size, n)."""
         l, x, g, G, H = points
         here = np.flatnonzero((G > 0) & (np.abs(H) <= G) & (np.abs(x) <= 1))
         l, x, g, G, H = points[:, here]
@@ -60,7 +60,7 @@ class Andoyer:
         return here, states
 
     def points(self, states: FloatArray) -> FloatArray:
-        """(l, L/G, g, G, H) of states (size, k); undefined angles are not-a-number."""
+        """(l, L/G, g, G, H) of states (size, k); NaN for undefined angles."""
         M, gamma = states[self.momentum], states[self.normal]
         with np.errstate(invalid="ignore", divide="ignore"):
             G = np.sqrt((M * M).sum(axis=0))
@@ -75,7 +75,7 @@ class Andoyer:
 
     @staticmethod
     def span(name: str, others: Mapping[str, float]) -> tuple[float, float]:
-        """The range of one variable, the others being known."""
+        """The range of one variable, given the others."""
         if name == "G":
             return np.abs(others["H"]), np.inf
         if name == "H":
@@ -84,7 +84,7 @@ class Andoyer:
 
 
 def momentum_of(system: System) -> tuple[list[int], list[int]]:
-    """Places of the momentum and of the unit vector in the flat state.
+    """Indices of the momentum and of the unit vector in the flat state.
 
     Raises
     ------

@@ -1,15 +1,15 @@
-"""An axis as it is written, before anything is imported that computes."""
+"""Parse an axis as typed, without expensive imports."""
 
 from __future__ import annotations
 
 from ..errors import InputError
 
-#: Cells along an axis, at most.
+#: Maximum number of cells along an axis.
 MOST = 100_000
 
 
 def axis_parts(text: str, where: str = "") -> tuple[str, str, str, int]:
-    """The name, the first and the last value as they are written, and the count.
+    """The name, the first and last value as typed, and the count.
 
     Raises
     ------

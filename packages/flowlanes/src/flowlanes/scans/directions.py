@@ -1,9 +1,9 @@
-"""Angles of γ and of the velocity or momentum beside it, with the energy.
+"""Angles of γ and of the velocity or momentum relative to it, with the energy.
 
-For a rubber contact (ω, γ) = 0: γ and the direction of γ̇ = γ × ω make the unit tangent bundle of
+For a rubber contact (ω, γ) = 0: γ and the direction of γ̇ = γ × ω form the unit tangent bundle of
 the sphere, and the energy gives the length of ω.  On a level of the area integral the momentum
-lies in a plane (M, γ) = const in the same way, and is seen from the point of that plane in which
-the energy is least.
+similarly lies in a plane (M, γ) = const; its direction is measured from the point of that plane
+with the least energy.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ class Directions:
             )
 
     def states(self, points: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Indices of the points (4, k) with a state, and these states (size, n)."""
+        """Indices of the points (4, k) that have a state, and these states (size, n)."""
         theta, phi, psi, energy = points
         gamma, rising, turning = frame(theta, phi)
         base = np.zeros((self.fibration.size, theta.size))
@@ -94,7 +94,7 @@ class Directions:
         return here, rays.states[:, here]
 
     def points(self, states: FloatArray) -> FloatArray:
-        """(theta, phi, psi, energy) of states; not-a-number where an angle is undefined."""
+        """(theta, phi, psi, energy) of states; NaN where an angle is undefined."""
         x, y, z = gamma = states[list(self.fibration.base)]
         theta = np.arctan2(np.hypot(x, y), z)
         phi = np.where(np.hypot(x, y) > _FLAT, np.arctan2(y, x), np.nan)
@@ -114,14 +114,14 @@ class Directions:
 
     @staticmethod
     def span(name: str, others: Mapping[str, float]) -> tuple[float, float]:
-        """The range of one variable, the others being known."""
+        """The range of one variable, given the others."""
         if name == "energy":
             raise InputError("the energy is a coordinate here: fix it, rather than solve for it")
         return 0.0, np.pi if name == "theta" else 2 * np.pi
 
 
 def frame(theta: FloatArray, phi: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """γ and the unit vectors in which θ and φ rise, arrays (3, k)."""
+    """γ and the unit vectors in the directions of increasing θ and φ, arrays (3, k)."""
     s, c, sp, cp = np.sin(theta), np.cos(theta), np.sin(phi), np.cos(phi)
     return (
         np.stack([s * cp, s * sp, c]),

@@ -1,9 +1,9 @@
-"""Planes of parameters and starts: two numbers vary, and every cell has a motion of its own.
+"""Planes of parameters and starts: two numbers vary, and every cell has its own motion.
 
-An axis is a parameter, a variable in which the start is given (``gamma_1``), a quantity on whose
-level the start is to lie (``energy``), or a name of its own, of which formulas make the others
-(``gamma_1 = sin(theta)``).  Variables given in this way stay fixed; the rest of the start is moved
-the shortest way until it is a state of the phase space on the levels asked for.
+An axis is a parameter, a variable of the start (``gamma_1``), a quantity whose level the start
+should lie on (``energy``), or a new name from which formulas compute the others (``gamma_1 =
+sin(theta)``). Variables given in this way stay fixed; the rest of the start is projected onto the
+phase space and the required levels.
 """
 
 from __future__ import annotations
@@ -23,13 +23,14 @@ from ..formulas.array_evaluation import formula
 from ..formulas.array_formulas import Formulas
 from ..parsing import nearest, parse
 from ..system.arrays import BoolArray, FloatArray, IntArray
+from ..system.named_formulas import flat
 from ..system.parameters import conditions, satisfies
-from ..system.system import System, flat
-from ..system.vectors import Vector, norm_squared, to_components
+from ..system.system import System
+from ..system.vectors import Vector, norm_squared
 from .axis_text import axis_parts
 from .system_quantities import quantities_by_name
 
-#: Why a cell has no motion or no number; −1 in a store is what is not computed yet.
+#: Why a cell has no motion or no number; −1 in a store means not yet computed.
 NO_STATE, INADMISSIBLE, NO_NUMBER = -2, -3, -4
 REASONS: Mapping[int, str] = {
     NO_STATE: "no state with these values was found",
@@ -59,7 +60,7 @@ class Axis:
 
     @property
     def symbol(self) -> sp.Symbol:
-        """By which formulas call it."""
+        """The symbol under which formulas refer to it."""
         return sp.Symbol(self.name, real=True)
 
     @property
@@ -70,7 +71,7 @@ class Axis:
 
 @arguments_checked
 def axis(text: str, where: str = "") -> Axis:
-    """An axis as it is written: ``NAME=FIRST:LAST:COUNT``, such as ``k=-2:2:300``.
+    """Parse an axis: ``NAME=FIRST:LAST:COUNT``, such as ``k=-2:2:300``.
 
     Parameters
     ----------
@@ -104,7 +105,7 @@ def axis(text: str, where: str = "") -> Axis:
 
 @dataclass(frozen=True)
 class GridCells:
-    """Motions to be followed.
+    """Motions to be computed.
 
     Attributes
     ----------
@@ -123,7 +124,7 @@ class GridCells:
 
 @dataclass(frozen=True)
 class ScanGrid:
-    """A plane of motions of a system; made by :func:`scan_grid`.
+    """A plane of motions of a system; created by :func:`scan_grid`.
 
     Attributes
     ----------
@@ -193,8 +194,8 @@ class ScanGrid:
         targets: Sequence[FloatArray],
         parameters: Mapping[sp.Symbol, FloatArray],
     ) -> tuple[FloatArray, BoolArray]:
-        """Starts on the relations and then on the levels, and whether they are there."""
-        relations = tuple(to_components(relation) for relation in self.original_system.relations)
+        """Starts projected onto the relations and then onto the levels, and a mask of success."""
+        relations = self.original_system.scalar.relations
         met: BoolArray = np.asarray(np.isfinite(starts).all(axis=1))
         fixed = {*self.fixed_symbols, *(symbol for symbol, _ in self.substitutions)}
         if relations:
@@ -207,7 +208,7 @@ class ScanGrid:
             )
             met &= there
         if targets:
-            # directions keep still as long as something else can be moved
+            # Directions stay fixed as long as something else can be changed.
             wider = fixed | directions(self.original_system)
             moved = self._others(wider) if any(self._others(wider)) else self._others(fixed)
             wanted = np.stack([*(np.zeros(len(starts)) for _ in relations), *targets], axis=1)
@@ -232,7 +233,7 @@ def scan_grid(
     formulas: Mapping[str, str] | None = None,
     fixed: Collection[str] = (),
 ) -> ScanGrid:
-    """A plane of motions.
+    """Define a plane of motions.
 
     Parameters
     ----------
@@ -301,7 +302,7 @@ def scan_grid(
                 f"{name}: {system.name} has neither parameter, variable nor quantity of this name"
                 f"{nearest(name, _useful(described))}"
             )
-    # parameters first: formulas of the start may use them
+    # Parameters first: formulas of the start may use them.
     assignments.sort(key=lambda pair: pair[0] not in system.defaults)
     return ScanGrid(
         system,
@@ -316,7 +317,7 @@ def scan_grid(
 
 
 def _useful(system: System) -> list[str]:
-    """Names for the user, in the order of declaration; not those defined on the way."""
+    """Names available to the user, in the order of declaration; not intermediate ones."""
     return list(
         dict.fromkeys(map(str, (*system.defaults, *system.symbols, *quantities_by_name(system))))
     )
@@ -373,15 +374,15 @@ def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
 
 
 def directions(system: System) -> set[sp.Symbol]:
-    """Components of the vectors whose length the relations make one."""
-    relations = [to_components(relation) for relation in system.relations]
+    """Components of the vectors that the relations normalise."""
+    relations = system.scalar.relations
     vectors = [name for name in system.state if isinstance(name, Vector)]
-    unit = [name for name in vectors if to_components(norm_squared(name)) - 1 in relations]
+    unit = [name for name in vectors if system.scalar.of(norm_squared(name)) - 1 in relations]
     return set(flat(unit))
 
 
 def _numbers_of(value: sp.Expr, values: Mapping[sp.Symbol, FloatArray], count: int) -> FloatArray:
-    """A formula at arrays; not a number where it has no value."""
+    """A formula evaluated on arrays; NaN where it has no value."""
     names = sorted(value.free_symbols, key=str)
     function = sp.lambdify(names, value, "numpy")
     with np.errstate(all="ignore"):

@@ -8,20 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 import numpy as np
 import sympy as sp
 
-from ..arguments import Positive, arguments_checked
+from ..errors import InputError
 from ..flow.batch import BatchIntegrator, batch_integrator
-from ..flow.devices.graphics import Device
+from ..flow.batch_results import BatchTrajectories
 from ..flow.level_projection import select_parameters
+from ..flow.motion_observable import MotionObservable, Observation
 from ..formulas.array_evaluation import values
 from ..orbits.rotation import average
 from ..system.arrays import FloatArray, IntArray
 from ..system.parameters import Parameters
 from ..system.system import System
+from .grid import directions
 
 #: States of a motion that are kept at a time.
 BUFFER_LENGTH = 128
@@ -29,217 +30,133 @@ BUFFER_LENGTH = 128
 TOTAL = sp.Symbol("integral_in_time", real=True)
 
 
-@arguments_checked
 @dataclass(frozen=True)
-class SurvivalTime:
-    """The survival time of a motion: until a guard of the system or a failure ends it.
+class ObservedSeries:
+    """A formula along motions.
 
     Attributes
     ----------
-    system : System
-    until : float
-        Time at which to stop.
-    tolerance : float
-        See :func:`flowlanes.flow.batch.batch_integrator`.
-    device : "cpu" or "gpu"
-        Where motions are computed; likewise.
-
-    Examples
-    --------
-    >>> import flowlanes
-    >>> import numpy as np
-    >>> import sympy as sp
-    >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> rule = flowlanes.scans.SurvivalTime(pendulum, 10.0)
-    >>> rule(np.array([[1.0, 0.0]]), {})["value"].tolist()
-    [10.0]
+    values : (n, samples + 1) array
+        From the start on; not numbers after the end of a motion.
+    outcome : (n,) array of int
+        0, or why a motion ended; see ``BatchIntegrator.status_message``.
+    end_times : (n,) array
+        The times reached.
     """
 
-    system: System
-    until: Positive
-    tolerance: Positive = 1e-12
-    device: Device = "cpu"
-    further: ClassVar[Mapping[str, str]] = {}
-
-    @arguments_checked
-    def __call__(
-        self, starts: FloatArray, parameters: Parameters
-    ) -> dict[str, FloatArray | IntArray]:
-        """Times, outcomes and times reached, (n,) each."""
-        run = batch_integrator(self.system, tolerance=self.tolerance, device=self.device).propagate(
-            starts, [self.until], parameters
-        )
-        return {"value": run.end_times, "outcome": run.outcome, "ended": run.end_times}
+    values: FloatArray
+    outcome: IntArray
+    end_times: FloatArray
 
 
-@arguments_checked
-@dataclass(frozen=True)
-class TimeAverage:
-    """The mean of a formula in time, integrated along with the motion.
-
-    Attributes
-    ----------
-    system, until, tolerance, device
-        See `SurvivalTime`.
-    formula : sympy.Expr
-        In state, definitions and parameters.
-
-    Examples
-    --------
-    >>> import flowlanes
-    >>> import numpy as np
-    >>> import sympy as sp
-    >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> rule = flowlanes.scans.TimeAverage(pendulum, 10.0, v**2)
-    >>> rule(np.array([[1.0, 0.0]]), {})["value"].round(3).tolist()
-    [0.447]
-    """
-
-    system: System
-    until: Positive
-    formula: sp.Expr
-    tolerance: Positive = 1e-12
-    device: Device = "cpu"
-    further: ClassVar[Mapping[str, str]] = {}
-
-    @arguments_checked
-    def __call__(
-        self, starts: FloatArray, parameters: Parameters
-    ) -> dict[str, FloatArray | IntArray]:
-        """Means, outcomes and times reached, (n,) each."""
-        flow = batch_integrator(
-            _with_total(self.system, self.formula), tolerance=self.tolerance, device=self.device
-        )
-        run = flow.propagate(_from_zero(starts), [self.until], parameters)
-        mean = run.states[:, 0, -1] / self.until
-        return {"value": mean, "outcome": run.outcome, "ended": run.end_times}
+def to_the_end(
+    observation: Observation, starts: FloatArray, parameters: Parameters
+) -> BatchTrajectories:
+    """The last states of motions."""
+    return _flow(observation, observation.system).propagate(starts, [observation.until], parameters)
 
 
-@arguments_checked
-@dataclass(frozen=True)
-class Maximum:
-    """The greatest value of a formula among equidistant samples of a motion.
-
-    Attributes
-    ----------
-    system, until, tolerance, device
-        See `SurvivalTime`.
-    formula : sympy.Expr
-        In state, definitions and parameters.
-    samples : int
-        Samples after the start, which counts as well.
-
-    Examples
-    --------
-    >>> import flowlanes
-    >>> import numpy as np
-    >>> import sympy as sp
-    >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> rule = flowlanes.scans.Maximum(pendulum, 10.0, v**2, samples=64)
-    >>> rule(np.array([[1.0, 0.0]]), {})["value"].round(3).tolist()
-    [0.919]
-    """
-
-    system: System
-    until: Positive
-    formula: sp.Expr
-    samples: int = 2048
-    tolerance: Positive = 1e-12
-    device: Device = "cpu"
-    further: ClassVar[Mapping[str, str]] = {}
-
-    @arguments_checked
-    def __call__(
-        self, starts: FloatArray, parameters: Parameters
-    ) -> dict[str, FloatArray | IntArray]:
-        """Values, outcomes and times reached, (n,) each."""
-        flow = batch_integrator(self.system, tolerance=self.tolerance, device=self.device)
-        seen = observe(flow, self.formula, starts, self.until, self.samples, parameters)
-        return {"value": seen.values.max(axis=1), "outcome": seen.outcome, "ended": seen.end_times}
+def with_integral(
+    observation: Observation, starts: FloatArray, parameters: Parameters
+) -> BatchTrajectories:
+    """The last states, the integral of the formula in time being the last variable."""
+    flow = _flow(observation, _with_total(observation.system, _formula(observation)))
+    return flow.propagate(_from_zero(starts), [observation.until], parameters)
 
 
-@arguments_checked
-@dataclass(frozen=True)
-class Minimum(Maximum):
-    """The least value of a formula among samples of a motion; see `Maximum`.
-
-    Parameters
-    ----------
-    system, until, formula, samples, tolerance, device
-        See `Maximum`.
-
-    Examples
-    --------
-    >>> import flowlanes
-    >>> import numpy as np
-    >>> import sympy as sp
-    >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> rule = flowlanes.scans.Minimum(pendulum, 10.0, v**2, samples=64)
-    >>> rule(np.array([[1.0, 0.0]]), {})["value"].round(3).tolist()
-    [0.0]
-    """
-
-    def __call__(
-        self, starts: FloatArray, parameters: Parameters
-    ) -> dict[str, FloatArray | IntArray]:
-        """Values, outcomes and times reached, (n,) each."""
-        turned = Maximum(
-            self.system, self.until, -self.formula, self.samples, self.tolerance, self.device
-        )
-        maximum = turned(starts, parameters)
-        return {**maximum, "value": -maximum["value"]}
+def sampled(observation: Observation, starts: FloatArray, parameters: Parameters) -> ObservedSeries:
+    """The formula at equidistant times."""
+    flow, formula = _flow(observation, observation.system), _formula(observation)
+    return observe(flow, formula, starts, observation.until, observation.samples, parameters)
 
 
-@arguments_checked
-@dataclass(frozen=True)
-class Frequency:
-    """The frequency of an angle by a weighted average, with an error estimate.
+def turns_sampled(
+    observation: Observation, starts: FloatArray, parameters: Parameters
+) -> ObservedSeries:
+    """The turns of an angle so far, at equidistant times.
 
     The rate of the angle is integrated along with the motion, so that no turn is lost.
-
-    Attributes
-    ----------
-    system, until, tolerance, device
-        See `SurvivalTime`.
-    formula : sympy.Expr
-        An angle, in radians, up to whole turns.
-    samples : int
-        Equidistant samples over which the average is taken.
-
-    Examples
-    --------
-    >>> import flowlanes
-    >>> import numpy as np
-    >>> import sympy as sp
-    >>> phi, w = sp.symbols("phi w", real=True)
-    >>> rotor = flowlanes.System("rotor", "Rotor", {phi: w, w: 0})
-    >>> rule = flowlanes.scans.Frequency(rotor, 100.0, phi, samples=256)
-    >>> rule(np.array([[0.0, 2.0]]), {})["value"].round(6).tolist()
-    [0.31831]
     """
+    rate = _rate(observation.system, _formula(observation)) / (2 * sp.pi)
+    flow = _flow(observation, _with_total(observation.system, rate))
+    until, samples = observation.until, observation.samples
+    return observe(flow, TOTAL, _from_zero(starts), until, samples, parameters)
 
-    system: System
-    until: Positive
-    formula: sp.Expr
-    samples: int = 4096
-    tolerance: Positive = 1e-12
-    device: Device = "cpu"
-    further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
 
-    @arguments_checked
-    def __call__(
-        self, starts: FloatArray, parameters: Parameters
-    ) -> dict[str, FloatArray | IntArray]:
-        """Values, errors, outcomes and times reached, (n,) each."""
-        turns = _with_total(self.system, _rate(self.system, self.formula) / (2 * sp.pi))
-        flow = batch_integrator(turns, tolerance=self.tolerance, device=self.device)
-        seen = observe(flow, TOTAL, _from_zero(starts), self.until, self.samples, parameters)
-        value, error = average(np.diff(seen.values, axis=1) * (self.samples / self.until))
-        return {"value": value, "error": error, "outcome": seen.outcome, "ended": seen.end_times}
+def _flow(observation: Observation, system: System) -> BatchIntegrator:
+    return batch_integrator(system, tolerance=observation.tolerance, device=observation.device)
+
+
+def _formula(observation: Observation) -> sp.Expr:
+    if observation.formula is None:
+        raise InputError(f"{observation.observable.name}: a formula is needed")
+    return observation.formula
+
+
+def _end_times(observation: Observation, run: BatchTrajectories) -> dict[str, FloatArray]:
+    return {"value": run.end_times}
+
+
+def _mean(observation: Observation, run: BatchTrajectories) -> dict[str, FloatArray]:
+    return {"value": run.states[:, 0, -1] / observation.until}
+
+
+def _greatest(observation: Observation, run: ObservedSeries) -> dict[str, FloatArray]:
+    return {"value": run.values.max(axis=1)}
+
+
+def _least(observation: Observation, run: ObservedSeries) -> dict[str, FloatArray]:
+    return {"value": run.values.min(axis=1)}
+
+
+def _mean_rate(observation: Observation, run: ObservedSeries) -> dict[str, FloatArray]:
+    rates = np.diff(run.values, axis=1) * (observation.samples / observation.until)
+    value, error = average(rates)
+    return {"value": value, "error": error}
+
+
+def _require_angle(system: System, text: str, value: sp.Expr, unit: str) -> None:
+    """Raise InputError where a formula is known to be no angle."""
+    varying = value.free_symbols - set(system.defaults)
+    if unit not in ("rad", "1", "unknown"):
+        wrong = f"it is measured in {unit}"
+    elif varying <= directions(system) and value.is_polynomial(*varying):
+        wrong = "it stays within bounds and makes no turns"
+    else:
+        return
+    raise InputError(f"{text}: {wrong}; an angle is needed, such as atan2(gamma_2, gamma_1)")
+
+
+#: The survival time of a motion: until a guard of the system or a failure ends it.
+survival_time = MotionObservable(
+    "duration", "time until the motion ends", to_the_end, _end_times, "s"
+)
+
+#: The mean of a formula in time, integrated along with the motion.
+time_average = MotionObservable(
+    "mean", "mean of {}", with_integral, _mean, unit="{}", of_formula=True
+)
+
+#: The greatest value of a formula among equidistant samples of a motion and its start.
+maximum = MotionObservable(
+    "highest", "highest value of {}", sampled, _greatest, unit="{}", of_formula=True, samples=2048
+)
+
+#: The least value of a formula among samples of a motion.
+minimum = replace(maximum, name="lowest", title="lowest value of {}", reduce=_least)
+
+#: The frequency of an angle by a weighted average, with an error estimate.
+frequency = MotionObservable(
+    "frequency",
+    "frequency of {}",
+    turns_sampled,
+    _mean_rate,
+    unit="1/s",
+    of_formula=True,
+    samples=4096,
+    further={"error": "difference between the halves of the motion"},
+    require=_require_angle,
+)
 
 
 def _with_total(system: System, formula: sp.Expr) -> System:
@@ -261,25 +178,6 @@ def _rate(system: System, formula: sp.Expr) -> sp.Expr:
 
 def _changing(formula: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     return sp.Add(*(sp.diff(formula, s) * rates[s] for s in formula.free_symbols if s in rates))
-
-
-@dataclass(frozen=True)
-class ObservedSeries:
-    """A formula along motions.
-
-    Attributes
-    ----------
-    values : (n, samples + 1) array
-        From the start on; not numbers after the end of a motion.
-    outcome : (n,) array of int
-        0, or why a motion ended; see ``BatchIntegrator.status_message``.
-    end_times : (n,) array
-        The times reached.
-    """
-
-    values: FloatArray
-    outcome: IntArray
-    end_times: FloatArray
 
 
 def observe(

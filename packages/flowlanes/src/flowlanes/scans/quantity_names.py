@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from ..errors import InputError
 from ..flow.devices.graphics import Device
 from ..flow.kernel.equations import poincare_section
+from ..flow.motion_observable import MotionObservable
 from ..formulas.array_evaluation import formula
 from ..lyapunov.indicators import (
-    ExponentSum,
-    FastLyapunovIndicator,
-    MaximalExponent,
-    Megno,
-    SmallerAlignmentIndex,
+    exponent_sum,
+    fast_lyapunov_indicator,
+    maximal_exponent,
+    megno,
+    smaller_alignment_index,
 )
 from ..parsing import nearest
 from ..system.system import System
-from .grid import directions
-from .observables import Frequency, Maximum, Minimum, SurvivalTime, TimeAverage
+from .observables import frequency, maximum, minimum, survival_time, time_average
 from .scan_task import Rule
 from .section_rotation import Winding
 from .system_quantities import meaning
@@ -46,34 +46,46 @@ class NamedQuantity:
     unit: str
 
 
-@dataclass(frozen=True)
-class _Kind:
-    """A kind of number: its class, title and unit."""
-
-    make: Callable[..., Rule]
-    title: str
-    unit: str = ""
-    of: bool = False
-
-
-KINDS: Mapping[str, _Kind] = {
-    "lyapunov": _Kind(MaximalExponent, "largest Lyapunov exponent", "1/s"),
-    "fli": _Kind(FastLyapunovIndicator, "fast Lyapunov indicator"),
-    "megno": _Kind(Megno, "MEGNO"),
-    "sali": _Kind(SmallerAlignmentIndex, "logarithm of SALI"),
-    "sum": _Kind(ExponentSum, "sum of Lyapunov exponents", "1/s"),
-    "duration": _Kind(SurvivalTime, "time until the motion ends", "s"),
-    "mean": _Kind(TimeAverage, "mean of {}", "{}", of=True),
-    "highest": _Kind(Maximum, "highest value of {}", "{}", of=True),
-    "lowest": _Kind(Minimum, "lowest value of {}", "{}", of=True),
-    "frequency": _Kind(Frequency, "frequency of {}", "1/s", of=True),
-    "rotation": _Kind(Winding, "rotation number of {}", of=True),
+_OBSERVABLES: dict[str, MotionObservable[Any]] = {
+    item.name: item
+    for item in (
+        maximal_exponent,
+        fast_lyapunov_indicator,
+        megno,
+        smaller_alignment_index,
+        exponent_sum,
+        survival_time,
+        time_average,
+        maximum,
+        minimum,
+        frequency,
+    )
 }
-"""Names of quantities; those with a formula are written ``mean:normal_force``.
 
-A rotation number needs a section as well, where a quantity rises through zero:
-``rotation:atan2(M_2,M_1) on n_3``.
-"""
+#: The word for a rotation number, which needs a section besides.
+ROTATION = "rotation"
+
+
+def register(observable: MotionObservable[Any]) -> None:
+    """Make an observable known under its name.
+
+    Raises
+    ------
+    InputError
+        If another number has this name.
+    """
+    known = _OBSERVABLES.setdefault(observable.name, observable)
+    if known != observable or observable.name == ROTATION:
+        raise InputError(f"there are two numbers of motions with the name {observable.name!r}")
+
+
+def observables() -> Mapping[str, MotionObservable[Any]]:
+    """All observables by the names with which a user asks for them.
+
+    Those of a formula are written ``mean:normal_force``.  A rotation number needs a section as
+    well, where a quantity rises through zero: ``rotation:atan2(M_2,M_1) on n_3``.
+    """
+    return dict(_OBSERVABLES)
 
 
 def quantity_from_text(
@@ -91,7 +103,7 @@ def quantity_from_text(
     ----------
     system : System
     text : str
-        A word of `KINDS`, followed by a colon and a formula where it is a number of a formula.
+        A name of `observables`, followed by a colon and a formula where it is one of a formula.
     until : float
         Length of the motions.
     tolerance : float
@@ -109,47 +121,32 @@ def quantity_from_text(
     if not 0 < until < math.inf:
         raise InputError(f"until = {until:g}: motions must be followed for a positive, finite time")
     word, colon, quantity = (part.strip() for part in text.partition(":"))
-    kind = KINDS.get(word)
-    if kind is None:
+    kind = _OBSERVABLES.get(word)
+    if kind is None and word != ROTATION:
+        known = nearest(word, (*_OBSERVABLES, ROTATION))
         raise InputError(
-            f"{word}: no number has this name{nearest(word, KINDS)}; some are written with a "
-            "formula, as in mean:FORMULA"
+            f"{word}: no number has this name{known}; some are written with a formula, as in "
+            "mean:FORMULA"
         )
-    if kind.of != bool(quantity) or (colon and not quantity):
-        written = f"{word}:FORMULA" if kind.of else word
+    of_formula = kind is None or kind.of_formula
+    if of_formula != bool(quantity) or (colon and not quantity):
+        written = f"{word}:FORMULA" if of_formula else word
         raise InputError(f"{text}: this number is written {written}")
-    if kind.make is Winding:
-        return _rotation(kind, system, quantity, until, tolerance, device)
-    if not kind.of:
-        return NamedQuantity(
-            kind.make(system, until, tolerance=tolerance, device=device),
-            word,
-            kind.title,
-            kind.unit,
-        )
-    value: Any = formula(system, quantity)
-    rule = kind.make(system, until, value, tolerance=tolerance, device=device)
+    if kind is None:
+        return _rotation(system, quantity, until, tolerance, device)
+    if not kind.of_formula:
+        rule = kind(system, until, tolerance=tolerance, device=device)
+        return NamedQuantity(rule, word, kind.title, kind.unit)
+    value = formula(system, quantity)
     measured = meaning(system, quantity, variables or {})[1] or "unknown"
-    if kind.make is Frequency:
-        _require_angle(system, text, value, measured)
-    unit = kind.unit.format(measured)
-    return NamedQuantity(rule, word, kind.title.format(quantity), unit)
-
-
-def _require_angle(system: System, text: str, value: Any, unit: str) -> None:
-    """Raise InputError where a formula is known to be no angle."""
-    varying = value.free_symbols - set(system.defaults)
-    if unit not in ("rad", "1", "unknown"):
-        wrong = f"it is measured in {unit}"
-    elif varying <= directions(system) and value.is_polynomial(*varying):
-        wrong = "it stays within bounds and makes no turns"
-    else:
-        return
-    raise InputError(f"{text}: {wrong}; an angle is needed, such as atan2(gamma_2, gamma_1)")
+    if kind.require is not None:
+        kind.require(system, text, value, measured)
+    rule = kind(system, until, value, tolerance=tolerance, device=device)
+    return NamedQuantity(rule, word, kind.title.format(quantity), kind.unit.format(measured))
 
 
 def _rotation(
-    kind: _Kind, system: System, text: str, until: float, tolerance: float, device: Device
+    system: System, text: str, until: float, tolerance: float, device: Device
 ) -> NamedQuantity:
     """A rotation number, from its angle and its section."""
     angle, on, place = text.partition(" on ")
@@ -159,7 +156,6 @@ def _rotation(
             f"rotation:{text} on gamma_3"
         )
     where = poincare_section(system, place.strip())
-    rule = kind.make(
-        system, until, formula(system, angle.strip()), where, tolerance=tolerance, device=device
-    )
-    return NamedQuantity(rule, "rotation", kind.title.format(text), kind.unit)
+    value = formula(system, angle.strip())
+    rule = Winding(system, until, value, where, tolerance=tolerance, device=device)
+    return NamedQuantity(rule, ROTATION, f"rotation number of {text}", "")

@@ -1,7 +1,7 @@
 """Charts: one number for each motion of a plane of parameters and starts.
 
 A chart is a :class:`flowlanes.flow.ensemble.task.Task` whose members are rows: computed in blocks,
-kept in memory or in a Zarr store, by this process or a cluster, to the same bits.
+in memory or in a Zarr store, locally or on a cluster, to the same bits.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ from ..system.parameters import Parameters
 from ..system.system import System
 from .grid import NO_NUMBER, REASONS, Axis, ScanGrid
 
-#: Motions that are computed at once, about, by device.
+#: Approximate number of motions computed at once, by device.
 AT_ONCE: Mapping[Device, int] = {"cpu": 2048, "gpu": 2**17}
 
 
 class Rule(Protocol):
-    """A quantity of motions, computed for many of them independently."""
+    """A quantity computed for many motions independently."""
 
     @property
     def system(self) -> System:
-        """Whose motions they are."""
+        """The system of the motions."""
 
     @property
     def until(self) -> float:
@@ -53,7 +53,7 @@ class Rule(Protocol):
 
     @property
     def further(self) -> Mapping[str, str]:
-        """Names and meanings of further numbers, such as an error."""
+        """Names and meanings of additional columns, such as an error."""
 
     def __call__(
         self, starts: FloatArray, parameters: Parameters
@@ -63,7 +63,7 @@ class Rule(Protocol):
 
 @dataclass(frozen=True)
 class Scan:
-    """A number over a plane: rows first, …, last − 1 ↦ arrays of numbers.
+    """A number over a plane: maps rows first, …, last − 1 to arrays of numbers.
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ class Scan:
     >>> x = flowlanes.scans.axis("I_1=1:2:3")
     >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
     >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
-    >>> rule = flowlanes.scans.TimeAverage(ball, 5.0, ball.symbols[0] ** 2)
+    >>> rule = flowlanes.scans.time_average(ball, 5.0, ball.symbols[0] ** 2)
     >>> flowlanes.scans.Scan(grid, rule, "square", "Mean of the square").name
     'square'
     """
@@ -95,7 +95,7 @@ class Scan:
     unit: str = ""
 
     def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.number]]:
-        """Rows of the chart: numbers, outcomes and times reached, (last − first, columns)."""
+        """Rows of the chart: numbers, outcomes and end times, (last − first, columns)."""
         parts = map_in_threads(lambda a, b: self._rows(first + a, first + b), last - first)
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
@@ -117,13 +117,13 @@ class Scan:
 
     @property
     def numbers(self) -> dict[str, str]:
-        """The numbers of the result, by what the rule calls them."""
+        """The numbers of the result, by the rule's names."""
         return {self.name: "value", **{f"{self.name}_{key}": key for key in self.rule.further}}
 
 
 @arguments_checked
 def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
-    """The task of a scan.
+    """Create the task of a scan.
 
     See :func:`flowlanes.flow.ensemble.compute`.
 
@@ -153,7 +153,7 @@ def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     >>> x = flowlanes.scans.axis("I_1=1:2:3")
     >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
     >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
-    >>> rule = flowlanes.scans.TimeAverage(ball, 5.0, ball.symbols[0] ** 2)
+    >>> rule = flowlanes.scans.time_average(ball, 5.0, ball.symbols[0] ** 2)
     >>> task = flowlanes.scans.scan(
     ...     flowlanes.scans.Scan(grid, rule, "square", "Mean of the square")
     ... )
@@ -180,7 +180,7 @@ def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
             "ended": Variable(columns, shape, attributes=cf_attributes("time reached", "s")),
         },
         member=plane.y.name,
-        coordinates={item.name: _coordinate(item) for item in (plane.x, plane.y)},
+        coordinates={item.name: axis_coordinate(item) for item in (plane.x, plane.y)},
         attributes={
             "system": plane.system.title,
             "number": task.name,
@@ -197,7 +197,8 @@ def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     )
 
 
-def _coordinate(item: Axis) -> Coordinate:
+def axis_coordinate(item: Axis) -> Coordinate:
+    """The coordinate of a dataset that an axis is."""
     return Coordinate(
         (item.name,), item.values, cf_attributes(item.meaning or item.name, item.unit)
     )

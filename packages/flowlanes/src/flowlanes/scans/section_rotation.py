@@ -77,7 +77,7 @@ class Winding:
         return {
             "value": result.values,
             "error": result.errors,
-            # an angle without a lift has no rotation number: nothing has ended the motion
+            # An angle without a lift has no rotation number; the motion itself did not end.
             "outcome": np.maximum(result.outcome, 0),
             "ended": np.full(len(starts), np.nan),
         }

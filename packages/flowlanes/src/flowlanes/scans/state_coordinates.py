@@ -1,16 +1,15 @@
-"""Usual coordinates of states and sections, as maps in both directions.
+"""Common coordinates of states and sections, as maps in both directions.
 
-:class:`StateCoordinates` map points of a few coordinates to states, and states to points.  One
-coordinate may be fixed, or solved for on a level of an integral: so the Andoyer variables
-(l, L/G, g, G, H) become the chart (l, L/G) of a section g = π/2 on a level of energy and area
-integral::
+:class:`StateCoordinates` map points with a few coordinates to states, and states to points.  A
+coordinate may be fixed, or solved for on a level of an integral: so the Andoyer variables (l, L/G,
+g, G, H) become the chart (l, L/G) of a section g = π/2 on a level of energy and area integral::
 
     variables = chart(system, "andoyer-ratio")
     plane = variables.with_fixed({"g": pi / 2, "H": 0.3}).without_coordinate("G", "energy", 1.0)
     states = plane.state([[0.5, 0.1]])
 
-If there is no state, or none that formulas determine (G = |L|), the result is not-a-number;
-:meth:`StateCoordinates.require` turns that into a sentence.
+If there is no state, or none determined by formulas (G = |L|), the result is NaN;
+:meth:`StateCoordinates.require` turns that into an error message.
 """
 
 from __future__ import annotations
@@ -32,11 +31,11 @@ from .directions import Directions
 
 _TURN = 2 * np.pi
 
-#: Pieces of the range of a solved coordinate with which the search begins.
+#: Initial number of intervals of the range of a solved coordinate.
 _PIECES = 16
-#: Step of the difference quotients that tell a search where a function turns.
+#: Step of the difference quotients that locate extrema in a search.
 _STEP = 1e-6
-#: Newton steps after the search.
+#: Number of Newton steps after the search.
 _NEWTON = 2
 
 
@@ -101,20 +100,20 @@ class StateCoordinates:
     def point(self, states: FloatArray) -> FloatArray:
         """The points (n, d) of states (n, size); angles lie in [0, 2π).
 
-        Not-a-number where a coordinate is not defined.  The level and the fixed coordinates are
-        not looked at: a state off them has the point of its other coordinates.
+        NaN where a coordinate is undefined.  The level and the fixed coordinates are ignored: a
+        state off them has the point of its other coordinates.
         """
         rows = self._rows(states, len(self.system.symbols))
         points = self._point(np.ascontiguousarray(rows.T))
         for row, period in zip(points, self.periods, strict=True):
             if period:
                 row[:] = np.mod(row, period)
-                # a little less than nothing is rounded up to a whole turn
+                # np.mod rounds a tiny negative number up to the whole period.
                 row[row == period] = 0.0
         return np.ascontiguousarray(points.T)
 
     def require(self, points: FloatArray) -> None:
-        """Refuse points at which there is no state.
+        """Raise an error for points at which there is no state.
 
         Raises
         ------
@@ -131,7 +130,7 @@ class StateCoordinates:
             raise InputError(f"{self.system.name}: no state at {place}; {self.domain}")
 
     def with_fixed(self, values: Mapping[str, float]) -> StateCoordinates:
-        """The chart with some coordinates held at given values."""
+        """The chart with some coordinates fixed at given values."""
         for name in values:
             self._place(name)
         free = [i for i, name in enumerate(self.names) if name not in values]
@@ -154,7 +153,7 @@ class StateCoordinates:
         )
 
     def without_coordinate(self, name: str, integral: str, value: float) -> StateCoordinates:
-        """The chart without a coordinate, which is found from the value of an integral.
+        """The chart without a coordinate, which is solved for from the value of an integral.
 
         Parameters
         ----------
@@ -324,7 +323,7 @@ CHARTS: Mapping[
 
 @dataclass(frozen=True)
 class _Search:
-    """All values of one coordinate at which an integral has a value."""
+    """All values of one coordinate at which an integral has a given value."""
 
     chart: StateCoordinates
     place: int
@@ -340,7 +339,7 @@ class _Search:
         scale = self._scale(points, low)
 
         def at(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
-            # ends are approached like squares: coordinates often end at a square root
+            # Sample quadratically near the ends, where coordinates often behave like square roots.
             with np.errstate(invalid="ignore", divide="ignore"):
                 finite = low[which] + (high - low)[which] * (1 - np.cos(np.pi * way)) / 2
                 beyond = low[which] + scale[which] * way**2 / (1 - way**2)
@@ -373,7 +372,7 @@ class _Search:
         return defect
 
     def _scale(self, points: FloatArray, low: FloatArray) -> FloatArray:
-        """A size of the coordinate at which the integral has grown to about its value."""
+        """A scale of the coordinate over which the integral changes by about its value."""
         big = 1e4 * (1 + np.abs(np.where(np.isfinite(low), low, 0.0)))
         growth = np.abs(self._defect(points, big)) / big**2
         with np.errstate(invalid="ignore", divide="ignore"):

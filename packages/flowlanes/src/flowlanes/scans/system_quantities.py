@@ -7,13 +7,13 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ..system.system import System
-from ..system.vectors import Vector, to_components
+from ..system.vectors import Vector
 
 
 def quantities_by_name(system: System) -> dict[str, sp.Expr]:
-    """Scalar integrals and observables by name; of two with one name, the integral."""
-    values = {item.name: to_components(item.value) for item in system.observables}
-    values |= {item.name: to_components(item.value) for item in system.integrals}
+    """Scalar integrals and observables by name; of two with the same name, the integral."""
+    values = {item.name: item.value for item in system.scalar.observables}
+    values |= {item.name: item.value for item in system.scalar.integrals}
     return {name: v for name, v in values.items() if not isinstance(v, sp.MatrixBase)}
 
 

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import sympy as sp
 
 from ..arguments import NamedFormulas, arguments_checked
 from ..errors import InputError
-from .laws import Law
-from .named_formulas import Pairs, repeated_name, scalar_names
+from .laws import BasicLaw, Power, VectorField
+from .named_formulas import Pairs, expand, repeated_name, scalar_names
 from .system import System
 
 
 @arguments_checked
 @dataclass(frozen=True, repr=False)
-class Isomorphism(Law):
+class Isomorphism(BasicLaw):
     """A change of variables and time that carries the field onto another system's.
 
     A level is where the conditions of this system hold (its relations and `on`) and all
@@ -63,12 +64,43 @@ class Isomorphism(Law):
     'proven'
     """
 
+    included: ClassVar[str] = "carried onto the target"
+
     target: System
     map: NamedFormulas
     time: sp.Expr = sp.S.One
     constants: NamedFormulas = ()
     meaning: str = ""
     onto: tuple[sp.Expr, ...] = ()
+
+    @property
+    def heading(self) -> str:
+        """The title of the target."""
+        return f"The same motion as: {self.target.title}"
+
+    @property
+    def formulas(self) -> tuple[sp.Basic, ...]:
+        """The map, the constants and the time."""
+        named = [value for _, value in (*self.map, *self.constants)]
+        return tuple(map(sp.sympify, (*named, self.time, *self.on)))
+
+    @property
+    def powers(self) -> tuple[Power, ...]:
+        """The rate of the new time, which must be positive."""
+        return (("dτ/dt", self.time, sp.S.Half),)
+
+    def claim(self, system: VectorField) -> Mapping[str, object]:
+        """Target, map, time and constants, and the image without definitions of the source."""
+        target, scalar = self.target, self.scalar
+        theirs = {*target.symbols, *target.defaults, *(s for s, _ in target.scalar_definitions)}
+        steps = {s: value for s, value in system.scalar_definitions if s not in theirs}
+        return {
+            "target": target,
+            "map": scalar.map,
+            "time": scalar.time,
+            "constants": scalar.constants,
+            "onto": tuple(expand(condition, steps) for condition in scalar.onto),
+        }
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -4,19 +4,39 @@ Every law is a tensor invariant of the field v of its system, or an identity on 
 concerns the points where the relations of the system and the expressions `on` vanish, such as
 ``k + 1`` or ``(M, γ)``, and where all its formulas have real values.  The docstring of each class
 defines its statement.
+
+A new kind of law is a class in one file.  If it says that some formulas vanish, it derives from
+`VanishingLaw` and gives these as its `residuals`; otherwise it derives from `Law` and gives, as
+`basic`, a law of one of the kinds in this module that states the same.  Provers, certificates,
+printers and reports ask a law for what they need and do not look at its class.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
-from typing import Any
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
+from typing import Any, ClassVar, Protocol, Self, TypeAlias, TypeVar
 
 import sympy as sp
 
 from ..arguments import Formula, Formulas, NamedFormulas, arguments_checked
 from ..errors import InputError
-from .named_formulas import Pairs, repeated_name, scalar_names, with_formulas
+from .named_formulas import (
+    Pairs,
+    in_components,
+    repeated_name,
+    scalar_names,
+    scalars,
+    with_formulas,
+)
 from .overview import WithShortRepr
+
+#: One side of an equation: a formula, or text.
+Side: TypeAlias = sp.Basic | str
+#: A base in words, where ``{}`` stands for its formula; the base; and its exponent.
+Power: TypeAlias = tuple[str, sp.Expr, sp.Expr]
 
 
 class Rate(sp.Function):
@@ -45,6 +65,41 @@ class Rate(sp.Function):
         return super().__new__(cls, *formulas, **options)
 
 
+class VectorField(Protocol):
+    """What a law may ask of its system."""
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The state as scalars."""
+        ...
+
+    @property
+    def rates(self) -> tuple[sp.Expr, ...]:
+        """The time derivatives of `symbols`."""
+        ...
+
+    @property
+    def scalar_definitions(self) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+        """The definitions as scalar assignments, in order."""
+        ...
+
+
+class ChangeOfVariables(Protocol):
+    """Formulas, vector fields and brackets of a phase space in other variables."""
+
+    def formula(self, value: Any) -> Any:
+        """A formula, or all formulas in a tuple; anything else as it is."""
+        ...
+
+    def vector_field(self, components: Pairs) -> Pairs:
+        """A vector field by its components."""
+        ...
+
+    def bracket(self, matrix: sp.MatrixBase) -> sp.MatrixBase:
+        """A Poisson bracket by its matrix."""
+        ...
+
+
 def _check_named(law: str, quantities: Pairs) -> None:
     if twice := repeated_name(scalar_names(quantities)):
         raise InputError(
@@ -53,7 +108,7 @@ def _check_named(law: str, quantities: Pairs) -> None:
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Law(WithShortRepr):
+class Law(WithShortRepr, ABC):
     """A law of a system; the base class of all laws.
 
     Parameters
@@ -79,6 +134,15 @@ class Law(WithShortRepr):
     True
     """
 
+    #: Whether it says what holds at the points of the level, whatever conditions describe it.
+    pointwise: ClassVar[bool] = False
+    #: Whether it concerns the volume that the conditions of the level cut out.
+    of_volume: ClassVar[bool] = False
+    #: Whether it is given by components along the variables of the state.
+    by_components: ClassVar[bool] = False
+    #: What its residuals include, for the words of a verdict.
+    included: ClassVar[str] = ""
+
     name: str = field(kw_only=False)
     on: tuple[sp.Expr, ...] = ()
     source: str = ""
@@ -89,10 +153,162 @@ class Law(WithShortRepr):
         for item in fields(self):
             object.__setattr__(self, item.name, with_formulas(getattr(self, item.name)))
 
+    @property
+    @abstractmethod
+    def heading(self) -> str:
+        """The kind of the law, in words."""
+
+    @abstractmethod
+    def basic(self, system: VectorField) -> Law:
+        """A law of a kind that the prover knows, which states the same of a system.
+
+        Raises
+        ------
+        InputError
+            If it states nothing of this system.
+        """
+
+    @property
+    def formulas(self) -> tuple[sp.Basic, ...]:
+        """All formulas that the law shows, those of its level last."""
+        own = [getattr(self, name) for name in self._own_fields]
+        return tuple(map(sp.sympify, (*(f for value in own for f in _shown(value)), *self.on)))
+
+    @property
+    def _own_fields(self) -> tuple[str, ...]:
+        """The fields that other laws do not have."""
+        common = {item.name for item in fields(Law)}
+        return tuple(item.name for item in fields(self) if item.name not in common)
+
+    def sides(self) -> tuple[tuple[Side, Side], ...]:
+        """The equations that state the law, by their left and right sides, for a reader.
+
+        By default every formula under the name that it has in the law.
+        """
+        own = {name: getattr(self, name) for name in self._own_fields}
+        return tuple((n, f) for n, f in own.items() if isinstance(f, sp.Basic | sp.MatrixBase))
+
+    def claim(self, system: VectorField) -> Mapping[str, object]:
+        """The law of a system as a certificate states it, by the names of the format."""
+        return self.basic(system).claim(system)
+
+    @property
+    def powers(self) -> tuple[Power, ...]:
+        """Powers that must be real: a base of an exponent that is not whole must be positive."""
+        return ()
+
+    @property
+    def computed(self) -> tuple[sp.Basic | Pairs, ...]:
+        """The formulas of which numbers are computed along motions."""
+        return ()
+
+    @property
+    def by_formulas(self) -> Law:
+        """The part of the law that is stated by formulas; usually all of it."""
+        return self
+
+    def weighted(self, powers: Pairs) -> Self:
+        """The law for a volume that is that of the conditions, divided by a product of powers."""
+        return self
+
+    def under(self, change: ChangeOfVariables) -> Self:
+        """The law in other variables."""
+        fixed = {"name", "source", "misprint", "meaning", "as_printed", "target", "onto"}
+        own = {f.name: getattr(self, f.name) for f in fields(self) if f.name not in fixed}
+        changed = {name: change.formula(value) for name, value in own.items()}
+        return replace(self, as_printed=None, **changed)
+
+    @cached_property
+    def scalar(self) -> Self:
+        """The law with all its formulas by components; itself if they are so already."""
+        given = {f.name: getattr(self, f.name) for f in fields(self)}
+        parts = {name: in_components(value) for name, value in given.items()}
+        changed = {name: value for name, value in parts.items() if value != given[name]}
+        return replace(self, **changed) if changed else self
+
+    def __getstate__(self) -> dict[str, object]:
+        return {name: value for name, value in vars(self).items() if name != "scalar"}
+
+
+AnyLaw = TypeVar("AnyLaw", bound=Law)
+
+
+def of_kind(laws: Iterable[Law], kind: type[AnyLaw]) -> tuple[AnyLaw, ...]:
+    """Those of some laws that are of one kind, in order."""
+    return tuple(law for law in laws if isinstance(law, kind))
+
+
+def _shown(value: object) -> list[sp.Basic]:
+    """The formulas in a field of a law; of a named formula the name is not one."""
+    if isinstance(value, Law):
+        return list(value.formulas)
+    if isinstance(value, sp.Basic | sp.MatrixBase):
+        return [value]
+    if not isinstance(value, tuple):
+        return []
+    parts = [part[1] if _names(part) else part for part in value]
+    return [formula for part in parts for formula in _shown(part)]
+
+
+def _names(value: object) -> bool:
+    """Whether a value is a pair of a name and a formula."""
+    return (
+        isinstance(value, tuple)
+        and len(value) == 2
+        and isinstance(value[0], sp.Symbol | sp.MatrixSymbol)
+    )
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class VanishingLaw(Law):
+    """A law that says that some formulas vanish on the level: the base class of new kinds.
+
+    Parameters
+    ----------
+    name, on, source, as_printed, misprint
+        As for every `Law`.
+    """
+
+    @abstractmethod
+    def residuals(self, system: VectorField) -> Mapping[str, sp.Basic]:
+        """Formulas by names of their own; the law holds where all of them vanish.
+
+        A formula is a scalar, a vector or a matrix in the state, the definitions and the
+        parameters; it may use ``Rate``.
+        """
+
+    def basic(self, system: VectorField) -> Identity:
+        """The identity that all residuals vanish."""
+        values = tuple(self.residuals(system).values())
+        return Identity(self.name, values, on=self.on, source=self.source)
+
+    def tabulated(self) -> Mapping[str, object]:
+        """The name of the class, and everything that the law is made of."""
+        own = {name: getattr(self, name) for name in (*self._own_fields, "on")}
+        given = {name: value for name, value in own.items() if value not in ("", ())}
+        return {"kind": type(self).__name__, **given}
+
+
+def vanishing_kinds(base: type[VanishingLaw] = VanishingLaw) -> dict[str, type[VanishingLaw]]:
+    """The kinds of law that derive from `VanishingLaw`, by the names of their classes."""
+    found: dict[str, type[VanishingLaw]] = {}
+    for kind in base.__subclasses__():
+        found |= {kind.__name__: kind, **vanishing_kinds(kind)}
+    return found
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class BasicLaw(Law):
+    """A law of a kind that the prover and the check of certificates know."""
+
+    def basic(self, system: VectorField) -> Self:
+        """The law itself."""
+        return self
+
 
 @arguments_checked
 @dataclass(frozen=True, repr=False)
-class Integral(Law):
+class Integral(BasicLaw):
     """A first integral: a function F of the state with v(F) = 0.
 
     A constant is one too, and a trivial one: the verdict on it says so.
@@ -120,14 +336,26 @@ class Integral(Law):
     'proven'
     """
 
+    pointwise: ClassVar[bool] = True
+    heading = "First integral"
+
     value: sp.Expr
     meaning: str = ""
     unit: str = ""
 
+    def claim(self, system: VectorField) -> Mapping[str, object]:
+        """F."""
+        return {"value": self.scalar.value}
+
+    @property
+    def computed(self) -> tuple[sp.Basic | Pairs, ...]:
+        """F, which is recorded."""
+        return (self.value,)
+
 
 @arguments_checked
 @dataclass(frozen=True, repr=False)
-class Measure(Law):
+class Measure(BasicLaw):
     """An invariant measure: div(ρ v) = 0 with ρ = ∏ base^exponent.
 
     The volume is that of the state variables or, on relations, the form d^n x divided by the
@@ -157,8 +385,34 @@ class Measure(Law):
     'proven'
     """
 
+    of_volume: ClassVar[bool] = True
+    heading = "Invariant measure"
+
     density: NamedFormulas
     meaning: str = ""
+
+    @property
+    def formulas(self) -> tuple[sp.Basic, ...]:
+        """Bases and exponents."""
+        return tuple(map(sp.sympify, (*(part for pair in self.density for part in pair), *self.on)))
+
+    def claim(self, system: VectorField) -> Mapping[str, object]:
+        """Bases and exponents."""
+        return {"density": self.scalar.density}
+
+    @property
+    def powers(self) -> tuple[Power, ...]:
+        """The factors of the density."""
+        return tuple(("the base {} of the density", base, power) for base, power in self.density)
+
+    @property
+    def computed(self) -> tuple[sp.Basic | Pairs, ...]:
+        """The density, by which states are drawn."""
+        return (self.density,)
+
+    def weighted(self, powers: Pairs) -> Self:
+        """The measure with further factors in its density."""
+        return replace(self, density=(*self.density, *powers))
 
     @property
     def value(self) -> sp.Expr:
@@ -168,7 +422,7 @@ class Measure(Law):
 
 @arguments_checked
 @dataclass(frozen=True, repr=False)
-class Symmetry(Law):
+class Symmetry(BasicLaw):
     """A symmetry field u: [u, v] = 0, u tangent to the phase space and the level.
 
     Parameters
@@ -191,13 +445,30 @@ class Symmetry(Law):
     'proven'
     """
 
+    by_components: ClassVar[bool] = True
+    heading = "Symmetry field"
+
     field: NamedFormulas
     meaning: str = ""
+
+    def claim(self, system: VectorField) -> Mapping[str, object]:
+        """The components of u that are named."""
+        return {"field": self.scalar.field}
+
+    @property
+    def computed(self) -> tuple[sp.Basic | Pairs, ...]:
+        """u, which is divided out."""
+        return (self.field,)
+
+    def under(self, change: ChangeOfVariables) -> Self:
+        """The field in other variables."""
+        moved = replace(self, field=(), as_printed=None, on=change.formula(self.on))
+        return replace(moved, field=change.vector_field(self.scalar.field))
 
 
 @arguments_checked
 @dataclass(frozen=True, repr=False)
-class PoissonStructure(Law):
+class PoissonStructure(BasicLaw):
     """A Poisson structure on the phase space: skew, with the Jacobi identity.
 
     Functions that vanish on the phase space and on the level have vanishing brackets with all
@@ -231,6 +502,10 @@ class PoissonStructure(Law):
     'proven'
     """
 
+    by_components: ClassVar[bool] = True
+    included: ClassVar[str] = "Jacobi identity"
+    heading = "Poisson bracket"
+
     matrix: Formulas
     casimirs: tuple[sp.Expr, ...] = ()
     rank: int | None = None
@@ -257,10 +532,18 @@ class PoissonStructure(Law):
             )
         object.__setattr__(self, "rank", int(rank))
 
+    def claim(self, system: VectorField) -> Mapping[str, object]:
+        """Matrix, Casimir functions and rank."""
+        return {"matrix": self.matrix, "casimirs": self.scalar.casimirs, "rank": self.rank}
+
+    def under(self, change: ChangeOfVariables) -> Self:
+        """The bracket in other variables."""
+        return replace(super().under(change), matrix=change.bracket(self.scalar.matrix))
+
 
 @arguments_checked
 @dataclass(frozen=True, repr=False)
-class ConformallyHamiltonian(Law):
+class ConformallyHamiltonian(BasicLaw):
     """A conformally Hamiltonian form: v = N J dH, with J a Poisson structure.
 
     N = 1 states that the field is Hamiltonian.  The new time τ has dτ = N dt; N must not vanish
@@ -290,15 +573,28 @@ class ConformallyHamiltonian(Law):
     'proven'
     """
 
+    by_components: ClassVar[bool] = True
+
     multiplier: sp.Expr
     structure: PoissonStructure
     hamiltonian: sp.Expr
     meaning: str = ""
 
+    @property
+    def heading(self) -> str:
+        """Whether the form is Hamiltonian in the time of the system."""
+        return "Hamiltonian form" if self.multiplier == 1 else "Conformally Hamiltonian form"
+
+    def claim(self, system: VectorField) -> Mapping[str, object]:
+        """N, H and the bracket."""
+        bracket = {"name": self.structure.name, **self.structure.claim(system)}
+        N, H = self.scalar.multiplier, self.scalar.hamiltonian
+        return {"multiplier": N, "hamiltonian": H, "structure": bracket}
+
 
 @arguments_checked
 @dataclass(frozen=True, repr=False)
-class Reduction(Law):
+class Reduction(BasicLaw):
     """Closed equations that some quantities satisfy by themselves along every motion.
 
     The variables are the symbols in the equations that are no parameters: the quantities, and state
@@ -343,6 +639,15 @@ class Reduction(Law):
     equations: tuple[sp.Expr, ...]
     meaning: str = ""
 
+    @property
+    def heading(self) -> str:
+        """A reduction."""
+        return "Reduction"
+
+    def claim(self, system: VectorField) -> Mapping[str, object]:
+        """Quantities and equations."""
+        return {"quantities": self.scalar.quantities, "equations": self.scalar.equations}
+
     def __post_init__(self) -> None:
         super().__post_init__()
         _check_named(self.name, self.quantities)
@@ -379,10 +684,20 @@ class Separation(Reduction):
     'proven'
     """
 
+    @property
+    def heading(self) -> str:
+        """A separation."""
+        return "Separation of variables"
+
+    @property
+    def by_formulas(self) -> Reduction:
+        """The equations; that they separate is no matter of formulas."""
+        return Reduction(self.name, self.quantities, self.equations, on=self.on)
+
 
 @arguments_checked
 @dataclass(frozen=True, repr=False)
-class Identity(Law):
+class Identity(BasicLaw):
     """Formulas that vanish everywhere on the phase space.
 
     Parameters
@@ -412,9 +727,16 @@ class Identity(Law):
     'proven'
     """
 
+    pointwise: ClassVar[bool] = True
+    heading = "Identity"
+
     value: Formulas
     meaning: str = ""
     quantities: NamedFormulas = ()
+
+    def claim(self, system: VectorField) -> Mapping[str, object]:
+        """Quantities, and all components of the formulas that vanish."""
+        return {"quantities": self.scalar.quantities, "value": tuple(scalars(self.value))}
 
     def __post_init__(self) -> None:
         super().__post_init__()

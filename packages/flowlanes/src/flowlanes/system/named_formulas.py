@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import sympy as sp
 
 from ..errors import InputError
 from ..formula_words import RESERVED_WORDS
-from .vectors import to_components
+from .vectors import Diagonal, Symmetric, Vector, to_components
 
 #: Named quantities (symbols, vectors, tensors) with a formula for each.
 Pairs: TypeAlias = tuple[tuple[sp.Basic, sp.Basic], ...]
+
+Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
 
 
 def as_pairs(formulas: Mapping[sp.Basic, sp.Basic] | Iterable[tuple[sp.Basic, sp.Basic]]) -> Pairs:
@@ -130,6 +132,57 @@ def by_dependence(definitions: Pairs, symbols: Iterable[sp.Symbol]) -> tuple[Pai
         else:
             before += (pair,)
     return before, after
+
+
+def flat(names: Iterable[Quantity]) -> tuple[sp.Symbol, ...]:
+    """Named quantities as scalars, in order."""
+    return tuple(s for n in names for s in ((n,) if isinstance(n, sp.Symbol) else n.symbols))
+
+
+def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    """Pairs (named quantity, formula) as pairs (scalar symbol, scalar formula)."""
+    scalars: list[tuple[sp.Symbol, sp.Expr]] = []
+    for name, formula in pairs:
+        value = to_components(sp.sympify(formula))
+        if isinstance(name, sp.Symbol):
+            scalars.append((name, value))
+        elif isinstance(name, Vector):
+            scalars.extend(zip(name.symbols, value, strict=True))
+        else:
+            scalars.extend(zip(name.symbols, name.independent(value), strict=True))
+    return tuple(scalars)
+
+
+def scalars(value: object) -> list[sp.Expr]:
+    """The scalar formulas of a scalar, vector, matrix or sequence of these, in order.
+
+    Examples
+    --------
+    >>> scalars((sp.Symbol("k"), Vector("M")))
+    [k, M_1, M_2, M_3]
+    """
+    if isinstance(value, tuple | list):
+        return [scalar for part in value for scalar in scalars(part)]
+    components = to_components(sp.sympify(value))
+    return list(components) if isinstance(components, sp.MatrixBase) else [components]
+
+
+def in_components(value: Any) -> Any:
+    """The formulas of a value by components; pairs that name vectors have one for each of them.
+
+    Examples
+    --------
+    >>> M = Vector("M")
+    >>> in_components(((M, 2 * M),))
+    ((M_1, 2*M_1), (M_2, 2*M_2), (M_3, 2*M_3))
+    """
+    if isinstance(value, sp.Basic | sp.MatrixBase):
+        return to_components(value)
+    if not isinstance(value, tuple):
+        return value
+    if any(isinstance(p, tuple) and p and isinstance(p[0], sp.MatrixExpr) for p in value):
+        return flat_pairs(value)
+    return tuple(map(in_components, value))
 
 
 def scalar_names(pairs: Pairs) -> list[sp.Symbol]:

@@ -8,6 +8,7 @@ from typing import Any, TypeAlias
 import mpmath
 
 from ..errors import InputError
+from .tuple_vectors import R, cross, dot
 
 Matrix: TypeAlias = list[list[mpmath.mpf]]
 
@@ -36,6 +37,13 @@ def rotation_rows(quaternion: Iterable[Any], double: Any = 2) -> list[list[Any]]
         [double * (x * y + w * z), 1 - double * (x * x + z * z), double * (y * z - w * x)],
         [double * (x * z - w * y), double * (y * z + w * x), 1 - double * (x * x + y * y)],
     ]
+
+
+def quaternion_product(p: Sequence[R], q: Sequence[R]) -> list[R]:
+    """The product pq of two quaternions w, x, y, z."""
+    side = cross(p[1:], q[1:])
+    scalar = p[0] * q[0] - dot(p[1:], q[1:])
+    return [scalar] + [p[0] * q[k + 1] + q[0] * p[k + 1] + side[k] for k in range(3)]
 
 
 def finite_numbers(name: str, values: object, count: int, which: str = "") -> list[mpmath.mpf]:

@@ -13,12 +13,11 @@ import sympy as sp
 from ..arguments import Conditions, Formula, NamedFormulas, arguments_checked
 from ..errors import InputError, require_label, require_visible
 from .display import Displayed
-from .laws import Integral, Law
-from .named_formulas import Pairs, as_pairs, expand, needed_steps, require_names
-from .vectors import Diagonal, Symmetric, Vector, to_components
+from .laws import AnyLaw, Integral, Law, of_kind
+from .named_formulas import as_pairs, expand, flat, flat_pairs, needed_steps, require_names
+from .vectors import Vector, to_components
 
 Name: TypeAlias = Vector | sp.Symbol
-Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
 
 
 @arguments_checked
@@ -79,6 +78,11 @@ class Observable:
     frame: str = ""
     source: str = ""
 
+    @property
+    def scalar(self) -> Observable:
+        """The observable with its value by components."""
+        return replace(self, value=to_components(sp.sympify(self.value)))
+
 
 @dataclass(frozen=True)
 class Guard:
@@ -100,6 +104,11 @@ class Guard:
     value: sp.Expr
     message: str
     lift_off: bool = False
+
+    @property
+    def scalar(self) -> Guard:
+        """The guard with its value as a scalar formula, free of vectors."""
+        return replace(self, value=to_components(sp.sympify(self.value)))
 
 
 @dataclass(frozen=True)
@@ -141,25 +150,6 @@ class Reconstruction:
         object.__setattr__(self, "field", as_pairs(self.field))
 
 
-def flat(names: Iterable[Quantity]) -> tuple[sp.Symbol, ...]:
-    """Named quantities as scalars, in order."""
-    return tuple(s for n in names for s in ((n,) if isinstance(n, sp.Symbol) else n.symbols))
-
-
-def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-    """Pairs (named quantity, formula) as pairs (scalar symbol, scalar formula)."""
-    scalars: list[tuple[sp.Symbol, sp.Expr]] = []
-    for name, formula in pairs:
-        value = to_components(sp.sympify(formula))
-        if isinstance(name, sp.Symbol):
-            scalars.append((name, value))
-        elif isinstance(name, Vector):
-            scalars.extend(zip(name.symbols, value, strict=True))
-        else:
-            scalars.extend(zip(name.symbols, name.independent(value), strict=True))
-    return tuple(scalars)
-
-
 def unknown_names(formula: sp.Expr, scope: Collection[sp.Symbol]) -> str:
     """The symbols of a formula that are not known, as text; empty if there are none.
 
@@ -184,6 +174,70 @@ def _assumptions(symbol: sp.Symbol) -> str:
     """The assumptions with which a symbol was created."""
     text = [f"{key}={value}" for key, value in sorted(symbol._assumptions_orig.items())]
     return ", ".join(text) or "no assumptions"
+
+
+@dataclass(frozen=True)
+class ScalarForm:
+    """A system by components: no vector is left in any of its formulas.
+
+    Formulas are declared and printed in vector notation; whatever computes takes them from here.
+    Nothing is expanded, and what belongs to the system keeps its order.
+
+    Examples
+    --------
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> ball.scalar.relations
+    (gamma_1**2 + gamma_2**2 + gamma_3**2 - 1,)
+    >>> ball.scalar.laws[0].name == ball.laws[0].name
+    True
+    """
+
+    system: System
+
+    @cached_property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The state, in flat order."""
+        return self.system.symbols
+
+    @cached_property
+    def rates(self) -> tuple[sp.Expr, ...]:
+        """The time derivatives of `symbols`."""
+        return self.system.rates
+
+    @cached_property
+    def definitions(self) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+        """The definitions, in order."""
+        return self.system.scalar_definitions
+
+    @cached_property
+    def relations(self) -> tuple[sp.Expr, ...]:
+        """Formulas that vanish on the phase space."""
+        return tuple(map(to_components, self.system.relations))
+
+    @cached_property
+    def laws(self) -> tuple[Law, ...]:
+        """The laws; see `Law.scalar`."""
+        return tuple(law.scalar for law in self.system.laws)
+
+    @cached_property
+    def integrals(self) -> tuple[Integral, ...]:
+        """The first integrals among the laws."""
+        return tuple(law.scalar for law in self.system.integrals)
+
+    @cached_property
+    def observables(self) -> tuple[Observable, ...]:
+        """The observables; the value of a vector is a matrix of one column."""
+        return tuple(item.scalar for item in self.system.observables)
+
+    @cached_property
+    def guards(self) -> tuple[Guard, ...]:
+        """The guards."""
+        return tuple(guard.scalar for guard in self.system.guards)
+
+    def of(self, formula: sp.Basic | float) -> sp.Basic:
+        """Another formula in the quantities of the system, by components."""
+        return to_components(sp.sympify(formula))
 
 
 @arguments_checked
@@ -215,8 +269,8 @@ class System(Displayed):
         What a page shows in place of `definitions`: equations instead of the steps of their
         solution.  Empty to show the definitions themselves.
     start : mapping of Vector to formula
-        How state variables follow from ω and γ, in which a start is given; the others (γ itself,
-        or ω where it belongs to the state) are taken as given.
+        How state variables follow from ω, γ and the attitude, in which a start is given; the others
+        (γ itself, or ω where it belongs to the state) are taken as given.
     theorems : tuple of Theorem
         Proofs by hand of some of the laws, which the prover completes.
 
@@ -266,11 +320,24 @@ class System(Displayed):
         """The vectors besides ω and γ from which the state follows at a start."""
         known = {s for s, _ in self.scalar_definitions} | {p.symbol for p in self.parameters}
         known |= {s for s, _ in flat_pairs(self.start)} | set(self.symbols)
+        # how the body lies in space is known before what follows from it
+        known |= {
+            s for s, _ in flat_pairs(self.reconstruction.field if self.reconstruction else ())
+        }
         used = {s for _, formula in flat_pairs(self.start) for s in formula.free_symbols} - known
         names = dict.fromkeys(sorted(str(s).rpartition("_")[0] for s in used))
         return tuple(Vector(name) for name in names if name not in ("omega", "gamma"))
 
     # --- flat view -------------------------------------------------------------------------
+
+    @cached_property
+    def scalar(self) -> ScalarForm:
+        """The system by components, without vectors: what computations take."""
+        return ScalarForm(self)
+
+    def __getstate__(self) -> dict[str, object]:
+        # formulas by components are made again from those that are sent
+        return {name: value for name, value in vars(self).items() if name != "scalar"}
 
     @cached_property
     def state(self) -> tuple[Name, ...]:
@@ -313,7 +380,11 @@ class System(Displayed):
     @property
     def integrals(self) -> tuple[Integral, ...]:
         """The first integrals among the laws."""
-        return tuple(law for law in self.laws if isinstance(law, Integral))
+        return of_kind(self.laws, Integral)
+
+    def laws_of(self, kind: type[AnyLaw]) -> tuple[AnyLaw, ...]:
+        """The laws of one kind."""
+        return of_kind(self.laws, kind)
 
     @property
     def defaults(self) -> dict[sp.Symbol, float]:
@@ -345,10 +416,10 @@ class System(Displayed):
             known.add(symbol)
         for symbol, value in zip(self.symbols, self.rates, strict=True):
             self._require(value, known, f"the rate of {symbol}")
-        for law in self.integrals:
-            self._require(to_components(law.value), known, f"the law {law.name!r}")
-        for relation in self.relations:
-            self._require(to_components(relation), known, f"the relation {relation}")
+        for law in self.scalar.integrals:
+            self._require(law.value, known, f"the law {law.name!r}")
+        for relation, scalar in zip(self.relations, self.scalar.relations, strict=True):
+            self._require(scalar, known, f"the relation {relation}")
 
     def _require(self, value: sp.Expr, symbols: set[sp.Symbol], where: str) -> None:
         missing = unknown_names(value, symbols)

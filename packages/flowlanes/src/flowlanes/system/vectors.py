@@ -99,6 +99,11 @@ class Vector(Node, sp.MatrixSymbol):
         """The component symbols, in order."""
         return tuple(real_symbol(f"{self.name}_{label}") for label in _LABELS[int(self.shape[0])])
 
+    @property
+    def entries(self) -> Components:
+        """The components as a matrix of one column."""
+        return Components(self.symbols)
+
     def __iter__(self) -> Iterator[sp.Symbol]:
         return iter(self.symbols)
 
@@ -372,9 +377,7 @@ def _components_of(expression: sp.Basic) -> sp.Basic:
 
 def _explicit_matrix(expression: MatrixExpr) -> Components:
     match expression:
-        case Vector():
-            return Components(expression.symbols)
-        case Diagonal() | Symmetric():
+        case Vector() | Diagonal() | Symmetric():
             return expression.entries
         case Cross():
             (a, b, c), (x, y, z) = (to_components(arg) for arg in expression.args)

@@ -14,8 +14,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import dask
-import distributed
 import numpy as np
 import pytest
 import xarray as xr
@@ -24,6 +22,9 @@ from counted import deadly, mistaken, task
 from flowlanes.errors import InputError
 from flowlanes.flow.ensemble.computation import compute
 from flowlanes.flow.ensemble.task import IncompleteError, Task, Variable
+from needs import optional
+
+dask, distributed = optional("dask"), optional("distributed")
 
 
 @pytest.fixture(scope="module")

@@ -10,9 +10,10 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import dot, vectors
+from needs import optional
 
-hy = pytest.importorskip("heyoka")
-Translator = pytest.importorskip("flowlanes.flow.taylor.heyoka_expressions").Translator
+hy = optional("heyoka")
+Translator = optional("flowlanes.flow.taylor.heyoka_expressions").Translator
 
 x, y, w, p = sp.symbols("x y w p", real=True)
 

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from flowlanes.flow.taylor.projection import Block, Projector
+from needs import optional
 
-hy = pytest.importorskip("heyoka")
-HeyokaFormulas = pytest.importorskip("flowlanes.flow.taylor.heyoka_series").HeyokaFormulas
+hy = optional("heyoka")
+HeyokaFormulas = optional("flowlanes.flow.taylor.heyoka_series").HeyokaFormulas
 
 x, y, z = hy.make_vars("x", "y", "z")
 NONE = np.array([])

@@ -24,10 +24,8 @@ from flowlanes.errors import InputError
 from flowlanes.formulas.errors import NeedMoreGeneratorsError, NotExactError, OutOfReachError
 from flowlanes.memory import memory
 from flowlanes.printing.formula import text
-from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.laws import Law, Measure, PoissonStructure, Separation
+from flowlanes.system.laws import Law
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components
 
 from .claim_text import claim_text
 from .fields.budget import Budget
@@ -38,7 +36,7 @@ from .level.level_formulas import EmptyLevelSetError
 from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim, polynomial_problems
 from .level.positivity_conditions import positive_formulas, sign_determining_bases
-from .level.target_conditions import is_admissible_target, open_conditions
+from .level.target_conditions import has_target, is_admissible_target, open_conditions
 from .random_test import FURTHER, Trial, is_nowhere, point_of_reversed_time, trials
 from .rank import DIMENSION
 from .remarks import remark
@@ -188,7 +186,8 @@ class _Checker:
         """
         own = [c for c in level.moving if c not in level.volume_conditions]
         names = ["dτ/dt", *map(in_words, own), *map(bracket_with, own), *map(derivative_of, own)]
-        if not (isinstance(self.law, Separation) or what.startswith(tuple(names))):
+        partly = self.law.by_formulas is not self.law
+        if not (partly or what.startswith(tuple(names))):
             return False
         point = witness_point(claim, level, trial.values)
         if point is None:
@@ -258,11 +257,11 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
             if not failed.dispute:
                 return failed
             disputed = failed
-        if isinstance(law, Measure) and is_nowhere(points, conditions_are_independent):
+        if law.of_volume and is_nowhere(points, conditions_are_independent):
             return _Part((), Proof(0, failure=NO_VOLUME))
-        if isinstance(law, Isomorphism) and is_nowhere(points, partial(is_admissible_target, law)):
+        if has_target(law) and is_nowhere(points, partial(is_admissible_target, law)):
             return _Part((), Proof(0, failure=NO_TARGET))
-        if isinstance(law, Measure) and positive_formulas(law, level):
+        if law.of_volume and positive_formulas(law, level):
             return _Part((), Proof(0, failure=NOWHERE))
     # a point in dispute stands against any proof
     outcome = NOTHING if disputed else proof(law, level, sample, budget, attained)
@@ -301,10 +300,10 @@ def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:
 
     Time must run forward, and the parameters of the target must be admissible.
     """
-    if not isinstance(law, Isomorphism):
+    if not has_target(law):
         return ()
     admissible = tuple((text(c), str(c)) for c in open_conditions(law, level))
-    if level.sign(to_components(law.time)) is Sign.POSITIVE:
+    if level.sign(law.scalar.time) is Sign.POSITIVE:
         return admissible
     return admissible + tuple(
         (f"{what} > 0", f"{formula} > 0")
@@ -315,7 +314,7 @@ def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:
 
 def _remark(law: Law, level: LevelSet, first: Trial | None) -> str:
     """A remark on a law that holds: where a density is real, or that it is trivial."""
-    if isinstance(law, Measure):
+    if law.of_volume:
         return _of_density(law, level)
     try:
         said = first is not None and remark(law, level, first.field)
@@ -328,7 +327,7 @@ def _symbols(level: LevelSet) -> FunctionField:
     return level.fractions(FunctionField, 32, None, Budget())
 
 
-def _of_density(law: Measure, level: LevelSet) -> str:
+def _of_density(law: Law, level: LevelSet) -> str:
     real = [
         f"{text(formula)} > 0"
         for _, formula in positive_formulas(law, level)
@@ -369,8 +368,6 @@ def _refutation(law: Law, failed_part: _Part, parts: list[_Part]) -> Verdict:
 
 
 def _words(law: Law, count: int, parts: int) -> str:
-    kind = {Isomorphism: "carried onto the target", PoissonStructure: "Jacobi identity"}
-    extra = next((words for cls, words in kind.items() if isinstance(law, cls)), "")
     many = "1 residual is" if count == 1 else f"{count} residuals are"
     on = f" on {parts} components" if parts > 1 else ""
-    return f"{many} zero modulo the relations{on}" + (f" ({extra})" if extra else "")
+    return f"{many} zero modulo the relations{on}" + (f" ({law.included})" if law.included else "")

@@ -17,13 +17,14 @@ from certificate_checker.claim.parsing import parse
 from flowlanes.formulas.errors import OutOfReachError, UnknownSymbolError
 from flowlanes.formulas.jets import Evaluator, Jet
 from flowlanes.system.formula_text import short_text
-from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.laws import Identity, Law, Rate, Reduction
+from flowlanes.system.laws import Law, Rate
 
+from .fields.field import dot
 from .fields.quotient_ring import Element
 from .fields.unreduced_fields import UnreducedField
 from .level.level_set import LevelSet
 from .level.named_formulas import quantities_in_order
+from .level.target_conditions import has_target
 from .residuals import target_state
 
 #: Formula, where it stands ("own" or "target"), its value, and whether it must be positive.
@@ -64,7 +65,7 @@ def divisors(
 
 def _own(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
     """Values with derivatives along the motion, and without, which may be written otherwise."""
-    quantities = quantities_in_order(law, level) if isinstance(law, Reduction | Identity) else {}
+    quantities = quantities_in_order(law, level)
     evaluators = (level.along(field), level.evaluator(field), level.partial(field))
     return [_value(level, quantities, e.with_steps(quantities)) for e in evaluators]
 
@@ -80,7 +81,7 @@ def _value(level: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: E
 
 
 def _target(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
-    if not isinstance(law, Isomorphism):
+    if not has_target(law):
         return []
     along = level.along(field)
     seeds = {s: Jet(jet.value, {}) for s, jet in target_state(law, level, along).items()}
@@ -99,16 +100,9 @@ def _volumes(level: LevelSet, field: UnreducedField) -> Iterator[Element]:
     partial = level.partial(field)
     symbols = level.system.symbols
     normals = [[partial.value(sp.diff(c, s)) for s in symbols] for c in level.moving]
-    rows = [[_dot(field, a, b) for b in normals] for a in normals]
+    rows = [[dot(field.zero, a, b) for b in normals] for a in normals]
     for size in range(1, len(rows) + 1):
         yield _determinant(field, [row[:size] for row in rows[:size]])
-
-
-def _dot(field: UnreducedField, first: Sequence[Element], second: Sequence[Element]) -> Element:
-    total = field.zero
-    for a, b in zip(first, second, strict=True):
-        total = total + a * b
-    return total
 
 
 def _determinant(field: UnreducedField, rows: Sequence[Sequence[Element]]) -> Element:

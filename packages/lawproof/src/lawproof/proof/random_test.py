@@ -11,8 +11,7 @@ from flint import arb, fmpq
 
 from flowlanes.formulas.errors import NotExactError, OutOfReachError
 from flowlanes.formulas.number_fields import Balls, Rationals
-from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.laws import Law, Measure
+from flowlanes.system.laws import Law
 
 from .fields.field import Field, FieldElement
 from .level.level_set import Draw, LevelSet
@@ -23,7 +22,7 @@ from .level.sample_points import (
     number_of_any_magnitude,
     small_number,
 )
-from .level.target_conditions import is_admissible_target
+from .level.target_conditions import has_target, is_admissible_target
 from .rank import rank_defect
 from .residuals import Residuals, condition_rates, conditions_are_independent, in_words, residuals
 
@@ -92,7 +91,7 @@ def trials(
 
 def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:
     """A point of the domain at which the time of an isomorphism does not run forward."""
-    if not isinstance(law, Isomorphism):
+    if not has_target(law):
         return None
 
     def trial_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
@@ -142,12 +141,12 @@ def _first(
 def _trial_at(
     law: Law, level: LevelSet, field: Rationals | Balls, values: Mapping[str, fmpq | arb]
 ) -> Trial:
-    if isinstance(law, Isomorphism | Measure) and unmet_conditions(law, level, field):
+    if unmet_conditions(law, level, field):
         # the law makes no sense here
         raise ZeroDivisionError
     if not is_admissible_target(law, level, field):
         raise ZeroDivisionError
-    if isinstance(law, Measure) and not conditions_are_independent(level, field):
+    if law.of_volume and not conditions_are_independent(level, field):
         raise ZeroDivisionError
     for name, residual in all_residuals(law, level, field):
         if not field.vanishes(residual):

@@ -25,7 +25,6 @@ from flowlanes.system.laws import (
     Reduction,
     Separation,
 )
-from flowlanes.system.vectors import to_components
 
 from .fields.field import Field, FieldElement
 from .level.alternatives import alternatives
@@ -98,7 +97,7 @@ def _(law: PoissonStructure, level: LevelSet, field: Field) -> tuple[str, str] |
 
 @rank_defect.register
 def _(law: ConformallyHamiltonian, level: LevelSet, field: Field) -> tuple[str, str] | None:
-    multiplier = level.evaluator(field).value(to_components(law.multiplier))
+    multiplier = level.evaluator(field).value(law.scalar.multiplier)
     if field.vanishes(multiplier):
         if not field.exact:
             raise OutOfReachError("with balls it is not certain that the multiplier is not zero")

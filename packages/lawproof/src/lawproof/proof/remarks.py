@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import singledispatch
 
 from flowlanes.system.laws import Integral, Law, Reduction, Symmetry
-from flowlanes.system.vectors import to_components
 
 from .fields.field import Field
 from .level.closedness import up_to_time
@@ -32,7 +31,7 @@ def _(law: Integral, level: LevelSet, field: Field) -> str:
     """Whether the function is constant, so that it distinguishes no motions."""
     partial = level.partial(field)
     size = len(level.system.symbols)
-    formulas = [*level.moving, level.without_rates(to_components(law.value))]
+    formulas = [*level.moving, level.without_rates(law.scalar.value)]
     slopes = [partial(formula).slopes for formula in formulas]
     rows = [[s.get(i, field.zero) for i in range(size)] for s in slopes]
     same = rank(field, rows) == rank(field, rows[:-1])

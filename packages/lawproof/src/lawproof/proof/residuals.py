@@ -29,11 +29,11 @@ from flowlanes.system.laws import (
     Separation,
     Symmetry,
 )
-from flowlanes.system.vectors import to_components
+from flowlanes.system.named_formulas import scalars
 
-from .fields.field import Field, FieldElement
+from .fields.field import Field, FieldElement, dot
 from .level.level_set import LevelSet
-from .level.named_formulas import components, quantities_in_order, scalars
+from .level.named_formulas import components, quantities_in_order
 from .level.separability import separation_residuals
 
 Row: TypeAlias = Sequence[FieldElement]
@@ -75,7 +75,7 @@ def condition_rates(level: LevelSet, field: Field) -> Residuals:
 
 @residuals.register
 def _(law: Integral, level: LevelSet, field: Field) -> Residuals:
-    yield "v(F)", level.along(field).slope(level.without_rates(to_components(law.value)))
+    yield "v(F)", level.along(field).slope(level.without_rates(law.scalar.value))
 
 
 @residuals.register
@@ -94,8 +94,8 @@ def _(law: Identity, level: LevelSet, field: Field) -> Residuals:
 def _(law: Reduction, level: LevelSet, field: Field) -> Residuals:
     quantities = quantities_in_order(law, level)
     evaluate = level.along(field).with_steps(quantities)
-    for i, equation in enumerate(law.equations, 1):
-        formula = level.without_second_rates(to_components(equation), quantities)
+    for i, equation in enumerate(law.scalar.equations, 1):
+        formula = level.without_second_rates(equation, quantities)
         yield f"equation {i}", evaluate.value(formula)
 
 
@@ -117,9 +117,9 @@ def _(law: Measure, level: LevelSet, field: Field) -> Residuals:
     total = field.zero
     for i, rate in enumerate(rates):
         total = total + _slope(field, rate, i)
-    for base, exponent in law.density:
+    for base, exponent in law.scalar.density:
         inner, power = (
-            partial(level.without_rates(to_components(base))),
+            partial(level.without_rates(base)),
             partial(sp.sympify(exponent)),
         )
         if power.slopes:
@@ -164,8 +164,8 @@ def _transverse(
         normals.append([slope.value for slope in slopes])
         drifts.append([_slope(field, drift, i) for i in range(len(symbols))])
     moving = [i for i, row in enumerate(drifts) if not all(field.vanishes(x) for x in row)]
-    gram = [[_product(field, a, b) for b in normals] for a in normals]
-    right = [[_product(field, drifts[i], normal) for i in moving] for normal in normals]
+    gram = [[dot(field.zero, a, b) for b in normals] for a in normals]
+    right = [[dot(field.zero, drifts[i], normal) for i in moving] for normal in normals]
     # where nothing moves it still has to be seen that there is a volume
     solution = _solution(field, gram, right)
     total = field.zero
@@ -181,19 +181,12 @@ def conditions_are_independent(level: LevelSet, field: Field) -> bool:
         [partial(sp.diff(condition, s)).value for s in level.system.symbols]
         for condition in level.volume_conditions
     ]
-    gram = [[_product(field, a, b) for b in normals] for a in normals]
+    gram = [[dot(field.zero, a, b) for b in normals] for a in normals]
     try:
         _solution(field, gram, [[] for _ in gram])
     except NoVolumeError:
         return False
     return True
-
-
-def _product(field: Field, first: Row, second: Row) -> FieldElement:
-    total = field.zero
-    for a, b in zip(first, second, strict=True):
-        total = total + a * b
-    return total
 
 
 def _solution(
@@ -267,8 +260,8 @@ def _(law: PoissonStructure, level: LevelSet, field: Field) -> Residuals:
             for number, slope in entries[b][c].slopes.items():
                 total = total + values[a][number] * slope
         yield f"Jacobi identity {i + 1}, {j + 1}, {k + 1}", total
-    for casimir in law.casimirs:
-        function = partial(level.without_rates(to_components(casimir)))
+    for casimir, scalar in zip(law.casimirs, law.scalar.casimirs, strict=True):
+        function = partial(level.without_rates(scalar))
         yield from _casimir(field, casimir, function, values)
     if law.rank is not None:
         for rows in combinations(range(size), law.rank + 2):
@@ -301,8 +294,8 @@ def _(law: ConformallyHamiltonian, level: LevelSet, field: Field) -> Residuals:
     yield from residuals(law.structure, level, field)
     partial = level.partial(field)
     size = len(level.system.symbols)
-    gradient = partial(level.without_rates(to_components(law.hamiltonian))).slopes
-    multiplier = partial.value(to_components(law.multiplier))
+    gradient = partial(level.without_rates(law.scalar.hamiltonian)).slopes
+    multiplier = partial.value(law.scalar.multiplier)
     for i, rate in enumerate(level.system.rates):
         total = field.zero
         for j in range(size):
@@ -324,11 +317,12 @@ def _(law: Isomorphism, level: LevelSet, field: Field) -> Residuals:
         yield f"rate of {symbol}", along.slope(formula)
     given = {s: Jet(jet.value, {}) for s, jet in target_state(law, level, along).items()}
     there = Evaluator(field, given.get, dict(target.scalar_definitions))
-    for relation in target.relations:
-        yield f"{relation} in {target.name}", there.value(to_components(relation))
-    for condition in law.onto:
-        yield f"{condition} in {target.name}", there.value(to_components(condition))
-    speed = along.value(to_components(law.time))
+    stated = zip(
+        (*target.relations, *law.onto), (*target.scalar.relations, *law.scalar.onto), strict=True
+    )
+    for condition, scalar in stated:
+        yield f"{condition} in {target.name}", there.value(scalar)
+    speed = along.value(law.scalar.time)
     for symbol, rate in zip(target.symbols, target.rates, strict=True):
         yield f"rate of {symbol}", along.slope(images[symbol]) - speed * there.value(rate)
 
@@ -364,7 +358,7 @@ def target_state(law: Isomorphism, level: LevelSet, evaluate: Evaluator) -> dict
         constants[symbol] = symbol
     theirs = {*images, *constants, *(s for s, _ in target.scalar_definitions)}
     state = set(level.system.symbols)
-    beside = {s for condition in law.onto for s in to_components(condition).free_symbols} - theirs
+    beside = {s for condition in law.scalar.onto for s in condition.free_symbols} - theirs
     if turning := {s for s in beside if level.expand(s).free_symbols & state}:
         raise InputError(
             f"the law {law.name!r}: its level of {target.name} uses "

@@ -13,7 +13,7 @@ from flowlanes.system.formula_text import short_text
 from flowlanes.system.laws import Identity, Integral, Law, Rate
 from flowlanes.system.named_formulas import needed_steps
 from flowlanes.system.system import System, Theorem
-from flowlanes.system.vectors import real_symbol, to_components
+from flowlanes.system.vectors import real_symbol
 
 from .claim_text import Text, claim_text
 from .power_theorem import PowerTheorem
@@ -50,7 +50,7 @@ def identities_of(theorem: Theorem, system: System, law: Law) -> tuple[System, .
 
 def _applies(theorem: PowerTheorem, system: System, law: Law) -> bool:
     """Whether the velocities of a theorem are those of a system, and its conditions hold there."""
-    relations = {to_components(c) for c in system.relations}
+    relations = set(system.scalar.relations)
     known = {*theorem.constraints, *(relation for relation, _ in theorem.positions)}
     return (
         not law.on
@@ -61,7 +61,7 @@ def _applies(theorem: PowerTheorem, system: System, law: Law) -> bool:
 
 def rates_text(theorem: PowerTheorem, system: System) -> Text:
     """The linear equations of the rates as the text of a certificate."""
-    relations = [to_components(c) for c in system.relations]
+    relations = list(system.scalar.relations)
     known = {*system.symbols, *system.defaults}
     known |= {s for s, _ in (*system.scalar_definitions, *theorem.definitions)}
     return {
@@ -111,13 +111,13 @@ def power_identity(theorem: PowerTheorem, system: System, law: Integral) -> Syst
         velocity * (_product(row, a) - force)
         for velocity, row, force in zip(u, theorem.mass, theorem.force, strict=True)
     ]
-    values = [Rate(to_components(law.value)) - sp.Add(*terms)]
+    values = [Rate(law.scalar.value) - sp.Add(*terms)]
     constraints = zip(
         theorem.slopes, theorem.degrees, theorem.drift, theorem.constraints, strict=True
     )
     for row, degree, drift, f in constraints:
         values += [_product(row, u) - degree * f, Rate(f) - _product(row, a) + drift]
-    here = {to_components(c) for c in system.relations}
+    here = set(system.scalar.relations)
     values += [Rate(relation) - rate for relation, rate in theorem.positions if relation in here]
     data = [*_entries(theorem), *values]
     places = _unknown(data, definitions, {*known, *a})

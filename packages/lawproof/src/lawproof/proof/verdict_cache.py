@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import logging
 from collections.abc import Mapping
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -48,8 +49,8 @@ def _statement(value: object) -> object:
         case Theorem():
             return tuple(_statement(v) for v in vars(value).values() if not callable(v))
         case Law():
-            fields = {name: v for name, v in vars(value).items() if name not in FOR_THE_READER}
-            return (type(value), _statement(fields))
+            names = [f.name for f in fields(value) if f.name not in FOR_THE_READER]
+            return (type(value), _statement({name: getattr(value, name) for name in names}))
         case Mapping():
             return {key: _statement(item) for key, item in value.items()}
         case tuple() | list():

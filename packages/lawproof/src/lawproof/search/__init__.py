@@ -1,7 +1,7 @@
-"""The search for laws: integrals, measures and symmetries, from the equations alone.
+"""Search for laws: integrals, measures and symmetries, from the equations alone.
 
-A question names an ansatz; its linear algebra is done modulo a large prime at random points of
-the phase space, and what is found there becomes a formula in the parameters and is proven.
+A question names an ansatz.  Its linear algebra is done modulo a large prime at random points of the
+phase space; a solution is converted to a formula in the parameters and proved.
 
 >>> from nonholonomic.catalogue import from_catalogue
 >>> from lawproof.search import search_request, integrals

@@ -1,4 +1,4 @@
-"""The polynomials among which a law is searched for, and the cost of searching them all."""
+"""The polynomials among which laws are searched, and the cost of the search."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Ansatz:
         )
 
     def check(self, components: int = 1) -> None:
-        """Refuse an ansatz that does not fit into memory.
+        """Raise an error if an ansatz does not fit into memory.
 
         Parameters
         ----------
@@ -88,9 +88,9 @@ class Table:
 
 
 def default_momenta(system: System) -> tuple[tuple[sp.Symbol, ...], ...]:
-    """The momentum-like quantities: M or ω of the state, and ω beside M where it is defined.
+    """The momentum-like quantities: M or ω of the state, and also ω if it is defined beside M.
 
-    Where there is neither, the first vector of the state; where there is none, all of it.
+    If there is neither, the first vector of the state; if there is no vector, the whole state.
     """
     named = (*system.state, *(name for name, _ in system.definitions))
     vectors = {v.name: v.symbols for v in named if isinstance(v, Vector)}
@@ -117,7 +117,7 @@ def _exponents(variables: int, degree: int) -> list[Exponents]:
 def rates_of_products(
     left: tuple[Integers, Integers], right: tuple[Integers, Integers]
 ) -> tuple[Integers, Integers]:
-    """Values and rates of all products of two families, each with leading axes of its own."""
+    """Values and rates of all products of two families, each with its own leading axes."""
     (value, rate), (other, change) = left, right
     return (value * other % prime(), (value * change % prime() + rate * other) % prime())
 

@@ -1,4 +1,4 @@
-"""Polynomials that suggest themselves: denominators of a field, (γ, Jγ), factors of relations."""
+"""Candidate factors of laws: denominators of a field, (γ, Jγ), factors of relations."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import Inverse, MatPow
 
-from flowlanes.system.vectors import Diagonal, Symmetric, dot, to_components
+from flowlanes.system.vectors import Diagonal, Symmetric, dot
 
 from .modular_jets import Integers, inverse, prime
 from .vector_invariants import VectorInvariants
@@ -19,18 +19,17 @@ _POINTS = 12
 def natural_divisors(vocabulary: VectorInvariants) -> tuple[sp.Expr, ...]:
     """Functions of the coordinates by which integrals are often divided.
 
-    These are the factors of denominators, the principal values of tensors that vary, and
-    (γ, Jγ), (γ, J⁻¹γ) for the constant tensors; none is constant along all motions, no two are
-    proportional.
+    These are the factors of denominators, the principal values of varying tensors, and (γ, Jγ), (γ,
+    J⁻¹γ) for the constant tensors; none is constant along all motions, and no two are proportional.
     """
     return tuple(_distinct(vocabulary, _candidates(vocabulary), _places(vocabulary)))
 
 
 def natural_bases(vocabulary: VectorInvariants) -> tuple[sp.Expr, ...]:
-    """Functions of whose powers densities are often made.
+    """Functions whose powers often occur in densities.
 
-    They are the divisors, single variables, and the factors of relations, which change the volume
-    that these cut out.
+    They are the divisors, single variables, and the factors of relations, which affect the volume
+    on the phase space.
     """
     symbols = vocabulary.space.system.symbols
     named = {n for n, _ in vocabulary.space.system.definitions if isinstance(n, sp.Symbol)}
@@ -48,7 +47,7 @@ def _places(vocabulary: VectorInvariants) -> set[sp.Symbol]:
 def _distinct(
     vocabulary: VectorInvariants, candidates: Iterable[sp.Expr], symbols: set[sp.Symbol]
 ) -> Iterator[sp.Expr]:
-    """Formulas that vary, use allowed symbols alone, and are not proportional."""
+    """Formulas that vary, use only allowed symbols, and are pairwise not proportional."""
     space = vocabulary.space
     sample = space.sample(_POINTS, 7, common=True)
     others = [i for i, s in enumerate(space.system.symbols) if s not in symbols]
@@ -93,7 +92,7 @@ def _denominators(formula: sp.Basic) -> Iterator[sp.Expr]:
             if isinstance(tensor, Diagonal):
                 yield from tensor.symbols
             elif isinstance(tensor, Symmetric):
-                yield to_components(tensor).det(method="berkowitz")
+                yield tensor.entries.det(method="berkowitz")
         elif isinstance(node, sp.Pow) and node.exp.is_negative:
             for factor in sp.Mul.make_args(node.base):
                 yield factor.base if isinstance(factor, sp.Pow) else factor

@@ -1,4 +1,4 @@
-"""Formulas as a user types them for a search: ``M·γ``, ``(γ, J γ) - 1``, ``k = -1``."""
+"""Parse formulas that a user types for a search: ``M·γ``, ``(γ, J γ) - 1``, ``k = -1``."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _PLAIN = str.maketrans(
 
 
 def code_spelling(text: str) -> str:
-    """The text with Greek letters, indices and powers as they are spelt in code."""
+    """The text with Greek letters, indices and powers converted to code spelling."""
     words = []
     for character in text.translate(_PLAIN):
         name = unicodedata.name(character, "")
@@ -110,7 +110,7 @@ def _read(text: str, system: System, names: Mapping[str, sp.Symbol], where: str)
 
 
 def formula(text: str, system: System, where: str = "") -> sp.Expr:
-    """A scalar formula in state, definitions and parameters; ``F = G`` stands for F − G.
+    """A scalar formula in state, definitions and parameters; ``F = G`` means F − G.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def condition(text: str, system: System, where: str = "") -> sp.Expr:
 
 
 def quantities(names: str, system: System, where: str = "") -> tuple[sp.Expr, ...]:
-    """The scalars of vectors and scalars given by name, and formulas, separated by commas.
+    """The scalars of a comma-separated list of names (of vectors and scalars) and formulas.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The search for first integrals."""
+"""Search for first integrals."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _SEED = 20080830
 
 @arguments_checked
 def integrals(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:
-    """First integrals of the form P/Qˢ with P polynomial and Q a divisor, one after the other.
+    """First integrals of the form P/Qˢ with a polynomial P and a divisor Q, one after the other.
 
     An integral that is a polynomial in earlier ones and functions of the parameters is not
     repeated.  Each comes with the verdict of the prover.
@@ -97,7 +97,7 @@ def _divisions(question: Question) -> list[tuple[sp.Expr, int]]:
 
 @dataclass(frozen=True)
 class _Shell:
-    """Polynomials up to one degree in the momenta of an ansatz, over a power of a divisor."""
+    """Polynomials up to one degree in the momenta of an ansatz, divided by a power of a divisor."""
 
     ansatz: Ansatz
     degree: int
@@ -107,7 +107,7 @@ class _Shell:
 
 @dataclass
 class _KnownIntegrals:
-    """Integrals found so far, by their values at the points of the common sample."""
+    """The integrals found so far, by their values at the points of the common sample."""
 
     values: list[tuple[int, Integers]] = field(default_factory=list)
 
@@ -130,7 +130,7 @@ class _KnownIntegrals:
 
 
 class _Search:
-    """One search: the common sample, what is known, and the vocabulary of formulas."""
+    """One search: the common sample, the known integrals, and the vocabulary of formulas."""
 
     def __init__(self, question: Question) -> None:
         self.question = question
@@ -148,27 +148,27 @@ class _Search:
     # --- one shell -------------------------------------------------------------------------
 
     def simple(self, degree: int) -> Iterator[SearchResult]:
-        """Integrals that are simple vector formulas, whether or not they are polynomials."""
+        """Integrals that are simple vector formulas, polynomial or not."""
         plain = _Shell(self.question.ansatz, degree, sp.S.One, 0)
         for size in range(min(_SIMPLE, self.question.parameter_degree) + 1):
             for law in self._new_laws(self._vectorial(plain, size, _FEW), degree):
                 yield self._finding(law, degree)
 
     def findings(self, shell: _Shell) -> Iterator[SearchResult]:
-        """Integrals of one shell that do not follow from those found before."""
+        """Integrals of one shell that do not follow from earlier ones."""
         exponents, value, rate = self._monomials(shell)
         over, change = _divisor_power(self.sample, shell)
         few = len(value) + _SPARE
         kernel = nullspace((rate - value * change)[:, :few].T % prime())
         candidates = product(kernel, value) * over % prime()
-        if not self._fresh(candidates, shell.degree):
+        if not self._not_spanned(candidates, shell.degree):
             return
         for law in self._covariant(shell, candidates):
             yield self._finding(law, shell.degree)
-        fresh = self._fresh(candidates, shell.degree)
+        fresh = self._not_spanned(candidates, shell.degree)
         for law in self._componentwise(shell, [kernel[i] for i in fresh], exponents, candidates):
             yield self._finding(law, shell.degree)
-        left = self._fresh(candidates, shell.degree)
+        left = self._not_spanned(candidates, shell.degree)
         if left:
             self.known_integrals.values += [(shell.degree, candidates[i]) for i in left]
             yield SearchResult(
@@ -200,8 +200,8 @@ class _Search:
     def _products(self, degree: int) -> Integers:
         return self.known_integrals.products(degree, self.question.ansatz.gamma_degree, self.points)
 
-    def _fresh(self, functions: Integers, degree: int) -> list[int]:
-        """Which functions do not depend linearly on products of known integrals."""
+    def _not_spanned(self, functions: Integers, degree: int) -> list[int]:
+        """The functions that do not depend linearly on products of known integrals."""
         products = self._products(degree)
         self.full = self.full or len(products) + len(functions) + _SPARE > self.points
         if self.full or not len(functions):
@@ -218,11 +218,11 @@ class _Search:
         for size in range(self.question.parameter_degree + 1):
             for way in dict.fromkeys((plain, shell)):
                 yield from self._new_laws(self._vectorial(way, size, _MANY), shell.degree)
-                if not self._fresh(functions, shell.degree):
+                if not self._not_spanned(functions, shell.degree):
                     return
 
     def _vectorial(self, shell: _Shell, size: int, most: int) -> list[sp.Expr]:
-        """Vector formulas of one degree in the parameters, with at most so many unknowns."""
+        """Vector formulas of one degree in the parameters, with a bounded number of unknowns."""
         scalars = self.vocabulary.scalars
         parts = self.vocabulary.parts(
             shell.degree,
@@ -249,12 +249,12 @@ class _Search:
                     weight = weight_of(symbols, powers, self.weights)
                     parts.append(Part(formula, weight, sum(powers)))
             for size in range(self.question.parameter_degree + 1):
-                before = len(self._fresh(functions, shell.degree))
+                before = len(self._not_spanned(functions, shell.degree))
                 if len(parts) * comb(len(scalars.formulas) + size, size) > _MANY:
                     break
                 laws = self._laws_over_parameters(parts, scalars, size, shell)
                 yield from self._new_laws(laws, shell.degree)
-                if len(self._fresh(functions, shell.degree)) < before:
+                if len(self._not_spanned(functions, shell.degree)) < before:
                     break
 
     def _laws_over_parameters(
@@ -277,9 +277,9 @@ class _Search:
         return [_formula(solution, parts, scalars) / divisor for solution in solutions]
 
     def _new_laws(self, laws: Sequence[sp.Expr], degree: int) -> Iterator[sp.Expr]:
-        """The laws that are new; from now on they are known."""
+        """The laws that are new; they are added to the known ones."""
         waiting = [(law, self.sample(law).value) for law in laws]
-        while fresh := self._fresh(np.array([value for _, value in waiting]), degree):
+        while fresh := self._not_spanned(np.array([value for _, value in waiting]), degree):
             (law, value), *waiting = (waiting[i] for i in fresh)
             self.known_integrals.values.append((degree, value))
             if self._independent(law):
@@ -289,7 +289,7 @@ class _Search:
                 return
 
     def _independent(self, law: sp.Expr) -> bool:
-        """Whether the gradient of a law does not depend on those of earlier ones."""
+        """Whether the gradient of a law is independent of those of earlier ones."""
         formulas = [*self.space.relations, *self.formulas, law]
         gradients = np.array([self.sample(f).slope[:, 0] for f in formulas])
         return rank(gradients) > rank(gradients[:-1])
@@ -305,7 +305,7 @@ class _Search:
         )
 
     def _catalogue_name(self, formula: sp.Expr, degree: int) -> str:
-        """The law of the catalogue that a formula repeats, up to earlier integrals."""
+        """The law of the catalogue that a formula repeats, modulo earlier integrals."""
         products = self._products(max(degree, 2))
         value = self.sample(formula).value
         others = [row for row in products if (row != value).any()]
@@ -313,7 +313,7 @@ class _Search:
             try:
                 text = self.sample(law.value)
             except InputError:
-                # its functions are beyond the search, and so it is nothing found here
+                # Its functions are beyond the search, so it does not count as found.
                 continue
             if self.sample.along(text).any():
                 continue
@@ -332,7 +332,7 @@ def _divisor_power(sample: Sample, shell: _Shell) -> tuple[Integers, Integers]:
 
 
 def _formula(solution: RationalLaw, parts: Sequence[Part], scalars: Scalars) -> sp.Expr:
-    """A solution written with coprime integers, its simplest term positive."""
+    """A solution with coprime integer coefficients and a positive simplest term."""
     numbers = [number for number, _, _ in solution.terms]
     simplest = min(
         solution.terms, key=lambda term: (scalars.effort(term[1]), parts[term[2]].effort)

@@ -1,7 +1,7 @@
-"""The search for invariant measures whose density is a product of powers.
+"""Search for invariant measures whose density is a product of powers.
 
-With ρ = ∏ bᵢ^eᵢ the equation div(ρv) = 0 reads Σ eᵢ v(bᵢ)/bᵢ = −div v: it is linear in the
-exponents.  The divergence is that of the phase space which the relations cut out.
+With ρ = ∏ bᵢ^eᵢ the equation div(ρv) = 0 reads Σ eᵢ v(bᵢ)/bᵢ = −div v, which is linear in the
+exponents. The divergence is that on the phase space defined by the relations.
 """
 
 from __future__ import annotations
@@ -34,8 +34,7 @@ _SEED = 20080830
 def measures(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:
     """Invariant measures with a density made of powers of the bases of the question.
 
-    The simplest are tried first; the search ends with the first number of factors for which
-    there is one.
+    The simplest are tried first; the search ends with the smallest number of factors that succeeds.
 
     Parameters
     ----------
@@ -116,15 +115,15 @@ def _catalogue_name(space: SearchSpace, law: Measure) -> str:
     """The measure of the catalogue whose density has the same logarithmic rate."""
     sample = space.sample(_POINTS, _SEED + _SETS, common=False)
     target = _divergence(space, sample)
-    for other in space.system.laws:
-        if isinstance(other, Measure) and not set(other.on) - set(space.on):
+    for other in space.system.laws_of(Measure):
+        if not set(other.on) - set(space.on):
             total = target
             try:
                 for base, exponent in other.density:
                     rate = _logarithmic(sample, base)
                     total = (total + rate * sample(sp.sympify(exponent)).value) % prime()
             except InputError:
-                # its functions are beyond the search, and so it is nothing found here
+                # Its functions are beyond the search, so it does not count as found.
                 continue
             if not total.any():
                 return f"{other.name}, {other.source}" if other.source else other.name
@@ -139,7 +138,7 @@ def _logarithmic(sample: Sample, base: sp.Expr) -> Integers:
 def _divergence(space: SearchSpace, sample: Sample) -> Integers:
     """div v for the volume on the phase space, at the points of a sample.
 
-    On the phase space v(Rᵢ) = Σ Cᵢⱼ Rⱼ; cutting out the volume takes the trace of C away.
+    On the phase space v(Rᵢ) = Σ Cᵢⱼ Rⱼ; the induced volume has the divergence div v − tr C.
     """
     total = np.zeros_like(sample.field[0])
     for index, rate in enumerate(sample.rates):
@@ -161,7 +160,7 @@ def _divergence(space: SearchSpace, sample: Sample) -> Integers:
 
 
 def _rate(space: SearchSpace, relation: sp.Expr) -> sp.Expr:
-    """v(R) as a formula, definitions inside R written out."""
+    """v(R) as a formula, with definitions inside R substituted."""
     system = space.system
     formula = system.expand(relation)
     return sp.Add(
@@ -174,7 +173,7 @@ def _exponent(
 ) -> sp.Expr | None:
     """The number, or simple function of the parameters, with these residues at the samples.
 
-    Tried are q, and q₀ + q₁ f for f one of s, 1/s and s/t with parameters or constants s, t.
+    Candidates are q, and q₀ + q₁ f for f one of s, 1/s and s/t with parameters or constants s, t.
     """
     first = rational(residues[0], prime())
     if first is not None and all(rational(r, prime()) == first for r in residues):

@@ -1,9 +1,9 @@
 """Formulas evaluated at many points at once in the integers modulo a large prime.
 
-A `Jet` holds the values of a formula at N points and its derivatives there.  Arithmetic modulo
-a prime below 2³¹ is exact and fits 64-bit integers, so that NumPy does all points in one stroke;
-what holds at random points of a field so large holds identically, but for a chance of one in
-millions.
+A `Jet` holds the values of a formula at N points and its derivatives there.  Arithmetic modulo a
+prime below 2³¹ is exact and fits 64-bit integers, so NumPy processes all points at once.  An
+equation that holds at random points of so large a field holds identically, except with a
+probability of about one in a million (Schwartz and Zippel).
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.formulas.evaluation import Evaluation
 from flowlanes.parsing.exact_decimals import exact_number
-from flowlanes.system.named_formulas import expand
-from flowlanes.system.vectors import Dot, to_components
+from flowlanes.system.named_formulas import expand, scalars
+from flowlanes.system.vectors import Dot
 
 PRIMES = (2_147_483_647, 2_147_483_587, 2_147_483_579, 2_147_483_563)
 """Moduli; they leave the remainder 3 on division by 4, which makes square roots easy."""
@@ -43,7 +43,7 @@ def prime() -> int:
 
 @contextmanager
 def modulo(number: int) -> Iterator[None]:
-    """Compute modulo another of the primes for a while."""
+    """Use another prime within a context."""
     token = _MODULUS.set(number)
     try:
         yield
@@ -63,12 +63,12 @@ def power(base: Integers, exponent: int) -> Integers:
 
 
 def inverse(values: Integers) -> Integers:
-    """The reciprocals modulo the prime; 0 is carried to 0."""
+    """The reciprocals modulo the prime; 0 is mapped to 0."""
     return power(values, prime() - 2)
 
 
 def square_root(values: Integers) -> tuple[Integers, Truths]:
-    """A square root modulo the prime, and where there is one."""
+    """A square root modulo the prime, and a mask where it exists."""
     root = power(values, (prime() + 1) // 4)
     return root, root * root % prime() == values
 
@@ -109,7 +109,7 @@ class Jet:
 
 
 def _factors(formula: sp.Expr) -> dict[sp.Expr, sp.Expr]:
-    """Factors with their exponents, of numbers the primes; signs are left out."""
+    """Prime factors with exponents, ignoring the sign."""
     if sp.count_ops(formula) <= _SIMPLE:
         formula = sp.factor(formula)
     powers: dict[sp.Expr, sp.Expr] = {}
@@ -125,7 +125,7 @@ def _factors(formula: sp.Expr) -> dict[sp.Expr, sp.Expr]:
 
 
 class Evaluator(Evaluation[Jet]):
-    """Formulas in given symbols, evaluated once each.
+    """Formulas in given symbols, each evaluated once.
 
     Parameters
     ----------
@@ -192,9 +192,9 @@ class Evaluator(Evaluation[Jet]):
     def _function(self, formula: sp.Expr) -> Jet:
         match formula:
             case Dot():
-                return self(to_components(formula))
+                return self(formula.explicit())
             case sp.NumberSymbol():
-                # transcendental: any number will do that has roots
+                # Transcendental functions: any number that has roots can represent the value.
                 return self.constant(pow(int(1000 * sp.N(formula)), 2 * _WILD, prime()))
             case sp.exp():
                 inner = self(formula.args[0])
@@ -215,18 +215,18 @@ class Evaluator(Evaluation[Jet]):
         )
 
     def _logarithm(self, argument: sp.Expr) -> Jet:
-        """log |f|: a sum over the factors of f of functions that depend on them wildly."""
+        """log |f|: a sum over the factors of f of pseudo-random functions of them."""
         total = self.constant(0)
-        for base, exponent in _factors(expand(to_components(argument), self._definitions)).items():
+        for base, exponent in _factors(expand(scalars(argument)[0], self._definitions)).items():
             jet = self(base)
             self.good &= jet.value != 0
-            # even, as a factor is known up to its sign alone
+            # Even, since a factor is known only up to its sign.
             value = power(jet.value * jet.value % prime(), _WILD)
             total = total + self(exponent) * jet.compose(value, inverse(jet.value))
         return total
 
     def _circular(self, formula: sp.Expr) -> Jet:
-        """Sine or cosine of an angle: a point of the circle that depends on the angle wildly."""
+        """Sine or cosine of an angle: coordinates of a pseudo-random point of the circle."""
         expanded = sp.expand_trig(formula)
         if expanded != formula:
             return self(expanded)
@@ -241,7 +241,7 @@ class Evaluator(Evaluation[Jet]):
         return angle.compose(cosine, -sine % prime())
 
     def _symbolic_power(self, base: sp.Expr, exponent: sp.Expr) -> Jet:
-        """Powers with exponents such as 2 − 1/k: wild functions of base and exponent."""
+        """Powers with exponents such as 2 − 1/k: pseudo-random functions of base and exponent."""
         product = self.constant(1)
         for term in sp.Add.make_args(sp.expand(exponent)):
             number, letters = term.as_coeff_Mul()

@@ -1,4 +1,4 @@
-"""Linear algebra modulo the prime, by FLINT, and the way back to rational numbers."""
+"""Linear algebra modulo the prime with FLINT, and rational reconstruction."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def _pivots(reduced: nmod_mat, rank_: int) -> list[int]:
 
 
 def independent_columns(values: Integers) -> list[int]:
-    """Indices of the columns that do not depend linearly on those before them."""
+    """Indices of the columns that are linearly independent of those before them."""
     if 0 in values.shape:
         return []
     return _pivots(*_matrix(values).rref())
@@ -42,7 +42,7 @@ def rank(values: Integers) -> int:
 
 
 def nullspace(values: Integers) -> Integers:
-    """A basis of the null space, one vector a row, each with an entry 1 that the others lack.
+    """A basis of the null space in rows; each vector has an entry 1 where the others have 0.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def product(left: Integers, right: Integers) -> Integers:
 
 
 def combination(columns: Integers, target: Integers) -> list[int] | None:
-    """Coefficients with columns · c = target modulo the prime; None where there are none."""
+    """Coefficients with columns · c = target modulo the prime; None if there are none."""
     stacked = np.concatenate([columns, target[:, None]], axis=1)
     kernel = nullspace(stacked)
     hits = [vector for vector in kernel if vector[-1]]
@@ -90,8 +90,7 @@ def combination(columns: Integers, target: Integers) -> list[int] | None:
 def rational(residue: int, modulus: int) -> Fraction | None:
     """The fraction with this residue whose numerator and denominator are small.
 
-    Both are at most √(modulus/4096), so that a residue taken at random rarely has one; None
-    where there is none.
+    Both are at most √(modulus/4096), so a random residue rarely has one; None if there is none.
     """
     bound = isqrt(modulus >> _MARGIN)
     r_0, r_1, t_0, t_1 = modulus, residue % modulus, 0, 1

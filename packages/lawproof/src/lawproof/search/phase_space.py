@@ -1,7 +1,7 @@
-"""The space of a search: a system, conditions on its parameters, a level; points.
+"""The domain of a search: a system, conditions on its parameters, a level; sample points.
 
-A sample is drawn modulo a large prime: parameters and state at random, then one variable of
-each relation from that relation, which is of degree one or two in it.
+A sample is drawn modulo a large prime: parameters and state at random, then one variable of each
+relation from that relation, which has degree one or two in it.
 """
 
 from __future__ import annotations
@@ -16,9 +16,8 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.printing.formula import text
 from flowlanes.system.arrays import BoolArray
-from flowlanes.system.named_formulas import by_dependence, definition_values
+from flowlanes.system.named_formulas import by_dependence, definition_values, scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components
 
 from .modular_jets import Evaluator, Integers, Jet, inverse, prime, square_root
 from .real_points import has_real_points
@@ -32,7 +31,7 @@ _MOST = 120
 
 @dataclass(frozen=True)
 class Sample:
-    """Points on the phase space, with everything known there.
+    """Points on the phase space, with all values and derivatives there.
 
     Attributes
     ----------
@@ -90,13 +89,13 @@ class SearchSpace:
 
     @cached_property
     def free(self) -> tuple[sp.Symbol, ...]:
-        """Parameters that the conditions leave free."""
+        """Parameters not determined by the conditions."""
         bound = {symbol for symbol, _ in self.substitutions}
         return tuple(p.symbol for p in self.system.parameters if p.symbol not in bound)
 
     @cached_property
     def constants(self) -> dict[sp.Symbol, sp.Expr]:
-        """Definitions that depend on parameters alone, in the free parameters."""
+        """Definitions that depend only on parameters, in terms of the free parameters."""
         constants, _ = by_dependence(self.system.scalar_definitions, self.system.symbols)
         formulas = definition_values(constants, dict(self.substitutions))
         return {symbol: formulas[symbol] for symbol, _ in constants}
@@ -104,7 +103,7 @@ class SearchSpace:
     @cached_property
     def relations(self) -> tuple[sp.Expr, ...]:
         """Relations and level as scalar formulas."""
-        return tuple(to_components(r) for r in (*self.system.relations, *self.level))
+        return (*self.system.scalar.relations, *scalars(self.level))
 
     @cached_property
     def order(self) -> tuple[tuple[sp.Expr, sp.Symbol], ...]:
@@ -155,15 +154,15 @@ class SearchSpace:
             fruitless = 0 if len(next(iter(values.values()))) > have else fruitless + 1
             have = len(next(iter(values.values())))
             if fruitless == _MOST_FRUITLESS:
-                # a root of parameters alone that does not exist for these values of them
-                return self._again(points, seed, common)
+                # A root of parameters alone that does not exist for these parameter values.
+                return self._resample(points, seed, common)
         sample = self._jets({s: v[:points] for s, v in values.items()})
         if not sample.evaluate.good.all():
-            return self._again(points, seed, common)
+            return self._resample(points, seed, common)
         return sample
 
-    def _again(self, points: int, seed: int, common: bool) -> Sample:
-        """Points with other values of the parameters."""
+    def _resample(self, points: int, seed: int, common: bool) -> Sample:
+        """Points for another choice of the parameters."""
         if seed > _MOST * _NEXT:
             raise InputError(
                 f"{self.system.name}: no points were found modulo a prime at which the roots in "
@@ -192,7 +191,7 @@ class SearchSpace:
     def _with_relations(
         self, values: Mapping[sp.Symbol, Integers], order: Sequence[tuple[sp.Expr, sp.Symbol]]
     ) -> dict[sp.Symbol, Integers]:
-        """The points at which all relations could be solved, with the solutions put in."""
+        """The points at which all relations could be solved, with the solutions inserted."""
         points = dict(values)
         for relation, variable in order:
             roots, good, _ = self._roots(relation, variable, points)
@@ -201,7 +200,7 @@ class SearchSpace:
 
     @cached_property
     def _formulas_with_roots(self) -> tuple[sp.Expr, ...]:
-        """Definitions and rates with roots, which exist at some points only."""
+        """Definitions and rates with roots, which exist only at some points."""
         formulas = [*(formula for _, formula in self.system.scalar_definitions), *self.system.rates]
         return tuple(f for f in formulas if any(not p.exp.is_integer for p in f.atoms(sp.Pow)))
 
@@ -309,7 +308,7 @@ def _solutions(bare: SearchSpace) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     system = bare.system
     solved: dict[sp.Symbol, sp.Expr] = {}
     for condition in bare.conditions:
-        formula = to_components(condition).xreplace(bare.constants).xreplace(solved)
+        formula = system.scalar.of(condition).xreplace(bare.constants).xreplace(solved)
         top, _ = sp.fraction(sp.together(formula))
         symbol, value = _linear_root(
             condition, sp.expand(top), [p.symbol for p in system.parameters]
@@ -330,7 +329,7 @@ def _solutions(bare: SearchSpace) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
 def _meaning(
     conditions: Sequence[sp.Expr], values: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol
 ) -> str:
-    """The consequence of conditions for a parameter, unless they state it literally."""
+    """What conditions imply for a parameter, unless they state it literally."""
     value = values.get(symbol, symbol)
     if [sp.expand(condition) for condition in conditions] == [sp.expand(symbol - value)]:
         return ""
@@ -359,7 +358,7 @@ def _linear_root(
 
 
 def _check_level(space: SearchSpace) -> None:
-    """Refuse a level that has no real points or does not stay where it is."""
+    """Raise an error for a level without real points, or that is not invariant."""
     if not space.level:
         return
     shown = ", ".join(f"{text(e)} = 0" for e in space.level)

@@ -1,9 +1,9 @@
 """Formulas in the parameters from solutions modulo a prime.
 
 A law is a sum of parts (functions of state and parameters) whose coefficients are polynomials in
-the parameters.  Written out in monomials of the parameters its coefficients are plain rational
-numbers, the same for all values of the parameters: they solve one linear system whose equations
-are taken at points with parameters of their own.  Weights split it into small ones.
+the parameters.  In terms of monomials of the parameters its coefficients are rational numbers, the
+same for all values of the parameters.  They solve one linear system with equations taken at points
+that have different parameters.  Weights (physical dimensions) split it into small systems.
 """
 
 from __future__ import annotations
@@ -57,11 +57,11 @@ class Scalars:
 
     @cached_property
     def efforts(self) -> tuple[int, ...]:
-        """A measure of how complicated each looks."""
+        """A measure of the complexity of each quantity."""
         return tuple(1 + int(sp.count_ops(formula)) for formula in self.formulas)
 
     def effort(self, indices: Sequence[int]) -> int:
-        """A measure of how complicated a product of some of them looks."""
+        """A measure of the complexity of a product of some quantities."""
         return sum(1 + self.efforts[i] for i in indices)
 
 
@@ -79,7 +79,7 @@ class Plan:
 
 @dataclass(frozen=True)
 class RationalLaw:
-    """A law: rational numbers in front of products of scalars and a part."""
+    """A law: rational coefficients of products of scalars and a part."""
 
     terms: tuple[tuple[Fraction, Product, int], ...]
     effort: int
@@ -87,7 +87,7 @@ class RationalLaw:
 
 @dataclass(frozen=True)
 class Draw:
-    """The parts and what must vanish at some points, modulo the present prime.
+    """The parts, and the quantities that must vanish, at some points modulo the current prime.
 
     Attributes
     ----------
@@ -103,14 +103,14 @@ class Draw:
 
 @dataclass(frozen=True)
 class _Kernel:
-    """One solution modulo a prime, or several together."""
+    """One solution modulo a prime, or several combined."""
 
     terms: tuple[tuple[int, Product], ...]
     residues: tuple[int, ...]
 
 
 def plan(parts: Sequence[Part], scalars: Scalars, degree: int) -> Plan:
-    """Sort products of a part and at most `degree` scalars by their weight."""
+    """Group products of a part and at most `degree` scalars by their weight."""
     zero = tuple(0 for _ in parts[0].weight)
     products = [
         (chosen, total(zero, *(scalars.weights[i] for i in chosen)))
@@ -162,7 +162,7 @@ def reconstructed_laws(
 
 
 def _kernels(scheme: Plan, sample: Draw) -> Iterator[_Kernel]:
-    """Laws among the sums of products, each block separately."""
+    """Laws among the sums of products, separately for each block."""
     for block in scheme.blocks:
         few = len(block) + _SPARE
         columns, rows = [], []

@@ -1,4 +1,4 @@
-"""Whether a level has real points."""
+"""Decide numerically whether a level has real points."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def has_real_points(
 ) -> bool:
     """Whether a real point of a level is found at the default parameters.
 
-    Newton's method, from several random starts; the level counts as empty when all fail.
+    Newton's method from several random starts; the level counts as empty if all fail.
 
     Parameters
     ----------
@@ -48,7 +48,8 @@ def has_real_points(
     rng = np.random.default_rng(0)
     for _ in range(_TRIES):
         start = rng.normal(size=len(system.symbols))
-        # roots and logarithms may have no value there, but where all is positive
+        # Roots and logarithms may be undefined at some starts, but not where all variables are
+        # positive.
         for chosen in (start, np.abs(start)):
             try:
                 reached = least_squares(function, chosen)

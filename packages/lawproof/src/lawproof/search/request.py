@@ -1,4 +1,4 @@
-"""Questions to the search, checked and completed from a user's words."""
+"""Build a search question from a user's input, with validation and defaults."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def search_request(
     parameter_degree: int = 3,
     effort: int = EFFORT,
 ) -> Question:
-    """Put a question to the search.
+    """Specify a search.
 
     Parameters
     ----------
@@ -130,7 +130,7 @@ def search_request(
 
 
 def _factor(text: str, system: System, where: str) -> sp.Expr:
-    """A formula that may divide or be a factor, which zero may not."""
+    """A formula that may divide or be a factor; zero is rejected."""
     value = formula(text, system, where)
     if value == 0:
         raise InputError(f"{text} is zero, which divides nothing", where)
@@ -138,7 +138,7 @@ def _factor(text: str, system: System, where: str) -> sp.Expr:
 
 
 def _other_variables(system: System, momenta: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
-    """The state without what is momentum-like."""
+    """The state without the momentum-like variables."""
     names = [n for n in system.state if getattr(n, "name", "") in _MOMENTUM_LIKE]
     like = {s for name in names if not isinstance(name, sp.Symbol) for s in name.symbols}
     return tuple(s for s in system.symbols if s not in like | set(momenta))

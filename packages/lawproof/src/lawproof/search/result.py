@@ -1,4 +1,4 @@
-"""Results of a search, and the question that it answers."""
+"""The question and the results of a search."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ Progress = Callable[[float, str], None]
 
 
 def no_progress(fraction: float, words: str) -> None:
-    """Progress that nobody watches."""
+    """Ignore progress reports."""
 
 
 @dataclass(frozen=True)
 class Question:
-    """Among which laws of a system to search.
+    """The laws of a system among which to search.
 
     Attributes
     ----------
@@ -69,7 +69,7 @@ class Question:
 
 @dataclass(frozen=True)
 class SearchResult:
-    """A law that a search came upon.
+    """A law found by a search.
 
     Attributes
     ----------
@@ -107,5 +107,5 @@ class SearchResult:
 
     @property
     def formula(self) -> Any:
-        """The law as one formula (a tuple of pairs for a symmetry); None where there is none."""
+        """The law as one formula (a tuple of pairs for a symmetry); None if it has none."""
         return getattr(self.law, "value", getattr(self.law, "field", None))

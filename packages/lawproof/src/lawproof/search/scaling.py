@@ -1,7 +1,7 @@
 """Scalings under which a system keeps its form: its physical dimensions.
 
-A weight is a tuple of exponents, one for each independent scaling.  An integral splits into
-parts of pure weight, each an integral; this makes the linear algebra of a search small.
+A weight is a tuple of exponents, one for each independent scaling.  An integral splits into parts
+of pure weight, each of which is an integral; this keeps the linear algebra of a search small.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from flint import fmpq, fmpq_mat
 from .phase_space import SearchSpace
 
 Weight: TypeAlias = tuple[int, ...]
-#: A symbol, or the word for the time.
+#: A symbol, or the word for time.
 Base: TypeAlias = sp.Basic | str
 Form: TypeAlias = dict[Base, Fraction]
 
@@ -34,13 +34,13 @@ def _plus(left: Form, right: Form, factor: Fraction) -> Form:
 
 @dataclass
 class _Walk:
-    """Weights of formulas as linear forms in the weights of base symbols, and what ties these."""
+    """Weights of formulas as linear forms in those of base symbols, with constraints."""
 
     forms: dict[sp.Basic, Form]
     ties: list[Form] = field(default_factory=list)
 
     def equate(self, left: Form | None, right: Form | None) -> None:
-        """Two weights must agree; None fits everything."""
+        """Require that two weights agree; None agrees with everything."""
         if left is not None and right is not None:
             self.ties.append(_plus(left, right, Fraction(-1)))
 
@@ -74,12 +74,12 @@ class _Walk:
 def weights(space: SearchSpace) -> dict[sp.Symbol, Weight]:
     """Weights of all states, parameters and definitions of a system.
 
-    Every scaling of these symbols and of time that keeps field, definitions, relations, level
+    Every scaling of these symbols and of time that preserves field, definitions, relations, level
     and conditions on the parameters is a combination of the scalings returned.
     """
     system = space.system
     steps = (*space.substitutions, *system.required_definitions([*system.rates, *space.relations]))
-    # what is zero has every weight
+    # Zero has every weight.
     empty = [symbol for symbol, formula in steps if formula == 0]
     bases: list[Base] = [*space.free, *system.symbols, *empty, _TIME]
     walk = _Walk({symbol: {symbol: Fraction(1)} for symbol in bases})
@@ -112,7 +112,7 @@ def total(*weights: Weight) -> Weight:
 def weight_of(
     factors: Sequence[sp.Expr], powers: Sequence[int], table: Mapping[sp.Symbol, Weight]
 ) -> Weight:
-    """The weight of a product of powers; what has no weight of its own is a pure number."""
+    """The weight of a product of powers; a factor without its own weight is a pure number."""
     zero = tuple(0 for _ in next(iter(table.values())))
     return total(
         zero,
@@ -124,7 +124,7 @@ def weight_of(
 
 
 def _solutions(ties: list[Form], bases: list[Base]) -> list[Form]:
-    """A basis of the weights of base symbols that satisfy all ties."""
+    """A basis of the weights of base symbols that satisfy all constraints."""
     distinct = {tuple(sorted((bases.index(k), v) for k, v in tie.items())) for tie in ties}
     rows = [tie for tie in distinct if tie]
     matrix = fmpq_mat(max(len(rows), 1), len(bases))

@@ -1,4 +1,4 @@
-"""The search for symmetry fields with polynomial components."""
+"""Search for symmetry fields with polynomial components."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sp
 
 from flowlanes.arguments import arguments_checked
-from flowlanes.system.laws import Integral, Symmetry
+from flowlanes.system.laws import Integral, Symmetry, of_kind
 from flowlanes.system.vectors import constant
 
 from ..proof.prover import prove
@@ -30,8 +30,7 @@ _SEED = 20080830
 def symmetries(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:
     """Polynomial vector fields u with [u, v] = 0, tangent to the phase space.
 
-    v itself, and what follows from known symmetries on multiplication with integrals, is left
-    out.
+    v itself, and products of known symmetries with integrals, are omitted.
 
     Parameters
     ----------
@@ -59,7 +58,7 @@ def symmetries(question: Question, progress: Progress = no_progress) -> Iterator
     """
     question.ansatz.check(len(question.stage.system.symbols))
     progress(0.0, "integrals")
-    laws = [f.law for f in integrals(question) if isinstance(f.law, Integral)]
+    laws = list(of_kind((f.law for f in integrals(question) if f.law is not None), Integral))
     progress(0.3, "fields")
     search = _Search(question, [law.value for law in laws])
     yield from search.findings(progress)
@@ -84,7 +83,7 @@ class _Search:
         self.count = 0
 
     def _span(self, field: Integers) -> None:
-        """Take note of a symmetry, by its components at the points, shape (n, N)."""
+        """Record a symmetry by its components at the points, shape (n, N)."""
         self.span_rows += [(field * factor % prime()).ravel() for factor in self.factors]
 
     def findings(self, progress: Progress) -> Iterator[SearchResult]:
@@ -115,7 +114,7 @@ class _Search:
         return independent_columns(stacked)[-1] == len(self.span_rows)
 
     def _over_parameters(self, vector: Integers, exponents: Sequence[Exponents]) -> SearchResult:
-        """The field as a formula: on the monomials that occur, with unknown coefficients."""
+        """The field as a formula, on the monomials that occur, with unknown coefficients."""
         variables = (*self.question.ansatz.momenta, *self.question.ansatz.coordinates)
         parts = []
         for index in np.flatnonzero(vector):
@@ -187,7 +186,7 @@ class _Search:
 def _fields(
     relations: Sequence[sp.Expr], sample: Sample, value: Integers, rate: Integers
 ) -> tuple[Integers, Integers]:
-    """All fields with one monomial in one component, and what must vanish for a symmetry.
+    """All fields with one monomial in one component, and the quantities that vanish for a symmetry.
 
     Returns
     -------

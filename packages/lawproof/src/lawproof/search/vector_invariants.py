@@ -1,7 +1,7 @@
-"""Vector formulas of which laws are made: products of (u, v), (u, Jv) and others.
+"""Vector formulas from which laws are built: products of (u, v), (u, Jv) and others.
 
-The equations of a rolling body do not prefer any axes: turning the body's axes turns vectors and
-tensors alike.  Their laws are then scalars made of these vectors and tensors.
+The equations of a rolling body do not prefer any axes: rotating the body's axes rotates vectors and
+tensors alike.  Their laws are therefore scalars made of these vectors and tensors.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import TypeAlias
 import sympy as sp
 from sympy.matrices.expressions import MatAdd, MatMul
 
-from flowlanes.system.vectors import Diagonal, Symmetric, Vector, dot, to_components
+from flowlanes.system.vectors import Diagonal, Symmetric, Vector, dot
 
 from .ansatz import Ansatz
 from .phase_space import SearchSpace
@@ -29,12 +29,12 @@ _GROUPS = 4
 
 
 def _parameters(space: SearchSpace, table: dict[sp.Symbol, Weight]) -> list[sp.Symbol]:
-    """Free parameters, and definitions that are numbers' worth of them and not tensors."""
+    """Free parameters, and definitions that depend only on parameters and are not tensors."""
     return [s for s in space.free if s in table]
 
 
 def component_scalars(space: SearchSpace, table: dict[sp.Symbol, Weight]) -> Scalars:
-    """The free parameters, with principal moments at the contact."""
+    """The free parameters, with the principal moments at the contact."""
     formulas: list[sp.Expr] = _parameters(space, table)
     scalars = [s for s in _numbers(space) if s in table]
     symbols = [*formulas, *scalars]
@@ -42,7 +42,7 @@ def component_scalars(space: SearchSpace, table: dict[sp.Symbol, Weight]) -> Sca
 
 
 def _numbers(space: SearchSpace) -> list[sp.Symbol]:
-    """Scalar definitions that depend on parameters alone, such as k = a/(a + R)."""
+    """Scalar definitions that depend only on parameters, such as k = a/(a + R)."""
     named = {name for name, _ in space.system.definitions if isinstance(name, sp.Symbol)}
     return [s for s, value in space.constants.items() if s in named and value.free_symbols]
 
@@ -60,7 +60,7 @@ class _Atom:
 
 @dataclass(frozen=True)
 class VectorInvariants:
-    """The invariants of which formulas about a system are made.
+    """The invariants from which formulas about a system are built.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ class VectorInvariants:
 
     @cached_property
     def momenta(self) -> tuple[Vector, ...]:
-        """The vectors in the momenta of the ansatz, and M and ω."""
+        """The vectors among the momenta of the ansatz, and M and ω."""
         chosen = set(self.ansatz.momenta)
         return tuple(
             v
@@ -106,7 +106,7 @@ class VectorInvariants:
 
     @cached_property
     def coordinates(self) -> tuple[Vector, ...]:
-        """The vectors in the coordinates of the ansatz, and those that are linear in them."""
+        """The vectors among the coordinates of the ansatz, and those that are linear in them."""
         chosen = set(self.ansatz.coordinates)
         steps = dict(self.space.system.scalar_definitions)
         written = dict(self.space.system.definitions)
@@ -132,9 +132,9 @@ class VectorInvariants:
 
     @cached_property
     def tensors(self) -> tuple[tuple[Tensor, Tensor | None], ...]:
-        """Constant tensors, each with its inverse where the equations name it.
+        """Constant tensors, each with its inverse if the equations name it.
 
-        Where a tensor and its inverse are named, others differ from it by a multiple of E.
+        If a tensor and its inverse are named, other tensors differ from it by a multiple of E.
         """
         constant = [
             n
@@ -149,7 +149,7 @@ class VectorInvariants:
         return self.table[vector.symbols[0]]
 
     def _pairings(self, u: Vector, v: Vector) -> Iterator[tuple[sp.Expr, Weight, int]]:
-        """(u, v), (u, Jv), (u, Av), (Ju, Jv), (Au, Av), as far as others do not express them."""
+        """(u, v), (u, Jv), (u, Av), (Ju, Jv), (Au, Av), without those expressible by others."""
         base = total(self._weight(u), self._weight(v))
         yield dot(u, v), base, 1
         if {u, v} & self._sums_of_vectors:
@@ -170,7 +170,7 @@ class VectorInvariants:
 
     @cached_property
     def _images(self) -> set[Vector]:
-        """Momenta that are tensors applied to another one: M beside ω."""
+        """Momenta that are tensors applied to another momentum: M beside ω."""
         others = {v for v in self.momenta if v.name != "omega"}
         return others if len(others) < len(self.momenta) else set()
 
@@ -200,7 +200,7 @@ class VectorInvariants:
 
     @cached_property
     def scalars(self) -> Scalars:
-        """Parameters that are no components, traces, determinants, products of constant vectors."""
+        """Parameters other than components, traces, determinants, products of constant vectors."""
         parts = {s for n in self._names for s in n.symbols}
         scalars: list[tuple[sp.Expr, Weight]] = [
             (s, self.table[s])
@@ -213,7 +213,7 @@ class VectorInvariants:
             scalars.append((product, weight))
         for tensor, _ in self.tensors:
             weight = self._weight(tensor)
-            entries = to_components(tensor)
+            entries = tensor.entries
             scalars.append((sp.trace(entries), weight))
             scalars.append((entries.det(method="berkowitz"), tuple(3 * w for w in weight)))
         for u, v in combinations_with_replacement(self.constants, 2):
@@ -237,7 +237,7 @@ class VectorInvariants:
         }
 
     def _groups(self, scalars: set[sp.Expr]) -> list[dict[sp.Symbol, int]]:
-        """Products of parameters in which they enter the equations together, such as m R²."""
+        """Products of parameters that enter the equations together, such as m R²."""
         system = self.space.system
         groups: list[dict[sp.Symbol, int]] = []
         for _, formula in (*system.field, *system.definitions):
@@ -254,9 +254,9 @@ class VectorInvariants:
         return groups[:_GROUPS]
 
     def parts(self, degree: int, gamma_degree: int, most: int) -> tuple[Part, ...]:
-        """Products of scalar products up to the given degrees in momenta and coordinates.
+        """Products of scalar products up to given degrees in momenta and coordinates.
 
-        The degree in the coordinates is lowered until there are no more than `most`.
+        The degree in the coordinates is lowered until there are at most `most` products.
         """
         zero = tuple(0 for _ in next(iter(self.table.values())))
         one = Part(sp.S.One, zero, 0)

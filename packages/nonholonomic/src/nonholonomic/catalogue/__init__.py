@@ -1,6 +1,7 @@
 """The catalogue: one file per system of Borisov and Mamaev (2008), each described once.
 
-A file offers its systems as ``ENTRIES``; :data:`~nonholonomic.CATALOGUE` collects them by name.
+A file ``NAME.toml`` has the equations, or names the module whose ``ENTRIES`` bring them;
+:data:`~nonholonomic.CATALOGUE` collects them by name.
 
 Examples
 --------

@@ -12,8 +12,9 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.system.isomorphism import Isomorphism
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import constant, real_symbol, to_components, vectors
+from flowlanes.system.vectors import constant, real_symbol, vectors
 
 omega, gamma = vectors("omega gamma")
 theta, phi, thetadot, phidot = (real_symbol(s) for s in ("theta", "phi", "thetadot", "phidot"))
@@ -41,7 +42,7 @@ def in_angles(system: System) -> System:
         With the state ω, γ on γ² = 1, (ω, γ) = 0.
     """
     rates: dict[MatrixExpr, MatrixExpr] = dict(system.field)
-    first, second, third = to_components(rates[omega])
+    first, second, third = scalars(rates[omega])
     return replace(
         system,
         name=f"{system.name}-angles",

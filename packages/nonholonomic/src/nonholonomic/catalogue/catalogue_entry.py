@@ -18,8 +18,8 @@ from flowlanes.system.system import System
 from ..mechanics.ball.ball import RollingBall
 from ..mechanics.lagrangian.plan import Plan
 from ..mechanics.rolling.equations import ContactModel, Rolling
-from ..mechanics.shapes.shapes import Shape
-from ..mechanics.shapes.surfaces import Plane, Sphere
+from ..mechanics.shapes.shape_base import Shape
+from ..mechanics.shapes.surfaces import Surface
 
 Numbers = Mapping[str, float]
 #: Parameters as a user gives them: numbers, or of a family also lists and rows of numbers.
@@ -85,7 +85,7 @@ def _no_laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
 
 
 def laws_for(
-    contact: ContactModel | None, surface: Plane | type[Sphere] | None, *shapes: type[Shape]
+    contact: ContactModel | None, surface: Surface | type[Surface] | None, *shapes: type[Shape]
 ) -> Callable[[LawsOf], LawsOf]:
     """A decorator: laws of bodies with this contact on this surface, of these shapes; None is any.
 

@@ -23,8 +23,6 @@ from flowlanes.system.vectors import (
 
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.fluid import Fluid
-from ..mechanics.shapes.shapes import Ball
-from ..mechanics.shapes.surfaces import Plane
 
 M, gamma, k = Vector("M"), Vector("gamma"), Vector("k")
 ratio = real_symbol("k")
@@ -37,9 +35,9 @@ def laws_with_fluid(rolling: Rolling) -> tuple[Law, ...]:
     """The laws of a body with fluid besides energy and circulation."""
     body, field = rolling.equivalent.body, rolling.field
     known: list[Law] = []
-    plane = isinstance(rolling.surface, Plane)
+    plane = rolling.surface.is_flat
     # gravity acts at the centre of a balanced ball, and does nothing on a plane
-    balanced = isinstance(body.shape, Ball) and not any(body.shape.centre)
+    balanced = body.shape.is_balanced_ball and rolling.surface.is_even
     free = field.potential == 0 and (plane or not field.gravity)
     if balanced:
         total = M + k if any(body.gyrostat) else M + zero

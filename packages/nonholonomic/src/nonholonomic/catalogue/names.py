@@ -21,11 +21,11 @@ def lookup(catalogue: Mapping[str, Item], name: object) -> Item:
         raise UnknownSystemError(
             f"a system of the catalogue is asked for by its name in quotes, not by {name!r}"
         )
-    if (item := catalogue.get(name)) is None:
+    if name not in catalogue:
         close = difflib.get_close_matches(name, list(catalogue), n=1)
         nearest = f" (did you mean {close[0]!r}?)" if close else ""
         raise UnknownSystemError(
             f"no system {name!r} in the catalogue{nearest}; "
             "`chaplygin list` and `nonholonomic.CATALOGUE` show all of them"
         )
-    return item
+    return catalogue[name]

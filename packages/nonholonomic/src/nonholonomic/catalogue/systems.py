@@ -2,52 +2,68 @@
 
 from __future__ import annotations
 
-import pkgutil
-import re
-from importlib import import_module
+from collections.abc import Iterator, MutableMapping
 from itertools import chain
+from typing import TYPE_CHECKING
 
 from flowlanes.arguments import Setting, arguments_checked
-from flowlanes.system.laws import Law
 from flowlanes.system.overview import Overview, WithOverview
-from flowlanes.system.system import System
 
-from ..mechanics.rolling.equations import Rolling
-from .catalogue_entry import Entry
-from .fluid_laws import laws_with_fluid
+from .entry_files import entry_file, entry_files
 from .names import lookup
 
+if TYPE_CHECKING:
+    from flowlanes.system.laws import Law
+    from flowlanes.system.system import System
 
-def _place(item: Entry) -> tuple[int, ...]:
-    """Section and subsection of the paper in which a system occurs first."""
-    match = re.search(r"§(\d+)(?:\.(\d+))?", item.source)
-    return tuple(int(number or 0) for number in match.groups()) if match else (99,)
-
-
-def _entries() -> list[Entry]:
-    package = import_module(__package__)
-    found = pkgutil.walk_packages(package.__path__, f"{__package__}.")
-    modules = [module.name for module in found if not module.ispkg]
-    entries = [
-        item
-        for module in sorted(modules, key=lambda name: name.split(".")[-1])
-        for item in getattr(import_module(module), "ENTRIES", ())
-    ]
-    return sorted(entries, key=_place)
+    from ..mechanics.rolling.equations import Rolling
+    from .catalogue_entry import Entry
 
 
-class Catalogue(WithOverview, dict[str, Entry]):
-    """The entries by name; printed, it shows the names."""
+class Catalogue(WithOverview, MutableMapping[str, "Entry"]):
+    """The entries by name, each made when it is first asked for; printed, it shows the names."""
+
+    def __init__(self) -> None:
+        self._entries: dict[str, Entry | None] = {file.name: None for file in entry_files()}
 
     def __getitem__(self, name: str) -> Entry:
-        return lookup(self, name)
+        found = lookup(self._entries, name)
+        if found is None:
+            # what reads equations needs SymPy, and the names and titles do without
+            from .file_systems import entry_of
+
+            found = self._entries[name] = entry_of(entry_file(name))
+        return found
+
+    def __setitem__(self, name: str, item: Entry) -> None:
+        self._entries[name] = item
+
+    def __delitem__(self, name: str) -> None:
+        del self._entries[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._entries)
+
+    def __len__(self) -> int:
+        return len(self._entries)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._entries
+
+    @property
+    def titles(self) -> dict[str, str]:
+        """The titles by name, for which no system is made."""
+        return {
+            name: entry_file(name).title if item is None else item.title
+            for name, item in self._entries.items()
+        }
 
     def overview(self) -> Overview:
         """The names of the systems."""
         return Overview(f"{len(self)} systems", (("names", ", ".join(self)),))
 
 
-CATALOGUE = Catalogue((item.name, item) for item in _entries())
+CATALOGUE = Catalogue()
 """Every system of the catalogue by its name, in the order of the paper."""
 
 
@@ -138,10 +154,13 @@ def known_laws_of(rolling: Rolling, system: System) -> tuple[Law, ...]:
     >>> [law.name for law in nonholonomic.catalogue.known_laws_of(rolling, rolling.system())][:3]
     ['area', 'momentum', 'measure']
     """
+    from .fluid_laws import laws_with_fluid
+
     if rolling.body.fluids:
         return laws_with_fluid(rolling)
     # of those with one name the first
     laws: dict[str, Law] = {}
-    for law in chain.from_iterable(item.laws(rolling, system) for item in CATALOGUE.values()):
+    items = (CATALOGUE[name] for name in CATALOGUE if entry_file(name).python)
+    for law in chain.from_iterable(item.laws(rolling, system) for item in items):
         laws.setdefault(law.name, law)
     return tuple(laws.values())

@@ -1,4 +1,4 @@
-"""The place of a system in the hierarchy of dynamics, from laws that are proven."""
+"""The place of a system in the hierarchy of dynamics, from proven laws."""
 
 import lazy_loader
 

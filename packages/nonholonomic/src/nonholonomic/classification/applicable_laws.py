@@ -1,4 +1,4 @@
-"""The proven laws of a system by domain: everywhere, on a level, or nowhere."""
+"""Sort the proven laws of a system by domain: everywhere, on a level, or nowhere."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import sympy as sp
 from flowlanes.printing.formula import text
 from flowlanes.printing.laws import condition_text
 from flowlanes.system.laws import Law
-from flowlanes.system.vectors import to_components
+from flowlanes.system.named_formulas import scalars
 from lawproof.proof.verdict import Verdict
 
 from .ranks import RankSample
@@ -19,7 +19,7 @@ from .statements import IgnoredLaw
 
 @dataclass(frozen=True)
 class ApplicableLaws:
-    """The laws of a system by where they count.
+    """The laws of a system sorted by where they apply.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class ApplicableLaws:
 
 
 def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> ApplicableLaws:
-    """The laws of the system by where they count.
+    """Sort the laws of a system by where they apply.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Applicabl
         if not verdict:
             uncounted.append(IgnoredLaw(law.name, _why(verdict)))
             continue
-        moving = tuple(c for c in law.on if whole.expand(to_components(c)).free_symbols & state)
+        moving = tuple(c for c in law.on if whole.expand(*scalars(c)).free_symbols & state)
         fixed = tuple(c for c in law.on if c not in moving)
         if not all(map(whole.vanishes, fixed)):
             where = condition_text(replace(law, on=fixed), system, text)

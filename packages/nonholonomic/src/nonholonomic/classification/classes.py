@@ -1,7 +1,7 @@
 """The class of a system and the kind of its motions, from what is proven (§3.3, §4).
 
-The theorems are used as they stand: Lie (Theorem 3), Euler and Jacobi (Theorem 5), Liouville and
-Arnold, Poincaré and Bendixson; nothing is said that does not follow from the facts counted.
+The theorems of Lie (Theorem 3), Euler and Jacobi (Theorem 5), Liouville and Arnold, Poincaré and
+Bendixson are applied as stated; every statement follows from the listed facts.
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ class DynamicalStructure:
     def complete(self) -> tuple[Fact, ...]:
         """A Hamiltonian form with enough integrals in involution for Liouville's theorem.
 
-        Up to rank four, counting is enough: every integral is in involution with H.
+        Up to rank four it suffices to count integrals: every integral is in involution with H.
         """
         best = self.form
         if best is not None and best.closed and best.rank <= 4 and 2 * self.remaining == best.rank:
@@ -103,7 +103,7 @@ _ORDER = {"kept": 0, "unknown": 1, "changes": 2}
 def classes_and_dynamics(
     facts: DynamicalStructure,
 ) -> tuple[tuple[IntegrabilityClass, ...], tuple[Statement, ...]]:
-    """The classes of a system, and what its motions can be."""
+    """The classes of a system, and the possible kinds of its motions."""
     return _kinds(facts), (*_motions(facts), *_attraction(facts), *_pairing(facts))
 
 

@@ -2,9 +2,9 @@
 
 Proven laws restrict the motions that a system can have.
 
-A place is built on verdicts alone.  Laws that are undecided or refuted do not count, and are named;
-laws that hold on a level count on that level; what holds for special parameters counts where the
-present ones satisfy the condition exactly.
+A classification is based on verdicts alone.  Undecided or refuted laws do not count, and are named.
+Laws that hold on a level count on that level; laws for special parameters count if the present ones
+satisfy the condition exactly.
 """
 
 from __future__ import annotations
@@ -104,7 +104,7 @@ class Classification(WithOverview):
 
     @property
     def dimension(self) -> int:
-        """Of the phase space, or of the level."""
+        """Dimension of the phase space, or of the level."""
         return self.variables - self.conditions
 
     @property
@@ -122,7 +122,7 @@ class Classification(WithOverview):
 
     @property
     def record(self) -> dict[str, object]:
-        """Everything, ready for JSON."""
+        """All results as JSON-compatible data."""
         return record(self)
 
     def overview(self) -> Overview:
@@ -142,7 +142,7 @@ class Classification(WithOverview):
 
 
 def listing(facts: Iterable[Fact]) -> str:
-    """Facts by name and source, each once."""
+    """Facts by name and source, without duplicates."""
     return "; ".join(dict.fromkeys(map(str, facts)))
 
 
@@ -220,7 +220,7 @@ def _symmetry(place: Classification) -> Statement:
 
 
 def to_text(place: Classification) -> str:
-    """The place as text, lines of at most 100 characters."""
+    """The classification as text, in lines of at most 100 characters."""
     lines = ["Place in the hierarchy of dynamics"]
     lines += _lines(place)
     for part in place.levels:
@@ -260,7 +260,7 @@ def _entry(name: str, entries: Iterable[str]) -> list[str]:
 
 
 def record(place: Classification) -> dict[str, object]:
-    """The place for another program: plain lists and mappings."""
+    """The classification as plain lists and mappings."""
     levels = [record(part) for part in place.levels]
     return {
         **asdict(place),

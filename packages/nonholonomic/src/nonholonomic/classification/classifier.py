@@ -12,9 +12,9 @@ from flowlanes.errors import InputError
 from flowlanes.formulas.errors import OutOfReachError
 from flowlanes.orbits.sign_reversal import reversal
 from flowlanes.printing.formula import text
-from flowlanes.printing.laws import condition_text, heading
+from flowlanes.printing.laws import condition_text
 from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Measure, Reduction
+from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Measure, Reduction, of_kind
 from flowlanes.system.system import System
 from flowlanes.system.vectors import real_symbol
 from lawproof.proof.fields.budget import EFFORT
@@ -36,7 +36,7 @@ from .ranks import RankSample, rational_parameters, with_numeric_parameters
 from .statements import IntegrabilityClass
 from .via_isomorphism import TargetResults, through_isomorphisms
 
-#: Term operations for the proof of one law, and for all, where the place must be there at once.
+#: Term operations for the proof of one law, and for all, for an immediate classification.
 EFFORT_PER_PROOF = EFFORT // 50
 TOTAL_EFFORT = EFFORT // 25
 
@@ -47,7 +47,7 @@ def classify_laws(
     budget: ProofBudget,
     source: Rolling | Mechanism | None,
 ) -> Classification:
-    """The place of a system; see :func:`place`."""
+    """Classify a system; see :func:`place`."""
     try:
         whole = _without_angles(system)
         place = _place_with_levels(whole, verdicts, budget, source)
@@ -57,7 +57,7 @@ def classify_laws(
 
 
 def _in_angles(place: Classification, more: int) -> Classification:
-    """A place with its variables counted as in the system, an angle as one."""
+    """A classification whose variables are counted as in the system, an angle as one."""
     return replace(
         place,
         variables=place.variables - more,
@@ -67,7 +67,7 @@ def _in_angles(place: Classification, more: int) -> Classification:
 
 
 def _reversed_variables(system: System) -> tuple[str, ...]:
-    """Variables that change sign with time; angles in place of their sines."""
+    """Variables that change sign under time reversal; angles instead of their sines."""
     names = reversal(system)
     return tuple(
         text(real_symbol(str(n).removeprefix("sin_")))
@@ -78,7 +78,7 @@ def _reversed_variables(system: System) -> tuple[str, ...]:
 
 
 def _without_angles(system: System) -> System:
-    """The system with sines and cosines as variables where its relations hold angles."""
+    """The system with sines and cosines as variables if its relations involve angles."""
     try:
         reduced = circles(system)
     except OutOfReachError:
@@ -97,7 +97,7 @@ def _without_angles(system: System) -> System:
 
 
 def _unknown_place(system: System, verdicts: Mapping[str, Verdict], reason: str) -> Classification:
-    """A place of which nothing can be counted."""
+    """A classification in which nothing could be counted."""
     proven = tuple(fact_of(law) for law in system.laws if verdicts.get(law.name))
     kind = IntegrabilityClass("none known", f"not determined: {reason}", proven)
     return Classification(system.title, "", len(system.symbols), 0, kinds=(kind,), reason=reason)
@@ -136,8 +136,8 @@ def _open_questions(system: System, verdicts: Mapping[str, Verdict]) -> tuple[st
 
 
 def _holds(system: System, law: Law, on: tuple[Any, ...], budget: ProofBudget) -> bool:
-    """Whether a law holds for a level by itself: functions do, the rest is proven."""
-    if isinstance(law, Integral | Reduction | Isomorphism):
+    """Whether a law holds for a level by definition: functions do, everything else is proven."""
+    if not (law.of_volume or law.by_components):
         return True
     return bool(budget.verdict(system, replace(law, on=(*law.on, *on))))
 
@@ -163,7 +163,7 @@ def _place(
     every = [*own, *there.sources]
     independent, count = sample.independent([source.rows for source in every])
     chosen = [every[i] for i in independent]
-    named = {law.name for law in laws if isinstance(law, Integral)}
+    named = {law.name for law in of_kind(laws, Integral)}
     spare = [s.fact for i, s in enumerate(own) if i not in independent and s.fact.law in named]
     volumes = measures(sample, laws, budget) or there.measures
     existence = (
@@ -181,7 +181,7 @@ def _place(
         lie=lie_symmetries(sample, sample.dimension - count - 1, chosen, symmetries, budget),
         liouville=forms.liouville,
         reversal=(),
-        reductions=tuple(_words(law) for law in laws if isinstance(law, Reduction)),
+        reductions=tuple(map(_words, of_kind(laws, Reduction))),
         open=(*left, existence.open) if existence.open else left,
     )
     missing = structure.remaining - 2
@@ -214,7 +214,7 @@ def _place(
 
 def _words(law: Law) -> Fact:
     meaning = str(getattr(law, "meaning", ""))
-    return Fact(law.name, f"{heading(law)}: {meaning}" if meaning else heading(law), law.source)
+    return Fact(law.name, f"{law.heading}: {meaning}" if meaning else law.heading, law.source)
 
 
 @arguments_checked
@@ -224,7 +224,7 @@ def classify(
     budget: ProofBudget | None = None,
     source: Rolling | Mechanism | None = None,
 ) -> Classification:
-    """The place of a system in the hierarchy of dynamics.
+    """Classify a system in the hierarchy of dynamics.
 
     Parameters
     ----------
@@ -266,5 +266,5 @@ def classify(
 
 
 def classify_quickly(system: System, source: Rolling | Mechanism | None = None) -> Classification:
-    """The classification of a system with little effort, in a few seconds."""
+    """Classify a system with little effort, in a few seconds."""
     return classify(system, source=source)

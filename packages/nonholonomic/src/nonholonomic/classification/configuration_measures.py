@@ -44,7 +44,7 @@ class MeasureFacts:
 
 
 def configuration_measure(source: Rolling | Mechanism | None, budget: ProofBudget) -> MeasureFacts:
-    """Whether a model preserves a measure with a density on the configuration space.
+    """Decide whether a model preserves a measure with a density on the configuration space.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def configuration_measure(source: Rolling | Mechanism | None, budget: ProofBudge
         return MeasureFacts(absence=_witness(existence))
     if existence.decision == "undecided":
         return MeasureFacts(open=f"{_OPEN} is undecided")
-    # of a mechanism the density may depend on coordinates that its equations do without
+    # For a mechanism the density may depend on coordinates that its equations do not contain.
     if existence and isinstance(source, Rolling):
         return MeasureFacts((Density(_fact(existence), "kept"),))
     return MeasureFacts()
@@ -83,7 +83,7 @@ def _at_present(mechanism: Mechanism) -> Mechanism:
 
 
 def _with_numbers(part: sp.Expr, values: Mapping[sp.Symbol, Number]) -> sp.Expr:
-    """Formulas, and what is made of formulas, with numbers for symbols."""
+    """Formulas, and objects made of formulas, with symbols replaced by numbers."""
     if isinstance(part, sp.Basic | sp.MatrixBase):
         return part.xreplace(values)
     if isinstance(part, tuple):
@@ -105,7 +105,7 @@ def _witness(existence: MeasureExistence) -> str:
         return existence.reason
     point: dict[str, str] = existence.obstruction["point"]
     shown = {text(real_symbol(name)): _short(value) for name, value in point.items()}
-    # of a rolling body the vertical says where; parameters and the rest are left to the report
+    # For a rolling body only the vertical is printed; the report shows parameters and the rest.
     words = [name for name in shown if "γ" in name] or list(shown)
     place = ", ".join(f"{name} = {shown[name]}" for name in words)
     what = str(existence.obstruction["what"])
@@ -113,6 +113,6 @@ def _witness(existence: MeasureExistence) -> str:
 
 
 def _short(value: str) -> str:
-    """A ball by its middle with six digits; an exact number as it is."""
+    """A ball by its midpoint with six digits; an exact number unchanged."""
     middle, ball, _ = value.strip("[]").partition(" +/-")
     return f"{float(middle):.6g}" if ball else value

@@ -1,8 +1,7 @@
 """Constants of the motion, as covectors that annihilate the field of the system.
 
 Besides first integrals these are Casimir functions, reductions to linear equations (whose solutions
-are integrals, though no elementary functions), and the integrals of a system onto which an
-isomorphism carries this one.
+are integrals, though not elementary functions), and the integrals of the target of an isomorphism.
 """
 
 from __future__ import annotations
@@ -13,19 +12,19 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Rate, Reduction
-from flowlanes.system.vectors import to_components
+from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Rate, Reduction, of_kind
+from flowlanes.system.named_formulas import scalars
 
 from .facts import Fact, fact_of
 from .ranks import Covectors, Element, View
 
-#: Angles have many values, so that levels of functions of theirs need not be closed.
+#: Functions of an angle are multivalued, so their level sets need not be closed.
 _MANY_VALUED = (sp.atan, sp.atan2)
 
 
 @dataclass(frozen=True)
 class AnnihilatingCovectors:
-    """Covectors that annihilate the field, and where they come from.
+    """Covectors that annihilate the field, and their origin.
 
     Attributes
     ----------
@@ -43,19 +42,19 @@ class AnnihilatingCovectors:
 
 
 def many_valued(formula: sp.Expr) -> bool:
-    """Whether a function may have many values at one point."""
-    return bool(to_components(sp.sympify(formula)).has(*_MANY_VALUED))
+    """Whether a function may be multivalued."""
+    return any(part.has(*_MANY_VALUED) for part in scalars(formula))
 
 
 def casimirs(law: ConformallyHamiltonian) -> tuple[sp.Expr, ...]:
-    """The Casimir functions of its structure that have one value at every point."""
+    """The single-valued Casimir functions of a bracket."""
     return tuple(c for c in law.structure.casimirs if not many_valued(c))
 
 
 def sources(laws: Iterable[Law]) -> list[AnnihilatingCovectors]:
-    """Annihilating covectors of proven laws; single-valued functions alone."""
+    """Annihilating covectors of proven laws, from single-valued functions only."""
     laws = list(laws)
-    covectors = [_function(fact_of(law), law.value) for law in laws if isinstance(law, Integral)]
+    covectors = [_function(fact_of(law), law.value) for law in of_kind(laws, Integral)]
     for law in laws:
         if isinstance(law, ConformallyHamiltonian):
             fact = fact_of(law)
@@ -86,7 +85,7 @@ def _linear(law: Reduction) -> AnnihilatingCovectors | None:
 
     The constants of integration are integrals wherever the aᵢⱼ(u) are regular.
     """
-    named = dict(law.quantities)
+    named = dict(law.scalar.quantities)
     rates = {rate.args[0] for equation in law.equations for rate in equation.atoms(Rate)}
     if not rates <= set(named) or len(rates) != len(law.equations) + 1:
         return None
@@ -104,7 +103,7 @@ def _linear(law: Reduction) -> AnnihilatingCovectors | None:
 def _slopes(
     equations: tuple[sp.Expr, ...], variable: sp.Symbol, moving: list[sp.Symbol]
 ) -> dict[sp.Symbol, sp.Expr] | None:
-    """dqᵢ/du from the equations, if they give it."""
+    """dqᵢ/du from the equations, if they determine it."""
     rates = {}
     for equation in map(sp.expand, equations):
         own = [q for q in moving if equation.coeff(Rate(q)) != 0]
@@ -124,7 +123,7 @@ def _homogeneous(
     moving: list[sp.Symbol],
     quantities: Mapping[sp.Symbol, sp.Expr],
 ) -> bool:
-    """Whether slopes are linear in the moving quantities, with coefficients in u."""
+    """Whether slopes are linear in the unknowns, with coefficients that depend on u."""
     others = set(quantities) - {variable, *moving}
     for slope in slopes.values():
         factors = [sp.diff(slope, q) for q in moving]
@@ -141,10 +140,7 @@ def _rows(
     slopes: Mapping[sp.Symbol, sp.Expr],
 ) -> Covectors:
     def rows(view: View) -> list[list[Element]]:
-        names = {
-            s: view.level_set.without_rates(to_components(f), quantities)
-            for s, f in quantities.items()
-        }
+        names = {s: view.level_set.without_rates(f, quantities) for s, f in quantities.items()}
         reading = view.evaluate.with_steps(names)
         along = view.differential(names[variable])
         covectors = []

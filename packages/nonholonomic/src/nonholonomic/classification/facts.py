@@ -1,4 +1,4 @@
-"""Verdicts within a given effort, and proven laws as facts to be cited."""
+"""Verdicts within a given effort, and proven laws as citable facts."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from flowlanes.arguments import arguments_checked
-from flowlanes.printing.laws import heading
 from flowlanes.system.laws import Law
 from flowlanes.system.system import System
 from lawproof.proof.prover import judgement_of, prove
@@ -22,7 +21,7 @@ HERE = "found here"
 
 @dataclass(frozen=True)
 class Fact:
-    """A proven law on which a statement rests.
+    """A proven law on which a statement is based.
 
     Attributes
     ----------
@@ -46,7 +45,7 @@ class Fact:
 
     @property
     def is_own_law(self) -> bool:
-        """Whether it is a law that the system itself states; the page of a report asks."""
+        """Whether the law belongs to the system itself; used by the page of a report."""
         return not self.system and self.source != HERE
 
     def __str__(self) -> str:
@@ -56,18 +55,18 @@ class Fact:
 
 
 def fact_of(law: Law, system: str = "") -> Fact:
-    """A law as something to point to."""
-    return Fact(law.name, str(getattr(law, "meaning", "")) or heading(law), law.source, system)
+    """A law as a citable fact."""
+    return Fact(law.name, str(getattr(law, "meaning", "")) or law.heading, law.source, system)
 
 
 @arguments_checked
 @dataclass
 class ProofBudget:
-    """The effort that proofs may take, counted alike on every machine.
+    """The effort that proofs may take, measured identically on every machine.
 
-    The cost of a verdict is that of its proof, whether it is new or read from the cache, and a
+    The cost of a verdict is that of its proof, whether the proof is new or read from the cache.  A
     proof that took more than is allowed here does not count: the result depends neither on the
-    machine nor on what was proven before.
+    machine nor on earlier proofs.
 
     Parameters
     ----------
@@ -102,7 +101,7 @@ class ProofBudget:
 
     @arguments_checked
     def verdict(self, system: System, law: Law) -> Verdict:
-        """The verdict on a law with the effort allowed."""
+        """The verdict on a law within the allowed effort."""
         if self.over:
             reason = EFFORT_SPENT if self.altogether else LEFT_OUT
             return Verdict(law.name, "undecided", reason=reason)

@@ -1,4 +1,4 @@
-"""Hamiltonian forms and invariant measures, with the sign of multipliers and densities."""
+"""Hamiltonian forms and invariant measures, with the signs of multipliers and densities."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from functools import partial
 import sympy as sp
 
 from flowlanes.printing.formula import text
-from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Measure
-from flowlanes.system.vectors import to_components
+from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Measure, of_kind
 from lawproof.proof.rank import rank
 
 from .conserved_covectors import casimirs
@@ -24,8 +23,8 @@ from .statements import Bracket, Density
 class Forms:
     """The Hamiltonian forms of a system.
 
-    `liouville` holds the facts that make one of rank above four integrable; up to rank four it is
-    enough to count integrals, as all of them are in involution with H.
+    `liouville` holds the facts that make a form of rank above four integrable; up to rank four it
+    suffices to count integrals, as all of them are in involution with H.
     """
 
     brackets: tuple[Bracket, ...] = ()
@@ -33,14 +32,14 @@ class Forms:
 
 
 def density(sample: RankSample, law: Measure) -> Density:
-    """An invariant measure with what is known of the sign of its density."""
+    """An invariant measure with the known sign of its density."""
     bases = [base for base, exponent in law.density if exponent != 0 and base != 1]
     return Density(fact_of(law), sign(sample, bases))
 
 
 def measures(sample: RankSample, laws: Sequence[Law], budget: ProofBudget) -> tuple[Density, ...]:
-    """The proven measures; without any, the volume is tried."""
-    densities = tuple(density(sample, law) for law in laws if isinstance(law, Measure))
+    """The proven measures; if there are none, the volume is tried."""
+    densities = tuple(density(sample, law) for law in of_kind(laws, Measure))
     if densities:
         return densities
     on = (*conditions_on_parameters(sample, laws), *sample.on)
@@ -50,7 +49,7 @@ def measures(sample: RankSample, laws: Sequence[Law], budget: ProofBudget) -> tu
 
 
 def hamiltonian(sample: RankSample, laws: Sequence[Law], budget: ProofBudget) -> Forms:
-    """The proven Hamiltonian forms; and complete integrals in involution, if any.
+    """The proven Hamiltonian forms, and complete integrals in involution, if any.
 
     Parameters
     ----------
@@ -62,16 +61,15 @@ def hamiltonian(sample: RankSample, laws: Sequence[Law], budget: ProofBudget) ->
     """
     brackets = []
     complete: tuple[Fact, ...] = ()
-    integrals = [law for law in laws if isinstance(law, Integral)]
-    for law in laws:
-        if isinstance(law, ConformallyHamiltonian):
-            bracket = _bracket(sample, law)
-            brackets.append(bracket)
-            chosen = None
-            if bracket.closed and bracket.rank > 4:
-                chosen = _involution(sample, law, integrals, bracket.rank // 2, budget)
-            if chosen is not None and not complete:
-                complete = (fact_of(law), *map(fact_of, chosen))
+    integrals = of_kind(laws, Integral)
+    for law in of_kind(laws, ConformallyHamiltonian):
+        bracket = _bracket(sample, law)
+        brackets.append(bracket)
+        chosen = None
+        if bracket.closed and bracket.rank > 4:
+            chosen = _involution(sample, law, integrals, bracket.rank // 2, budget)
+        if chosen is not None and not complete:
+            complete = (fact_of(law), *map(fact_of, chosen))
     return Forms(tuple(brackets), complete)
 
 
@@ -92,7 +90,7 @@ def _bracket(sample: RankSample, law: ConformallyHamiltonian) -> Bracket:
 
 def _entries(view: View, law: ConformallyHamiltonian) -> list[list[Element]]:
     """The Poisson structure at a point."""
-    matrix = to_components(law.structure.matrix)
+    matrix = law.structure.scalar.matrix
     places = range(matrix.shape[0])
     return [[view.jet(matrix[i, j]).value for j in places] for i in places]
 
@@ -106,7 +104,7 @@ def _involution(
 ) -> tuple[Integral, ...] | None:
     """Integrals in involution whose fields, with that of H, span `dimension` dimensions.
 
-    An integral is in involution with H, as it is constant along the field of H.
+    An integral is in involution with H, since it is constant along the field of H.
     """
     chosen: tuple[Integral, ...] = ()
     for candidate in integrals:
@@ -150,8 +148,8 @@ def _commute(
 ) -> bool:
     """Whether two integrals are proven to be in involution."""
     system = sample.level_set.system
-    formula = sample.expand(to_components(one.value))
+    formula = sample.expand(one.scalar.value)
     gradient = sp.Matrix([sp.diff(formula, s) for s in system.symbols])
-    field = dict(zip(system.symbols, to_components(law.structure.matrix) * gradient, strict=True))
+    field = dict(zip(system.symbols, law.structure.scalar.matrix * gradient, strict=True))
     named = f"{other.name} along {one.name}"
     return bool(budget.verdict(replace(system, field=field), Integral(named, other.value)))

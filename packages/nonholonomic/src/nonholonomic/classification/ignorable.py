@@ -1,4 +1,4 @@
-"""Variables that follow by a quadrature, as nothing else in a system depends on them."""
+"""Variables on which nothing else in a system depends: they follow by a quadrature."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from flowlanes.system.laws import Law, Measure, Symmetry
+from flowlanes.system.laws import Law, Measure, Symmetry, of_kind
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components
 from lawproof.proof.level.named_formulas import components
 
 from .conserved_covectors import AnnihilatingCovectors
@@ -25,8 +24,8 @@ def ignorable_shifts(
 ) -> tuple[Fact, ...]:
     """The shifts of single variables on which equations, integrals and measure do not depend.
 
-    Without these variables the system is one of its own, with the same integrals, and the density
-    of its measure is the same: dx is a factor of the volume.
+    Without these variables the remaining system is closed, has the same integrals, and its measure
+    has the same density: dx is a factor of the volume.
 
     Parameters
     ----------
@@ -41,13 +40,13 @@ def ignorable_shifts(
         The name of the measure.
     """
     system = sample.level_set.system
-    measure = next((x for x in laws if isinstance(x, Measure) and x.name == volume), None)
+    measure = next((x for x in of_kind(laws, Measure) if x.name == volume), None)
     if measure is None or not all(source.functions for source in sources):
         return ()
     formulas = [
         *system.rates,
-        *system.relations,
-        *(base for base, _ in measure.density),
+        *system.scalar.relations,
+        *(base for base, _ in measure.scalar.density),
         *(formula for source in sources for formula in source.functions),
     ]
     used = _symbols(system, formulas)
@@ -63,6 +62,6 @@ def ignorable_shifts(
 
 def _symbols(system: System, formulas: Iterable[sp.Expr]) -> set[sp.Symbol]:
     """The symbols in formulas and in the definitions that they use."""
-    plain = [to_components(formula) for formula in formulas]
+    plain = [system.scalar.of(formula) for formula in formulas]
     parts = [*plain, *(formula for _, formula in system.required_definitions(plain))]
     return {s for part in parts for s in sp.sympify(part).free_symbols}

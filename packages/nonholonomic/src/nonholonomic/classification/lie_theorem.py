@@ -8,8 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from flowlanes.system.laws import Integral, Law, Symmetry
-from flowlanes.system.vectors import Vector, to_components
+from flowlanes.system.laws import Integral, Law, Symmetry, of_kind
+from flowlanes.system.vectors import Vector
 from lawproof.proof.level.named_formulas import components
 from lawproof.proof.rank import rank
 
@@ -26,9 +26,9 @@ def independent_symmetries(
 ) -> list[Symmetry]:
     """The proven symmetry fields, independent of the motion and of one another.
 
-    If none is stated, rotations about the body axes are tried at the present parameters.
+    If none is declared, rotations about the body axes are tried at the present parameters.
     """
-    stated = [law for law in laws if isinstance(law, Symmetry)]
+    stated = list(of_kind(laws, Symmetry))
     if not stated and not sample.on:
         rotations = enumerate(_rotations(sample, conditions_on_parameters(sample, laws)))
         stated = [
@@ -46,7 +46,7 @@ def lie_symmetries(
     symmetries: Sequence[Symmetry],
     budget: ProofBudget,
 ) -> tuple[Fact, ...]:
-    """The symmetry fields of Theorem 3, if there are as many as needed.
+    """The symmetry fields required by Theorem 3, or none if there are too few.
 
     They are tangent to the levels of the integrals and span a solvable Lie algebra, both proven.
 
@@ -78,7 +78,7 @@ def _rotations(sample: RankSample, on: tuple[sp.Expr, ...]) -> list[Symmetry]:
     rotations = []
     for i in range(3):
         axis = sp.Matrix([int(i == j) for j in range(3)])
-        field = {name: axis.cross(sp.Matrix(to_components(name))) for name in names}
+        field = {name: axis.cross(sp.Matrix(name.symbols)) for name in names}
         words = f"rotation about body axis {i + 1}"
         rotation = Symmetry(f"rotation_{i + 1}", field, words, on=on, source=HERE)
         rotations.append(rotation)
@@ -130,7 +130,7 @@ def _tangent(
 
 
 def _as_rotation(sample: RankSample, field: Components) -> RotationSymmetry | None:
-    """The rotation about a body axis that equals a field, if a proven symmetry."""
+    """The rotation about a body axis that equals a field, if it is a proven symmetry."""
     for axis, law in enumerate(_rotations(sample, ())):
         if _full(sample, law) == field:
             return proven_rotation_symmetry(sample, axis)
@@ -167,7 +167,7 @@ def _bracket(structure: dict[tuple[int, int], list[Any]], a: sp.Expr, b: sp.Expr
 def _structure(
     fields: Sequence[Components], symbols: Sequence[sp.Symbol]
 ) -> dict[tuple[int, int], list[Any]] | None:
-    """Constants c with [uᵢ, uⱼ] = Σ cₖ uₖ, for i < j; None where there are none."""
+    """Constants c with [uᵢ, uⱼ] = Σ cₖ uₖ, for i < j; None if there are none."""
     structure = {}
     for j in range(len(fields)):
         for i in range(j):

@@ -17,15 +17,15 @@ from flowlanes.formulas.number_fields import Balls, Rationals, ball_precision
 from flowlanes.parsing.exact_decimals import exact_number
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import Law
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components
 from lawproof.proof.level.level_set import LevelSet
 from lawproof.proof.level.named_formulas import components
 from lawproof.proof.rank import rank
 
 T = TypeVar("T")
 
-#: Elements of the fields of numbers, and numbers that turn into such.
+#: Elements of the number fields, and numbers that convert to them.
 Element: TypeAlias = fmpq | arb
 Number: TypeAlias = sp.Rational | Element | float
 
@@ -37,7 +37,7 @@ SEED = 20130400
 def rational_parameters(system: System) -> dict[sp.Symbol, sp.Rational]:
     """The values of all parameters as rational numbers, exactly their decimals.
 
-    Parameters that a relation puts on a sphere, such as the sine and the cosine of an angle, have
+    Parameters on a sphere defined by a relation, such as the sine and the cosine of an angle, get
     the values of a rational point of it, within rounding of their decimals.
     """
     values = {p.symbol: exact_number(p.default) for p in system.parameters}
@@ -47,7 +47,7 @@ def rational_parameters(system: System) -> dict[sp.Symbol, sp.Rational]:
 
 
 def _between_parameters(system: System) -> list[sp.Expr]:
-    """The relations of a system that hold parameters alone."""
+    """The relations of a system that involve only parameters."""
     parameters = {p.symbol for p in system.parameters}
     written = (system.expand(relation) for relation in system.relations)
     return [f for f in written if f.free_symbols and f.free_symbols <= parameters]
@@ -56,9 +56,10 @@ def _between_parameters(system: System) -> list[sp.Expr]:
 def _on_sphere(
     relation: sp.Expr, values: Mapping[sp.Symbol, sp.Rational]
 ) -> dict[sp.Symbol, sp.Rational]:
-    """The point of a sphere on the line from a pole to a given point; nothing of other relations.
+    """The point of a sphere on the line from a pole to a given point; empty for other relations.
 
-    The pole is opposite to the largest coordinate, so that both points are as near as rounding.
+    The pole is opposite to the largest coordinate, which keeps the result within rounding of the
+    given point.
     """
     names = sorted(relation.free_symbols, key=str)
     if len(names) < 2 or not relation.is_polynomial(*names) or relation.xreplace(values) == 0:
@@ -113,7 +114,7 @@ class View:
 
     def jet(self, formula: sp.Expr) -> Jet:
         """A formula of the system with its derivatives."""
-        return self.evaluate(self.level_set.without_rates(to_components(sp.sympify(formula))))
+        return self.evaluate(self.level_set.without_rates(*scalars(formula)))
 
     def differential(self, formula: sp.Expr) -> list[Element]:
         """The partial derivatives of a function by the state variables."""
@@ -139,7 +140,7 @@ Covectors: TypeAlias = Callable[[View], list[list[Element]]]
 
 @dataclass(frozen=True)
 class RankSample:
-    """The points of a phase space at the present parameters, or of a level in it.
+    """The points of a phase space, or of a level in it, at the present parameters.
 
     Parameters
     ----------
@@ -156,7 +157,7 @@ class RankSample:
 
     @cached_property
     def level_set(self) -> LevelSet:
-        """The level, with parameters that are numbers.
+        """The level, with numbers for parameters.
 
         Raises
         ------
@@ -178,7 +179,7 @@ class RankSample:
         return rational_parameters(self.system) if self.values is None else self.values
 
     def expand(self, formula: sp.Expr) -> sp.Expr:
-        """A formula in the state alone: definitions written out, parameters as numbers."""
+        """A formula in the state alone: definitions substituted, parameters as numbers."""
         return self.level_set.expand(sp.sympify(formula))
 
     def at_points(self, compute: Callable[[View], T]) -> list[T]:
@@ -222,9 +223,9 @@ class RankSample:
 
     @cached_property
     def dimension(self) -> int:
-        """Of the level: state variables less the rank of the conditions.
+        """Dimension of the level: number of state variables minus the rank of the conditions.
 
-        Conditions of full rank at one point have it at almost all.
+        If conditions have full rank at one point, they have it at almost all points.
         """
         ranks = self.at_points(lambda view: rank(view.field, self.bounds(view)))
         return len(self.system.symbols) - max(ranks)
@@ -260,7 +261,7 @@ class RankSample:
         return max(self.at_points(independent_indices), key=lambda pair: pair[1])
 
     def full(self, least: int, rows: Covectors) -> bool:
-        """Whether vectors span enough dimensions at one point, so at almost all."""
+        """Whether vectors span enough dimensions at one point, and therefore at almost all."""
         return max(self.at_points(lambda view: rank(view.field, rows(view)))) >= least
 
     def vanishes(self, condition: sp.Expr) -> bool:
@@ -284,7 +285,7 @@ class RankSample:
 def conditions_on_parameters(sample: RankSample, laws: Sequence[Law]) -> tuple[sp.Expr, ...]:
     """Conditions on parameters under which some laws hold."""
     state = set(sample.system.symbols)
-    conditions = (to_components(c) for law in laws for c in law.on)
+    conditions = (c for law in laws for c in law.scalar.on)
     fixed = (c for c in conditions if not sample.expand(c).free_symbols & state)
     return tuple(dict.fromkeys(fixed))
 

@@ -1,8 +1,9 @@
 """Symmetry under rotations about a body axis, proven definition by definition.
 
-Written out, the equations of a body of revolution are too long to compute their commutator with a
-rotation.  But every vector among their definitions turns with the vectors before it, every scalar
-stays: each of these is a short identity, and together they prove the symmetry by induction.
+The expanded equations of a body of revolution are too long to compute their commutator with a
+rotation.  But every vector among their definitions rotates with the earlier vectors, and every
+scalar is invariant. Each of these statements is a short identity, and together they prove the
+symmetry by induction.
 """
 
 from __future__ import annotations
@@ -12,8 +13,8 @@ from collections.abc import Sequence
 import sympy as sp
 
 from flowlanes.formulas.exact_zero import vanishes
-from flowlanes.system.system import flat_pairs
-from flowlanes.system.vectors import Diagonal, Symmetric, Vector, to_components
+from flowlanes.system.named_formulas import flat_pairs, scalars
+from flowlanes.system.vectors import Diagonal, Symmetric, Vector
 
 from .ranks import RankSample
 
@@ -54,7 +55,7 @@ def proven_rotation_symmetry(sample: RankSample, axis: int) -> RotationSymmetry 
 
 
 class RotationSymmetry:
-    """The change of every symbol under an infinitesimal rotation, as far as known."""
+    """The known changes of symbols under an infinitesimal rotation."""
 
     def __init__(self, sample: RankSample, axis: int) -> None:
         self.hat = sp.ImmutableMatrix(3, 3, lambda i, j: -sp.LeviCivita(axis, i, j))
@@ -67,11 +68,14 @@ class RotationSymmetry:
         return list(self.hat * sp.Matrix(triple))
 
     def expand(self, formula: sp.Expr) -> sp.Expr:
-        """A formula with numbers for parameters and one symbol for what is equal."""
+        """A formula with numbers for parameters and one symbol for equal quantities."""
         return formula.xreplace(self.equal)
 
     def follows(self, name: sp.Expr, formula: sp.Expr) -> bool:
-        """Whether a definition transforms by its kind; if so, its symbols do so too."""
+        """Whether a definition transforms according to its kind.
+
+        If so, its symbols are recorded.
+        """
         symbols, parts = zip(*flat_pairs(((name, formula),)), strict=True)
         values = [self.expand(part) for part in parts]
         if isinstance(name, Symmetric):
@@ -94,8 +98,8 @@ class RotationSymmetry:
         return self.agree(values, wanted)
 
     def keeps(self, formula: sp.Expr) -> bool:
-        """Whether a scalar formula is shown not to change."""
-        return vanishes(self._change(self.expand(to_components(sp.sympify(formula)))))
+        """Whether a scalar formula is shown to be invariant."""
+        return vanishes(self._change(self.expand(*scalars(formula))))
 
     def agree(self, values: Sequence[sp.Expr], goals: Sequence[sp.Expr]) -> bool:
         """Whether formulas change as they must."""

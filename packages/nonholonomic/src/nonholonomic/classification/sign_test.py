@@ -1,7 +1,7 @@
-"""Whether a formula keeps its sign on a phase space: shown by ball arithmetic, or refuted.
+"""Decide whether a formula keeps its sign on a phase space: by ball arithmetic, or by points.
 
 An invariant measure excludes attracting sets only where its density is positive and finite; a
-reducing multiplier gives a new time only where it does not vanish.
+reducing multiplier defines a new time only where it does not vanish.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from flint import arb
 
 from flowlanes.formulas.errors import NotExactError, OutOfReachError
 from flowlanes.formulas.number_fields import ball_precision
-from flowlanes.system.vectors import to_components
 
 from .ranks import RankSample
 
@@ -23,10 +22,10 @@ Box: TypeAlias = tuple[tuple[sp.Expr, sp.Expr], ...]
 
 Sign = Literal["kept", "changes", "unknown"]
 
-#: Boxes that are tested before the sign is left unknown.
+#: Number of boxes tested before the sign is left unknown.
 BOXES = 3000
 
-#: Radius of a box, as a part of its bound, below which no smaller one is tried: a zero is near.
+#: Radius of a box, relative to its bound, below which it is not divided: a zero is near.
 SMALLEST = 1e-9
 
 
@@ -52,7 +51,7 @@ def sign(sample: RankSample, formulas: Sequence[sp.Expr]) -> Sign:
 
 
 def _sign_of(sample: RankSample, formula: sp.Expr) -> Sign:
-    formula = to_components(sp.sympify(formula))
+    formula = sample.system.scalar.of(formula)
     expanded = sample.expand(formula)
     known = {positive for theorem in sample.system.theorems for positive in theorem.positive}
     if (
@@ -71,7 +70,7 @@ def _sign_of(sample: RankSample, formula: sp.Expr) -> Sign:
 
 
 def _divides(sample: RankSample, formula: sp.Expr) -> bool:
-    """Whether a formula is a root by which the equations divide, thus positive."""
+    """Whether a formula is a root that is a divisor in the equations, and therefore positive."""
     steps = dict(sample.system.scalar_definitions)
     inner = steps.get(formula, formula)
     if not (inner.is_Pow and inner.exp == sp.Rational(1, 2)):
@@ -98,16 +97,16 @@ def _bounds(sample: RankSample, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Exp
 
 
 def _is_covered(sample: RankSample, formula: sp.Expr, expansion: sp.Expr) -> bool:
-    """Whether no box of a cover of the bounded variables lets the formula vanish."""
+    """Whether the formula is nonzero on every box of a cover of the bounded variables."""
     names = expansion.free_symbols & set(sample.system.symbols)
     bounds = _bounds(sample, names)
     if not names <= set(bounds):
         return False
-    # a variable whose coefficient is zero for these numbers is named in the formula alone
+    # A variable whose coefficient is zero for these numbers still occurs in the formula.
     formula = formula if _variables(sample, formula) <= set(bounds) else expansion
     order = sorted(bounds, key=str)
     conditions = [c for c in sample.level_set.moving if c.free_symbols <= set(bounds)]
-    # a little wider than the bound itself, which need not be a binary fraction
+    # Slightly wider than the bound itself, which need not be a binary fraction.
     waiting = [tuple((arb(0), arb(float(bounds[s])) * arb("1.0001")) for s in order)]
     smallest = [SMALLEST * radius for _, radius in waiting[0]]
     with ball_precision():
@@ -126,7 +125,7 @@ def _is_covered(sample: RankSample, formula: sp.Expr, expansion: sp.Expr) -> boo
 
 
 def _variables(sample: RankSample, formula: sp.Expr) -> set[sp.Basic]:
-    """The variables of the state that a formula names, or a definition that it uses."""
+    """The variables of the state that a formula, or a definition used by it, contains."""
     steps = dict(sample.system.scalar_definitions)
     waiting, visited = set(formula.free_symbols), set[sp.Basic]()
     while waiting:
@@ -137,7 +136,7 @@ def _variables(sample: RankSample, formula: sp.Expr) -> set[sp.Basic]:
 
 
 def _is_nonzero_on(sample: RankSample, formula: sp.Expr, values: Mapping[str, arb]) -> bool:
-    """Whether a formula is certainly not zero, and finite, on a box."""
+    """Whether a formula is certainly nonzero, and finite, on a box."""
     field = sample.level_set.numbers(values, False)
     try:
         value = sample.level_set.evaluator(field).value(formula)
@@ -147,7 +146,7 @@ def _is_nonzero_on(sample: RankSample, formula: sp.Expr, values: Mapping[str, ar
 
 
 def _halves(box: Box) -> list[Box]:
-    """A box cut in two across its longest side."""
+    """A box divided in two along its longest side."""
     index = max(range(len(box)), key=lambda i: float(box[i][1]))
     middle, radius = box[index]
     half = radius / 2

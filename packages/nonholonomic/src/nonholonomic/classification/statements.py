@@ -1,4 +1,4 @@
-"""Statements of a classification, with the facts behind them."""
+"""Statements of a classification, with their supporting facts."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .facts import Fact
 
 @dataclass(frozen=True)
 class Statement:
-    """A sentence with the facts on which it rests."""
+    """A sentence with its supporting facts."""
 
     text: str
     by: tuple[Fact, ...] = ()
@@ -38,8 +38,8 @@ class IntegrabilityClass:
 class Density:
     """An invariant measure and the sign of its density.
 
-    `sign` is ``"kept"`` where that is shown everywhere, ``"changes"`` where the density vanishes
-    or is infinite somewhere, ``"unknown"`` where neither is decided.
+    `sign` is ``"kept"`` if this is shown everywhere, ``"changes"`` if the density vanishes or is
+    infinite somewhere, and ``"unknown"`` if neither is decided.
     """
 
     law: Fact
@@ -75,7 +75,7 @@ class Bracket:
 
 @dataclass(frozen=True)
 class IgnoredLaw:
-    """A law that does not count, and why."""
+    """A law that does not count, and the reason."""
 
     law: str
     why: str

@@ -1,7 +1,7 @@
-"""Results that proven isomorphisms carry over from their targets.
+"""Results that proven isomorphisms transfer from their targets.
 
 Functions that are constant there are constant here.  A Hamiltonian form there is one here, up to
-the change of time, where the map is a local diffeomorphism.
+the change of time, if the map is a local diffeomorphism.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import sympy as sp
 
 from flowlanes.formulas.errors import OutOfReachError
 from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.laws import Law, Measure
+from flowlanes.system.laws import Law, Measure, of_kind
 from flowlanes.system.system import System
 from lawproof.proof.level.named_formulas import components
 
@@ -26,7 +26,7 @@ from .ranks import Element, RankSample, View, rational_parameters
 from .sign_test import sign
 from .statements import Bracket, Density
 
-#: Isomorphisms that are followed one after another.
+#: Number of isomorphisms that are followed in succession.
 DEPTH = 2
 
 
@@ -76,14 +76,14 @@ def _through(
     there = RankSample(target, values=values)
     laws = sorted_laws(there, budget.verdicts(target)).general
     if moving:
-        # a law at one value of a parameter need not hold at all values
+        # A law at one value of a parameter need not hold at all values.
         laws = tuple(each for each in laws if not each.on)
     beyond = TargetResults() if moving else through_isomorphisms(there, laws, budget, depth - 1)
     constant = tuple(pulled_back(law, s) for s in (*sources(laws), *beyond.sources))
     if not _diffeomorphic(sample, there, law, moving):
         return TargetResults(constant)
     forms = hamiltonian(there, laws, budget)
-    volumes = tuple(density(there, each) for each in laws if isinstance(each, Measure))
+    volumes = tuple(density(there, each) for each in of_kind(laws, Measure))
     brackets = forms.brackets + beyond.brackets
     return TargetResults(
         constant,
@@ -94,7 +94,7 @@ def _through(
 
 
 def _with_laws(target: System) -> System:
-    """The target with the laws that the catalogue states of the same equations."""
+    """The target with the laws that the catalogue states for the same equations."""
     if target.laws or target.name not in CATALOGUE:
         return target
     known = CATALOGUE[target.name].system()
@@ -147,7 +147,7 @@ def _diffeomorphic(
 ) -> bool:
     """Whether the map is a local diffeomorphism near almost every point.
 
-    The constants are Casimir functions of what is carried over.
+    The constants are Casimir functions of the transferred bracket.
     """
     named = dict(components(law.constants, sample.level_set))
     images = list(components(law.map, sample.level_set).values())

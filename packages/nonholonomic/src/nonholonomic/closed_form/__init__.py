@@ -1,4 +1,4 @@
-"""Closed forms: the state of an integrable system at any time, without steps."""
+"""Closed-form solutions: the state of an integrable system at any time, without time steps."""
 
 import lazy_loader
 

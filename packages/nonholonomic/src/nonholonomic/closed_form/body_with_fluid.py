@@ -1,9 +1,9 @@
-"""Bodies filled with fluid that move as their equivalent rigid body.
+"""Bodies filled with fluid that move like their equivalent rigid body.
 
-A fluid in potential flow, N = 0, stays so, and in a spherical cavity, C = E, Ṅ = ξ×N = N×ω: N is
-fixed in space.  Where each cavity is of one of these kinds, P = M − ΣN obeys the equations of the
-equivalent rigid body, and so does ω where the state has it (docs/fluid.md).  So the motion is that
-of the rigid body, and N follows from the attitude.
+A fluid in potential flow, N = 0, remains so.  In a spherical cavity, C = E, Ṅ = ξ×N = N×ω, so N is
+fixed in space.  If each cavity is of one of these kinds, P = M − ΣN satisfies the equations of the
+equivalent rigid body, and so does ω if it is part of the state (docs/fluid.md).  The motion is then
+that of the rigid body, and N follows from the attitude.
 """
 
 from __future__ import annotations
@@ -22,8 +22,9 @@ from flowlanes.formulas.balls import ball, exact
 from flowlanes.formulas.errors import NotExactError, OutOfReachError, UnknownSymbolError
 from flowlanes.formulas.relative_zero import ROUNDING
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import Reconstruction, System
-from flowlanes.system.vectors import Diagonal, Symmetric, Vector, to_components, zero
+from flowlanes.system.vectors import Diagonal, Symmetric, Vector, zero
 
 from ..mechanics.rolling.attitude import attitude, attitude_relations, quaternion_rate, unit_length
 from .base.derived_solution import DerivedSolution
@@ -33,7 +34,7 @@ from .one_degree.functions import N
 from .one_degree.vectors import conjugate, product
 
 SPACE = 3
-#: Components of the two vectors of a rigid body's state, and where its attitude ends.
+#: Number of components of the two vectors of a rigid body's state, and end of its attitude.
 RIGID, TURNED = 6, 10
 M, omega, gamma = (Vector(name) for name in ("M", "omega", "gamma"))
 
@@ -42,7 +43,7 @@ Numbers = Mapping[sp.Symbol, Fraction]
 
 @dataclass(frozen=True, repr=False)
 class FluidSolution(DerivedSolution):
-    """A motion of a body with fluid by that of the equivalent rigid body.
+    """A motion of a body with fluid, from that of the equivalent rigid body.
 
     Attributes
     ----------
@@ -85,7 +86,7 @@ class FluidSolution(DerivedSolution):
 
     @arguments_checked
     def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
-        """The lifted state at one time as balls that contain the exact one."""
+        """The lifted state at one time as balls that contain the exact state."""
         with ctx.workdps(digits + 30):
             return tuple(self._state(self.inner.rigorous(time, digits), lambda x: x))
 
@@ -93,7 +94,7 @@ class FluidSolution(DerivedSolution):
 def solve_with_fluid(
     problem: Problem, fluids: tuple[Vector, ...], solve: Callable[[Problem], Solution]
 ) -> Solution | None:
-    """The motion of a body with fluid; None unless each cavity is a sphere or has no circulation.
+    """Solve a body with fluid; None unless each cavity is spherical or has no circulation.
 
     Parameters
     ----------
@@ -112,10 +113,11 @@ def solve_with_fluid(
     rigid = _rigid_body(problem, fluids)
     numbers = {s: exact(x) for s, x in problem.parameters.items()}
     try:
-        if not _moves_as(rigid, system, fluids, spherical, numbers):
+        if not _has_equations_of(rigid, system, fluids, spherical, numbers):
             return None
     except (NotExactError, OutOfReachError, UnknownSymbolError, ZeroDivisionError):
-        # a field with roots cannot be compared; that of a given rolling body is known to be it
+        # A field with roots cannot be compared exactly; for a given rolling body it is known to
+        # agree.
         if problem.rolling is None:
             return None
     parameters = {p.symbol: problem.parameters[p.symbol] for p in rigid.parameters}
@@ -147,14 +149,14 @@ def solve_with_fluid(
 
 
 def _tensor(problem: Problem, letter: str, name: Vector) -> Diagonal | Symmetric:
-    """W or C of a fluid."""
+    """The tensor W or C of a fluid."""
     full = Symmetric(letter + str(name)[1:])
     return full if full.symbols[1] in problem.parameters else Diagonal(str(full))
 
 
 def _is_spherical(problem: Problem, name: Vector) -> bool:
     """Whether C = E, exactly."""
-    entries = to_components(_tensor(problem, "C", name))
+    entries = _tensor(problem, "C", name).entries
     numbers = {s: exact(problem.parameters[s]) for s in entries.free_symbols}
     return all(
         numbers.get(entries[i, j], Fraction(0)) == int(i == j)
@@ -164,12 +166,12 @@ def _is_spherical(problem: Problem, name: Vector) -> bool:
 
 
 def _is_potential(problem: Problem, name: Vector) -> bool:
-    """Whether N = K(ξ + Cω) vanishes, but for the rounding of doubles."""
+    """Whether N = K(ξ + Cω) vanishes, up to rounding of doubles."""
     if all(exact(problem.start[i]) == 0 for i in _place(problem.system, name)):
         return True
     C, W = _tensor(problem, "C", name), _tensor(problem, "W", name)
     sizes = [
-        max(abs(float(x)) for x in problem.values(list(to_components(vector))))
+        max(abs(float(x)) for x in problem.values(scalars(vector)))
         for vector in (W * name, C * omega)
     ]
     return sizes[0] <= float(Fraction(int(ROUNDING.p), int(ROUNDING.q))) * sizes[1]
@@ -181,7 +183,7 @@ def _place(system: System, name: Vector) -> range:
 
 
 def _rigid_body(problem: Problem, fluids: tuple[Vector, ...]) -> System:
-    """The equivalent rigid body: N = 0, and a motion in space even where the problem has none."""
+    """The equivalent rigid body with N = 0, and a motion in space even if the problem has none."""
     system = problem.system
     if problem.rolling is not None:
         rigid = problem.rolling.equivalent.system(system.name, system.title)
@@ -197,7 +199,7 @@ def _rigid_body(problem: Problem, fluids: tuple[Vector, ...]) -> System:
             definitions=[
                 (symbol, formula.xreplace(none))
                 for symbol, formula in system.definitions
-                if not _moves_fluid(symbol, own)
+                if not _is_fluid_velocity(symbol, own)
             ],
             field=[(s, f.xreplace(none)) for s, f in system.field if s not in none],
             relations=system.relations,
@@ -213,19 +215,19 @@ def _rigid_body(problem: Problem, fluids: tuple[Vector, ...]) -> System:
     return replace(rigid, reconstruction=turning)
 
 
-def _moves_fluid(symbol: sp.Basic, numbers: set[str]) -> bool:
-    """Whether a definition is ξ of a fluid."""
+def _is_fluid_velocity(symbol: sp.Basic, numbers: set[str]) -> bool:
+    """Whether a definition is the ξ of a fluid."""
     return str(symbol) in {f"xi{number}" for number in numbers}
 
 
-def _moves_as(
+def _has_equations_of(
     rigid: System,
     system: System,
     fluids: Sequence[Vector],
     spherical: Sequence[Vector],
     numbers: Numbers,
 ) -> bool:
-    """Whether the equations are those of the rigid body with fluid, at exact points."""
+    """Whether the system has the equations of the rigid body with fluid, tested at exact points."""
     own = {p.symbol: numbers[p.symbol] for p in rigid.parameters}
     compared = False
     for point in rational_points(replace(rigid, reconstruction=None), own):
@@ -263,7 +265,7 @@ def _spinning(system: System) -> System:
 
 
 def _upright(vertical: Sequence[arb]) -> list[arb]:
-    """The shortest turn of a unit vector to the third axis, as a unit quaternion."""
+    """The shortest rotation of a unit vector to the third axis, as a unit quaternion."""
     x, y, z = vertical
     w = 1 + z
     size = (w * w + x * x + y * y).sqrt()

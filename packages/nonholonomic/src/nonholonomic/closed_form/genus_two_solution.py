@@ -29,7 +29,7 @@ BITS = 320
 QUATERNION = 4
 
 
-# equal to itself alone, so that what is prepared for it can be kept
+# Compared by identity, so that prepared data can be cached.
 @dataclass(frozen=True, repr=False, eq=False)
 class GenusTwo(Solution):
     """A motion on a two-dimensional torus.
@@ -54,7 +54,7 @@ class GenusTwo(Solution):
 
     @cached_property
     def clock(self) -> TimeMap:
-        """t as a function of τ and back."""
+        """t as a function of τ, and its inverse."""
         return clock_of(self.separated_motion, BITS)
 
     @cached_property
@@ -85,7 +85,7 @@ class GenusTwo(Solution):
 
     @property
     def left_open(self) -> str:
-        """A sentence on the part of the state that :meth:`rigorous` leaves open; or ""."""
+        """A sentence on the part of the state for which :meth:`rigorous` has no bounds; or ""."""
         of = self.separable
         lifted = len(self.start) - len(of.system.symbols)
         if of.system.reconstruction is None or len(of.fixed) > 1:
@@ -177,7 +177,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
 
 
 def _meaning_and_unit(motion: SeparatedMotion, value: arb) -> tuple[str, str]:
-    """Meaning and unit of a constant: those of the integral whose value it is."""
+    """Meaning and unit of a constant: those of the integral with this value."""
     system = motion.separable.system
     known = with_definitions(system, motion.values, motion.state)
     for law in system.integrals:

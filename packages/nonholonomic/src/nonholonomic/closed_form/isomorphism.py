@@ -1,8 +1,8 @@
-"""Closed forms carried over an isomorphism (Theorems 8 and 10, Proposition 6).
+"""Closed forms transported by an isomorphism (Theorems 8 and 10, Proposition 6).
 
-An isomorphism takes the state x of its system to y(x) in a new time dτ = N(x) dt.  Where it acts on
-a unit vector by stretching the axes, and on a further vector linearly at each value of the first,
-its inverse x(y) is a formula; and a system that separates on one side separates on the other, with
+An isomorphism maps the state x of its system to y(x) in a new time dτ = N(x) dt.  If it acts on a
+unit vector by stretching the axes, and linearly on a second vector for each value of the first, its
+inverse x(y) is a formula.  A system that separates on one side then separates on the other, with
 the same curve, the same unit vector ν and another clock.
 """
 
@@ -18,12 +18,13 @@ from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import Identity
-from flowlanes.system.system import System, flat_pairs
-from flowlanes.system.vectors import Vector, norm_squared, real_symbol, to_components
+from flowlanes.system.named_formulas import flat_pairs, scalars
+from flowlanes.system.system import System
+from flowlanes.system.vectors import Vector, norm_squared, real_symbol
 
 from .genus_two.separation import SeparatedSystem
 
-#: Scalar symbols with what is put in for them.
+#: Scalar symbols with their replacements.
 Formulas: TypeAlias = dict[sp.Symbol, sp.Expr]
 
 
@@ -81,7 +82,7 @@ def _others(system: System, unit: Vector) -> set[sp.Symbol]:
 
 
 def _unit_vector(system: System, unit: Vector, name: Vector, image: sp.MatrixExpr) -> Formulas:
-    """The unit vector γ with γ_i s_i λ = y_i, for factors s_i free of the state."""
+    """The unit vector γ with γ_i s_i λ = y_i, for factors s_i independent of the state."""
     scales = [part / s for part, s in zip(image, unit.symbols, strict=True)]
     factors = [sp.cancel(scale / scales[0]) for scale in scales]
     if any(factor.free_symbols & set(system.symbols) for factor in factors):
@@ -163,7 +164,7 @@ def pull_back(
     separable: SeparatedSystem,
     fixed: tuple[sp.MatrixExpr, ...] = (),
 ) -> SeparatedSystem:
-    """A system that separates because the target of an isomorphism does.
+    """The separation of a system, from that of the target of its isomorphism.
 
     Parameters
     ----------
@@ -214,10 +215,10 @@ def pull_back(
         system=system,
         level=law.on,
         constants=(
-            *((names[p], to_components(formula)) for p, formula in law.constants),
-            *((names[s], text(to_components(formula))) for s, formula in separable.constants),
+            *((names[p], formula) for p, formula in law.scalar.constants),
+            *((names[s], text(formula)) for s, formula in separable.constants),
         ),
-        clock=_substitution(to_components(separable.clock), names) / rate,
+        clock=_substitution(scalars(separable.clock)[0], names) / rate,
         state=tuple(back.items()),
         fixed=fixed,
         laws=(law,),
@@ -227,7 +228,7 @@ def pull_back(
 
 @arguments_checked
 def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -> SeparatedSystem:
-    """The target of an isomorphism as a system that separates because the other side does.
+    """The separation of the target of an isomorphism, from that of its system.
 
     Parameters
     ----------
@@ -291,10 +292,8 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
         name=target.name,
         title=target.title,
         system=target,
-        level=tuple(text(to_components(condition)) for condition in law.on),
-        constants=tuple(
-            (names[s], text(to_components(formula))) for s, formula in separable.constants
-        ),
+        level=tuple(text(condition) for condition in law.on),
+        constants=tuple((names[s], text(formula)) for s, formula in separable.constants),
         clock=_substitution(system.expand(separable.clock), names) * rate,
         state=tuple((s, _substitution(_substitution(f, names), state)) for s, f in image.items()),
         fixed=(),
@@ -306,15 +305,15 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
 def _with_names(
     separable: SeparatedSystem, text: Callable[[sp.Expr], sp.Expr], names: Formulas
 ) -> SeparatedSystem:
-    """The curve in other names, with ν and ν′ in another state."""
+    """The curve with other symbols, and ν and ν′ in another state."""
 
     def each(formulas: Iterable[sp.Expr]) -> Any:
         return tuple(_substitution(sp.sympify(formula), names) for formula in formulas)
 
     return replace(
         separable,
-        direction=text(to_components(separable.direction)),
-        turning=text(to_components(separable.turning)),
+        direction=text(separable.direction),
+        turning=text(separable.turning),
         poles=each(separable.poles),
         weights=each(separable.weights),
         leading=_substitution(sp.sympify(separable.leading), names),
@@ -325,7 +324,7 @@ def _with_names(
 
 
 def _unused_names(symbols: Iterable[sp.Symbol], system: System) -> Formulas:
-    """Names for symbols in a system that may use the same ones."""
+    """New names for symbols in a system that may already use the same ones."""
     names = {p.symbol for p in system.parameters} | set(system.symbols)
     names |= {s for s, _ in system.scalar_definitions}
     return {s: _tilde(s) if s in names else s for s in symbols}

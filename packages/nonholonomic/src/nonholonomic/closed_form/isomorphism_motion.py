@@ -1,7 +1,7 @@
-"""Motions carried over an isomorphism: states by its map, times by quadrature.
+"""Motions transported by an isomorphism: states by its map, times by quadrature.
 
-For closed forms on a torus see :mod:`.isomorphism`; here the motion is whatever gives states at
-times: a closed form of another kind, or an integrated trajectory.
+For closed forms on a torus see :mod:`.isomorphism`.  Here the motion is anything that gives states
+at times: a closed form of another kind, or an integrated trajectory.
 """
 
 from __future__ import annotations
@@ -20,25 +20,26 @@ from flowlanes.errors import InputError
 from flowlanes.formulas.balls import array_function, number
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.system import System, flat_pairs
+from flowlanes.system.named_formulas import flat_pairs
+from flowlanes.system.system import System
 
 from .isomorphism import inverse
 
-#: Times (n,) ↦ states (n, size).
+#: Maps times (n,) to states (n, size).
 Motion: TypeAlias = Callable[[FloatArray], FloatArray]
 RateAlongMotion: TypeAlias = Callable[[FloatArray], FloatArray]
 
-#: Nodes on a panel of time; what the last coefficients may be beside the largest.
+#: Number of nodes per panel of time; largest relative size of the last coefficients.
 _NODES, _TAIL = 24, 1e-13
-#: Halvings and Newton steps at most; of the latter it takes three or four.
+#: Maximum number of halvings and of Newton steps; three or four of the latter suffice.
 _HALVINGS, _STEPS = 80, 60
-#: The part of the way that is tried as the first panel.
+#: Fraction of the interval that is tried as the first panel.
 _AHEAD = 0.1
 
 
 @dataclass(frozen=True)
 class IsomorphismMap:
-    """An isomorphism at numbers.
+    """An isomorphism with numerical parameters.
 
     Attributes
     ----------
@@ -80,13 +81,13 @@ class IsomorphismMap:
 
     @cached_property
     def image(self) -> Callable[[FloatArray], FloatArray]:
-        """States of the system (n, size) ↦ states of the target."""
+        """Map states of the system (n, size) to states of the target."""
         formulas = [self.system.expand(f) for _, f in flat_pairs(self.law.map)]
         return self._arrays(self.system.symbols, formulas)
 
     @cached_property
     def preimage(self) -> Callable[[FloatArray], FloatArray]:
-        """States of the target (n, size) that are images ↦ states of the system."""
+        """Map states of the target (n, size) that are images back to states of the system."""
         formulas = inverse(self.system, self.law)
         names = [s for s, _ in flat_pairs(self.law.map)]
         return self._arrays(names, [formulas[s] for s in self.system.symbols])
@@ -99,7 +100,7 @@ class IsomorphismMap:
         return lambda states: on(states)[:, 0]
 
     def target_parameters(self, state: Numbers) -> dict[sp.Symbol, float]:
-        """The target's parameters on the motion through a state (size,) of the system."""
+        """The target's parameters for the motion through a state (size,) of the system."""
         names = [p for p, _ in self.law.constants]
         formulas = [self.system.expand(f) for _, f in self.law.constants]
         values = self._arrays(self.system.symbols, formulas)(np.asarray(state)[None, :])[0]
@@ -108,23 +109,23 @@ class IsomorphismMap:
         return {s: number(self.values[s]) for s in shared if s in self.values} | constants
 
     def target_motion(self, motion: Motion, times: Numbers) -> FloatArray:
-        """The target's motion at its times τ (n,), from a motion of the system; both begin at 0."""
+        """The target's motion at its times τ (n,), from a motion of the system; both start at 0."""
         moments = _moments(lambda t: self.rate(motion(t)), times)
         return self.image(motion(moments))
 
     def system_motion(self, motion: Motion, times: Numbers) -> FloatArray:
-        """The system's motion at times t (n,), from one of the target; both begin at 0."""
+        """The system's motion at times t (n,), from one of the target; both start at 0."""
         moments = _moments(lambda tau: 1 / self.rate(self.preimage(motion(tau))), times)
         return self.preimage(motion(moments))
 
 
 def _moments(rate: RateAlongMotion, values: Numbers) -> FloatArray:
-    """The s ≥ 0 at which ∫₀ˢ rate ds has the wanted values, none negative."""
+    """The s ≥ 0 at which ∫₀ˢ rate ds has given nonnegative values."""
     goals = np.atleast_1d(np.asarray(values, dtype=float))
     if np.any(goals < 0):
         raise InputError("times: a motion is carried forward from time 0; none may be negative")
     moments = np.zeros_like(goals)
-    # at first a part of the way, at the rate of the start
+    # Initially a fraction of the interval, estimated from the rate at the start.
     left, done, width = 0.0, 0.0, _AHEAD * float(np.max(goals) / rate(np.zeros(1))[0])
     open_ = goals > 0
     while open_.any():
@@ -139,7 +140,7 @@ def _moments(rate: RateAlongMotion, values: Numbers) -> FloatArray:
 
 
 def _panel(rate: RateAlongMotion, left: float, width: float) -> tuple[FloatArray, float]:
-    """Coefficients of the rate on a panel narrow enough to be resolved, and its width."""
+    """Coefficients of the rate on a panel narrow enough to resolve it, and its width."""
     nodes = chebyshev.chebpts1(_NODES)
     for _ in range(_HALVINGS):
         values = rate(left + width / 2 * (1 + nodes))
@@ -151,7 +152,7 @@ def _panel(rate: RateAlongMotion, left: float, width: float) -> tuple[FloatArray
 
 
 def _roots(slope: FloatArray, whole: FloatArray, goals: FloatArray, width: float) -> FloatArray:
-    """The x in [−1, 1] where the integral has the wanted values; it grows with x."""
+    """The x in [−1, 1] at which the increasing integral has given values."""
     x: FloatArray = np.clip(2 * goals / chebyshev.chebval(1.0, whole) - 1, -1, 1)
     for _ in range(_STEPS):
         miss = chebyshev.chebval(x, whole) - goals

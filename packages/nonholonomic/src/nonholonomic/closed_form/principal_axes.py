@@ -1,4 +1,4 @@
-"""Bodies in axes that are not principal, solved in their principal axes."""
+"""Solve bodies described in non-principal axes in their principal axes."""
 
 from __future__ import annotations
 
@@ -19,13 +19,12 @@ from flowlanes.system.vectors import Diagonal, Symmetric
 
 from ..catalogue import entry
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.shapes.shapes import Ball
 from .base.derived_solution import DerivedSolution
 from .base.problem import Problem, same_field
 from .base.solution import Solution
 from .one_degree.vectors import quaternion_products
 
-#: Digits with which principal axes are computed.
+#: Digits of the principal axes.
 DIGITS = 220
 SPACE, QUATERNION = 3, 4
 #: Systems about a fixed point that are solved in principal axes.
@@ -34,7 +33,7 @@ ABOUT_FIXED_POINT = ("free-body", "veselova")
 
 @dataclass(frozen=True, repr=False)
 class PrincipalAxesSolution(DerivedSolution):
-    """A motion known in other body axes.
+    """A motion that is known in other body axes.
 
     Attributes
     ----------
@@ -55,7 +54,7 @@ class PrincipalAxesSolution(DerivedSolution):
         """The lifted state at one time as balls that contain the exact one."""
         with ctx.workdps(digits + 30):
             inner = self.inner.rigorous(time, digits)
-            # zero times an infinite ball is infinite in ball arithmetic
+            # Zero times an infinite ball is infinite in ball arithmetic.
             return tuple(
                 sum((a * x for a, x in zip(row, inner, strict=True) if not a.is_zero()), arb(0))
                 for row in self.matrix.tolist()
@@ -77,7 +76,7 @@ def in_principal_axes(problem: Problem, rolling: Rolling) -> tuple[Problem, arb_
     InputError
         If two principal moments of a full tensor are so near that they do not determine the axes.
     """
-    if not isinstance(rolling.body.shape, Ball):
+    if not rolling.body.shape.is_ball:
         return None
     order = _order(problem, rolling) if rolling.body.principal else None
     if rolling.body.principal and order is None:
@@ -109,7 +108,7 @@ def in_principal_axes(problem: Problem, rolling: Rolling) -> tuple[Problem, arb_
 
 
 def about_fixed_point(problem: Problem) -> tuple[Problem, arb_mat] | None:
-    """A free body or one of the Veselova system with a full tensor of inertia, in principal axes.
+    """A free body or Veselova system with a full inertia tensor, in principal axes.
 
     Recognised by its equations; the parameters of the problem are the tensor's.
 
@@ -128,7 +127,9 @@ def about_fixed_point(problem: Problem) -> tuple[Problem, arb_mat] | None:
     tensors = {Diagonal("I"): full, Diagonal("A"): Symmetric("A")}
     for name in ABOUT_FIXED_POINT:
         principal = entry(name).system()
-        definitions = [(_in(s, tensors), _in(f, tensors)) for s, f in principal.definitions]
+        definitions = [
+            (_with_tensors(s, tensors), _with_tensors(f, tensors)) for s, f in principal.definitions
+        ]
         same = replace(
             principal,
             parameters=system.parameters,
@@ -153,13 +154,13 @@ def about_fixed_point(problem: Problem) -> tuple[Problem, arb_mat] | None:
     return None
 
 
-def _in(formula: sp.Basic, tensors: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
-    """A formula with some tensors in place of others."""
+def _with_tensors(formula: sp.Basic, tensors: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
+    """A formula with some tensors replaced by others."""
     return formula.xreplace(dict(tensors))
 
 
 def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
-    """The axes of a rubber ball with two equal moments, its axis of symmetry last."""
+    """The order of axes for a rubber ball with two equal moments: its axis of symmetry last."""
     if rolling.contact != "rubber":
         return None
     first, second, third = (exact(problem.parameters[s]) for s in Diagonal("I").symbols)
@@ -169,7 +170,7 @@ def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
 
 
 def to_original_axes(problem: Problem, inner: Solution, matrix: arb_mat) -> PrincipalAxesSolution:
-    """A solution in principal axes as one in the axes of the problem."""
+    """A solution in principal axes expressed in the axes of the problem."""
     lifted = problem.system.lifted() if problem.system.reconstruction else problem.system
     return PrincipalAxesSolution(lifted, problem.parameters, inner, matrix)
 
@@ -194,7 +195,7 @@ def _along_columns(vector: Sequence[float], axes: FloatArray) -> tuple[float, fl
 
 
 def principal_axes(rows: Sequence[Sequence[arb]]) -> tuple[list[arb], arb_mat]:
-    """Principal moments, increasing, and the matrix whose columns are the axes, right-handed.
+    """Principal moments, increasing, and the right-handed matrix whose columns are the axes.
 
     Parameters
     ----------
@@ -246,7 +247,7 @@ def _blocks(lifted: System, axes: arb_mat) -> arb_mat:
 
 
 def quaternion_of(turn: arb_mat) -> tuple[arb, arb, arb, arb]:
-    """The unit quaternion (w, x, y, z) of a rotation matrix, divided by its largest component."""
+    """The unit quaternion (w, x, y, z) of a rotation matrix, dividing by its largest component."""
     columns = quaternion_products(turn.tolist())
     largest = max(range(QUATERNION), key=lambda i: number(columns[i][i]))
     length = sum((x * x for x in columns[largest]), arb(0)).sqrt()

@@ -1,4 +1,4 @@
-"""Recovery of a rolling body from its equations of motion."""
+"""Recover a rolling body from its equations of motion."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ MODELS: tuple[ContactModel, ContactModel] = ("marble", "rubber")
 
 
 def rolling_of(system: System, values: Mapping[sp.Symbol, NumberOrText]) -> Rolling | None:
-    """The rolling body of which a system holds the equations, with its numbers.
+    """The rolling body whose equations a system holds, with its numbers.
 
     Bodies of the catalogue and balls with any inertia tensor are tried; the equations that they
     lead to must be those of the system, formula by formula or in rational numbers at random
@@ -38,22 +38,24 @@ def rolling_of(system: System, values: Mapping[sp.Symbol, NumberOrText]) -> Roll
     """
     numbers = {str(symbol): float(value) for symbol, value in values.items()}
     if "m" not in numbers:
-        # every rolling body has a mass
+        # Every rolling body has a mass.
         return None
     for rolling in _candidates(numbers):
         try:
             system_of_body = rolling.system()
         except InputError:
-            # a body and a surface that do not fit
+            # The body and the surface do not fit together.
             continue
         own = {str(symbol): float(value) for symbol, value in system_of_body.defaults.items()}
-        if own == numbers and _same(system_of_body, system, values):
+        if own == numbers and _have_same_field(system_of_body, system, values):
             return rolling
     return None
 
 
-def _same(first: System, second: System, values: Mapping[sp.Symbol, NumberOrText]) -> bool:
-    """Whether two systems with the same parameters have one field, written alike or not."""
+def _have_same_field(
+    first: System, second: System, values: Mapping[sp.Symbol, NumberOrText]
+) -> bool:
+    """Whether two systems with the same parameters have the same field, in any notation."""
     if (first.field, first.definitions) == (second.field, second.definitions):
         return True
     exactly = {symbol: exact(value) for symbol, value in values.items()}
@@ -61,9 +63,9 @@ def _same(first: System, second: System, values: Mapping[sp.Symbol, NumberOrText
 
 
 def _candidates(numbers: Mapping[str, float]) -> Iterator[Rolling]:
-    """Rolling bodies that are given by these parameters, or by some of them."""
+    """Rolling bodies described by these parameters, or by some of them."""
     entries = [entry for entry in CATALOGUE.values() if set(entry.defaults) <= set(numbers)]
-    # a body of revolution is given by one moment for two axes, and by no centre across its axis
+    # A body of revolution has one moment for two axes, and no off-axis centre of mass.
     for entry in sorted(entries, key=lambda entry: -len(entry.defaults)):
         try:
             rolling = entry.rolling({name: numbers[name] for name in entry.defaults})

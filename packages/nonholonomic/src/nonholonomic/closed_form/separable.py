@@ -1,7 +1,7 @@
-"""The systems that separate on a curve of genus two, by where they stand.
+"""A registry of the systems that separate on a curve of genus two.
 
-Which of them a motion belongs to shows in the field, which the catalogue has: what separates it is
-derived for the one that fits alone.
+The system of a motion is recognised by its field, which the catalogue has; only then is its
+separation derived.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from .genus_two.separation import SeparatedSystem
 
 @dataclass(frozen=True)
 class SeparationEntry:
-    """A separable system of genus two: where its code is, and the names of its state.
+    """A separable system of genus two: the location of its code, and the names of its state.
 
     Attributes
     ----------
@@ -39,23 +39,21 @@ class SeparationEntry:
     letters: str | None = None
 
     def fits(self, problem: Problem) -> bool:
-        """Whether its state is named as that of the problem."""
+        """Whether its state is named like that of the problem."""
         return self.state == " ".join(map(str, problem.system.state))
 
     def may_be(self, problem: Problem) -> bool:
-        """Whether it is worth a comparison; rolling bodies always have the same letters."""
+        """Whether a comparison is worthwhile; rolling bodies always use the same letters."""
         if problem.rolling is None:
-            # three moments and the letters are read in as many parameters, or in those of a map
+            # Three moments and the letters are given by as many parameters, or by those of a map.
             few = self.letters is not None and 3 + len(self.letters) > len(problem.parameters)
-            return not few or any(
-                isinstance(law, Isomorphism) and law.time == 1 for law in problem.system.laws
-            )
+            return not few or any(law.time == 1 for law in problem.system.laws_of(Isomorphism))
         field = {"K"} if problem.rolling.field.potential != 0 else set()
         known = {str(symbol) for symbol in problem.parameters} | field
         return self.fits(problem) and self.letters is not None and set(self.letters) <= known
 
 
-#: In the order in which they are tried, but for those with the letters of a problem.
+#: In the order in which they are tried, after those with the letters of a problem.
 SEPARABLE = (
     SeparationEntry(
         "rubber_ball_plane", "rubber_ball_plane", "rubber-chaplygin-ball", "omega gamma", "mR"
@@ -91,13 +89,13 @@ SEPARABLE = (
 
 @lru_cache(maxsize=len(SEPARABLE))
 def catalogue_system(place: SeparationEntry) -> System:
-    """A system without what separates it; its parameters may have other defaults."""
+    """The system without its separation; its parameters may have other defaults."""
     return from_catalogue(place.name) if place.name else separated_system(place).system
 
 
 @lru_cache(maxsize=len(SEPARABLE))
 def separated_system(place: SeparationEntry) -> SeparatedSystem:
-    """All that is known of a system that separates."""
+    """The complete separation of a system."""
     module = import_module(f".separations.{place.module}", __package__)
     separable: SeparatedSystem = getattr(module, place.function)()
     return separable

@@ -1,7 +1,7 @@
-"""Which solvable system a motion belongs to.
+"""Recognise the solvable system that a motion belongs to.
 
 A motion is recognised by its equations, not by its name: the field of its system is compared with
-those of the systems that separate, in exact numbers (:func:`.base.problem.same_field`), and its
+those of the systems that separate, in exact arithmetic (:func:`.base.problem.same_field`), and its
 start with the level on which they do.  So gravity on a balanced ball on a plane changes nothing,
 and a ball on a sphere is solved for those ratios of the radii for which a separation is known.
 """
@@ -23,8 +23,9 @@ from flowlanes.formulas.relative_zero import RESOLUTION, ROUNDING
 from flowlanes.memory import memory
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.matrices import Column, NamedMatrix
-from flowlanes.system.system import System, flat_pairs
-from flowlanes.system.vectors import Diagonal, Symmetric, Vector, real_symbol, to_components
+from flowlanes.system.named_formulas import flat_pairs
+from flowlanes.system.system import System
+from flowlanes.system.vectors import Diagonal, Symmetric, Vector, real_symbol
 
 from ..catalogue import entry
 from ..catalogue.catalogue_entry import bruns_factor
@@ -38,7 +39,7 @@ from .principal_axes import about_fixed_point, in_principal_axes, to_original_ax
 from .recover_body import rolling_of
 from .separable import SEPARABLE, catalogue_system, separated_system
 
-#: A motion in closed form, or None where it is not of this kind.
+#: A motion in closed form, or None if it is of another kind.
 Recogniser: TypeAlias = Callable[[Problem], Solution | None]
 #: Parameters of one system as formulas in those of another.
 Formulas: TypeAlias = Mapping[sp.Symbol, sp.Expr]
@@ -49,12 +50,12 @@ Value: TypeAlias = tuple[sp.Symbol, Fraction]
 VESELOVA_LIKE = ("veselova", "rubber-chaplygin-ball")
 CHAPLYGIN_BALL_LIKE = ("chaplygin-ball", "chaplygin-ball-area")
 
-#: Parameters that are tried in every order, at most.
+#: Maximum number of parameters that are tried in every order.
 FEW = 5
 
 
 def solution_of(problem: Problem) -> Solution:
-    """The motion in closed form.
+    """Solve a motion in closed form.
 
     Raises
     ------
@@ -113,9 +114,9 @@ class Match:
 def find_match(problem: Problem) -> Match | None:
     """The system that separates and has the field of a problem.
 
-    Conditions on parameters alone must vanish exactly.  Conditions on the start must vanish too,
-    relative to the sizes of its terms: to the fifty digits of a start, or, where no system has the
-    motion so exactly, but for the rounding of doubles.
+    Conditions on parameters alone must hold exactly.  Conditions on the start must hold relative to
+    the sizes of their terms: to the fifty digits of a start or, if no system matches the motion so
+    exactly, up to the rounding of doubles.
     """
     numbers = {symbol: exact(value) for symbol, value in problem.parameters.items()}
     if not rational(problem.system, numbers):
@@ -148,13 +149,18 @@ def _match_with_defects(
     names = translation(separation.system, problem.system, formulas)
     numbers = {s: sp.Rational(str(exact(x))) for s, x in problem.parameters.items()}
     state = set(problem.system.symbols)
-    # what the known system has as a relation may be a condition on the start in the problem's
+    # A relation of the known system may be a condition on the start of the problem.
     own_relations = {
-        sp.expand(sign * to_components(relation))
-        for relation in problem.system.relations
+        sp.expand(sign * relation)
+        for relation in problem.system.scalar.relations
         for sign in (1, -1)
     }
-    relations = [(r, to_components(r).xreplace(names)) for r in separation.system.relations]
+    relations = [
+        (r, scalar.xreplace(names))
+        for r, scalar in zip(
+            separation.system.relations, separation.system.scalar.relations, strict=True
+        )
+    ]
     conditions = [
         *zip(separation.level, own.level, strict=True),
         *(pair for pair in relations if sp.expand(pair[1]) not in own_relations),
@@ -172,7 +178,7 @@ def _match_with_defects(
 
 
 def _parameter_identifications(problem: Problem, target: System) -> Iterator[Formulas]:
-    """Ways to read the parameters of a known system in those of a problem."""
+    """Ways to express the parameters of a known system by those of a problem."""
     own = {str(symbol): symbol for symbol in problem.parameters}
     wanted = [parameter.symbol for parameter in target.parameters]
     readings = {s: own[str(s)] for s in wanted if str(s) in own} | _bruns_strength(problem.rolling)
@@ -199,7 +205,7 @@ def _bruns_strength(rolling: Rolling | None) -> dict[sp.Symbol, sp.Expr]:
 def _same_vector_field(
     system: System, values: Mapping[sp.Symbol, Fraction], target: System, formulas: Formulas
 ) -> bool:
-    """Whether a known system with these parameters has the field of the problem's."""
+    """Whether a known system with these parameters has the field of the problem."""
     there: dict[sp.Symbol, Fraction] = {}
     numbers = {s: sp.Rational(x.numerator, x.denominator) for s, x in values.items()}
     for symbol, formula in formulas.items():
@@ -214,7 +220,7 @@ def _same_vector_field(
 def _same_field(
     system: System, values: Sequence[Value], target: System, there: Sequence[Value]
 ) -> bool:
-    """:func:`.base.problem.same_field`, which a solution and a diagram both ask for."""
+    """Cached :func:`.base.problem.same_field`, used by both solutions and diagrams."""
     return same_field(system, dict(values), target, dict(there))
 
 
@@ -231,7 +237,7 @@ def _solve_separable(problem: Problem) -> Solution | None:
     axial = _axisymmetric(problem, match, values)
     if axial is not None or match.level:
         return axial
-    # a start has fifty digits: roots that coincide differ by as little, and are found first
+    # A start has fifty digits; coinciding roots differ in the fiftieth, and are handled first.
     solution: Solution | None = equilibrium_solution(problem.system, values, problem.start)
     if solution is None:
         solution = solve_degenerate(match.own, values, problem.start)
@@ -246,7 +252,7 @@ def _solve_separable(problem: Problem) -> Solution | None:
 def _axisymmetric(
     problem: Problem, match: Match, values: Mapping[sp.Symbol, NumberOrText]
 ) -> Solution | None:
-    """Bodies with two equal moments, and those that turn uniformly."""
+    """Solve bodies with two equal moments, and uniform rotations."""
     from .degenerate.exact_start import PRECISION
     from .degenerate.recognise_axisymmetric import chaplygin_of_revolution, veselova_of_revolution
 

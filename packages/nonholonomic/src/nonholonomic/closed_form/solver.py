@@ -1,4 +1,4 @@
-"""Solution in closed form: from a system and a start to the motion at every time."""
+"""Solve in closed form: from a system and a start to the motion at every time."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def solve(system: System, start: Start, parameters: Parameters = None) -> Soluti
     >>> [round(float(x), 6) for x in solution(1e6)["gamma"][0]]
     [0.312372, -0.233492, 0.920818]
     """
-    # what is no single number is refused with the first formula
+    # Values that are not single numbers are rejected with the first formula.
     values = cast(dict[Symbol, NumberOrText], parameter_values(system, parameters))
     if isinstance(start, Mapping):
         start = whole_start(system, start, values)

@@ -1,4 +1,4 @@
-"""Closed forms of the systems of n dimensions for n = 3, where they are those of the paper."""
+"""Closed forms of n-dimensional systems for n = 3, from those of the paper's systems."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from flowlanes.formulas.balls import array_function, ball, ball_values, exact, n
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.matrices import Skew, SymmetricMatrix
-from flowlanes.system.system import System, flat_pairs
+from flowlanes.system.named_formulas import flat_pairs
+from flowlanes.system.system import System
 
 from ..catalogue import entry
 from ..catalogue.so_n.three_dimensions import NAME, SIZE, TARGETS, state_in_three_dimensions
@@ -27,7 +28,7 @@ from .principal_axes import DIGITS, principal_axes, quaternion_of, to_original_a
 
 @dataclass(frozen=True, repr=False)
 class ThreeDimensionsSolution(DerivedSolution):
-    """A motion of a system of n dimensions, n = 3, by that of the system of the paper.
+    """A motion of an n-dimensional system with n = 3, from that of the system of the paper.
 
     Attributes
     ----------
@@ -60,7 +61,7 @@ class ThreeDimensionsSolution(DerivedSolution):
 def solve_in_three_dimensions(
     problem: Problem, solve: Callable[[Problem], Solution]
 ) -> Solution | None:
-    """The motion of a system of n dimensions for n = 3; None where the problem is another.
+    """Solve an n-dimensional system with n = 3; None for any other problem.
 
     Parameters
     ----------
@@ -74,7 +75,7 @@ def solve_in_three_dimensions(
         if turned is None:
             return None
         return to_original_axes(problem, solve(turned[0]), turned[1])
-    # with its own isomorphisms, by which some are solved
+    # With its own isomorphisms, by which some systems are solved.
     target, system = entry(law.target.name).system(), problem.system
     lifted = system.lifted() if system.reconstruction else system
     if system.reconstruction is None:
@@ -98,7 +99,7 @@ def solve_in_three_dimensions(
 
 
 def _with_moments(problem: Problem) -> tuple[Problem, arb_mat] | None:
-    """A body given by a mass tensor, n = 3, in its principal axes, where it has moments.
+    """A body given by a mass tensor, n = 3, in its principal axes, if it has moments.
 
     Returns
     -------
@@ -137,7 +138,7 @@ def _with_moments(problem: Problem) -> tuple[Problem, arb_mat] | None:
 
 
 def _turn_of_states(lifted: System, axes: arb_mat) -> arb_mat:
-    """The matrix that takes lifted states in principal axes to those in the body's own."""
+    """The matrix that takes lifted states in principal axes to those in the body's own axes."""
     S = axes.tolist()
     size = len(lifted.symbols)
     matrix = [[arb(int(i == j)) for j in range(size)] for i in range(size)]
@@ -149,7 +150,7 @@ def _turn_of_states(lifted: System, axes: arb_mat) -> arb_mat:
                 for c, (k, m) in enumerate(planes):
                     matrix[first + r][first + c] = S[i][k] * S[j][m] - S[i][m] * S[j][k]
         elif str(name) != "contact":
-            # vectors, and the rows of the attitude, which are vectors of space seen from the body
+            # Vectors, and the rows of the attitude, which are space vectors in body axes.
             for corner in range(first, place.stop, SIZE):
                 for i in range(SIZE):
                     matrix[corner + i][corner : corner + SIZE] = S[i]
@@ -157,7 +158,7 @@ def _turn_of_states(lifted: System, axes: arb_mat) -> arb_mat:
 
 
 def _lift(whole: System, start: Mapping[str, NumberOrText]) -> dict[sp.Symbol, NumberOrText]:
-    """Quaternion and place of the lifted start."""
+    """Quaternion and position of the lifted start."""
     found: dict[sp.Symbol, NumberOrText] = {}
     for name, place in whole.slices:
         symbols = whole.symbols[place]

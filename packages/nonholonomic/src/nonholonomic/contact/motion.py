@@ -23,13 +23,13 @@ from .simulation.end_reasons import EndReason
 from .simulation.event_rules import EventRules
 from .simulation.events import ContactEvent
 
-#: The body may lie so deep in the support at the start, relative to its size: rounding of decimals.
+#: Depth, relative to the body size, by which a body may start inside the support: decimal rounding.
 DEEPEST = 1e-9
 
 
 @dataclass(frozen=True)
 class Interval:
-    """A time in which the contact does not change.
+    """A time interval in which the contact mode does not change.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class Interval:
 
 
 class InterruptedMotionError(KeyboardInterrupt):
-    """Ctrl-C while a motion with friction is computed; `partial` is the motion so far."""
+    """Raised by Ctrl-C during a motion with friction; `partial` is the motion so far."""
 
     def __init__(self, partial: ContactMotion) -> None:
         super().__init__()
@@ -186,7 +186,7 @@ def contact_motion(
     compiled = contact
     if not isinstance(compiled, CompiledContact):
         compiled = CompiledContact(compiled, tolerance)
-    course = Course(compiled, _start(compiled, state), moments, rules)
+    course = Course(compiled, _checked_start(compiled, state), moments, rules)
     span = float(moments[-1] - moments[0]) or 1.0
     try:
         course.run(progress and (lambda time: progress((time - float(moments[0])) / span)))
@@ -198,7 +198,7 @@ def contact_motion(
 
 
 def _motion(course: Course, pieces: Sequence[Piece]) -> ContactMotion:
-    """The motion that a course has computed."""
+    """The motion computed by a simulation."""
     samples = [p.states[:, : course.contact.size] for p in pieces]
     modes = [np.full(len(p.times), MODE_NAMES.index(p.mode.name), np.int8) for p in pieces]
     return ContactMotion(
@@ -218,7 +218,7 @@ def _motion(course: Course, pieces: Sequence[Piece]) -> ContactMotion:
 
 
 def _motion_to_last_sample(course: Course) -> ContactMotion:
-    """The motion of a course that may have been interrupted within an event."""
+    """The motion of a simulation that may have been interrupted within an event."""
     motion = _motion(course, course.pieces)
     end = float(motion.times[-1])
     return replace(
@@ -231,8 +231,8 @@ def _motion_to_last_sample(course: Course) -> ContactMotion:
     )
 
 
-def _start(contact: CompiledContact, state: Sequence[float] | FloatArray) -> FloatArray:
-    """The state with all its works, in or above contact."""
+def _checked_start(contact: CompiledContact, state: Sequence[float] | FloatArray) -> FloatArray:
+    """The state extended by the work columns, in contact or above the support."""
     start = as_float_array("state", state).copy()
     if start.shape not in ((WORK,), (contact.size,)):
         raise InputError(
@@ -257,6 +257,6 @@ def _start(contact: CompiledContact, state: Sequence[float] | FloatArray) -> Flo
 
 
 def _intervals(pieces: Sequence[Piece]) -> tuple[Interval, ...]:
-    """The times between changes of the mode; pieces of one mode that follow each other are one."""
+    """The intervals between mode changes; consecutive pieces of the same mode are merged."""
     groups = [list(group) for _, group in groupby(pieces, key=lambda p: p.mode.name)]
     return tuple(Interval(g[0].mode.name, g[0].begin, g[-1].end) for g in groups)

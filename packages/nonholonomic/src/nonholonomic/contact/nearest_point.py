@@ -1,4 +1,4 @@
-"""The point of a convex body that is nearest to a sphere about the origin."""
+"""The point of a convex body nearest to a sphere about the origin."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from flowlanes.system.arrays import FloatArray
 
 from ..mechanics.shapes.rays import directions
 
-#: Normals that are looked at over the whole sphere, then in a narrowing cap, so many times.
+#: Numbers of normals tried over the whole sphere and in each cap, and number of shrinking caps.
 _NORMALS, _IN_CAP, _CAPS = 2000, 60, 14
 
-#: Steps of Newton's method, and what |γ×y| may be of |y| in the end.
+#: Number of Newton steps, and the tolerance for |γ×y| relative to |y|.
 _STEPS, _SLACK = 8, 1e-12
 
 
@@ -24,9 +24,10 @@ def nearest_normal(
 ) -> FloatArray:
     """The normal of a sphere about the origin at the point nearest to a body.
 
-    The plane with normal γ that touches the body at y(γ) lies at (γ, y) from the origin.  Of a body
-    outside the sphere the nearest point has the largest (γ, y), of one inside the smallest; there
-    y is parallel to γ.
+    The plane with normal γ that touches the body at y(γ) has the distance (γ, y) from the origin.
+    For a body outside the sphere the nearest point maximises (γ, y), for one inside it minimises
+    it; there y is parallel to γ.  The best of a spiral grid of normals is improved in shrinking
+    caps and then by Newton's method for the components of y perpendicular to γ.
 
     Parameters
     ----------
@@ -65,12 +66,12 @@ def nearest_normal(
         chosen: FloatArray = normals[int(np.nanargmax(heights))]
         return chosen
 
-    # a plane may touch a sharp edge: normals along its axis are left out by their NaN
+    # A plane may touch a sharp edge; the normals along its axis give NaN and are ignored.
     with np.errstate(invalid="ignore", divide="ignore"):
         gamma = best(directions(_NORMALS))
         width = 4 / math.sqrt(_NORMALS)
         for _ in range(_CAPS):
-            gamma = best(_cap(gamma, width))
+            gamma = best(_normals_in_cap(gamma, width))
             width *= 0.3
         for _ in range(_STEPS):
             gamma = _newton_step(points, centre, gamma)
@@ -85,14 +86,14 @@ def _not_found() -> InputError:
 
 
 def _tangents(gamma: FloatArray) -> FloatArray:
-    """Two orthonormal vectors (2, 3) across γ."""
+    """Two orthonormal vectors (2, 3) perpendicular to γ."""
     first = np.cross(gamma, np.eye(3)[int(np.argmin(np.abs(gamma)))])
     first = first / np.linalg.norm(first)
     return np.stack([first, np.cross(gamma, first)])
 
 
-def _cap(gamma: FloatArray, width: float) -> FloatArray:
-    """Unit vectors around γ, itself the first, up to a width (rad) from it."""
+def _normals_in_cap(gamma: FloatArray, width: float) -> FloatArray:
+    """Unit vectors within an angle `width` (rad) of γ, starting with γ."""
     numbers = np.arange(_IN_CAP)
     turns = np.pi * (3 - math.sqrt(5)) * numbers
     radii = width * np.sqrt(numbers / _IN_CAP)
@@ -105,7 +106,7 @@ def _cap(gamma: FloatArray, width: float) -> FloatArray:
 def _newton_step(
     points: Callable[[FloatArray], FloatArray], centre: FloatArray, gamma: FloatArray
 ) -> FloatArray:
-    """γ after a step of Newton's method for the part of y across γ; slopes by differences."""
+    """One Newton step for the part of y perpendicular to γ, with central differences."""
     across, step = _tangents(gamma), 1e-6
     normals = np.stack(
         [gamma, *(gamma + step * t for t in across), *(gamma - step * t for t in across)]

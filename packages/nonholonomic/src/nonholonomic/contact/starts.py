@@ -1,15 +1,15 @@
-"""Starts of motions with friction: states in contact or above the support.
+"""Initial states of motions with friction: in contact or above the support.
 
 A start gives either the normal γ, ω and the slip of a body that touches its support
-(`start_in_contact`), or place, attitude and velocities of a body anywhere (`start_in_space`).
+(`start_in_contact`), or the position, attitude and velocities of a body anywhere
+(`start_in_space`).
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import mpmath
 import numpy as np
@@ -19,21 +19,17 @@ from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray
 
 from ..mechanics.rolling.initial_state import DIGITS, attitude_of_normal
-from ..mechanics.shapes.gauss_map import contact_points
-from ..mechanics.shapes.implicit import Implicit
-from ..mechanics.shapes.shapes import Ball, Shape
-from ..mechanics.shapes.surfaces import Plane
 from .equations.situation import FrictionalContact
 from .nearest_point import nearest_normal
 
-#: Relative size of what a start may miss a condition by, since its numbers are decimals: a height
-#: over the support, a velocity along the normal, a slip along it or where nothing may slip.
+#: Relative error allowed in the conditions on a start, whose numbers are decimals: the height above
+#: the support, the normal velocity, and the slip along the normal or where no slip is allowed.
 SLACK = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Clearance:
-    """The place of a body over its support.
+    """The position of a body relative to its support.
 
     Attributes
     ----------
@@ -55,7 +51,7 @@ def clearance(
     position: Sequence[float] | FloatArray,
     attitude: Sequence[float] | FloatArray,
 ) -> Clearance:
-    """The place of a body over its support.
+    """The position of a body relative to its support.
 
     Parameters
     ----------
@@ -82,15 +78,14 @@ def clearance(
     turn = _rotation(attitude)
     shape, surface = contact.body.shape, contact.surface
     seen = turn.T @ np.array(position, dtype=float)
-    if isinstance(surface, Plane):
+    if surface.is_flat:
         gamma = turn[2]
         r = _touching_point(contact, gamma)
         return Clearance(float(gamma @ (seen + r)), gamma, r)
-    hollow = isinstance(shape, Ball) and shape.hollow
-    outside = surface.side == "outside" and not hollow
-    gamma = nearest_normal(_contact_points(shape), seen, outside)
+    radius = surface.signed_radius or 0.0
+    gamma = nearest_normal(shape.contact_points(), seen, radius > 0 and not shape.hollow)
     r = _touching_point(contact, gamma)
-    return Clearance(float(gamma @ (seen + r)) - surface.signed_radius, gamma, r)
+    return Clearance(float(gamma @ (seen + r)) - radius, gamma, r)
 
 
 @arguments_checked
@@ -144,10 +139,10 @@ def start_in_contact(
     >>> state[4:7].tolist(), state[7:10].tolist()  # centre of mass; its velocity
     ([0.0, 0.0, 1.0], [3.0, 0.0, 0.0])
     """
-    spin, up = _vector(omega, "omega"), _direction(gamma, "gamma")
-    way, above = _vector(slip, "slip"), _direction(normal, "normal")
+    spin, up = _checked_vector(omega, "omega"), _direction(gamma, "gamma")
+    way, above = _checked_vector(slip, "slip"), _direction(normal, "normal")
     surface = contact.surface
-    if isinstance(surface, Plane) and not np.array_equal(above, [0, 0, 1]):
+    if surface.is_flat and not np.array_equal(above, [0, 0, 1]):
         raise InputError("normal: on a plane it is always (0, 0, 1)")
     across = float(way @ up)
     tangential = way - across * up
@@ -166,10 +161,9 @@ def start_in_contact(
     r = _touching_point(contact, up)
     if not np.isfinite(r).all():
         raise InputError("gamma: no single point of the body touches a support with this normal")
-    height = 0.0 if isinstance(surface, Plane) else surface.signed_radius
-    touching = height * above
+    touching = (surface.signed_radius or 0.0) * above
     velocity = tangential - np.cross(spin, r) + turn.T @ _support_velocity(contact, touching)
-    return _state(contact, attitude, touching - turn @ r, velocity, spin, up, r)
+    return _assembled_state(contact, attitude, touching - turn @ r, velocity, spin, up, r)
 
 
 @arguments_checked
@@ -219,8 +213,8 @@ def start_in_space(
     >>> state[7:10].tolist(), state[13:16].tolist()
     ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
     """
-    place, moving = _vector(position, "position"), _vector(velocity, "velocity")
-    spin = _vector(omega, "omega")
+    place, moving = _checked_vector(position, "position"), _checked_vector(velocity, "velocity")
+    spin = _checked_vector(omega, "omega")
     turned = _numbers(attitude, "attitude", 4)
     if not turned.any():
         raise InputError("attitude is zero: a quaternion of a rotation has a length")
@@ -240,7 +234,7 @@ def start_in_space(
         place = place - known.gap * (turn @ known.gamma)
         support = turn.T @ _support_velocity(contact, place + turn @ known.r)
         v = _in_contact(contact, v, np.cross(spin, known.r), known.gamma, support)
-    return _state(contact, turned, place, v, spin, known.gamma, known.r)
+    return _assembled_state(contact, turned, place, v, spin, known.gamma, known.r)
 
 
 def _in_contact(
@@ -250,7 +244,7 @@ def _in_contact(
     gamma: FloatArray,
     support: FloatArray,
 ) -> FloatArray:
-    """The velocity v in contact, without what decimals leave along the normal or as slip.
+    """The velocity v in contact, corrected for decimal errors along the normal or in the slip.
 
     `turning` is ω×r, `support` the velocity of the support.
     """
@@ -271,24 +265,18 @@ def _in_contact(
 
 
 def _touching_point(contact: FrictionalContact, gamma: FloatArray) -> FloatArray:
-    """The point of the body with outward normal −γ; NaN where a flat face has it."""
+    """The point of the body with outward normal −γ; NaN if a whole flat face has it."""
     with np.errstate(invalid="ignore", divide="ignore"):
-        r: FloatArray = _contact_points(contact.body.shape)(gamma[None])[0]
+        r: FloatArray = contact.body.shape.contact_points()(gamma[None])[0]
     return r
 
 
-@lru_cache(maxsize=64)
-def _contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
-    """The touching points of a body by normals; many starts have one body."""
-    return contact_points(shape)
-
-
 def _support_velocity(contact: FrictionalContact, touching: FloatArray) -> FloatArray:
-    """Velocity of the support at a place, space axes."""
+    """Velocity of the support at a point, space axes."""
     return np.cross([0.0, 0.0, contact.surface.turntable], touching)
 
 
-def _state(
+def _assembled_state(
     contact: FrictionalContact,
     attitude: FloatArray,
     position: FloatArray,
@@ -297,15 +285,15 @@ def _state(
     gamma: FloatArray,
     r: FloatArray,
 ) -> FloatArray:
-    """The columns of a state in their order."""
+    """The components of a state in their order."""
     works = 1 + bool(contact.surface.turntable) + len(contact.laws)
     clocks = sum(len(law.clocks) for law in contact.laws)
-    contact_columns = r if isinstance(contact.body.shape, Implicit) else gamma
+    contact_columns = r if contact.body.shape.by_equation else gamma
     return np.concatenate([attitude, position, v, omega, contact_columns, np.zeros(works + clocks)])
 
 
 def _rotation(attitude: Sequence[float] | FloatArray) -> FloatArray:
-    """The matrix from body to space components."""
+    """The rotation matrix from body to space components."""
     from scipy.spatial.transform import Rotation
 
     w, x, y, z = attitude
@@ -323,15 +311,15 @@ def _numbers(values: Sequence[float], name: str, count: int) -> FloatArray:
     return numbers
 
 
-def _vector(values: Sequence[float], name: str) -> FloatArray:
+def _checked_vector(values: Sequence[float], name: str) -> FloatArray:
     return _numbers(values, name, 3)
 
 
 def _direction(values: Sequence[float], name: str) -> FloatArray:
-    vector = _vector(values, name)
+    vector = _checked_vector(values, name)
     if not vector.any():
         raise InputError(f"{name} is zero: it must point along the normal")
-    # scaled first, so that nothing overflows
+    # Scale first, so that nothing overflows.
     vector = vector / np.abs(vector).max()
     unit: FloatArray = vector / np.linalg.norm(vector)
     return unit

@@ -1,4 +1,4 @@
-"""Spherical robots: rotors and masses inside a ball as controls, and the planning of paths."""
+"""Spherical robots: balls controlled by internal rotors and masses, and path planning."""
 
 import lazy_loader
 

@@ -1,12 +1,12 @@
-"""Whether a robot whose motion has a drift is accessible.
+"""Decide whether a robot whose motion has a drift is accessible.
 
-The rates are not affine in the speeds of rotors and joints (ω depends on them, and Ṁ on products
-of ω with them), but the speeds themselves are states, and their rates the controls v:
+The rates are not affine in the speeds of rotors and joints (ω depends on them, and Ṁ on products of
+ω with them), but the speeds themselves can be taken as states, and their rates as the controls v:
 
     ẋ = f(x, u),   u̇ = v.
 
-If f and the fields ∂/∂u span the state space together with all their commutators, the states that
-can be reached from a generic one in any time fill an open set (Sussmann and Jurdjevic).
+If f and the fields ∂/∂u, together with all their commutators, span the state space, the states
+reachable from a generic one contain an open set (Sussmann and Jurdjevic).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from flowlanes.arguments import arguments_checked
-from flowlanes.system.system import flat_pairs
+from flowlanes.system.named_formulas import flat_pairs
 from flowlanes.system.vectors import real_symbol
 
 from ..mechanics.constraints.distribution import Distribution
@@ -27,7 +27,7 @@ from .robot import SphericalRobot
 
 @dataclass(frozen=True)
 class Accessibility:
-    """The space that drift and controls of a robot span.
+    """The dimensions that drift and controls of a robot span.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Accessibility:
 
     @property
     def accessible(self) -> bool:
-        """Whether everything is spanned: proven, since dimensions that are reached are certain."""
+        """Whether everything is spanned: proven, since computed dimensions are lower bounds."""
         return self.growth[-1] == self.dimension
 
     def __str__(self) -> str:
@@ -72,8 +72,8 @@ class Accessibility:
 def accessibility(robot: SphericalRobot) -> Accessibility:
     """The growth of drift and controls of a robot, with any momentum.
 
-    Accessible is less than controllable: which of two states can be reached from the other is not
-    decided.
+    Accessibility is weaker than controllability: whether one given state can be reached from
+    another is not decided.
 
     Parameters
     ----------

@@ -1,8 +1,9 @@
 """Direct collocation: a motion with its inputs as the solution of algebraic equations.
 
 The period is divided into equal intervals.  On each the state is a polynomial that satisfies the
-equations at the s nodes of Radau's formula (order 2s − 1 at the ends of intervals), the inputs are
-polynomials of degree s − 1, and the output lies on the path at each node.
+equations at the s Radau nodes (order 2s − 1 at the ends of intervals; Hairer and Wanner, Solving
+Ordinary Differential Equations II, section IV.5), the inputs are polynomials of degree s − 1, and
+the output lies on the path at each node.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from .path import PlanePath
 
 @lru_cache(maxsize=16)
 def radau(stages: int) -> tuple[FloatArray, FloatArray]:
-    """Nodes c and matrix a of Radau's formula IIA on [0, 1]; its weights are the last row of a."""
+    """Nodes c and matrix a of the Radau IIA method on [0, 1]; its weights are the last row of a."""
     inner = roots_jacobi(stages - 1, 1, 0)[0] if stages > 1 else np.empty(0)
     c = np.append((inner + 1) / 2, 1.0)
     powers = np.arange(stages)
@@ -37,7 +38,7 @@ def radau(stages: int) -> tuple[FloatArray, FloatArray]:
 class Transcription:
     """The equations of a motion along a path, for a number of intervals.
 
-    The unknowns are the state at the start and, for each node of each interval, state and inputs.
+    The unknowns are the initial state and, for each node of each interval, state and inputs.
 
     Attributes
     ----------
@@ -59,7 +60,7 @@ class Transcription:
 
     @property
     def width(self) -> int:
-        """States and inputs at a node."""
+        """Number of states and inputs at a node."""
         return self.equations.size + self.equations.inputs
 
     @property
@@ -75,7 +76,7 @@ class Transcription:
 
     @cached_property
     def weights(self) -> FloatArray:
-        """Of the nodes in an integral over the period."""
+        """Quadrature weights of the nodes over the period."""
         _, a = radau(self.stages)
         return np.tile(self.step * a[-1], self.intervals)
 
@@ -84,7 +85,7 @@ class Transcription:
         return self.path.places(self.times)
 
     def unknowns_of(self, start: FloatArray, states: FloatArray, inputs: FloatArray) -> FloatArray:
-        """Unknowns in a row, of a start (n,), states (k, n) and inputs (k, m) at the nodes."""
+        """The vector of unknowns of a start (n,), states (k, n) and inputs (k, m) at the nodes."""
         return np.concatenate([start, np.hstack([states, inputs]).ravel()])
 
     def start_and_nodes(self, unknowns: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -93,7 +94,7 @@ class Transcription:
         return unknowns[:n], unknowns[n:].reshape(-1, self.width)
 
     def residuals(self, unknowns: FloatArray) -> FloatArray:
-        """Residuals: conditions at the start, defects of the motion, distances to the path."""
+        """Residuals: conditions at the start, collocation defects, distances to the path."""
         _, a = radau(self.stages)
         n, s, e = self.equations.size, self.stages, self.intervals
         start, points = self.start_and_nodes(unknowns)
@@ -111,7 +112,7 @@ class Transcription:
 
     @cached_property
     def _open(self) -> list[int]:
-        """Relations that free components of the start have to satisfy."""
+        """Relations that free components of the start must satisfy."""
         slopes = self.equations.normals(np.ones((1, self.width)) * np.sqrt(0.7))[0]
         return [
             r
@@ -149,8 +150,8 @@ class Transcription:
     def effort(self) -> csr_matrix:
         """H of the effort ½(w, Hw) = ½ ∫ (|u|² + δ²|u̇|²) dt / T in the unknowns w.
 
-        The second term, δ the mean distance of two nodes in time, keeps the inputs from swinging
-        from node to node; a jump between two intervals counts as a change that takes δ.
+        The second term, where δ is the mean time between nodes, prevents the inputs from
+        oscillating between nodes; a jump between two intervals counts as a change over the time δ.
         """
         c, a = radau(self.stages)
         s, e, m = self.stages, self.intervals, self.equations.inputs
@@ -172,7 +173,7 @@ class Transcription:
 
     @cached_property
     def _places(self) -> tuple[FloatArray, FloatArray]:
-        """Rows and columns of the entries of the jacobian, in the order of its values."""
+        """Rows and columns of the entries of the Jacobian, in the order of its values."""
         n, s, e, w = self.equations.size, self.stages, self.intervals, self.width
         first = len(self.start) + len(self._open)
         rows, columns = [np.arange(len(self.start))], [np.array(list(self.start), dtype=int)]

@@ -1,9 +1,9 @@
-"""Whether a ball with rotors can be brought from rest to any place and attitude.
+"""Decide whether a ball with rotors can be brought from rest to any position and attitude.
 
-The fields of the rotors with their commutators span the five dimensions of R² × SO(3) at one
-vertical γ or not, whatever place and heading are.  Where they do so at every γ, any two
-configurations can be joined (Chow–Rashevskii).  That they do is proven on rectangles that cover
-the sphere: on each a determinant of five commutators has Bernstein coefficients of one sign.
+Whether the fields of the rotors with their commutators span the five dimensions of R² × SO(3)
+depends only on the vertical γ, not on position and heading.  If they do at every γ, any two
+configurations can be joined (Chow–Rashevskii theorem).  This is proven on rectangles that cover the
+sphere: on each a determinant of five commutators has Bernstein coefficients of one sign.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ CUTS = 20
 """Cuts of a face at most."""
 LONGER_AFTER = 3
 """After so many cuts of a face commutators of one more field are tried."""
-#: A point on no curve that anything distinguishes.
+#: A generic point.
 GENERIC = (fmpq(31, 50), fmpq(-17, 29), fmpq(1))
 
 Decision = Literal["controllable", "not controllable", "undecided"]
@@ -134,7 +134,7 @@ def controllability(robot: SphericalRobot) -> Controllability:
     fields = control_fields(_require_balanced(robot))
     growth = _growth(fields, GENERIC)
     if growth[-1] < DIMENSION:
-        # one field commutes with itself; more of them never stayed below five
+        # One field commutes with itself; more of them never stayed below five.
         decision: Decision = "not controllable" if len(robot.rotors) == 1 else "undecided"
         return Controllability(decision, growth, (), (), 1, 0)
     search = _Search(fields, len(growth))
@@ -253,9 +253,9 @@ class _Search:
             self._extend()
 
     def _most_independent(self, point: tuple[fmpq, fmpq, fmpq], more: int) -> tuple[int, ...]:
-        """Five fields with a large determinant at a point, among commutators `more` steps longer.
+        """Five fields with a large determinant at a point, among longer commutators.
 
-        Numbers choose them, nothing depends on the choice being the best.
+        They are chosen numerically; the result does not depend on the choice being optimal.
         """
         while len(self._fields.levels) < min(self._generic + more, STEPS):
             self._extend()
@@ -307,7 +307,7 @@ class _Search:
         while pending:
             where, cuts = pending.pop()
             places = [where.middle, *(_projection(where.middle, plane) for plane in planes)]
-            # commutators are made longer until five are independent at each of these
+            # Commutators are made longer until five are independent at each of these points.
             fives = [self._five_at(place) for place in places if any(place)]
             if None in fives:
                 return 0
@@ -344,7 +344,7 @@ def _normal(form: fmpq_mpoly) -> tuple[fmpq, fmpq, fmpq]:
 def _projection(
     point: tuple[fmpq, fmpq, fmpq], normal: tuple[fmpq, fmpq, fmpq]
 ) -> tuple[fmpq, fmpq, fmpq]:
-    """The nearest point of the plane with a normal."""
+    """The nearest point of the plane with a given normal."""
     share = sum((p * n for p, n in zip(point, normal, strict=True)), fmpq(0)) / sum(
         (n * n for n in normal), fmpq(0)
     )

@@ -1,4 +1,4 @@
-"""Equations with inputs."""
+"""Equations of motion with inputs."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from flowlanes.arguments import NamedFormulas, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.parsing import parse
 from flowlanes.parsing.exact_decimals import with_exact_decimals
-from flowlanes.system.named_formulas import as_pairs
-from flowlanes.system.system import Parameter, System, flat_pairs
+from flowlanes.system.named_formulas import as_pairs, flat_pairs
+from flowlanes.system.system import Parameter, System
 
 from ..mechanics.lagrangian.mechanism import TIME
 
@@ -66,7 +66,7 @@ class ControlledSystem:
 
     @cached_property
     def whole(self) -> System:
-        """State and inputs as one System, in which the inputs stay constant."""
+        """State and inputs as one System, in which the inputs are constant."""
         return System(
             self.name,
             self.name,
@@ -83,7 +83,7 @@ def input_formulas(
     state: Sequence[sp.Symbol],
     texts: Mapping[str, str | sp.Expr],
 ) -> dict[sp.Symbol, sp.Expr]:
-    """Formulas of inputs by symbol, read and checked.
+    """Parse and check formulas of inputs, by symbol.
 
     Parameters
     ----------

@@ -1,16 +1,16 @@
-"""Equations of a ball that is moved by rotors and a mass inside it.
+"""Equations of a ball driven by rotors and a mass inside it.
 
-Body axes with the geometric centre O as origin.  The contact C lies at −Rγ, so that the velocity
-of O (and of the place where the ball touches the plane) is V = Rω×γ.  With the centre of mass of
-the ball at a, the moving mass μ at ρ, s = Rγ + a and σ = Rγ + ρ, the angular momentum about C is
+Body axes with the geometric centre O as origin.  The contact C lies at −Rγ, so the velocity of O
+(and of the contact point on the plane) is V = Rω×γ.  With the centre of mass of the ball at a, the
+moving mass μ at ρ, s = Rγ + a and σ = Rγ + ρ, the angular momentum about C is
 
     M = A ω + b,   A = I + m(s² − s sᵀ) + μ(σ² − σ σᵀ),   b = μ σ×ρ̇ + Σ i_a u_a e_a,
 
     Ṁ = M×ω − g(m a + μρ)×γ − V×(m ω×a + μ(ω×ρ + ρ̇)) + λγ,   γ̇ = γ×ω,
 
 λ = 0 for the marble contact.  For the rubber contact λ keeps (ω, γ) = 0; it changes only the
-vertical part of M, which is left out: M then denotes the horizontal part, and M + ℓγ = Aω + b with
-ℓ = −(γ, A⁻¹(M − b))/(γ, A⁻¹γ).  The rates of joints and the speeds of rotors may jump, since M
+vertical component of M, which is omitted: M then denotes the horizontal part, and M + ℓγ = Aω + b
+with ℓ = −(γ, A⁻¹(M − b))/(γ, A⁻¹γ).  The rates of joints and the speeds of rotors may jump, since M
 does not; a balanced ball without moving mass that starts from rest keeps M = 0 and is driftless.
 """
 
@@ -26,8 +26,8 @@ from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.parsing.exact_decimals import exact_number
 from flowlanes.system.laws import Integral
-from flowlanes.system.named_formulas import Pairs
-from flowlanes.system.system import Observable, Parameter, Reconstruction, System, flat_pairs
+from flowlanes.system.named_formulas import Pairs, flat_pairs, scalars
+from flowlanes.system.system import Observable, Parameter, Reconstruction, System
 from flowlanes.system.vectors import (
     Diagonal,
     Symmetric,
@@ -37,7 +37,6 @@ from flowlanes.system.vectors import (
     dot,
     norm_squared,
     real_symbol,
-    to_components,
 )
 
 from ..mechanics.lagrangian.mechanism import TIME
@@ -97,7 +96,7 @@ def controlled_system(robot: SphericalRobot) -> ControlledSystem:
     >>> controlled_system(robot).inputs
     (u_1,)
     """
-    return _in_space(robot, to_components(M), ((M, None),))
+    return _in_space(robot, M.entries, ((M, None),))
 
 
 @arguments_checked
@@ -162,7 +161,7 @@ def driven_system(robot: SphericalRobot, inputs: Mapping[str, str | sp.Expr]) ->
     >>> lawproof.prove(driven_system(robot, {"u_1": "sin(t)"}), "momentum").decision
     'proven'
     """
-    parts = _formulas(robot, to_components(M))
+    parts = _formulas(robot, M.entries)
     field = (
         (M, constant(list(parts.momentum_rate))),
         (gamma, cross(gamma, omega)),
@@ -209,12 +208,12 @@ def _motion_in_space() -> Reconstruction:
 
 
 def _place_rate() -> sp.Basic:
-    velocity = R * rotation() * to_components(cross(omega, gamma))
+    velocity = R * rotation() * constant(scalars(cross(omega, gamma)))
     return constant(velocity[:2])
 
 
 def _in_space(robot: SphericalRobot, momentum: Column, state: Pairs) -> ControlledSystem:
-    """The equations with attitude and place; `state` names M if it belongs to the state."""
+    """The equations with attitude and position; `state` names M if it belongs to the state."""
     parts = _formulas(robot, momentum)
     field = [(attitude, quaternion_rate(omega)), (place, _place_rate())]
     field += [(name, constant(list(parts.momentum_rate))) for name, _ in state]
@@ -235,17 +234,17 @@ def _in_space(robot: SphericalRobot, momentum: Column, state: Pairs) -> Controll
 
 
 def _formulas(robot: SphericalRobot, momentum: Column) -> _Formulas:
-    vertical = to_components(gamma)
+    vertical = gamma.entries
     inertia = Diagonal("I") if _principal(robot) else Symmetric("I")
     speeds = tuple(real_symbol(f"u_{a}") for a in range(1, len(robot.rotors) + 1))
     gyration = robot.gyration * sp.Matrix(speeds) if speeds else sp.zeros(3, 1)
     offset = -sp.Matrix([exact_number(x) for x in robot.centre])
     tensor = sp.Matrix(inertia.entries)
     arm = R * vertical + offset
-    # γ is a unit vector: with a = 0 this is m R²(1 − γγᵀ)
+    # γ is a unit vector: with a = 0 this is m R²(1 − γγᵀ).
     square = R**2 + 2 * R * vertical.dot(offset) + offset.dot(offset)
     tensor += m * (square * sp.eye(3) - arm * arm.T)
-    turn = to_components(omega)
+    turn = omega.entries
     velocity = R * turn.cross(vertical)
     definitions: list[tuple[sp.Basic, sp.Basic]] = []
     torque, shift = sp.zeros(3, 1), sp.zeros(3, 1)
@@ -261,7 +260,7 @@ def _formulas(robot: SphericalRobot, momentum: Column) -> _Formulas:
         definitions.append(
             (rhodot, constant(list(formulas.jacobian(mass.symbols) * sp.Matrix(rates))))
         )
-        spot, drift = to_components(rho), to_components(rhodot)
+        spot, drift = rho.entries, rhodot.entries
         arm = R * vertical + spot
         tensor += mu * (
             (R**2 + 2 * R * vertical.dot(spot) + spot.dot(spot)) * sp.eye(3) - arm * arm.T
@@ -274,7 +273,7 @@ def _formulas(robot: SphericalRobot, momentum: Column) -> _Formulas:
     entries = sp.Matrix(A.entries)
     cofactors = entries.adjugate()
     definitions.append((Delta, entries.det(method="berkowitz")))
-    known = momentum - to_components(b)
+    known = momentum - b.entries
     if robot.contact == "rubber":
         up = (cofactors * vertical).T
         definitions.append((ell, -(up * known)[0] / (up * vertical)[0]))

@@ -1,13 +1,13 @@
 """The control fields of a balanced ball with rotors, as polynomials in the vertical.
 
 A field on R² × SO(3) has the components (a, v): angular velocity and velocity of the contact, in
-body axes.  Those of the rotors depend on γ alone, and so do all commutators,
+body axes.  Those of the rotors depend only on γ, and so do all commutators,
 
     [(a, v), (b, w)] = (a×b + ∂_a b − ∂_b a, a×w − b×v + ∂_a w − ∂_b v),   ∂_a γ = γ×a.
 
-Each field is multiplied by a positive function of γ, which makes it a polynomial and changes no
-span of fields and commutators: by 1 − D(γ, J⁻¹γ) for the marble contact, J = I + D, D = mR², and
-by (γ, J⁻¹γ) for the rubber contact.
+Each field is multiplied by a positive function of γ, which makes it polynomial and does not change
+the span of fields and commutators: by 1 − D(γ, J⁻¹γ) for the marble contact, J = I + D, D = mR²,
+and by (γ, J⁻¹γ) for the rubber contact.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from typing import TypeAlias
 from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly, fmpq_mpoly_ctx
 
 from flowlanes.parsing.exact_decimals import exact_number
+from flowlanes.system.tuple_vectors import cross, dot
 
 from .robot import SphericalRobot
 
@@ -59,10 +60,10 @@ class ControlFields:
 
     @property
     def forms(self) -> list[Field]:
-        """The fields of the last level, with forms as components.
+        """The fields of the last level, with homogeneous components.
 
-        Off the unit sphere their rows and columns are multiplied by powers of |γ|, so that fields
-        are dependent there where they are on the same line through the origin.
+        Off the unit sphere their rows and columns are multiplied by powers of |γ|, so fields are
+        dependent there if they are on the same line through the origin.
         """
         degree = 2 * len(self.levels)
         return [
@@ -113,9 +114,9 @@ def _along(turn: Sequence[fmpq_mpoly], value: fmpq_mpoly) -> fmpq_mpoly:
 
 
 def minor(fields: Sequence[Field]) -> fmpq_mpoly:
-    """The determinant of five fields, with the direction (0, γ) that no field has.
+    """The determinant of five fields together with the missing direction (0, γ).
 
-    On the unit sphere it vanishes where the five are dependent.
+    On the unit sphere it vanishes exactly if the five are dependent.
     """
     rows = [*fields, (ZERO, ZERO, ZERO, *GAMMA)]
 
@@ -135,37 +136,23 @@ def minor(fields: Sequence[Field]) -> fmpq_mpoly:
 
 
 def values_at(fields: Sequence[Field], point: Sequence[fmpq]) -> fmpq_mat:
-    """The components of fields at a point, a row for each."""
+    """The components of fields at a point, one row per field."""
     return fmpq_mat([[entry(*point) for entry in field] for field in fields])
 
 
 def on_sphere(value: fmpq_mpoly) -> fmpq_mpoly:
-    """The shortest polynomial that is equal on |γ| = 1."""
+    """The shortest polynomial that agrees on |γ| = 1."""
     return divmod(value, SQUARE - 1)[1]
 
 
 def homogeneous(value: fmpq_mpoly, degree: int) -> fmpq_mpoly:
-    """The form of a degree that is equal on |γ| = 1, of a polynomial of the same parity."""
+    """The form of given degree that agrees on |γ| = 1, for a polynomial of the same parity."""
     total = ZERO
     for powers, number in value.to_dict().items():
         missing = degree - sum(powers)
         term = RING.from_dict({powers: number})
         total += term * SQUARE ** (missing // 2)
     return total
-
-
-def cross(u: Sequence[fmpq_mpoly], v: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
-    """The vector product."""
-    return [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ]
-
-
-def dot(u: Sequence[fmpq_mpoly], v: Sequence[fmpq_mpoly]) -> fmpq_mpoly:
-    """The scalar product."""
-    return sum((x * y for x, y in zip(u, v, strict=True)), ZERO)
 
 
 def _times(matrix: fmpq_mat, vector: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:

@@ -1,4 +1,4 @@
-"""A first guess of a motion along a path, from which an optimisation begins."""
+"""A first guess of a motion along a path, from which an optimisation starts."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ def least_inputs(
     spin: float | None = None,
     tolerance: float = TOLERANCE,
 ) -> tuple[FloatArray, FloatArray, float]:
-    """States and inputs of a driftless system that follow a path with the least |u| at each time.
+    """States and inputs of a driftless system that follow a path with minimal |u| at each time.
 
-    With rates B(z) u, and the two rows B_xy of the output, u = B_xy⁺ v: the exact inputs where
-    there are only two, and those of least norm at each instant where there are more.  A given spin
+    With rates B(z) u, and B_xy the two rows of the output, u = B_xy⁺ v: the unique inputs if there
+    are only two, and those of minimal norm at each instant if there are more.  A prescribed spin
     about the vertical adds a third row and determines three inputs.
 
     Returns
@@ -95,7 +95,7 @@ def _spins(state: FloatArray, fields: FloatArray) -> FloatArray:
 def motion_with_lowest_mass(
     robot: SphericalRobot, mass: MovingMass, plan: Transcription, attitude: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """A motion without spin along the path, the moving mass at its lowest place.
+    """A motion without spin along the path, with the moving mass at its lowest position.
 
     Returns
     -------
@@ -136,7 +136,7 @@ def motion_with_lowest_mass(
 
 
 def _lowest(mass: MovingMass, turns: FloatArray) -> FloatArray:
-    """Values of the joints at which the mass is lowest, followed by Newton's method."""
+    """Joint values at which the mass is lowest, followed by Newton's method."""
     up = sp.symbols("up_1:4", real=True)
     height = sum((p * g for p, g in zip(mass.formulas, up, strict=True)), sp.S.Zero)
     slope = sp.Matrix([height]).jacobian(mass.symbols)
@@ -166,7 +166,7 @@ def _momenta(
     joints: FloatArray,
     speeds: FloatArray,
 ) -> FloatArray:
-    """M of a motion, without its vertical part for a rubber contact."""
+    """M of a motion, without its vertical component for a rubber contact."""
     place = sp.lambdify((mass.symbols,), mass.formulas, "numpy")
     slope = sp.lambdify((mass.symbols,), sp.Matrix(mass.formulas).jacobian(mass.symbols), "numpy")
     momenta = []
@@ -184,7 +184,7 @@ def _momenta(
 
 
 def rotation(quaternion: FloatArray) -> FloatArray:
-    """The matrix from body to space components."""
+    """The rotation matrix from body to space components."""
     return np.array(rotation_rows(quaternion / np.linalg.norm(quaternion)))
 
 

@@ -1,8 +1,8 @@
 """Forms without real zeros on a part of the sphere, by exact Bernstein coefficients.
 
-The lines through the origin meet one of three faces γ_k = 1, |γ_i| ≤ 1, of a cube.  On a rectangle
-of a face a form is a polynomial of two variables; it lies between the least and the greatest of its
-Bernstein coefficients, so that it has no zero where these have one sign.
+Each line through the origin meets one of three faces γ_k = 1, |γ_i| ≤ 1, of a cube.  On a rectangle
+of a face a form is a polynomial in two variables; it lies between the smallest and the largest of
+its Bernstein coefficients, so it has no zero if these have one sign.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ class Rectangle:
 
     @property
     def middle(self) -> tuple[fmpq, fmpq, fmpq]:
-        """The point in the middle."""
+        """The centre of the rectangle."""
         inner = [(a + b) / 2 for a, b in zip(self.low, self.high, strict=True)]
         inner.insert(self.face, fmpq(1))
         x, y, z = inner
         return x, y, z
 
     def halves(self) -> tuple[Rectangle, Rectangle]:
-        """Two rectangles, cut across the longer side."""
+        """Two rectangles, divided across the longer side."""
         sides = [b - a for a, b in zip(self.low, self.high, strict=True)]
         cut = 0 if sides[0] >= sides[1] else 1
         half = (self.low[cut] + self.high[cut]) / 2
@@ -72,7 +72,7 @@ def vanishes_nowhere(form: fmpq_mpoly, where: Rectangle) -> bool:
 
 
 def without_real_zero(form: fmpq_mpoly, depth: int = 9) -> bool | None:
-    """Whether a form has no zero but the origin; None if `depth` cuts did not decide."""
+    """Whether a form has no zero but the origin; None if `depth` subdivisions did not decide."""
     pending = [(face, 0) for face in faces()]
     sign = 0
     while pending:
@@ -81,7 +81,7 @@ def without_real_zero(form: fmpq_mpoly, depth: int = 9) -> bool | None:
         here = (value > 0) - (value < 0)
         even = form.total_degree() % 2 == 0
         if here == 0 or not even or (sign and here != sign):
-            # a form of odd degree takes both signs
+            # A form of odd degree takes both signs.
             return False
         sign = here
         if vanishes_nowhere(form, where):
@@ -94,7 +94,7 @@ def without_real_zero(form: fmpq_mpoly, depth: int = 9) -> bool | None:
 
 @lru_cache(maxsize=4096)
 def _bernstein(degree: int, low: fmpq, high: fmpq) -> fmpq_mat:
-    """From coefficients of powers of x to Bernstein coefficients on [low, high]."""
+    """Convert coefficients of powers of x to Bernstein coefficients on [low, high]."""
     size, width = degree + 1, high - low
     shift = fmpq_mat(
         [

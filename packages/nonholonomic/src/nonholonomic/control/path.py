@@ -29,7 +29,7 @@ CLOSURE = 1e-9
 @arguments_checked
 @dataclass(frozen=True)
 class PlanePath:
-    """A closed path of the contact point with its time law.
+    """A closed path of the contact point as a function of time.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def _function(formula: sp.Expr, order: int) -> Any:
 
 @arguments_checked
 def figure_of_eight(length: float, width: float, period: float) -> PlanePath:
-    """A figure of eight through the origin that is run through from rest to rest.
+    """A figure of eight through the origin, traversed from rest to rest.
 
     Parameters
     ----------
@@ -155,7 +155,7 @@ def figure_of_eight(length: float, width: float, period: float) -> PlanePath:
 
 @arguments_checked
 def path_through(points: Sequence[Sequence[float]], period: float) -> PlanePath:
-    """The smooth closed path through points that are passed at equal intervals of time.
+    """The smooth closed path through points that are passed at equal time intervals.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The result of planning: inputs over time, the motion they give, and its distance to the path."""
+"""The result of planning: inputs over time, the resulting motion, and its distance to the path."""
 
 from __future__ import annotations
 
@@ -99,11 +99,11 @@ class MotionPlan:
 
     @property
     def errors(self) -> FloatArray:
-        """Distances (l,) to the path at the instants of the check."""
+        """Distances (l,) to the path at the times of the check."""
         return distances(self.path, self.times, self.motion)
 
     def dataset(self) -> xr.Dataset:
-        """The motion as other trajectories are recorded.
+        """Convert the motion to a dataset like other trajectories.
 
         Returns
         -------
@@ -156,7 +156,7 @@ class MotionPlan:
 
 
 def distances(path: PlanePath, times: FloatArray, motion: FloatArray) -> FloatArray:
-    """Distances from the contact to the path at the same instant."""
+    """Distances from the contact to the path point at the same time."""
     result: FloatArray = np.linalg.norm(motion[:, 4:6] - path.places(times), axis=1)
     return result
 
@@ -166,7 +166,7 @@ def inputs_motion(
 ) -> tuple[FloatArray, FloatArray]:
     """Times and states of the motion with given inputs, by DOP853, interval by interval.
 
-    It shares with the collocation the rates alone; the inputs are those polynomials.
+    It shares only the rates with the collocation; the inputs are the same polynomials.
     """
     c, _ = radau(plan.stages)
     values = inputs.reshape(plan.intervals, plan.stages, -1)

@@ -1,4 +1,4 @@
-"""Motion planning: inputs of least effort that lead the contact point along a given path."""
+"""Motion planning: inputs of minimal effort that lead the contact point along a given path."""
 
 from __future__ import annotations
 
@@ -184,7 +184,7 @@ def _checked_plan(
     iterations: int,
     began: float,
 ) -> MotionPlan:
-    """A plan with its motion integrated anew."""
+    """A plan with its motion integrated independently."""
     start, points = problem.start_and_nodes(unknowns)
     inputs = points[:, problem.equations.size :]
     times, motion = inputs_motion(problem, start, inputs)
@@ -247,10 +247,10 @@ def _compiled_equations(system: ControlledSystem) -> CompiledEquations:
 def _guess_with_rotors(
     problem: Transcription, attitude: FloatArray, free: bool, iterations: int
 ) -> tuple[FloatArray, int]:
-    """A motion from rest along the path, and the number of iterations that it took.
+    """A motion from rest along the path, and the number of iterations used.
 
-    Where the least inputs grow beyond bounds on the way, and the attitude is free, the path grows
-    from a small one.
+    If the minimal inputs grow beyond bounds on the way, and the attitude is free, the path is
+    enlarged gradually from a small one.
     """
 
     def least_inputs_of(task: Transcription) -> tuple[FloatArray, float]:
@@ -287,7 +287,7 @@ def _guess_with_rotors(
 
 
 def _with_scale(problem: Transcription, size: float) -> Transcription:
-    """The problem with its path reduced towards its start."""
+    """The problem with its path scaled down towards its start."""
     path = problem.path
     factor = sp.Float(size)
     first = [sp.Float(x) for x in path.places([0.0])[0]]
@@ -307,7 +307,7 @@ def _effort(problem: Transcription, unknowns: FloatArray) -> float:
 def _least_effort(
     problem: Transcription, guess: FloatArray, iterations: int
 ) -> tuple[FloatArray, int]:
-    """The motion of least effort near a guess, and the number of iterations."""
+    """The motion of minimal effort near a guess, and the number of iterations."""
     curvature = problem.effort
     curvature = curvature / max(float(guess @ (curvature @ guess)), 1e-3)
     empty = csr_matrix((len(guess), len(guess)))
@@ -321,7 +321,7 @@ def _least_effort(
         jac=lambda w: curvature @ w,
         hess=lambda _: curvature,
         constraints=[
-            # the curvature of the equations is left out: near the path their slopes suffice
+            # The curvature of the equations is neglected: near the path their Jacobian suffices.
             NonlinearConstraint(
                 problem.residuals, 0.0, 0.0, jac=problem.jacobian, hess=lambda _, __: empty
             )

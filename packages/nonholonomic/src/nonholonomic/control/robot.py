@@ -1,4 +1,4 @@
-"""A ball that rolls on a plane by what is moved inside it: rotors, a pendulum, a mass."""
+"""A ball rolling on a plane, driven from inside by rotors, a pendulum or a mass."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Contact = Literal["marble", "rubber"]
 @arguments_checked
 @dataclass(frozen=True)
 class Rotor:
-    """A symmetric rotor whose axis is fixed in the ball and passes anywhere through it.
+    """A symmetric rotor whose axis is fixed in the ball and may pass anywhere through it.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ class Rotor:
 @arguments_checked
 @dataclass(frozen=True)
 class MovingMass:
-    """A point mass that joints move inside the ball.
+    """A point mass moved inside the ball by joints.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ class MovingMass:
 
 @arguments_checked
 def pendulum(mass: float, length: float) -> MovingMass:
-    """A pendulum on an axle through the centre, driven about the axle and across it.
+    """A pendulum on an axle through the centre, driven about the axle and perpendicular to it.
 
     Parameters
     ----------

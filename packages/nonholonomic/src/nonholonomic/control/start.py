@@ -1,4 +1,4 @@
-"""Starts of driven balls by their angular velocity."""
+"""Starts of driven balls, given by their angular velocity."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether an invariant measure exists, and equilibria that exclude one."""
+"""Existence of invariant measures, and equilibria that exclude them."""
 
 import lazy_loader
 

@@ -1,7 +1,7 @@
 """Densities in closed form: σ = Σ e_i log b_i with rational exponents.
 
-The derivatives of log b_i for known functions b_i are compared with the 1-form at points of the
-body's own numbers; what is found is a guess, which the prover decides.
+The derivatives of log b_i for known functions b_i are compared with the 1-form at points, for the
+numbers of the body.  The result is a conjecture that the prover decides.
 """
 
 from __future__ import annotations
@@ -19,22 +19,12 @@ from flowlanes.formulas.jets import Evaluator
 from flowlanes.formulas.number_fields import Balls, ball_precision
 from flowlanes.parsing.exact_decimals import exact_number
 from flowlanes.system.arrays import FloatArray
-from flowlanes.system.vectors import (
-    Diagonal,
-    Symmetric,
-    Vector,
-    dot,
-    norm_squared,
-    real_symbol,
-    to_components,
-)
+from flowlanes.system.named_formulas import scalars
+from flowlanes.system.vectors import Diagonal, Symmetric, Vector, dot, norm_squared, real_symbol
 from lawproof.proof.level.level_set import LevelSet
 
 from ..mechanics.rolling.contact import contact
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.shapes.implicit import Implicit
-from ..mechanics.shapes.shapes import Ball, Ellipsoid
-from ..mechanics.shapes.surfaces import Plane
 from .one_form import OneForm, Powers
 
 gamma, r, gammatilde = Vector("gamma"), Vector("r"), Vector("gammatilde")
@@ -45,7 +35,7 @@ b = tuple(real_symbol(f"b_{i}") for i in (1, 2, 3))
 POINTS = 10
 SEED = 20080830
 MOST_FACTORS = 4
-#: Exponents are fractions with denominators up to this.
+#: Largest denominator of the exponents.
 DENOMINATOR = 8
 AGREE = 1e-9
 
@@ -64,16 +54,16 @@ def _share(rolling: Rolling) -> sp.Expr:
 
 
 def _across(rolling: Rolling) -> tuple[sp.Expr, ...]:
-    """Factors of det Ĩ (γ, Ĩ⁻¹γ)/det J; where r is along γ this is (γ, J⁻¹γ)."""
+    """Factors of det Ĩ (γ, Ĩ⁻¹γ)/det J; if r is parallel to γ this is (γ, J⁻¹γ)."""
     shape = rolling.body.shape
-    if isinstance(shape, Ball) and not any(shape.centre):
+    if shape.is_balanced_ball:
         tensor = Diagonal("A") if rolling.body.principal else Symmetric("A")
         return (dot(gamma, tensor * gamma),)
     return _share(rolling), dot(gamma, gammatilde)
 
 
 def _bases(rolling: Rolling) -> tuple[sp.Expr, ...]:
-    """Functions of which the density may be made."""
+    """Functions from which the density may be built."""
     body = rolling.body
     principal = body.principal
     first = I.symbols[0] if principal else Symmetric("I").symbols[0]
@@ -82,9 +72,9 @@ def _bases(rolling: Rolling) -> tuple[sp.Expr, ...]:
         bases += [*_across(rolling), first + m * dot(r, gamma) ** 2]
     else:
         bases.append(_share(rolling))
-    if isinstance(body.shape, Ellipsoid) and principal and not body.shape.turn:
+    if body.shape.is_ellipsoid and principal and not body.shape.is_turned:
         bases += _of_ellipsoid()
-    return tuple(bases)
+    return tuple(scalars(bases))
 
 
 def _of_ellipsoid() -> list[sp.Expr]:
@@ -102,7 +92,7 @@ def _of_ellipsoid() -> list[sp.Expr]:
 
 
 def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> Powers | None:
-    """e^σ as a product of powers of known functions; None if there is none among them.
+    """e^σ as a product of powers of known functions; None if there is no such product.
 
     Parameters
     ----------
@@ -129,7 +119,7 @@ def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> 
             if max(abs(float(e) - x) for e, x in zip(exponents, solution, strict=True)) < AGREE:
                 return tuple(
                     (
-                        _sign(form, bases[i], tuple(numbers)) * to_components(bases[i]),
+                        _sign(form, bases[i], tuple(numbers)) * bases[i],
                         form.scale * sp.Rational(e.numerator, e.denominator),
                     )
                     for i, e in zip(chosen, exponents, strict=True)
@@ -138,11 +128,11 @@ def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> 
 
 
 def _sign(form: OneForm, base: sp.Expr, level: tuple[sp.Expr, ...]) -> int:
-    """−1 for a base that is negative for this body, at one normal and so at all."""
+    """−1 for a base that is negative for this body at one normal, and therefore everywhere."""
     ground = LevelSet(form.system, level)
     with ball_precision():
         values, _ = ground.point(random.Random(SEED))
-        value = ground.partial(Balls(values))(to_components(base)).value
+        value = ground.partial(Balls(values))(base).value
     return -1 if value < 0 else 1
 
 
@@ -168,7 +158,7 @@ def _samples(
 def _at_point(
     form: OneForm, bases: Sequence[sp.Expr], ground: LevelSet, rng: random.Random
 ) -> tuple[list[float], float]:
-    """Derivatives along one tangent vector of the state, the one across γ and a fixed vector."""
+    """Derivatives along one tangent vector of the state, perpendicular to γ and a fixed vector."""
     values, _ = ground.point(rng)
     field = Balls(values)
     partial = ground.partial(field)
@@ -181,7 +171,7 @@ def _at_point(
     row = []
     for base in bases:
         try:
-            jet = partial(to_components(base))
+            jet = partial(base)
             slope = sum((jet.slopes.get(i, field.zero) * along[i] for i in range(3)), field.zero)
             row.append(float((slope / jet.value).mid()))
         except ZeroDivisionError:
@@ -203,27 +193,21 @@ def _turning(partial: Evaluator, along: Sequence[arb]) -> list[arb]:
 def density(rolling: Rolling, powers: Powers) -> Powers:
     """The density over the state of the equations of motion, from the one over momenta and γ.
 
-    A marble body has the state M, γ, a rubber one ω, γ, and r for γ where its shape is given by
-    an equation.
+    A marble body has the state M, γ, a rubber one ω, γ; r replaces γ if the shape is given by an
+    equation.
     """
     factors_of_density = list(powers)
     principal = rolling.body.principal
     if rolling.contact == "rubber":
-        # the momenta across γ have the determinant det Ĩ (γ, Ĩ⁻¹γ) in ω
+        # The momenta perpendicular to γ have the determinant det Ĩ (γ, Ĩ⁻¹γ) in ω.
         factors = (*_determinant(principal), *_across(rolling))
         factors_of_density += [(base, sp.S.One) for base in factors]
-    implicit = isinstance(rolling.body.shape, Implicit)
-    plane = isinstance(rolling.surface, Plane)
-    if not plane and not isinstance(rolling.body.shape, Ball):
-        factors_of_density.append((real_symbol("A_a"), sp.S.One))
-    if implicit:
-        factors_of_density.append((real_symbol("ell"), sp.S.One))
-        if plane:
-            factors_of_density.append((real_symbol("kappa"), sp.S.One))
-    reach = contact(rolling.body.shape, rolling.surface).r
-    written = {} if isinstance(reach, Vector) else dict(zip(r, to_components(reach), strict=True))
+    kinematics = contact(rolling.body.shape, rolling.surface)
+    factors_of_density += [(factor, sp.S.One) for factor in kinematics.volume]
+    reach = kinematics.r
+    written = {} if isinstance(reach, Vector) else dict(zip(r, scalars(reach), strict=True))
     total: dict[sp.Expr, sp.Expr] = {}
     for base, exponent in factors_of_density:
-        formula = to_components(base).xreplace(written)
+        formula = scalars(base)[0].xreplace(written)
         total[formula] = total.get(formula, sp.S.Zero) + exponent
     return tuple((base, exponent) for base, exponent in total.items() if exponent != 0)

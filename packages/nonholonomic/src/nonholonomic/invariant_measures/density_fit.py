@@ -115,7 +115,7 @@ def _moves(factor: sp.Expr, lifted_fields: LiftedFields) -> bool:
 
 
 def _factors(formula: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
-    """Factors with exponents; one alone where factoring would take long."""
+    """Factors with exponents; a single factor if factoring would be slow."""
     if sp.count_ops(formula) > SIMPLE:
         return [(formula, sp.S.One)]
     if formula.has(sp.sin, sp.cos):
@@ -130,7 +130,7 @@ def _factors(formula: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
 
 
 def _in_cosines(formula: sp.Expr) -> sp.Expr:
-    """A fraction of polynomials in sines and cosines, with no even powers of sines."""
+    """A fraction of polynomials in sines and cosines, without even powers of sines."""
     for sine in sorted(formula.atoms(sp.sin), key=str):
         square = 1 - sp.cos(sine.args[0]) ** 2
         parts = []
@@ -174,7 +174,7 @@ def _exponents(
 
 
 def _at_level(lifted_fields: LiftedFields, level: Level) -> Distribution:
-    """The admissible fields with the parameters that the level settles put in."""
+    """The admissible fields with the parameters determined by the level inserted."""
     table = solved_parameters(level)
     return replace(
         lifted_fields.base,

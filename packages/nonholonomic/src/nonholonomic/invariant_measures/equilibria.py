@@ -1,8 +1,8 @@
 """Equilibria that exclude an invariant measure.
 
-Where a field f vanishes the flow leaves the point where it is and multiplies volumes about it by
-exp(t tr Df).  An invariant measure whose density is continuous and positive there needs tr Df = 0,
-the trace being that on the phase space.
+Where a field f vanishes, the flow fixes the point and multiplies nearby volumes by exp(t tr Df).
+An invariant measure with a continuous positive density there requires tr Df = 0, where the trace is
+that on the phase space.
 """
 
 from __future__ import annotations
@@ -18,13 +18,14 @@ from flowlanes.formulas.array_evaluation import values
 from flowlanes.printing.formula import text
 from flowlanes.system.system import System
 
-#: Points that are tried, and what a rate may be in doubles at a point that is tried exactly.
+#: Number of candidate points, and the largest rate in doubles at which a candidate is verified
+#: exactly.
 _MOST_POINTS, _SMALL = 729, 1e-9
 
 
 @dataclass(frozen=True)
 class EquilibriumObstruction:
-    """An equilibrium about which volumes change.
+    """An equilibrium near which volumes change.
 
     Attributes
     ----------
@@ -136,6 +137,7 @@ def _trace_at(
         gram = normal * normal.T
         if gram.det().is_zero is not False:
             return None
-        # the linearisation maps tangent vectors to such, and acts on the rest by this matrix
+        # The linearisation maps tangent vectors to tangent vectors, and acts on the quotient by
+        # this matrix.
         trace -= (normal * jacobian * normal.T * gram.inv()).trace()
     return sp.simplify(trace)

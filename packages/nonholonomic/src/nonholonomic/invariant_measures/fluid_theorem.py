@@ -1,7 +1,7 @@
-"""A rolling body with fluid has an invariant measure ρ(γ) exactly when its equivalent body has.
+"""A rolling body with fluid has an invariant measure ρ(γ) exactly if its equivalent body does.
 
 At every normal γ the field of the body with fluid differs from that of the equivalent rigid body,
-in the variables ω (or M − CN), γ, N, by a field u that does not move γ:
+in the variables ω (or M − CN), γ, N, by a field u that leaves γ fixed:
 
     ω′ = S(CN×ω − C(ξ×N)),      N′ = ξ×N,      ξ = K⁻¹N − Cω,
 
@@ -47,5 +47,5 @@ def action_of_fluid() -> System:
 
 @cache
 def lemma() -> Verdict:
-    """The verdict on the lemma: that u keeps the volume, for all symmetric S, C and K."""
+    """The verdict on the lemma: u preserves the volume, for all symmetric S, C and K."""
     return prove(action_of_fluid(), Measure("volume", (), "the fluid keeps the volume"))

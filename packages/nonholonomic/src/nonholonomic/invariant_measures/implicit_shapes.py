@@ -1,4 +1,4 @@
-"""σ of a body whose shape is given by an equation: along the curve of contact points."""
+"""σ of a body whose shape is given by an equation, by integration along contact points."""
 
 from __future__ import annotations
 

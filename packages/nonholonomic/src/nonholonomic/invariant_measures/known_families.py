@@ -1,6 +1,6 @@
-"""Bodies that are known to keep a measure, by theorem: what their numbers must fulfil.
+"""Families of bodies with an invariant measure by a theorem, as conditions on their numbers.
 
-Each family gives the level in the parameters on which its members lie; that the 1-form is closed
+Each family gives the level in the parameters to which its members belong; that the 1-form is closed
 there is proved anew for every body.  docs/measures.md has the theorems and their proofs.
 """
 
@@ -16,8 +16,6 @@ from flowlanes.system.system import Parameter
 from flowlanes.system.vectors import Diagonal, Vector, real_symbol
 
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.shapes.shapes import Ball, Ellipsoid
-from ..mechanics.shapes.surfaces import Plane
 
 Level = tuple[sp.Expr, ...]
 
@@ -26,12 +24,12 @@ m, R, a, delta = real_symbol("m"), real_symbol("R"), real_symbol("a"), real_symb
 b = tuple(real_symbol(f"b_{i}") for i in (1, 2, 3))
 #: All principal moments are equal.
 SPHERICAL: Level = (I.symbols[0] - I.symbols[1], I.symbols[1] - I.symbols[2])
-#: Lengths and moments of which some may agree.
+#: Lengths and moments that may coincide.
 _ALIKE = (I.symbols, b)
 
 
 def collinearity() -> sp.Expr:
-    """Vanishes where the points (I_i b_i², I_i − m b_i²) of the plane lie on a line."""
+    """Vanishes if the points (I_i b_i², I_i − m b_i²) of the plane are collinear."""
     x = [i * s**2 for i, s in zip(I.symbols, b, strict=True)]
     y = [i - m * s**2 for i, s in zip(I.symbols, b, strict=True)]
     return sp.expand(sp.Add(*(x[i - 1] * y[i] - x[i] * y[i - 1] for i in range(3))))
@@ -49,7 +47,7 @@ def levels(rolling: Rolling, parameters: Sequence[Parameter]) -> Iterator[Level]
 
 
 def coincidences(values: dict[sp.Symbol, sp.Rational]) -> Level:
-    """Parameters that are zero, and moments or lengths that agree."""
+    """Parameters that are zero, and moments or lengths that coincide."""
     zeros = [s for s, v in values.items() if v == 0]
     equal = []
     for group in _ALIKE:
@@ -65,10 +63,10 @@ def coincidences(values: dict[sp.Symbol, sp.Rational]) -> Level:
 def _special(rolling: Rolling) -> tuple[Level, ...]:
     """Families of bodies of this shape."""
     shape, rubber = rolling.body.shape, rolling.contact == "rubber"
-    plane = isinstance(rolling.surface, Plane)
-    if isinstance(shape, Ball) and rubber and not plane:
+    plane = rolling.surface.is_flat
+    if shape.is_ball and rubber and not plane:
         return ((a - shape.gauss().support,),)
-    if isinstance(shape, Ellipsoid) and not any(shape.centre) and not shape.turn:
+    if shape.is_ellipsoid and not any(shape.centre) and not shape.is_turned:
         shifted = tuple(i - m * s**2 for i, s in zip(I.symbols, b, strict=True))
         along = (shifted[0] - shifted[1], shifted[1] - shifted[2])
         return ((collinearity(),), along) if rubber and plane else (along,)
@@ -81,24 +79,24 @@ _SPHERICAL = "of equal principal moments of inertia (whatever its shape and cent
 def criterion(rolling: Rolling) -> str:
     """The theorem on all bodies of this shape, contact and surface."""
     shape, rubber = rolling.body.shape, rolling.contact == "rubber"
-    plane = isinstance(rolling.surface, Plane)
+    plane = rolling.surface.is_flat
     contact = f"a {rolling.contact}"
-    where = "a plane" if plane else "a sphere"
+    where = f"a {rolling.surface.kind}"
     centred = not any(shape.centre)
-    if isinstance(shape, Ball):
+    if shape.is_ball:
         equal = "" if plane or not rubber else ", or the sphere is as large as the ball (R = a)"
         return (
             f"{contact} ball on {where} has such a measure if and only if its centre is its "
             "centre of mass, or the line through both is an axis of dynamical symmetry" + equal
         )
-    if isinstance(shape, Ellipsoid) and centred and plane and not rubber:
+    if shape.is_ellipsoid and centred and plane and not rubber:
         return (
             f"{contact} ellipsoid on {where}, its centre being its centre of mass, has such a "
             f"measure if and only if it is {_SPHERICAL}, or a ball, or a body of revolution with "
             "its inertia, or its semi-axes are principal axes of inertia and the three "
             "differences I_i − m b_i² agree"
         )
-    if isinstance(shape, Ellipsoid) and centred and plane:
+    if shape.is_ellipsoid and centred and plane:
         return (
             f"{contact} ellipsoid on {where}, its centre being its centre of mass, has such a "
             "measure if and only if its semi-axes are principal axes of inertia and the three "

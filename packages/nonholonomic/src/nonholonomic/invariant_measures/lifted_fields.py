@@ -1,13 +1,13 @@
-"""The 1-form of a mechanism, and its admissible fields lifted by one more coordinate.
+"""The 1-form of a mechanism, and its admissible fields lifted by one coordinate.
 
 A function σ with η_β(σ) = θ_β for the admissible fields η_β is a surface z = σ(q) to which the
 lifted fields
 
     η̂_β = η_β + θ_β ∂_z
 
-are tangent.  Commutators of tangent fields are tangent, so that σ can exist only if no combination
-of the lifted fields and their commutators points along z.  Where these span no more than the fields
-themselves do, σ exists about the point (Frobenius' theorem).
+are tangent.  Commutators of tangent fields are tangent, so σ can exist only if no combination of
+the lifted fields and their commutators points along z.  If these span no more than the fields
+themselves do, σ exists near the point (Frobenius' theorem).
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from ..mechanics.lagrangian.constrained_frame import Restriction
 
 @dataclass(frozen=True)
 class LiftedFields:
-    """Admissible fields with and without their share along z.
+    """Admissible fields with and without their component along z.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Mechanisms: whether a measure exists, decided by the growth of the lifted fields."""
+"""Existence of a measure for mechanisms, from the growth of the lifted fields."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> MeasureExi
 def _everywhere(
     restriction: Restriction, lifted: LiftedFields, system: System, name: str, effort: int
 ) -> MeasureExistence:
-    """No obstruction at a generic point: the density, if it is found."""
+    """There is no obstruction at a generic point: return the density if it is found."""
     measure = _measure(restriction, lifted, system, (), effort)
     if measure is not None:
         law, verdict, domain = measure
@@ -112,7 +112,7 @@ def _levels(
     complete = False
     try:
         volume = _volume(restriction)
-        # conditions from so many commutators may leave too much; further ones are tried then
+        # Conditions from the first commutators may leave too much; then further ones are tried.
         for more in range(FURTHER):
             solved = branches(lifted, steps + more, _positive(restriction), volume)
             proofs = [
@@ -129,7 +129,7 @@ def _levels(
 
 
 def _volume(restriction: Restriction) -> sp.Expr:
-    """The determinant of the kinetic form, factored, definitions written out."""
+    """The determinant of the kinetic form, factored, with definitions substituted."""
     size = len(restriction.velocities)
     entries = [e for row in restriction.kinetic for e in row]
     matrix = sp.Matrix(size, size, [expand(e, restriction.definitions) for e in entries])
@@ -137,7 +137,7 @@ def _volume(restriction: Restriction) -> sp.Expr:
 
 
 def _positive(restriction: Restriction) -> frozenset[sp.Symbol]:
-    """Parameters declared to be positive, or that stand on the diagonal of the kinetic form."""
+    """Parameters declared positive, or on the diagonal of the kinetic form."""
     parameters = restriction.mechanism.parameters
     declared = {p.symbol for p in parameters if (p.symbol > 0) in p.admissible}
     diagonal = {row[i] for i, row in enumerate(restriction.kinetic)}
@@ -152,7 +152,7 @@ def _measure(
     """A proven measure on a level, and where its density is shown to be positive."""
     jacobian: Powers = (
         (_volume(restriction), sp.S.One),
-        # the constraints that stay as relations cut out the volume of the velocities
+        # The constraints that remain as relations restrict the volume of the velocities.
         *((expand(f, restriction.definitions), sp.S.One) for f in restriction.nonzero),
     )
     fit = density_from_powers(lifted, jacobian, level)
@@ -169,16 +169,16 @@ def _measure(
     try:
         verdict = prove(system, law, effort=min(effort, EFFORT_PER_PROOF))
     except InputError as reason:
-        # the equations of motion may be singular where the distribution is not
+        # The equations of motion may be singular where the distribution is not.
         verdict = Verdict(law.name, "undecided", reason=str(reason))
     if not verdict:
-        # dσ = θ along the admissible fields is the same statement, in fewer variables
+        # dσ = θ along the admissible fields is an equivalent statement in fewer variables.
         verdict = prove(*density_law(lifted, potential, level), effort=effort)
     return (law, verdict, domain) if verdict else None
 
 
 def _signs(restriction: Restriction) -> Signs:
-    """Signs of factors of a density: the kinetic form is positive."""
+    """Signs of factors of a density; the kinetic form is positive."""
     mechanism = restriction.mechanism
     return Signs(
         _positive(restriction),

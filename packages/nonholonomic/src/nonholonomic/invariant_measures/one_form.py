@@ -9,7 +9,7 @@ and for a marble body, with A = Ĩ⁻¹, V = WK and τ = Σ (A e_i, V(γ×e_i)),
 
     Θ = −m { W(Ar − r tr A) − (E + W/a)(γ×A(γ×V r) + τ γ×r) },
 
-provided that spinning about the normal, which moves no γ, does not change the volume either:
+provided that spinning about the normal, which leaves γ fixed, does not change the volume either:
 
     (γ×V r, Aγ) + (γ, r) τ = 0.
 """
@@ -38,8 +38,6 @@ from flowlanes.system.vectors import (
 )
 
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.shapes.shapes import Ball
-from ..mechanics.shapes.surfaces import Plane
 from .shape_geometry import geometry
 
 #: Bases with exponents.
@@ -53,7 +51,7 @@ m, a = real_symbol("m"), real_symbol("a")
 
 @dataclass(frozen=True)
 class OneForm:
-    """The 1-form θ = (Θ, dγ), and what has to vanish for an invariant measure to exist.
+    """The 1-form θ = (Θ, dγ), and the conditions for an invariant measure to exist.
 
     Attributes
     ----------
@@ -81,7 +79,7 @@ class OneForm:
     period: Identity
 
     def density_law(self, powers: Powers) -> tuple[System, Identity]:
-        """The law dσ = θ for e^σ a product of powers, along every turn u of the normal.
+        """The law dσ = θ for e^σ a product of powers, along every rotation u of the normal.
 
         Parameters
         ----------
@@ -101,7 +99,7 @@ class OneForm:
 
     @property
     def conditions(self) -> tuple[Law, ...]:
-        """The laws that are to be proved."""
+        """The laws to be proved."""
         return (self.closed,) if self.spin is None else (self.spin, self.closed)
 
 
@@ -129,7 +127,7 @@ def one_form(rolling: Rolling) -> OneForm:
     )
 
     def inverse(vector: MatrixExpr) -> MatrixExpr:
-        """Ĩ⁻¹ by Sherman and Morrison."""
+        """Ĩ⁻¹ by the Sherman–Morrison formula."""
         return A * vector + share * dot(lever, vector) * lever
 
     spin = None
@@ -176,9 +174,9 @@ def one_form(rolling: Rolling) -> OneForm:
 
 
 def _scale(rolling: Rolling) -> sp.Expr:
-    """The factor 1 − R/a of θ for a rubber ball on a sphere, compared to a plane; else one."""
+    """The factor 1 − R/a of θ for a rubber ball on a sphere, relative to a plane; otherwise 1."""
     shape, surface = rolling.body.shape, rolling.surface
-    if rolling.contact == "marble" or isinstance(surface, Plane) or not isinstance(shape, Ball):
+    if rolling.contact == "marble" or surface.is_flat or not shape.is_ball:
         return sp.S.One
     scale: sp.Expr = 1 - shape.gauss().support / a
     return scale

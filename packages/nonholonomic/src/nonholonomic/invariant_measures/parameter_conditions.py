@@ -1,8 +1,8 @@
 """Conditions on the parameters for an invariant measure, by exact elimination.
 
 At a rational point the lifted fields and their commutators are rows of rational functions of the
-parameters.  The remainder of a row, after its part along the configuration space has been
-eliminated, points along z and must vanish.
+parameters. After its component along the configuration space has been eliminated, the remainder of
+a row points along z and must vanish.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ Level = tuple[sp.Expr, ...]
 
 @dataclass(frozen=True)
 class Branches:
-    """Levels in the parameters on which the necessary conditions hold at the points tried.
+    """Levels in the parameters on which the necessary conditions hold at the tested points.
 
     Attributes
     ----------
@@ -82,7 +82,7 @@ def branches(
     wanted = Formulas([*entries, metric], name)
 
     def at_point() -> tuple[list[Quotient], Quotient]:
-        """Entries and metric at a point where all of them have values."""
+        """Entries and metric at a point where all of them are defined."""
         for _ in range(ATTEMPTS):
             known = {**names, **_point(lifted_fields, rng, one)}
             try:
@@ -101,7 +101,7 @@ def branches(
         regular.append(as_formula(volume.above))
         left, constant = _elimination(matrix, coordinates.index(lifted_fields.height))
         conditions |= dict.fromkeys(as_formula(value.above) for value in left)
-        # where a denominator vanishes nothing was computed
+        # Where a denominator vanishes nothing was computed.
         clean = clean and constant and all(_finite(v.below, volume, positive) for v in values)
     levels, complete = _solutions(tuple(conditions), positive)
     distinct = {
@@ -113,7 +113,7 @@ def branches(
 
 
 def solved_parameters(level: Level) -> dict[sp.Symbol, sp.Expr]:
-    """The parameters that a level of differences p − v gives, v being free of all of these."""
+    """The parameters determined by a level of differences p − v with v free of all of these."""
     table: dict[sp.Symbol, sp.Expr] = {}
     for condition in level:
         symbol = next(
@@ -136,13 +136,13 @@ def _solved_form(level: Level) -> Level:
 
 
 def _brackets(lifted_fields: LiftedFields, tape: Tape, steps: int) -> list[VectorField]:
-    """The lifted fields and their commutators with them, so many times."""
+    """The lifted fields and their repeated commutators with them."""
     fields = [dict(field) for field in lifted_fields.lifted.frame]
     rows, last = list(fields), list(fields)
     for _ in range(steps):
         brackets = []
         for i, first in enumerate(fields):
-            # of the fields themselves each pair counts once
+            # Among the fields themselves each pair counts once.
             for second in last[i + 1 :] if last == fields else last:
                 brackets.append(_bracket(tape, first, second))
         last = [field for field in brackets if field]
@@ -176,7 +176,7 @@ def _point(
 
 
 def _elimination(matrix: list[list[Quotient]], height: int) -> tuple[list[Quotient], bool]:
-    """The remaining entries along z, and whether all pivots were plain numbers."""
+    """The remaining entries along z, and whether all pivots were numbers."""
     rows, constant = [list(row) for row in matrix], True
     width = len(rows[0])
     while True:
@@ -200,7 +200,7 @@ def _elimination(matrix: list[list[Quotient]], height: int) -> tuple[list[Quotie
 
 
 def _finite(below: fmpq_mpoly, volume: Quotient, positive: frozenset[sp.Symbol]) -> bool:
-    """Whether a denominator vanishes for no parameters for which the kinetic form is definite."""
+    """Whether a denominator never vanishes while the kinetic form is definite."""
     factors = {str(factor) for factor, _ in volume.above.factor()[1]}
     return all(
         str(factor) in factors or definite(as_formula(factor), positive)
@@ -239,7 +239,7 @@ def _solutions(
 
 
 def _linear(factor: sp.Expr, positive: frozenset[sp.Symbol]) -> sp.Symbol | None:
-    """A parameter in which a factor is linear, with a coefficient that does not vanish."""
+    """A parameter in which a factor is linear, with a nonvanishing coefficient."""
     for symbol in sorted(factor.free_symbols, key=lambda s: (s in positive, str(s))):
         slope = sp.diff(factor, symbol)
         if symbol not in slope.free_symbols and (slope.is_number or definite(slope, positive)):

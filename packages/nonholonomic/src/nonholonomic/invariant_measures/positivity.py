@@ -38,7 +38,7 @@ class Signs:
 
 
 def positive(powers: Powers, signs: Signs) -> tuple[Powers, tuple[sp.Basic, ...]]:
-    """The density up to a constant factor, its bases positive where possible.
+    """The density up to a constant factor, with positive bases where possible.
 
     Parameters
     ----------
@@ -77,18 +77,18 @@ def definite(factor: sp.Expr, positive: Collection[sp.Symbol]) -> bool:
         [(s, p) for s, p in zip(poly.gens, powers, strict=True) if p] for powers in poly.monoms()
     ]
     even = all(p % 2 == 0 or s in positive for term in named for s, p in term)
-    # even powers of parameters of any sign may vanish together, positive ones do not
+    # Even powers of parameters of any sign may vanish together, positive parameters may not.
     return even and any(all(s in positive for s, _ in term) for term in named)
 
 
 def _with_positive_sign(base: sp.Expr, signs: Signs) -> sp.Expr:
-    """A base or its opposite: the one that is positive where its sign is tried first."""
+    """A base or its negative: the one that is positive where its sign is first tested."""
     values = [v for v in (_value(base, signs, seed) for seed in range(SAMPLES)) if v]
     return sp.expand(-base) if values and max(values) < 0 else base
 
 
 def _value(base: sp.Expr, signs: Signs, seed: int) -> sp.Expr | None:
-    """The sign of a base at a configuration drawn at random; None where it has no real value."""
+    """The sign of a base at a random configuration; None if it has no real value there."""
     rng = random.Random(SEED + seed)
     symbols = base.free_symbols.union(*(r.free_symbols for r in signs.relations))
     place = {s: sp.Float(rng.uniform(-4, 4)) for s in sorted(symbols, key=str)}
@@ -103,9 +103,9 @@ def _value(base: sp.Expr, signs: Signs, seed: int) -> sp.Expr | None:
 
 
 def _without_squares_of_sines(total: dict[sp.Expr, sp.Expr]) -> dict[sp.Expr, sp.Expr]:
-    """Powers in which sin x, 1 − cos x and 1 + cos x do not stand together.
+    """Powers in which sin x, 1 − cos x and 1 + cos x do not occur together.
 
-    |sin x| is the root of (1 − cos x)(1 + cos x).
+    |sin x| is the square root of (1 − cos x)(1 + cos x).
     """
     powers = dict(total)
     arguments = {f.args[0] for base in total for f in base.atoms(sp.sin, sp.cos)}
@@ -145,14 +145,14 @@ def _is_positive(base: sp.Expr, signs: Signs) -> bool:
 
 
 def _sphere(relation: sp.Expr, signs: Signs) -> tuple[list[sp.Symbol], sp.Expr | None]:
-    """The coordinates of a sphere, and the square of its radius if a relation is one."""
+    """The coordinates of a sphere, and the square of its radius, if a relation describes one."""
     own = sorted(relation.free_symbols - signs.positive, key=str)
     remainder = sp.expand(relation - sp.Add(*(s**2 for s in own)))
     return own, (-remainder if own and remainder.is_number and remainder < 0 else None)
 
 
 def _positive_on(plain: sp.Expr, relation: sp.Expr, signs: Signs) -> bool:
-    """Whether a sum of squares vanishes nowhere on a sphere that a relation describes."""
+    """Whether a sum of squares vanishes nowhere on a sphere described by a relation."""
     own, square = _sphere(relation, signs)
     if square is None or not definite(plain + sp.S.One, signs.positive):
         return False

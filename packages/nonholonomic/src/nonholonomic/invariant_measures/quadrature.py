@@ -15,14 +15,14 @@ from .one_form import OneForm
 
 NODES = 24
 MORE_NODES = 40
-#: Pieces into which an arc is cut.
+#: Number of pieces of an arc.
 PIECES = 8
 
 
 def numerical_functions(
     system: System, formulas: Sequence[sp.Expr]
 ) -> Callable[[np.ndarray], np.ndarray]:
-    """Formulas as functions of the state, at the defaults."""
+    """Formulas as functions of the state, at the default parameters."""
     read = SystemFormulas(system).term_of
     compiled = CompiledTerms([read(formula) for formula in formulas])
     numbers = np.array([value for _, value in system.default_values])
@@ -35,7 +35,7 @@ def numerical_functions(
 
 
 def arc(start: np.ndarray, normal: Sequence[float]) -> tuple[np.ndarray, float]:
-    """The unit vector across `start` towards a normal, and the angle between both.
+    """The unit vector perpendicular to `start` towards a normal, and the angle between both.
 
     Raises
     ------

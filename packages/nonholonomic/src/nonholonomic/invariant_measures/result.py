@@ -1,4 +1,4 @@
-"""Whether an invariant measure with a density in the configuration alone exists: the result."""
+"""The result of the question whether a measure with a density in the configuration exists."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ _HEADS = {
 
 
 def _coordinate(name: str, value: str) -> str:
-    """A coordinate of a point; of a ball, six digits of its midpoint."""
+    """A coordinate of a point; for a ball, six digits of its midpoint."""
     symbol = text(sp.Symbol(name, real=True))
     if not value.startswith("["):
         return f"{symbol} = {value}"
@@ -125,7 +125,7 @@ def _level(level: tuple[sp.Expr, ...]) -> str:
 
 
 def _equation(condition: sp.Expr) -> str:
-    """s = n or s = t where that is what a difference says."""
+    """A difference that vanishes as an equation s = n or s = t, if it has this form."""
     left, remainder = condition.as_independent(*condition.free_symbols, as_Add=True)[::-1]
     terms = sp.Add.make_args(left)
     if len(terms) == 1 and terms[0].is_Symbol:

@@ -1,8 +1,8 @@
-"""Rolling bodies: whether a measure exists, decided on the sphere of normals.
+"""Existence of a measure for rolling bodies, decided on the sphere of normals.
 
-The body's place and heading are of no account: where a density e^σ on the whole configuration
-space gives an invariant measure, σ does not change under the motions of the plane or the rotations
-of the sphere (docs/measures.md), so that nothing is lost by looking for σ(γ).
+Position and heading of the body can be ignored: if a density e^σ on the whole configuration space
+gives an invariant measure, σ is invariant under the motions of the plane or the rotations of the
+sphere (docs/measures.md), so nothing is lost by searching for σ(γ).
 """
 
 from __future__ import annotations
@@ -15,8 +15,6 @@ from lawproof.proof.prover import POINTS_ALONE, prove
 from lawproof.proof.verdict import Verdict
 
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.shapes.implicit import Implicit
-from ..mechanics.shapes.shapes import Disk, Torus
 from .closed_form import closed_form, density
 from .fluid_theorem import THEOREM, lemma
 from .implicit_shapes import log_density_on_surface
@@ -45,10 +43,10 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
     form = one_form(rolling)
     theorem = criterion(rolling)
     levels_tried = tuple(levels(rolling, form.system.parameters))
-    # the last level fixes all numbers: what fails there fails for this body
+    # The last level fixes all numbers: what fails there fails for this body.
     numbers = levels_tried[-1]
     for law in form.conditions:
-        # points are tried before anything is proven
+        # Points are tested before anything is proved.
         verdict = prove(form.system, replace(law, on=numbers), effort=POINTS_ALONE)
         if verdict.decision == "refuted":
             return MeasureExistence(
@@ -75,7 +73,7 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
 
 
 def _with_fluid(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
-    """The decision for the equivalent rigid body, and the lemma that it is that for the body."""
+    """The decision for the equivalent rigid body, and the lemma that transfers it to the body."""
     rigid = decide_body(rolling.equivalent, name, effort)
     verdict = lemma()
     decision = rigid.decision if verdict else "undecided"
@@ -130,7 +128,7 @@ def _with_density(
 ) -> MeasureExistence:
     """The measure as a law of the equations of motion, on the most general level proven.
 
-    That dσ = θ for the numbers of the body has been proven, from which it follows for these.
+    That dσ = θ for the numbers of the body has been proven; the law for these numbers follows.
     """
     system = rolling.system(existence.name)
     law = Measure(
@@ -151,9 +149,9 @@ def _with_density(
 def _with_quadrature(
     existence: MeasureExistence, rolling: Rolling, form: OneForm, level: Level, effort: int
 ) -> MeasureExistence:
-    """The measure whose 1-form is closed, without a closed form of its density."""
-    if isinstance(rolling.body.shape, (Disk, Torus)):
-        # lying flat is outside their domain, a sphere without its poles
+    """The measure with a closed 1-form whose density has no closed form."""
+    if rolling.body.shape.has_flat_face:
+        # Lying flat is outside the domain, which is a sphere without its poles.
         turned = prove(form.system, replace(form.period, on=level), effort=effort)
         existence = replace(existence, verdicts=(*existence.verdicts, turned))
         if not turned:
@@ -166,6 +164,6 @@ def _with_quadrature(
         existence,
         reason="the 1-form is closed, and so exact on the sphere of normals",
         log_density=log_density_on_surface(form)
-        if isinstance(rolling.body.shape, Implicit)
+        if rolling.body.shape.by_equation
         else log_density(form),
     )

@@ -1,18 +1,18 @@
 """Convex shapes by their normals: contact vector and spread, for the 1-form.
 
-Every formula of the 1-form is made of the contact vector r, of the spread W (ṙ = −Wγ̇) and, on a
-sphere of radius a, of K = (E + W/a)⁻¹, which turns γ×ω into γ̇.  This module gives them for every
-shape as operators on all vectors that annul γ.
+Every formula of the 1-form is made of the contact vector r, the spread W (ṙ = −Wγ̇) and, on a
+sphere of radius a, K = (E + W/a)⁻¹, which maps γ×ω to γ̇.  This module provides them for every
+shape as operators on all vectors that annihilate γ.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from flowlanes.errors import InputError
 from flowlanes.system.named_formulas import Pairs
 from flowlanes.system.system import Parameter
 from flowlanes.system.vectors import (
@@ -25,14 +25,11 @@ from flowlanes.system.vectors import (
     real_symbol,
 )
 
-from ..mechanics.shapes.implicit import Implicit
-from ..mechanics.shapes.shapes import Shape
-from ..mechanics.shapes.surfaces import Plane, Surface
+from ..mechanics.shapes.kinematics import Operator, a, gamma, r
+from ..mechanics.shapes.shape_base import Shape
+from ..mechanics.shapes.surfaces import Surface
 
-Operator = Callable[[MatrixExpr], MatrixExpr]
-
-gamma, r = Vector("gamma"), Vector("r")
-a = real_symbol("a")
+_X = Vector("x")
 
 
 @dataclass(frozen=True)
@@ -71,14 +68,20 @@ class Geometry:
 
 
 def tangent(vector: MatrixExpr) -> MatrixExpr:
-    """The part across γ."""
+    """The tangential component of a vector."""
     return vector - dot(gamma, vector) * gamma
 
 
 def geometry(shape: Shape, surface: Surface) -> Geometry:
     """The geometry of a shape of the library on a plane or a sphere."""
-    if isinstance(shape, Implicit):
-        return _through_surface(shape, surface)
+    if not surface.is_even:
+        raise InputError(
+            f"surface: invariant measures are known of bodies on planes and spheres, not on "
+            f"{surface.words}"
+        )
+    f = shape.level(_X)
+    if f is not None:
+        return _through_surface(shape, f, surface)
     gauss = shape.gauss()
 
     def spread(vector: MatrixExpr) -> MatrixExpr:
@@ -107,11 +110,10 @@ def _with_sphere(
     invariants: tuple[sp.Expr, sp.Expr],
     flow: Operator,
 ) -> Geometry:
-    """K = (E + W/a)⁻¹ by Cayley and Hamilton; the projection on a plane."""
+    """K = (E + W/a)⁻¹ by the Cayley–Hamilton theorem; the projection on a plane."""
     contract, stretch, trace = tangent, tangent, sp.Integer(2)
-    if not isinstance(surface, Plane):
-        meaning = "radius of the supporting sphere, negative inside"
-        parameters += (Parameter(a, meaning, surface.signed_radius, "m", (sp.Ne(a, 0),)),)
+    parameters += surface.parameters
+    if not surface.is_flat:
         tau, area = real_symbol("tau"), real_symbol("A_a")
         definitions += ((tau, invariants[0]), (area, a**2 + a * tau + invariants[1]))
         trace = (2 * a**2 + a * tau) / area
@@ -127,12 +129,11 @@ def _with_sphere(
     )
 
 
-def _through_surface(shape: Implicit, surface: Surface) -> Geometry:
+def _through_surface(shape: Shape, f: sp.Expr, surface: Surface) -> Geometry:
     """A shape f(r − c) = 0 with r as state: W is the inverse of its shape operator S."""
-    x, slope, ell = Vector("x"), Vector("nu"), real_symbol("ell")
+    x, slope, ell = _X, Vector("nu"), real_symbol("ell")
     F, G = Symmetric("F"), Symmetric("G")
     mean, gauss = real_symbol("sigma"), real_symbol("kappa")
-    f = shape.surface.xreplace(dict(zip(shape.coordinates, x.symbols, strict=True)))
     hessian = constant(sp.hessian(f, x.symbols))
     definitions: Pairs = (
         (x, r - shape.offset),
@@ -162,6 +163,6 @@ def _through_surface(shape: Implicit, surface: Surface) -> Geometry:
         definitions=definitions,
         spread=spread,
         invariants=(mean / gauss, 1 / gauss),
-        # (Θ, dγ) = −(SΘ, dr), and the area of the surface is divided by |∂f|
+        # (Θ, dγ) = −(SΘ, dr), and the area element of the surface is divided by |∂f|.
         flow=lambda form: ell * cross(gamma, shape_operator(form)),
     )

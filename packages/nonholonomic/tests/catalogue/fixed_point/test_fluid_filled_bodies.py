@@ -42,7 +42,7 @@ def start_of(name: str, system: System) -> tuple[np.ndarray, np.ndarray, np.ndar
     return inertia, omega - omega @ n * n, axis
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("cavities", [ALONG, TURNED, TWO], ids=["along", "turned", "two"])
 @pytest.mark.parametrize("name", ["free-body", "veselova", "suslov"])
 def test_the_motion_is_that_of_the_unreduced_equations(name, cavities):

@@ -33,7 +33,7 @@ def system_of(name: str, n: int, kind: str) -> System:
 CASES = [(name, n, kind) for name in NAMES for n in (3, 4, 5, 6) for kind in ("I", "J")]
 
 
-@pytest.mark.slow(every=6)
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "n", "kind"), CASES)
 def test_every_law_is_proven_and_every_slip_refuted(name, n, kind):
     system = system_of(name, n, kind)

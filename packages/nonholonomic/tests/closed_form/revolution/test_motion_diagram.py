@@ -15,7 +15,8 @@ from nonholonomic.closed_form.revolution.motion_diagram import (
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, Rolling
 from nonholonomic.mechanics.rolling.initial_state import initial_state
-from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Shape
+from nonholonomic.mechanics.shapes.shape_base import Shape
+from nonholonomic.mechanics.shapes.shapes import Ball, Disk
 
 
 def problem(

@@ -27,7 +27,7 @@ NUMBERS = {
 }
 
 
-SLOW = {"reconstruction"}
+SLOW = {"reconstruction", "constants"}
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from contact.friction_formulas import ContactState, reaction
-from flowlanes.system.system import flat_pairs
+from flowlanes.system.named_formulas import flat_pairs
 from flowlanes.system.vectors import to_components
 from nonholonomic.contact.friction.dry_friction import ContensouErismann, Coulomb
 from nonholonomic.contact.friction.modes import Mode

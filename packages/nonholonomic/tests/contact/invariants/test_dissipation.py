@@ -28,9 +28,9 @@ from nonholonomic.contact.friction.friction_law import Reaction
 from nonholonomic.contact.friction.modes import Mode
 from nonholonomic.contact.friction.symbols import slip, slip_speed
 from nonholonomic.contact.invariants.dissipation import (
-    NOT_NEGATIVE,
     decrease_of_energy,
     dissipation,
+    is_not_negative,
 )
 from nonholonomic.contact.pressure.pressure_ranges import hertz_ranges, k
 
@@ -52,7 +52,7 @@ EACH = pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
 def test_a_law_takes_power(law: FrictionLaw) -> None:
     assert lawproof.prove(*decrease_of_energy(law)).decision == "proven"
     factors = {factor for product in dissipation(law).products for factor in product}
-    assert factors <= NOT_NEGATIVE
+    assert all(is_not_negative(factor, law) for factor in factors)
 
 
 @EACH
@@ -68,6 +68,18 @@ class Driving(Coulomb):
 
     def reaction(self, mode: Mode) -> Reaction:
         return Reaction(p=mu * slip / slip_speed)
+
+
+@dataclass(frozen=True)
+class Boasting(Coulomb):
+    """Dry friction that takes a product of which one factor may be negative."""
+
+    dissipation = ((mu, sum(slip.symbols)),)
+
+
+def test_a_factor_that_may_be_negative_is_refused() -> None:
+    with pytest.raises(InputError, match=r"law 'coulomb': the factor .* may be negative"):
+        dissipation(Boasting(0.3))
 
 
 def test_a_force_along_the_slip_is_refuted() -> None:

@@ -77,7 +77,8 @@ def test_jellett_in_space_axes(seed: int) -> None:
 @pytest.mark.parametrize(
     "shape",
     [
-        nonholonomic.Ball(1.0, centre=(0.1, 0.2, 0.3)),
+        nonholonomic.Ball(1.0),
+        pytest.param(nonholonomic.Ball(1.0, centre=(0.1, 0.2, 0.3)), marks=pytest.mark.slow),
         pytest.param(nonholonomic.Disk(1.0), marks=pytest.mark.slow),
         pytest.param(nonholonomic.Torus(1.0, 0.2), marks=pytest.mark.slow),
         pytest.param(nonholonomic.Ellipsoid((3.0, 2.0, 1.0), turn=0.3), marks=pytest.mark.slow),

@@ -54,12 +54,12 @@ def test_both_answers_occur_among_the_starts() -> None:
     )
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 def test_the_polynomial_is_that_of_the_equations() -> None:
     assert top.characteristic_difference(tippe_top()) == 0
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 def test_friction_along_the_slip_has_another_polynomial() -> None:
     from dataclasses import replace
 

@@ -13,7 +13,6 @@ from flowlanes.system.arrays import FloatArray
 from nonholonomic.contact.rolling_limit.convergence import convergence
 from nonholonomic.contact.rolling_limit.dry_limit import DryContact
 from nonholonomic.contact.rolling_limit.rolling_limit import ViscousContact, start_of_limit
-from nonholonomic.mechanics.shapes.gauss_map import contact_points
 
 LOADED = nonholonomic.Body(1.0, (0.4, 0.45, 0.5), nonholonomic.Ball(1.0, centre=(0.1, -0.05, 0.2)))
 BALANCED = nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
@@ -25,7 +24,7 @@ def start(body: nonholonomic.Body, slip: tuple[float, ...]) -> list[float]:
     """A state in contact with a slip, made tangential."""
     gamma = np.array(NORMAL) / np.linalg.norm(NORMAL)
     omega, u = np.array(OMEGA), np.array(slip)
-    r = contact_points(body.shape)(gamma[None])[0]
+    r = body.shape.contact_points()(gamma[None])[0]
     v = u - (u @ gamma) * gamma - np.cross(omega, r)
     attitude = [float(x) for x in upright(list(map(float, gamma)))]
     return [*attitude, 0.0, 0.0, float(-r @ gamma), *v, *omega, *gamma]
@@ -33,7 +32,7 @@ def start(body: nonholonomic.Body, slip: tuple[float, ...]) -> list[float]:
 
 def parts(body: nonholonomic.Body, state: FloatArray) -> tuple[FloatArray, ...]:
     v, omega, gamma = state[7:10], state[10:13], state[13:16]
-    return v, omega, gamma, contact_points(body.shape)(gamma[None])[0]
+    return v, omega, gamma, body.shape.contact_points()(gamma[None])[0]
 
 
 @pytest.mark.parametrize("spinning", [True, False])
@@ -55,7 +54,7 @@ def test_the_layer_ends_slip_and_keeps_the_momentum_about_the_contact(spinning: 
     np.testing.assert_array_equal(after[:7], before[:7])
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.0, 0.1])
 def test_the_limit_is_the_rolling_body_of_the_package(share: float) -> None:
     family = ViscousContact(LOADED, start(LOADED, SLIP), (100.0, 200.0), share, FIELD)
@@ -67,7 +66,7 @@ def test_the_limit_is_the_rolling_body_of_the_package(share: float) -> None:
     np.testing.assert_allclose(found[:, 13:16], motion["gamma"][1:], rtol=0, atol=1e-12)
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.0, 0.1])
 @pytest.mark.parametrize("slip", [(0.0, 0.0, 0.0), SLIP])
 def test_viscosity_leads_to_rolling_at_first_order(share: float, slip: tuple[float, ...]) -> None:
@@ -77,7 +76,7 @@ def test_viscosity_leads_to_rolling_at_first_order(share: float, slip: tuple[flo
     assert abs(found.orders[-1] - 1) < abs(found.orders[0] - 1)
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 def test_without_the_layer_there_is_no_convergence() -> None:
     """The rolling body that starts with the same ω is not the limit."""
     family = ViscousContact(LOADED, start(LOADED, SLIP), (400.0, 800.0), field=FIELD)
@@ -89,13 +88,13 @@ def test_without_the_layer_there_is_no_convergence() -> None:
     assert np.abs(family.motion(800.0, there) - other).max() > 0.05
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 def test_dry_friction_leads_to_rolling_at_first_order() -> None:
     found = convergence(DryContact(BALANCED, start(BALANCED, SLIP), (2.0, 4.0, 8.0), FIELD), [1.0])
     assert abs(found.orders[-1] - 1) < 0.01
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 def test_dry_friction_may_not_have_ended_the_slip() -> None:
     family = DryContact(BALANCED, start(BALANCED, SLIP), (0.001, 0.002), FIELD)
     with pytest.raises(InputError, match=r"the body still slides at t = 0\.1"):

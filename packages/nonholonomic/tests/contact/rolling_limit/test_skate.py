@@ -30,7 +30,7 @@ def test_the_nonholonomic_skate_in_closed_form(times: list[float]) -> None:
     np.testing.assert_allclose(found[:, :2], np.stack([x, y], axis=1), rtol=0, atol=1e-13)
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("nu", [0.0, 3.0])
 def test_the_limit_of_added_inertia_by_another_integrator(nu: float) -> None:
     found = Skate(S, viscosity=nu, mass=1.0).limit(np.array([2.0]))[0]
@@ -40,7 +40,7 @@ def test_the_limit_of_added_inertia_by_another_integrator(nu: float) -> None:
     np.testing.assert_allclose(found, other.y[[0, 1, 4, 5], -1], rtol=0, atol=1e-10)
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("shares", [(1.0, 0.0), (0.0, 1.0), (1.0, 1.0)])
 def test_the_order_is_one(shares: tuple[float, float]) -> None:
     found = convergence(Skate(S, *shares), [2.0])
@@ -48,7 +48,7 @@ def test_the_order_is_one(shares: tuple[float, float]) -> None:
     assert abs(found.orders[-1] - 1) < 0.01
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 def test_added_inertia_does_not_lead_to_the_nonholonomic_skate() -> None:
     t = np.array([2.0])
     heavy, without_slip = Skate(S, mass=1.0), Skate(S, viscosity=1.0).limit(t)

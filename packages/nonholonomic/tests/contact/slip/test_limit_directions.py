@@ -209,9 +209,9 @@ def test_a_body_that_can_be_held_and_slide() -> None:
     assert rest.holds
     assert not rest.unique
     assert rest.exit is None
-    held = b + m.A @ (rest.normal_force * m.gamma + rest.holding_force @ m.tangents)
+    held = b + m.A @ (rest.normal_force * m.gamma + rest.sticking_force @ m.tangents)
     assert np.abs(held).max() < 1e-13
-    assert 0 < np.hypot(*rest.holding_force) < mu * rest.normal_force
+    assert 0 < np.hypot(*rest.sticking_force) < mu * rest.normal_force
     for exit in rest.exits:
         e = exit.direction @ m.tangents
         slides = b + m.A @ (exit.normal_force * (m.gamma - mu * e))

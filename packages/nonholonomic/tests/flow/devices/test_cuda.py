@@ -18,6 +18,7 @@ from flowlanes.errors import InputError
 from flowlanes.flow.batch import batch_integrator
 from flowlanes.flow.devices.cuda import BLOCK, CudaProcessor, open_processor
 from flowlanes.flow.kernel.equations import equations_of
+from needs import optional
 
 
 @dataclass(eq=False)
@@ -196,7 +197,7 @@ def test_memory_is_returned_when_a_kernel_fails() -> None:
 
 
 def test_the_stand_in_has_the_names_of_the_library() -> None:
-    core = pytest.importorskip("cuda.core", reason="cuda-core is not installed")
+    core = optional("cuda.core")
     stream = buffer = object()
     inspect.signature(core.launch).bind(stream, object(), object(), 1, 2.0)
     assert core.LaunchConfig(grid=1, block=BLOCK).block == (BLOCK, 1, 1)

@@ -12,6 +12,7 @@ from flowlanes.flow.devices.graphics_text import ENTRY, thread_loop
 from flowlanes.flow.devices.ptx import ARCHITECTURE, cached_ptx, compile_ptx
 from flowlanes.flow.kernel.equations import Equations, equations_of, poincare_section
 from flowlanes.flow.kernel.tableaux import arithmetic_and_method
+from needs import optional
 from nonholonomic.catalogue import CATALOGUE, from_catalogue
 
 #: Registers that a thread can have.
@@ -22,13 +23,11 @@ ROUNDED = re.compile(r"\b(?:add|sub|mul|fma|div|rcp|sqrt)\.(?:[a-z]+\.)*f64")
 
 def assembler() -> Path:
     """NVIDIA's assembler, from the wheel nvidia-cuda-nvcc; without it the test is skipped."""
-    nvidia = pytest.importorskip(
-        "nvidia", reason="the wheel nvidia-cuda-nvcc is not installed: PTX is not assembled"
-    )
+    nvidia = optional("nvidia")
     for folder in nvidia.__path__:
         for path in Path(folder).rglob("bin/ptxas"):
             return path
-    pytest.skip("the wheel nvidia-cuda-nvcc is not installed: PTX is not assembled")
+    pytest.skip("nvidia-cuda-nvcc: not installed")
 
 
 def assemble(ptx: str, folder: Path, *options: str) -> str:

@@ -17,6 +17,7 @@ from flowlanes.flow.sections.poincare_map import PoincareMap, slab
 from flowlanes.formulas.array_formulas import Formulas
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import to_components
+from needs import optional
 from nonholonomic.catalogue import entry
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 
@@ -84,7 +85,7 @@ def test_points_are_those_of_taylor_integration(name: str) -> None:
 @cache
 def integrator(name: str) -> tuple[Any, list[Any]]:
     """Taylor integration with an event where γ₃ rises through zero."""
-    hy = pytest.importorskip("heyoka")
+    hy = optional("heyoka")
     from flowlanes.flow.taylor.heyoka_expressions import Translator
 
     system = body(name)

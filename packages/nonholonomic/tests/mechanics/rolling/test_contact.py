@@ -10,7 +10,7 @@ import sympy as sp
 from hypothesis import assume, given, settings
 
 from flowlanes.errors import InputError
-from flowlanes.system.system import flat_pairs
+from flowlanes.system.named_formulas import flat_pairs
 from flowlanes.system.vectors import Vector, constant, dot, real_symbol, to_components
 from mechanics.bodies import (
     CENTRE,

@@ -231,7 +231,7 @@ def motion(body, contact, fluid, gravity=2.0, until=5.0):
     }
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 def test_an_empty_cavity_is_none(contact):
     empty = Cavity((0.5, 0.4, 0.3), 0.0, (0.9, 0.1, 0.3, -0.2), (0.1, -0.2, 0.05))
@@ -240,7 +240,7 @@ def test_an_empty_cavity_is_none(contact):
     assert Rolling(dry, Plane(), contact).system() == Rolling(with_it, Plane(), contact).system()
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 def test_little_fluid_does_little(contact):
     """The limit of an empty cavity: the difference falls as the mass of the fluid."""
@@ -257,7 +257,7 @@ def test_little_fluid_does_little(contact):
     assert second / first == pytest.approx(1e-3, rel=1e-3)
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 def test_a_potential_flow_is_a_rigid_body(contact):
     """N = 0 stays, and the body moves as the one with Zhukovsky's equivalent inertia."""
@@ -271,7 +271,7 @@ def test_a_potential_flow_is_a_rigid_body(contact):
         assert np.abs(wet[name] - dry[name]).max() < 1e-13
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 def test_a_spherical_cavity_decouples(contact):
     """Its vorticity is fixed in space, and its fluid a mass point for the body."""
@@ -303,7 +303,7 @@ def test_a_frozen_fluid_moves_with_the_body_at_first():
     assert np.abs(momenta[0][:3] - momenta[1][:3]).max() < 1e-15
 
 
-@pytest.mark.slow(every=2)
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 def test_two_halves_of_fluid_in_two_cavities_alike_are_one_fluid(contact):
     """Fluids with one motion act as one of their common mass; here two of half the mass."""

@@ -11,14 +11,11 @@ from flowlanes.errors import InputError
 from flowlanes.system.vectors import Vector
 from mechanics.bodies import CENTRE, SHAPES
 from mechanics.compare import XYZ, draw, shape_of
-from nonholonomic.mechanics.shapes.gauss_map import (
-    centre_outside,
-    contact_points,
-    contact_points_of_normals,
-)
+from nonholonomic.mechanics.shapes.gauss_map import contact_points_of_normals
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
-from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Shape, Torus
+from nonholonomic.mechanics.shapes.shape_base import Shape
+from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 
 X, Y, Z = XYZ
 NORMALS = np.random.default_rng(2).normal(size=(40, 3))
@@ -31,20 +28,20 @@ def test_points_are_those_of_the_reference(name):
     case = draw(name, "outside", "marble", "principal", seed=1)
     shape = case.body.shape
     expected = [np.asarray(shape.centre) + shape.touching(gamma) for gamma in NORMALS]
-    found = contact_points(shape_of(case.shape_table))(NORMALS)
+    found = shape_of(case.shape_table).contact_points()(NORMALS)
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-13)
 
 
 def test_ball_without_displacement():
     np.testing.assert_allclose(
-        contact_points(SHAPES["ball centred"])(NORMALS), -0.9 * NORMALS, rtol=0, atol=1e-15
+        SHAPES["ball centred"].contact_points()(NORMALS), -0.9 * NORMALS, rtol=0, atol=1e-15
     )
 
 
 def test_parameters_of_a_surface_have_their_values():
     flattening = sp.Symbol("flattening", real=True)
     shape = Implicit(X**2 + Y**2 + flattening * Z**2 - 1, {flattening: 4.0}, centre=CENTRE)
-    (top,) = contact_points(shape)(np.array([[0.0, 0.0, -1.0]]))
+    (top,) = shape.contact_points()(np.array([[0.0, 0.0, -1.0]]))
     np.testing.assert_allclose(top, np.add(CENTRE, (0.0, 0.0, 0.5)), rtol=0, atol=1e-14)
 
 
@@ -87,4 +84,4 @@ CUSHION = XYZ[0] ** 4 + XYZ[1] ** 4 + XYZ[2] ** 4 - 1
     ],
 )
 def test_whether_the_centre_of_mass_is_outside(shape: Shape, outside: bool) -> None:
-    assert centre_outside(shape) == outside
+    assert shape.centre_outside == outside

@@ -1,1 +1,1 @@
-"""Sentences of commands: on the results of a run, and on mistakes in a command line."""
+"""Messages of commands: results of a run, and mistakes on the command line."""

@@ -12,12 +12,12 @@ if TYPE_CHECKING:
     from ...experiment.contact.trajectory import ContactTrajectory
     from ...experiment.study import Study
 
-#: Columns of a line, and events of a motion with friction that are printed.
+#: Line width, and maximum number of printed events of a motion with friction.
 COLUMNS, FIRST = 80, 10
 
 
 def results(study: Study, trajectory: Trajectory) -> tuple[dict[str, Any], str]:
-    """The facts of a run for another program, and as lines of text."""
+    """The facts of a run as data, and as lines of text."""
     from ...experiment.contact.trajectory import ContactTrajectory
     from ...report.summary import summary, summary_text
 
@@ -29,7 +29,7 @@ def results(study: Study, trajectory: Trajectory) -> tuple[dict[str, Any], str]:
 
 
 def contact_facts(trajectory: ContactTrajectory) -> dict[str, Any]:
-    """The facts of a motion with friction, ready for JSON."""
+    """The facts of a motion with friction as JSON-compatible data."""
     system, statistics = trajectory.system, trajectory.statistics
     return {
         "system": system.name,
@@ -83,7 +83,7 @@ def contact_text(trajectory: ContactTrajectory) -> str:
 
 
 def _numbers(trajectory: ContactTrajectory) -> str:
-    """Numbers of events by their kinds."""
+    """Numbers of events by kind."""
     count = len(trajectory.changes)
     if not count:
         return "no events"

@@ -20,12 +20,12 @@ class CommandParameter(Protocol):
     opts: list[str]
 
 
-#: Descriptions by pydantic, and the values that are allowed.
+#: pydantic's descriptions, and the allowed values.
 _DESCRIPTIONS = {"valid integer": "a whole number", "valid number": "a number"}
 
 
 def sentence(error: TyperException) -> str:
-    """A sentence with the mistake, its place, and what is allowed.
+    """A sentence with the mistake, its location, and what is allowed.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def _meaning(parameter: CommandParameter) -> str:
 
 
 def _option_text(parameter: CommandParameter) -> str:
-    """The option with the value that it has on the command line."""
+    """The option with its value on the command line."""
     for name in parameter.opts:
         for place, word in enumerate(sys.argv):
             if word == name and place + 1 < len(sys.argv):

@@ -1,4 +1,4 @@
-"""The class of the commands, which takes no option twice."""
+"""The class of the commands, which rejects repeated options."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from typer.core import TyperCommand
 
 
 class Command(TyperCommand):
-    """A command that refuses a second value of an option; the first one would be forgotten."""
+    """A command that rejects a second value of an option; the first one would be ignored."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Read the words after the command.
+        """Parse the arguments after the command.
 
         Raises
         ------

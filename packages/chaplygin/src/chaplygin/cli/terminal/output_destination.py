@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import xarray as xr
 
-#: Endings of figures.
+#: File name endings of figures.
 FIGURES = (".png", ".svg", ".pdf")
 
-#: The name that stands for standard output.
+#: The name that denotes standard output.
 STANDARD_OUTPUT = Path("-")
 
 
@@ -27,7 +27,7 @@ def check_output(
     binary: bool = True,
     place: Callable[[Path, bool], None] | None = None,
 ) -> None:
-    """See that a file may be written, before anything is computed.
+    """Check that a file may be written, before anything is computed.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def check_figure(option: str, figure: Path) -> None:
 
 
 def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
-    """Write a dataset as its name says, or NetCDF to standard output."""
+    """Write a dataset in the format of the file name, or as NetCDF to standard output."""
     from ...experiment.dataset import write
     from ...experiment.formats import netcdf
 
@@ -92,7 +92,7 @@ def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
 
 
 def name_of(output: Path) -> str:
-    """The name of an output as messages show it."""
+    """The name of an output in messages."""
     return "standard output" if output == STANDARD_OUTPUT else str(output)
 
 
@@ -103,7 +103,7 @@ def beside(output: Path | None) -> AbstractContextManager[object]:
 
 @contextmanager
 def output_file(output: Path) -> Iterator[Path]:
-    """A temporary path, whose content becomes the output when all has gone well."""
+    """A temporary path whose content becomes the output on success."""
     from tempfile import TemporaryDirectory
 
     from ...experiment.files import atomic_file

@@ -1,4 +1,4 @@
-"""The progress of a command: a bar on a terminal, or lines of a log."""
+"""The progress of a command: a bar on a terminal, or lines in a log."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ if TYPE_CHECKING:
 
     from ...report.study_output import Report
 
-#: What is said besides results: notes and progress (info), where time goes (debug).
+#: Logger for messages besides results: notes and progress (info), timing (debug).
 LOG = logging.getLogger("chaplygin")
 LOG.setLevel(logging.INFO)
 
 #: Loggers of the packages of which the laboratory is made.
 LOGGERS = (LOG, *map(logging.getLogger, ("flowlanes", "lawproof", "nonholonomic")))
 
-#: Seconds after which a task begins to say what it is doing, and between two lines of a log.  To
-#: start takes a quarter of a second, and a short task may come first: it is within a second in all.
+#: Seconds before a task starts to report, and between two lines in a log.  Startup takes a quarter
+#: of a second, and a short task may precede: in total the first report appears within a second.
 PATIENCE, BETWEEN = 0.4, 10.0
 
 
 @contextmanager
 def progress(task: str) -> Iterator[Report]:
-    """Say what is being done and how much of it, as soon as it takes about half a second.
+    """Report the activity and the completed fraction, once it takes about half a second.
 
     Parameters
     ----------
@@ -47,10 +47,10 @@ def progress(task: str) -> Iterator[Report]:
 
 @contextmanager
 def waiting(task: str) -> Iterator[Report]:
-    """Say what is waited for, as soon as it takes about half a second.
+    """Report what is awaited, once it takes about half a second.
 
-    A terminal shows it and forgets it; in a log, which keeps its lines, stands only what the
-    report is told to say.
+    A terminal shows this temporarily; a log, which keeps its lines, only contains explicit
+    messages.
     """
     with progress(task if sys.stderr.isatty() else "") as report:
         yield report
@@ -67,7 +67,7 @@ class _Silence:
 
 
 class _Bar:
-    """A bar that appears after a delay, even if nothing is reported before."""
+    """A bar that appears after a delay, even if nothing has been reported."""
 
     def __init__(self, task: str) -> None:
         self._task = task
@@ -132,7 +132,7 @@ class _Bar:
 
 
 class _Log:
-    """A line now and then."""
+    """A log line from time to time."""
 
     def __init__(self, task: str) -> None:
         self._task = task
@@ -143,7 +143,7 @@ class _Log:
         self._writer.start()
 
     def _write(self) -> None:
-        """A line after a moment, and whenever there is something new to say."""
+        """Write a line after a moment, and whenever there is news."""
         pause = PATIENCE
         while not self._over.wait(pause):
             if not self._task:
@@ -162,6 +162,6 @@ class _Log:
         self._task, self._share = what, None
 
     def stop(self) -> None:
-        """End; what is being written comes before what the program writes next."""
+        """Stop; pending output precedes the program's next output."""
         self._over.set()
         self._writer.join()

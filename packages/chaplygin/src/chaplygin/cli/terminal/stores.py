@@ -1,13 +1,11 @@
-"""Helpers of commands that fill a store."""
+"""Helpers for commands that fill a store."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
-
-import typer
+from typing import TYPE_CHECKING
 
 from ...interruption import NOTHING_SAVED, message_on_interrupt
 
@@ -19,49 +17,29 @@ if TYPE_CHECKING:
 
     from ...experiment.study import Study
 
-Workers = Annotated[
-    str | None,
-    typer.Option(
-        metavar="N|ADDRESS", help="Number of processes, or the address of a Dask scheduler."
-    ),
-]
-
 #: Processes for each processor at most; each takes some hundred megabytes.
 MOST_PROCESSES = 4
 
-OnDevice = Annotated[
-    str,
-    typer.Option(
-        "--device",
-        metavar="cpu|gpu",
-        help="Where to compute: the processors of this machine, or a graphics processor.",
-    ),
-]
-
 
 def device_of(text: str) -> Device:
-    """The device on which motions are computed.
+    """The device for computing motions.
 
     Raises
     ------
     InputError
-        If it is another word, or there is no graphics processor.
+        If there is no graphics processor.
     """
-    from flowlanes.errors import InputError
-
-    if text == "cpu":
-        return "cpu"
     if text != "gpu":
-        raise InputError(f"--device {text}: it must be cpu or gpu")
+        return "cpu"
     from flowlanes.flow.devices.cuda import open_processor
 
-    # before anything is prepared
+    # Check before anything is prepared.
     open_processor()
     return "gpu"
 
 
 def level_of(text: str) -> dict[str, float]:
-    """Integrals and their values.
+    """Parse integrals and their values.
 
     Raises
     ------
@@ -97,7 +75,7 @@ def check_store(output: Path) -> None:
     if output.suffix != ".zarr":
         raise InputError(f"--output {output}: its name must end in .zarr")
     status = status_of_target(output)
-    # a store that cannot be opened is said to be none as well, when Zarr is imported
+    # A store that cannot be opened is also reported as none, once Zarr is imported.
     foreign = output.is_dir() and any(output.iterdir()) and not (output / "zarr.json").exists()
     if foreign or (status is not None and not S_ISDIR(status.st_mode)):
         raise InputError(f"{output} is no store of a computation in blocks: choose another name")
@@ -121,9 +99,9 @@ def vacate(output: Path, force: bool) -> None:
 
 
 def check_picture(output: Path, picture: Path, force: bool, by_user: bool = False) -> None:
-    """See that the picture of a store may be written.
+    """Check that the figure of a store may be written.
 
-    That which belongs to a store is drawn again with it, but one that is named `by_user` is only
+    The default figure of a store is redrawn with it, but one that is named `by_user` is only
     replaced with `force`.
     """
     from ...experiment.files import check_target
@@ -132,7 +110,7 @@ def check_picture(output: Path, picture: Path, force: bool, by_user: bool = Fals
 
 
 def check_workers(workers: str | None) -> str | int | None:
-    """The workers: None, a number of processes, or the address of a scheduler.
+    """Parse the workers: None, a number of processes, or the address of a scheduler.
 
     Raises
     ------
@@ -153,7 +131,7 @@ def check_workers(workers: str | None) -> str | int | None:
 
 
 def require_processes(count: int) -> None:
-    """Refuse more processes than a machine has use and memory for.
+    """Reject more processes than a machine has processors and memory for.
 
     Raises
     ------
@@ -174,7 +152,7 @@ def require_processes(count: int) -> None:
 
 
 def require_parameter(option: str, name: str, study: Study) -> None:
-    """Refuse to vary what is no parameter of the system.
+    """Raise an error if the varied quantity is not a parameter of the system.
 
     Raises
     ------
@@ -200,7 +178,7 @@ def require_parameter(option: str, name: str, study: Study) -> None:
 
 @contextmanager
 def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
-    """Say of an interrupted command how much is in its store, and how it goes on.
+    """For an interrupted command, report the progress of its store and how to resume.
 
     Parameters
     ----------
@@ -234,7 +212,7 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
         with message_on_interrupt(words):
             yield update
     except InputError:
-        # of what cannot be computed nothing is left, so that the command can be corrected
+        # If nothing could be computed, nothing is left, so that the command can be corrected.
         if not begun:
             shutil.rmtree(store, ignore_errors=True)
         raise

@@ -1,4 +1,4 @@
-"""A motion with friction as a dataset: its mode at each sample, its events, the work lost."""
+"""A motion with friction as a dataset: contact mode of each sample, events, dissipated work."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ EventVariable: TypeAlias = tuple[
     str | tuple[str, ...], FloatArray | npt.NDArray[Any], Mapping[str, object]
 ]
 
-#: Variables of the state that the dataset has in space axes under other names.
+#: State variables that the dataset stores in space axes under other names.
 _ELSEWHERE = ("position", "v")
 
-#: So many events stand in the attribute with their text; all are in the variables.
+#: Maximum number of events listed in the text attribute; the variables hold all of them.
 _MOST_EVENTS = 100
 
 _WORKS = {
@@ -78,7 +78,7 @@ _STATE = {
 
 
 def work_meanings(contact: FrictionalContact, system: System) -> dict[str, tuple[str, str]]:
-    """Meaning and unit of the work lost to each law, by the names of a system."""
+    """Meaning and unit of the work dissipated by each law, by the names of a system."""
     words = {f"work_{law.name}": f"work lost to {law.words}" for law in contact.laws}
     return {name: ((_WORKS | words).get(name, name), "J") for name in work_names(system)}
 
@@ -88,7 +88,7 @@ def _columns(trajectory: ContactTrajectory) -> list[str]:
 
 
 def mode_flags(meaning: str) -> dict[str, object]:
-    """The attributes of a flag that is a mode, by the CF conventions."""
+    """The attributes of a mode flag, by the CF conventions."""
     return {
         "long_name": meaning,
         "units": "1",

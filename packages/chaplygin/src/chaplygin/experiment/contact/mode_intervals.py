@@ -1,4 +1,4 @@
-"""The times between the changes of mode of a motion with friction, from its dataset."""
+"""The intervals between mode changes of a motion with friction, from its dataset."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from flowlanes.system.arrays import FloatArray
 
 @dataclass(frozen=True)
 class ModeInterval:
-    """A time in which the mode does not change."""
+    """A time interval in which the mode does not change."""
 
     mode: str
     begin: float
@@ -20,7 +20,7 @@ class ModeInterval:
 
 
 def mode_names(dataset: xr.Dataset) -> list[str]:
-    """The modes by their flag values, in words."""
+    """The mode names by their flag values."""
     return [word.replace("_", " ") for word in str(dataset["mode"].attrs["flag_meanings"]).split()]
 
 
@@ -31,14 +31,14 @@ def sample_modes(dataset: xr.Dataset) -> list[str]:
 
 
 def event_times(dataset: xr.Dataset) -> FloatArray:
-    """Instants of the events, (m,)."""
+    """Times of the events, (m,)."""
     return np.asarray(dataset["event_time"].values, dtype=np.float64)
 
 
 def mode_intervals(dataset: xr.Dataset) -> list[ModeInterval]:
-    """The times between changes of the mode, from the first sample to the last.
+    """The intervals between mode changes, from the first sample to the last.
 
-    Their ends are the instants of the events, not those of samples.
+    Their ends are the times of the events, not those of samples.
     """
     times, events = np.asarray(dataset["time"].values, dtype=np.float64), event_times(dataset)
     names, flags = mode_names(dataset), dataset["event_mode"].values

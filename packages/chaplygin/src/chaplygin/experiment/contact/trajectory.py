@@ -1,4 +1,4 @@
-"""The trajectory of a motion with friction: samples, the mode of each, and all events."""
+"""The trajectory of a motion with friction: samples, their modes, and all events."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from nonholonomic.contact.simulation.compiled import CompiledContact
 from nonholonomic.contact.simulation.event_rules import EventRules
 from nonholonomic.contact.simulation.events import ContactEvent
 
-#: The law of energy with all work lost.
+#: The law of energy including all dissipated work.
 BALANCE = "energy_balance"
 
 
@@ -50,12 +50,12 @@ class ContactTrajectory(Trajectory):
 
     @property
     def works(self) -> dict[str, FloatArray]:
-        """The work lost to each law, to impacts and to a moving support, (n,) each (J)."""
+        """The work dissipated by each law, by impacts and by a moving support, (n,) each (J)."""
         return {name: by_name(self.system, self.states, name) for name in work_names(self.system)}
 
     @property
     def drift(self) -> float:
-        """Largest change of energy with all work lost, relative to the energies that occur."""
+        """Largest change of energy including dissipated work, relative to the energies involved."""
         balance = self.records[f"law_{BALANCE}"]
         sizes = [self.records["energy"], *self.works.values()]
         size = max(float(np.abs(values).max()) for values in sizes)
@@ -64,7 +64,7 @@ class ContactTrajectory(Trajectory):
 
     @property
     def kinds(self) -> dict[str, int]:
-        """The kinds of events with their numbers, the most frequent first."""
+        """The kinds of events with their counts, the most frequent first."""
         return dict(Counter(event.kind for event in self.changes).most_common())
 
     def subsample(self, pieces: int) -> ContactTrajectory:
@@ -76,7 +76,7 @@ class ContactTrajectory(Trajectory):
 
 
 def work_names(system: System) -> list[str]:
-    """The variables of a state that are work lost."""
+    """The state variables that are dissipated work."""
     return [str(name) for name in system.state if str(name).startswith("work_")]
 
 
@@ -88,7 +88,7 @@ def contact_trajectory(
     rules: EventRules,
     progress: Callable[[float], None] | None = None,
 ) -> ContactTrajectory:
-    """The motion of a body with friction through sample times.
+    """Compute the motion of a body with friction through sample times.
 
     Parameters
     ----------
@@ -153,20 +153,20 @@ def contact_trajectory(
 
 
 def _is_asked_for(trajectory: ContactTrajectory) -> bool:
-    """Whether a motion ended at the lift-off at which it was to stop."""
+    """Whether a motion ended at the lift-off at which it was meant to stop."""
     last = trajectory.changes[-1:]
     return trajectory.rules.on_liftoff == "stop" and [e.kind for e in last] == ["lift-off"]
 
 
 def _advice(reason: str, rules: EventRules) -> str:
-    """The reason, with what the user can do about it."""
+    """The reason, with advice for the user."""
     if "Painlevé" in reason and rules.on_paradox == "stop":
         return f'{reason}; on_paradox = "impact" in [contact] takes an impact without collision'
     return reason
 
 
 def _events(motion: ContactMotion) -> tuple[Event, ...]:
-    """The events in the words of any trajectory."""
+    """The events in the form of any trajectory."""
     events = [
         Event(item.time, Guard(item.kind, sp.S.One, f"{item.kind}, then {item.mode}"), False)
         for item in motion.events

@@ -1,1 +1,1 @@
-"""The tables of experiment files, and the sentences about mistakes in them."""
+"""The tables of experiment files, and the messages about mistakes in them."""

@@ -1,4 +1,4 @@
-"""The tables of an experiment with a homogeneous ball on any surface.
+"""The tables of an experiment with a homogeneous ball on an arbitrary surface.
 
 As in :mod:`chaplygin.experiment.file.tables` the description of a field completes "… must be".
 """
@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from nonholonomic.mechanics import ball as balls
-
-from .table import (
+from nonholonomic.system_files.open_kinds import KindTable, OpenKinds
+from nonholonomic.system_files.table import (
     DIRECTION,
     FORMULA,
     POSITIVE,
     SIDES,
     THREE,
+    Direction,
     FormulaTable,
     Number,
     Positive,
@@ -29,8 +30,8 @@ if TYPE_CHECKING:
     from nonholonomic.mechanics.ball import SmoothSurface
 
 
-class _SurfaceTable(FormulaTable):
-    """The keys that all surfaces have."""
+class SmoothTable(FormulaTable, KindTable):
+    """The keys common to all surfaces."""
 
     place: ClassVar[str] = "surface"
 
@@ -46,11 +47,11 @@ class _SurfaceTable(FormulaTable):
 
     surface_class: ClassVar[str]
     """The name of the class, which is imported when a surface is made of the table."""
-    surface_name: ClassVar[str]
-    """The name of the surface in titles, with its article."""
+    surface_name: ClassVar[str] = ""
+    """The name of the surface in titles, with its article; by default that of its class."""
 
     def surface(self) -> SmoothSurface:
-        """The surface, whose numbers have the names of the keys.
+        """The surface; its parameters are named like the keys.
 
         Raises
         ------
@@ -58,11 +59,17 @@ class _SurfaceTable(FormulaTable):
             If a number is not admissible.
         """
         numbers = self.model_dump(exclude={"kind", "given", "parameters"})
-        surface: SmoothSurface = getattr(balls, self.surface_class)(**numbers)
+        kind = self.described or getattr(balls, self.surface_class)
+        surface: SmoothSurface = kind(**numbers)
         return surface
 
+    @property
+    def title(self) -> str:
+        """The surface in titles, with its article."""
+        return self.surface_name or self.surface().title
 
-class FlatTable(_SurfaceTable):
+
+class FlatTable(SmoothTable):
     """The plane z = 0."""
 
     surface_class = "FlatSurface"
@@ -71,7 +78,7 @@ class FlatTable(_SurfaceTable):
     kind: Literal["plane"] = "plane"
 
 
-class RoundTable(_SurfaceTable):
+class RoundTable(SmoothTable):
     """A sphere about the origin."""
 
     surface_class = "SphericalSurface"
@@ -85,7 +92,7 @@ class RoundTable(_SurfaceTable):
         return balls.SphericalSurface(self.radius, side=self.side, axis=self.axis)
 
 
-class CylinderTable(_SurfaceTable):
+class CylinderTable(SmoothTable):
     """A cylinder about the axis, circular (radius) or elliptic (axes)."""
 
     surface_class = "CircularCylinder"
@@ -108,7 +115,7 @@ class CylinderTable(_SurfaceTable):
         return balls.CircularCylinder(self.radius or 0.0, side=self.side, axis=self.axis)
 
 
-class ConeTable(_SurfaceTable):
+class ConeTable(SmoothTable):
     """The half z > 0 of the cone x² + y² = slope² z²."""
 
     surface_class = "Cone"
@@ -118,7 +125,7 @@ class ConeTable(_SurfaceTable):
     slope: Positive = Field(description=POSITIVE)
 
 
-class EllipsoidSurfaceTable(_SurfaceTable):
+class EllipsoidSurfaceTable(SmoothTable):
     """An ellipsoid about the origin with its axes along x, y, z."""
 
     surface_class = "EllipsoidSurface"
@@ -128,7 +135,7 @@ class EllipsoidSurfaceTable(_SurfaceTable):
     axes: tuple[Positive, Positive, Positive] = Field(description="3 positive semi-axes")
 
 
-class ParaboloidTable(_SurfaceTable):
+class ParaboloidTable(SmoothTable):
     """The paraboloid z = x²/2p + y²/2q with radii = [p, q], also hyperbolic."""
 
     surface_class = "Paraboloid"
@@ -145,7 +152,7 @@ class ParaboloidTable(_SurfaceTable):
         return radii
 
 
-class RingTable(_SurfaceTable):
+class RingTable(SmoothTable):
     """A torus about the axis: radius of the centre circle and radius of the tube."""
 
     surface_class = "Ring"
@@ -156,7 +163,7 @@ class RingTable(_SurfaceTable):
     tube: Positive = Field(description=POSITIVE)
 
 
-class ImplicitSurfaceTable(_SurfaceTable):
+class ImplicitSurfaceTable(SmoothTable):
     """The surface f(x, y, z) = 0, space axes; outside is where f is positive."""
 
     variables: ClassVar[tuple[str, ...]] = ("x", "y", "z")
@@ -179,15 +186,19 @@ class ImplicitSurfaceTable(_SurfaceTable):
         return balls.ImplicitSurface(equation, numbers, side=self.side, axis=self.axis)
 
 
-SmoothTable = (
-    FlatTable
-    | RoundTable
-    | CylinderTable
-    | ConeTable
-    | EllipsoidSurfaceTable
-    | ParaboloidTable
-    | RingTable
-    | ImplicitSurfaceTable
+SMOOTH_SURFACES = OpenKinds(
+    SmoothTable,
+    (
+        FlatTable,
+        RoundTable,
+        CylinderTable,
+        ConeTable,
+        EllipsoidSurfaceTable,
+        ParaboloidTable,
+        RingTable,
+        ImplicitSurfaceTable,
+    ),
+    lambda: balls.SmoothSurface,
 )
 
 
@@ -198,17 +209,10 @@ class BallFieldTable(FormulaTable):
     variables: ClassVar[tuple[str, ...]] = ("x", "y", "z", "m")
 
     gravity: Number = Field(default=9.81, ge=0, description="a finite number not below zero")
-    direction: Vector = Field(default=(0.0, 0.0, -1.0), description=DIRECTION)
+    direction: Direction = Field(default=(0.0, 0.0, -1.0), description=DIRECTION)
     """Direction of gravity, space axes; any length."""
     potential: str = Field(default="", description=FORMULA)
     """A formula in x, y, z of the centre, m and the parameters; empty for none."""
-
-    @field_validator("direction")
-    @classmethod
-    def _not_zero(cls, direction: tuple[float, ...]) -> tuple[float, ...]:
-        if not any(direction):
-            raise ValueError("must not be zero, as it is a direction")
-        return direction
 
     @field_validator("potential")
     @classmethod

@@ -1,13 +1,12 @@
-"""The tables of a body: its shape, its cavities filled with fluid, and the motion of the fluid.
+"""The tables of a body: its shape, its fluid-filled cavities, and the motion of the fluid.
 
-A kind of shape is registered by its table alone: the class of the shape, its name in titles, and
-the length that decides whether it fits into a bowl.
+A kind of shape that another module adds has a table made of its fields.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, cast, get_args
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, cast
 
 import numpy as np
 from pydantic import (
@@ -22,61 +21,84 @@ from pydantic import (
 from flowlanes.errors import InputError
 from nonholonomic.mechanics import rolling, shapes
 from nonholonomic.mechanics.rolling.inertia import check_inertia
-
-from .table import FORMULA, POSITIVE, THREE, FormulaTable, Number, Positive, Table, Vector
+from nonholonomic.system_files.open_kinds import KindTable, OpenKinds
+from nonholonomic.system_files.table import (
+    FORMULA,
+    POSITIVE,
+    THREE,
+    TURN,
+    FormulaTable,
+    Number,
+    Positive,
+    Quaternion,
+    Table,
+    Vector,
+)
 
 if TYPE_CHECKING:
     from nonholonomic.mechanics.rolling.cavity import Cavity
-    from nonholonomic.mechanics.shapes.shapes import Shape
+    from nonholonomic.mechanics.shapes.shape_base import Shape
 
 Inertia = Vector | tuple[Vector, Vector, Vector]
-Quaternion = tuple[Number, Number, Number, Number]
 
 
 # --- shapes ---------------------------------------------------------------------------------
 
 
-class _ShapeTable(FormulaTable):
-    """The keys that all shapes have: the position of the geometric centre."""
+class ShapeTable(FormulaTable, KindTable):
+    """The keys common to all shapes: the position of the geometric centre."""
 
     place: ClassVar[str] = "body.shape"
     shape_class: ClassVar[str]
     """The name of the class, which is imported when a shape is made of the table."""
-    shape_name: ClassVar[str]
-    """The name of the shape in titles."""
+    is_ball: ClassVar[bool] = False
 
     kind: str
     centre: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)
     """Geometric centre minus centre of mass, body axes."""
 
     def shape(self) -> Shape:
-        """The shape, whose attributes have the names of the keys.
+        """The shape; its attributes are named like the keys.
 
         Raises
         ------
         InputError
             If a number is not admissible.
         """
+        if self.described is not None:
+            made: Shape = self.made()
+            return made
         shape: Shape = getattr(shapes, self.shape_class)(
             **self.model_dump(exclude={"kind", "parameters"})
         )
         return shape
 
     @property
+    def goes_around(self) -> bool:
+        """Whether it is hollow and rolls around a sphere."""
+        return False
+
+    @property
     def size(self) -> tuple[float, str]:
-        """A length which the radius of a bowl must exceed, and its meaning."""
+        """A length that the radius of a bowl must exceed, and its meaning."""
         return 0.0, "size"
 
 
-class BallTable(_ShapeTable):
+class BallTable(ShapeTable):
     """A ball; a hollow one rolls with its inner surface around a sphere."""
 
     shape_class = "Ball"
-    shape_name = "Ball"
 
     kind: Literal["ball"] = "ball"
     radius: Positive = Field(description=POSITIVE)
     hollow: StrictBool = Field(default=False, description="true or false")
+
+    is_ball = True
+
+    @property
+    def goes_around(self) -> bool:
+        """Whether it is hollow."""
+        return self.hollow
 
     @property
     def size(self) -> tuple[float, str]:
@@ -84,11 +106,10 @@ class BallTable(_ShapeTable):
         return self.radius, "radius"
 
 
-class EllipsoidTable(_ShapeTable):
+class EllipsoidTable(ShapeTable):
     """An ellipsoid, its third axis along body axis 3."""
 
     shape_class = "Ellipsoid"
-    shape_name = "Ellipsoid"
 
     kind: Literal["ellipsoid"] = "ellipsoid"
     axes: tuple[Positive, Positive, Positive] = Field(description="3 positive semi-axes")
@@ -99,15 +120,14 @@ class EllipsoidTable(_ShapeTable):
     def size(self) -> tuple[float, str]:
         """The largest radius of curvature."""
         longest, shortest = max(self.axes), min(self.axes)
-        # Divided first, as the square of a large number may overflow.
+        # Divide first, as the square of a large number may overflow.
         return longest / shortest * longest, "largest radius of curvature"
 
 
-class DiskTable(_ShapeTable):
+class DiskTable(ShapeTable):
     """A disk with a sharp edge, normal to body axis 3."""
 
     shape_class = "Disk"
-    shape_name = "Disk"
 
     kind: Literal["disk"] = "disk"
     radius: Positive = Field(description=POSITIVE)
@@ -118,11 +138,10 @@ class DiskTable(_ShapeTable):
         return self.radius, "radius"
 
 
-class TorusTable(_ShapeTable):
+class TorusTable(ShapeTable):
     """A ring about body axis 3: tubes around a circle of radius `radius`."""
 
     shape_class = "Torus"
-    shape_name = "Disk with a rounded edge"
 
     kind: Literal["torus"] = "torus"
     radius: Positive = Field(description=POSITIVE)
@@ -134,11 +153,10 @@ class TorusTable(_ShapeTable):
         return self.radius + self.tube, "outer radius"
 
 
-class RevolutionTable(_ShapeTable):
+class RevolutionTable(ShapeTable):
     """A body of revolution about body axis 3, by its support function or by χ₁ and χ₂."""
 
     shape_class = "Revolution"
-    shape_name = "Body of revolution"
 
     variables: ClassVar[tuple[str, ...]] = ("gamma_3",)
 
@@ -163,18 +181,17 @@ class RevolutionTable(_ShapeTable):
         return self
 
     def shape(self) -> Shape:
-        """The body, its support function read or derived from χ₁ and χ₂."""
+        """The body, with its support function read or derived from χ₁ and χ₂."""
         if self.support is not None:
             return shapes.Revolution(self.expression(self.support), self.values, centre=self.centre)
         chi_1, chi_2 = (self.expression(text or "0") for text in (self.chi_1, self.chi_2))
         return shapes.Revolution.from_profile(chi_1, chi_2, dict(self.values), self.centre)
 
 
-class ImplicitTable(_ShapeTable):
+class ImplicitTable(ShapeTable):
     """A smooth convex body f(x, y, z) < 0, in coordinates from its centre."""
 
     shape_class = "Implicit"
-    shape_name = "Convex body"
 
     variables: ClassVar[tuple[str, ...]] = ("x", "y", "z")
 
@@ -187,22 +204,15 @@ class ImplicitTable(_ShapeTable):
         return cls._formula_in_space(text, info, "the formula of a surface")
 
     def shape(self) -> Shape:
-        """The body, its equation read."""
+        """The body, with its equation read."""
         return shapes.Implicit(self.expression(self.surface), self.values, centre=self.centre)
 
 
-ShapeTable = BallTable | EllipsoidTable | DiskTable | TorusTable | RevolutionTable | ImplicitTable
-
-_NAMES = {table.shape_class: table.shape_name for table in get_args(ShapeTable)}
-
-
-def shape_name(shape: Shape) -> str:
-    """The name of a shape in titles."""
-    return (
-        "Hollow ball"
-        if isinstance(shape, shapes.Ball) and shape.hollow
-        else _NAMES[type(shape).__name__]
-    )
+SHAPES = OpenKinds(
+    ShapeTable,
+    (BallTable, EllipsoidTable, DiskTable, TorusTable, RevolutionTable, ImplicitTable),
+    lambda: shapes.Shape,
+)
 
 
 # --- cavities and fluid ---------------------------------------------------------------------
@@ -214,28 +224,18 @@ class CavityTable(Table):
     axes: tuple[Positive, Positive, Positive] = Field(description="3 positive semi-axes")
     mass: Annotated[Number, Field(ge=0)] = Field(description="a finite number not below zero")
     """Of the fluid; it adds to the mass of the body."""
-    turn: Quaternion = Field(
-        default=(1.0, 0.0, 0.0, 0.0),
-        description="4 finite numbers w, x, y, z with at least one not zero",
-    )
+    turn: Quaternion = Field(default=(1.0, 0.0, 0.0, 0.0), description=TURN)
     """Quaternion that turns the axes of the cavity into its axes in the body; any length."""
     centre: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)
     """Centre of the cavity minus centre of mass of the solid body, body axes."""
 
-    @field_validator("turn")
-    @classmethod
-    def _not_zero(cls, turn: Quaternion) -> Quaternion:
-        if not any(turn):
-            raise ValueError("must not be zero, as it has a direction alone")
-        return turn
-
     def cavity(self) -> Cavity:
-        """The cavity that it describes."""
+        """The cavity described by the table."""
         return rolling.Cavity(self.axes, self.mass, self.turn, self.centre)
 
 
 class CavitiesTable(Table):
-    """A table that may have ``[….cavity]``, or ``[[….cavity]]`` for each of several."""
+    """A table with optional ``[….cavity]``, or several ``[[….cavity]]``."""
 
     cavity: tuple[CavityTable, ...] | None = Field(
         default=None,
@@ -260,7 +260,7 @@ class CavitiesTable(Table):
 
 
 class FluidStartTable(Table):
-    """A start that may have the motion of fluids."""
+    """A start that may include the motion of fluids."""
 
     fluid: Vector | tuple[Vector, ...] | None = Field(
         default=None, description="3 finite numbers, or 3 for each of several cavities"
@@ -268,7 +268,7 @@ class FluidStartTable(Table):
     """Motion ξ of the fluid in a cavity relative to the body, body axes; zero by default."""
 
     def require_cavities(self, cavities: Sequence[Cavity], table: str) -> None:
-        """Raise ValueError unless there are as many motions as cavities, or none."""
+        """Raise ValueError unless there are as many motions as cavities, or no motion."""
         count = len(self._rows)
         if not count or count == len(cavities):
             return
@@ -301,13 +301,13 @@ class FluidStartTable(Table):
 
 
 class BodyTable(CavitiesTable):
-    """A rigid body; the origin of the body axes is its centre of mass, without fluid."""
+    """A rigid body; the origin of the body axes is its centre of mass, excluding fluid."""
 
     mass: Positive = Field(description=POSITIVE)
     inertia: Inertia = Field(description="3 principal moments or a symmetric 3x3 matrix")
     gyrostat: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)
     """Constant momentum k of rotors, body axes: the total momentum is Iω + k."""
-    shape: ShapeTable = Field(discriminator="kind", description="a table with the kind of shape")
+    shape: Annotated[ShapeTable, SHAPES] = Field(description="a table with the kind of shape")
 
     @field_validator("inertia")
     @classmethod
@@ -316,13 +316,13 @@ class BodyTable(CavitiesTable):
             with np.errstate(over="ignore"):
                 check_inertia(inertia)
         except InputError as error:
-            # The key already says what is spoken of.
+            # The key already names the subject.
             raise ValueError(error.message.removeprefix("inertia").lstrip(": ")) from None
         return inertia
 
 
 class FilledBodyTable(CavitiesTable):
-    """The body of a system of the catalogue, to which only cavities with fluid can be added."""
+    """The body of a catalogue system, to which only fluid-filled cavities can be added."""
 
     @model_validator(mode="before")
     @classmethod

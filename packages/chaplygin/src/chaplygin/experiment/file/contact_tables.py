@@ -11,9 +11,22 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
 
+from nonholonomic.contact.friction import friction_law
 from nonholonomic.contact.simulation.event_rules import COARSEST_WITH_FRICTION
+from nonholonomic.system_files.open_kinds import KindTable, OpenTable
+from nonholonomic.system_files.table import (
+    DIRECTION,
+    POSITIVE,
+    THREE,
+    TURN,
+    Direction,
+    Number,
+    Positive,
+    Quaternion,
+    Table,
+    Vector,
+)
 
-from .table import DIRECTION, POSITIVE, THREE, Number, Positive, Table, Vector
 from .tables import FINEST_DOUBLE, CommonRunTable, PlaneTable, SphereTable
 
 COEFFICIENT = "a finite number not below zero"
@@ -23,7 +36,7 @@ Coefficient = Annotated[Number, Field(ge=0)]
 
 
 def _infinity(value: object) -> object:
-    """The word inf as the number."""
+    """The word inf as a number."""
     return math.inf if value == "inf" else value
 
 
@@ -41,8 +54,20 @@ FrictionCoefficient = Annotated[
 ]
 
 
+#: Laws of friction that have keys of their own in [contact].
+_WITH_KEYS = frozenset(
+    [
+        *("coulomb", "contensou", "spin", "viscous", "slip", "power", "user"),
+        *("rolling", "viscous_rolling", "contour", "air"),
+    ]
+)
+
+#: Laws of friction that other modules have added.
+LAWS = OpenTable(KindTable, lambda: friction_law.FrictionLaw, _WITH_KEYS)
+
+
 class FrictionTable(Table):
-    """The laws of friction of a contact, which add up, and what happens in impacts."""
+    """The friction laws of a contact, which add up, and the behaviour in impacts."""
 
     model: Literal["friction"] = Field(description='"marble", "rubber" or "friction"')
     mu: FrictionCoefficient | None = Field(default=None, description=FRICTION_COEFFICIENT)
@@ -75,6 +100,10 @@ class FrictionTable(Table):
     """Power lost by the wandering contact point: this times normal force and its speed."""
     air: Coefficient | None = Field(default=None, description=COEFFICIENT)
     """Viscosity (Pa s) of the air in the wedge between a disk and the plane."""
+    laws: Annotated[Table | None, LAWS] = Field(
+        default=None, description="a table with a table for each law of another module"
+    )
+    """Laws of friction that other modules have added, by their kinds."""
     restitution: Annotated[Number, Field(ge=0, le=1)] = Field(
         default=0.0, description="a number from 0 to 1"
     )
@@ -133,8 +162,6 @@ class FrictionSphereTable(SphereTable):
 
 FrictionSurfaceTable = FrictionPlaneTable | FrictionSphereTable
 
-Quaternion = tuple[Number, Number, Number, Number]
-
 #: Keys of the two kinds of start.
 IN_CONTACT = ("gamma", "slip", "heading", "normal")
 IN_SPACE = ("position", "attitude", "velocity")
@@ -148,7 +175,7 @@ WAYS = (
 class FrictionStartTable(Table):
     """The start of a body with friction: in contact, or anywhere in space."""
 
-    gamma: Vector | None = Field(default=None, description=DIRECTION)
+    gamma: Direction | None = Field(default=None, description=DIRECTION)
     """Outward normal of the surface at the contact, body axes; any length."""
     omega: Vector = Field(description=THREE)
     """Angular velocity, body axes."""
@@ -156,23 +183,14 @@ class FrictionStartTable(Table):
     """Velocity of the body's contact point over the support, body axes; zero by default."""
     heading: Number | None = Field(default=None, description="a finite angle (radians)")
     """Angle by which the body is turned about the normal; zero by default."""
-    normal: Vector | None = Field(default=None, description=DIRECTION)
+    normal: Direction | None = Field(default=None, description=DIRECTION)
     """Outward normal of the surface at the contact, space axes; [0, 0, 1] by default."""
     position: Vector | None = Field(default=None, description=THREE)
     """Centre of mass, space axes."""
-    attitude: Quaternion | None = Field(
-        default=None, description="4 finite numbers w, x, y, z with at least one not zero"
-    )
+    attitude: Quaternion | None = Field(default=None, description=TURN)
     """Quaternion that turns body axes into space axes; any length."""
     velocity: Vector | None = Field(default=None, description=THREE)
     """Of the centre of mass, space axes."""
-
-    @field_validator("gamma", "normal", "attitude")
-    @classmethod
-    def _not_zero(cls, vector: tuple[float, ...] | None) -> tuple[float, ...] | None:
-        if vector is not None and not any(vector):
-            raise ValueError("must not be zero, as it has a direction alone")
-        return vector
 
     @model_validator(mode="after")
     def _one_way(self) -> FrictionStartTable:

@@ -6,9 +6,11 @@ Units are SI, angles in radians.
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+import json
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import (
+    AfterValidator,
     Field,
     PlainValidator,
     StrictBool,
@@ -18,14 +20,16 @@ from pydantic import (
     model_validator,
 )
 
-from .body_tables import FluidStartTable
-from .number_lists import Setting, given_rows
-from .table import (
+from nonholonomic.mechanics import shapes
+from nonholonomic.system_files.number_lists import Setting, given_rows
+from nonholonomic.system_files.open_kinds import KindTable, OpenKinds
+from nonholonomic.system_files.table import (
     DIRECTION,
     FORMULA,
     POSITIVE,
     SIDES,
     THREE,
+    Direction,
     FormulaTable,
     Number,
     Positive,
@@ -34,6 +38,11 @@ from .table import (
     Vector,
 )
 
+from .body_tables import FluidStartTable
+
+if TYPE_CHECKING:
+    from nonholonomic.mechanics.shapes.surfaces import Surface
+
 STATE = "a finite number, or finite numbers in brackets"
 
 COARSEST, FINEST, FINEST_DOUBLE = 1e-3, 1e-30, 1e-16
@@ -41,8 +50,32 @@ DEFAULT_TOLERANCE = 1e-15
 MOST_SAMPLES = 10_000_000
 
 
-class _SupportTable(Table):
+class SurfaceTable(KindTable):
     """A surface at rest."""
+
+    surface_class: ClassVar[str]
+    """The name of the class, which is imported when a surface is made of the table."""
+
+    kind: str
+
+    def surface(self) -> Surface:
+        """The surface, whose attributes have the names of the keys.
+
+        Raises
+        ------
+        InputError
+            If a number is not admissible.
+        """
+        if self.described is not None:
+            made: Surface = self.made()
+            return made
+        surface: Surface = getattr(shapes, self.surface_class)(**self.model_dump(exclude={"kind"}))
+        return surface
+
+    @property
+    def sphere(self) -> tuple[float, bool] | None:
+        """Radius of a sphere and whether the body is inside; None of another surface."""
+        return None
 
     @model_validator(mode="before")
     @classmethod
@@ -55,25 +88,34 @@ class _SupportTable(Table):
         return table
 
 
-class PlaneTable(_SupportTable):
+class PlaneTable(SurfaceTable):
     """The horizontal plane z = 0 of space."""
+
+    surface_class = "Plane"
 
     kind: Literal["plane"] = "plane"
 
 
-class SphereTable(_SupportTable):
+class SphereTable(SurfaceTable):
     """A sphere about the origin of space, with the body outside or inside."""
+
+    surface_class = "Sphere"
 
     kind: Literal["sphere"] = "sphere"
     radius: SphereRadius = Field(description=POSITIVE)
     side: Literal["outside", "inside"] = Field(default="outside", description=SIDES)
     """The side on which the body rolls: the outside, or the inside of a bowl."""
 
+    @property
+    def sphere(self) -> tuple[float, bool]:
+        """Radius, and whether the body is inside."""
+        return self.radius, self.side == "inside"
 
-SurfaceTable = PlaneTable | SphereTable
+
+SURFACES = OpenKinds(SurfaceTable, (PlaneTable, SphereTable), lambda: shapes.Surface)
 
 
-#: Keys of [contact] that only a contact with friction has.
+#: Keys of [contact] that apply only to a contact with friction.
 FRICTION_KEYS = (
     "mu",
     "spin_arm",
@@ -90,6 +132,7 @@ FRICTION_KEYS = (
     "rolling_viscous",
     "contour",
     "air",
+    "laws",
     "restitution",
     "impact_law",
     "on_paradox",
@@ -106,7 +149,7 @@ class ContactTable(Table):
     @model_validator(mode="before")
     @classmethod
     def _without_friction(cls, table: object) -> object:
-        # a model of another name is itself the mistake
+        # If the model has another name, that is the mistake to report.
         if not isinstance(table, dict) or table.get("model", "marble") not in ("marble", "rubber"):
             return table
         keys = [key for key in table if key in FRICTION_KEYS]
@@ -140,12 +183,12 @@ class FieldTable(FormulaTable):
         return text
 
 
-#: Keys of [system] that a system of n dimensions has besides its parameters.
+#: Keys of [system] that an n-dimensional system has besides its parameters.
 OF_A_DIMENSION = ("dimension", "moments", "mass_tensor", "factors", "mass", "radius", "a")
 
 
 def _setting(value: object) -> Setting:
-    """A parameter: a number; of a system of n dimensions also numbers or rows of numbers."""
+    """A parameter: a number; for an n-dimensional system also numbers or rows of numbers."""
     return given_rows(value, "a finite number")
 
 
@@ -160,7 +203,7 @@ class SystemTable(Table):
     @model_validator(mode="before")
     @classmethod
     def _settings(cls, table: object) -> object:
-        """The keys of n-dimensional systems are parameters, wherever they stand."""
+        """The additional keys of n-dimensional systems are parameters, in whatever table."""
         if not isinstance(table, dict):
             return table
         if "cavity" in table:
@@ -192,33 +235,26 @@ class _StartTable(FluidStartTable):
     """Angular velocity, body axes."""
     heading: Number = Field(default=0.0, description="a finite angle (radians)")
     """Angle by which the body is turned about the normal."""
-    normal: Vector = Field(default=(0.0, 0.0, 1.0), description=DIRECTION)
+    normal: Direction = Field(default=(0.0, 0.0, 1.0), description=DIRECTION)
     """Outward normal of the surface at the first contact, space axes; any length."""
-
-    @field_validator("gamma", "normal")
-    @classmethod
-    def _not_zero(cls, vector: tuple[float, ...] | None) -> tuple[float, ...] | None:
-        if vector is not None and not any(vector):
-            raise ValueError("must not be zero, as it is the direction of a normal")
-        return vector
 
 
 class StartTable(_StartTable):
     """The start of a rolling body."""
 
-    gamma: Vector = Field(description=DIRECTION)
+    gamma: Direction = Field(description=DIRECTION)
     omega: Vector = Field(description=THREE)
 
 
 class SystemStartTable(_StartTable):
-    """The start of a system of the catalogue, which also tells what is None here."""
+    """The start of a catalogue system; None for what it leaves out."""
 
-    gamma: Vector | None = Field(default=None, description=DIRECTION)
+    gamma: Direction | None = Field(default=None, description=DIRECTION)
     omega: Vector | None = Field(default=None, description=THREE)
 
 
 def _state_value(value: object) -> Setting:
-    """A number, numbers in brackets, or rows of them, as the variable of the system needs."""
+    """A number, numbers in brackets, or rows of them, as the variable of the system requires."""
     return given_rows(value, STATE)
 
 
@@ -226,8 +262,32 @@ StateTable = dict[str, Annotated[Setting, PlainValidator(_state_value)]]
 """The start of a system that is not given by ω and γ: variables of its state by name."""
 
 
+def _known_method(name: str) -> str:
+    from flowlanes.flow.methods import methods
+
+    if name not in methods():
+        raise ValueError(f"must be {' or '.join(json.dumps(m) for m in methods())}")
+    return name
+
+
+def _method_choices(schema: dict[str, Any]) -> None:
+    """The methods that there are, for the schema of a file."""
+    from flowlanes.flow.methods import methods
+
+    schema["enum"] = list(methods())
+
+
+def _require_option(info: ValidationInfo, option: str) -> None:
+    """Refuse an option that the method of a run does not have."""
+    from flowlanes.flow.methods import methods
+
+    name = str(info.data.get("method"))
+    if name in methods() and option not in methods()[name].options:
+        raise ValueError(f"there is none with run.method = {json.dumps(name)}; leave it out")
+
+
 class CommonRunTable(Table):
-    """The keys of all computations of a motion."""
+    """The keys common to all computations of a motion."""
 
     until: float | None
     """Duration, also of a computation backward in time."""
@@ -236,7 +296,9 @@ class CommonRunTable(Table):
     )
     """Equidistant instants, both ends included."""
     precision: Literal["double", "quad"] = Field(default="double", description='"double" or "quad"')
-    method: Literal["taylor", "gauss"] = Field(default="taylor", description='"taylor" or "gauss"')
+    method: Annotated[str, AfterValidator(_known_method)] = Field(
+        default="taylor", description='"taylor" or "gauss"', json_schema_extra=_method_choices
+    )
     """Taylor series of a tolerance, or Gauss–Legendre collocation with all digits."""
     tolerance: Annotated[Number, Field(ge=FINEST, le=COARSEST)] = Field(
         default=None,
@@ -260,8 +322,8 @@ class CommonRunTable(Table):
     @classmethod
     def _finest_by_default(cls, tolerance: object, info: ValidationInfo) -> object:
         finest = {"quad": FINEST}.get(info.data.get("precision", ""), DEFAULT_TOLERANCE)
-        if info.data.get("method") == "gauss" and tolerance not in (None, finest):
-            raise ValueError('there is none with run.method = "gauss"; leave it out')
+        if tolerance not in (None, finest):
+            _require_option(info, "tolerance")
         return finest if tolerance is None else tolerance
 
     @field_validator("tolerance")
@@ -276,14 +338,14 @@ class CommonRunTable(Table):
 
     @field_validator("time_limit")
     @classmethod
-    def _taylor_alone(cls, limit: float | None, info: ValidationInfo) -> float | None:
-        if limit is not None and info.data.get("method") == "gauss":
-            raise ValueError('there is none with run.method = "gauss"; leave it out')
+    def _where_there_is_one(cls, limit: float | None, info: ValidationInfo) -> float | None:
+        if limit is not None:
+            _require_option(info, "time_limit")
         return limit
 
 
 class _RollingRunTable(CommonRunTable):
-    """The run of a body that its constraints hold on the surface."""
+    """The run of a body whose constraints keep it on the surface."""
 
     on_liftoff: Literal["stop", "warn"] = Field(default="stop", description='"stop" or "warn"')
 

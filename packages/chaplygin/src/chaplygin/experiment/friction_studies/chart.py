@@ -1,4 +1,4 @@
-"""Charts of motions with friction: a number of each motion over two numbers of the file."""
+"""Charts of motions with friction: a quantity of each motion over two numbers of the file."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.task import Coordinate, Task, Variable
+from flowlanes.flow.ensemble.task import Task, Variable
 from flowlanes.flow.variable_metadata import cf_attributes
 from flowlanes.parsing import nearest
 from flowlanes.scans.grid import NO_NUMBER, REASONS, Axis
+from flowlanes.scans.scan_task import axis_coordinate
 from flowlanes.system.arrays import FloatArray
 
 from ..._version import __version__
@@ -27,7 +28,7 @@ from .members import friction_experiment, friction_subject, member_motion
 
 @dataclass(frozen=True)
 class ContactChart:
-    """A number over a plane: rows first, …, last − 1 ↦ arrays of numbers.
+    """A quantity over a plane: maps rows first, …, last − 1 to arrays of numbers.
 
     Attributes
     ----------
@@ -52,7 +53,7 @@ class ContactChart:
     tolerance: float
 
     def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.number]]:
-        """Rows of the chart: numbers, outcomes and times reached, (last − first, columns)."""
+        """Rows of the chart: numbers, outcomes and end times, (last − first, columns)."""
         shape = (last - first, self.x.count)
         names = dict.fromkeys((*EVENT_NUMBERS, self.of.word, "ended"))
         arrays: dict[str, npt.NDArray[np.number]] = {n: np.full(shape, np.nan) for n in names}
@@ -79,7 +80,7 @@ class ContactChart:
         return arrays
 
     def values(self, place: Mapping[str, float]) -> Mapping[str, float | FloatArray]:
-        """The numbers of the file at a place of the plane."""
+        """The numbers of the file at a point of the plane."""
         known = {**_file_numbers(self.experiment), **place}
         formulas = {
             name: numerical_function(text, tuple(known), module="math")
@@ -109,7 +110,7 @@ def contact_chart(
     formulas: Mapping[str, str] | None = None,
     tolerance: float | None = None,
 ) -> ContactChart:
-    """A number of the motions of an experiment with friction over two of its numbers.
+    """Define a chart of an experiment with friction over two of its numbers.
 
     Parameters
     ----------
@@ -166,7 +167,7 @@ def contact_chart(
 
 
 def _require_number(numbers: FileNumbers, name: str) -> None:
-    """Refuse an axis that is no number of the file and in no formula."""
+    """Raise an error for an axis that is neither a number of the file nor used in a formula."""
     try:
         numbers.path(name)
     except InputError as problem:
@@ -219,7 +220,7 @@ def contact_chart_task(chart: ContactChart, title: str) -> Task:
         block=1,
         variables=variables,
         member=chart.y.name,
-        coordinates={item.name: _coordinate(item) for item in (chart.x, chart.y)},
+        coordinates={item.name: axis_coordinate(item) for item in (chart.x, chart.y)},
         attributes={
             "system": title,
             "number": chart.of.word,
@@ -229,10 +230,4 @@ def contact_chart_task(chart: ContactChart, title: str) -> Task:
             "version": __version__,
             "experiment": chart.experiment,
         },
-    )
-
-
-def _coordinate(item: Axis) -> Coordinate:
-    return Coordinate(
-        (item.name,), item.values, cf_attributes(item.meaning or item.name, item.unit)
     )

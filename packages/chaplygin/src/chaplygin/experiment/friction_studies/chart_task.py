@@ -1,4 +1,4 @@
-"""A chart of an experiment, with or without friction, as a task to be computed."""
+"""A chart of an experiment, with or without friction, as a task."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def chart_task(
     fixed: Collection[str] = (),
     device: Device = "cpu",
 ) -> tuple[Task, str]:
-    """A chart that is still to be computed, and what its number means.
+    """The task of a chart, and the meaning of its number.
 
     Parameters
     ----------

@@ -17,8 +17,8 @@ from flowlanes.flow.ensemble.task import Arrays, Task, Variable
 from flowlanes.flow.variable_metadata import cf_attributes, system_attributes, variable_metadata
 from flowlanes.scans.grid import INADMISSIBLE, NO_STATE
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components
 from nonholonomic.contact.friction.modes import MODE_NAMES
 from nonholonomic.contact.simulation.end_reasons import END_REASONS
 
@@ -37,10 +37,10 @@ from .members import (
 )
 from .random_starts import DIRECTIONS
 
-#: Members that are computed, written and lost at once: a few seconds of work.
+#: Number of members computed, written and lost at once: a few seconds of work.
 BLOCK = 16
 
-#: Variables of the state that are recorded under other names, as observables in space axes.
+#: State variables that are recorded under other names, as observables in space axes.
 _ELSEWHERE = {"position": "centre", "v": "velocity"}
 
 #: Attributes of the outcomes of motions with friction, by the CF conventions.
@@ -53,7 +53,7 @@ OUTCOMES: dict[int, str] = {
 
 
 def mode_attributes(meaning: str) -> dict[str, object]:
-    """Flags of the modes, with numbers that a store can hold."""
+    """Mode flags, with numbers that a store can hold."""
     return {**mode_flags(meaning), "flag_values": list(range(len(MODE_NAMES)))}
 
 
@@ -94,7 +94,7 @@ class ContactEnsembleWork:
     offset: int = 0
 
     def __call__(self, first: int, last: int) -> Arrays:
-        """Motions first, …, last − 1; arrays by name, a row for each."""
+        """Compute the motions first, …, last − 1; arrays by name, one row per motion."""
         subject = friction_subject(self.experiment)
         rows, _ = self.members.rows(first - self.offset, last - self.offset)
         times = np.array(self.times)
@@ -107,10 +107,10 @@ class ContactEnsembleWork:
         for place in range(last - first):
             values = {name: array[place] for name, array in rows.items()}
             member = member_motion(self.experiment, values, times, self.tolerance)
-            self._put(member, subject.system, arrays, place, times)
+            self._store_motion(member, subject.system, arrays, place, times)
         return arrays
 
-    def _put(
+    def _store_motion(
         self,
         member: MemberMotion,
         system: System,
@@ -118,7 +118,7 @@ class ContactEnsembleWork:
         place: int,
         times: FloatArray,
     ) -> None:
-        """The numbers of one motion in their arrays."""
+        """Store the numbers of one motion in the arrays."""
         arrays["outcome"][place] = member.outcome
         motion = member.motion
         if motion is None:
@@ -137,7 +137,7 @@ class ContactEnsembleWork:
         arrays["steps"][place] = motion.steps
 
     def part(self, first: int, last: int) -> ContactEnsembleWork:
-        """The work for these members alone, without the rows of others."""
+        """The work restricted to these members, without the rows of others."""
         rows, _ = self.members.rows(first - self.offset, last - self.offset)
         return replace(self, members=Members((ListedMembers(rows),)), offset=first)
 
@@ -150,7 +150,7 @@ def contact_ensemble_task(
     tolerance: float = 1e-13,
     block: int = BLOCK,
 ) -> Task:
-    """An ensemble of motions of an experiment with friction, to be computed.
+    """Prepare an ensemble of motions of an experiment with friction.
 
     Parameters
     ----------
@@ -222,12 +222,12 @@ def contact_ensemble_task(
 
 
 def given_name(name: str) -> str:
-    """The variable of a number that is given; the state has a variable ``gamma`` too."""
+    """The variable name of a given number; the state has a variable ``gamma`` too."""
     return f"start_{name}" if name in DIRECTIONS else name
 
 
 def _member_variable(name: str, numbers: FileNumbers, shape: tuple[int, ...]) -> Variable:
-    """A number of the file that is given member by member."""
+    """A number of the file that varies between members."""
     if name in DIRECTIONS:
         notes = cf_attributes(f"start.{name}", "1")
         return Variable((f"{name}_component",), shape, attributes=notes, coordinate=True)
@@ -246,9 +246,9 @@ def _require_observables(system: System, names: Sequence[str]) -> None:
 def ensemble_variables(
     subject: ContactSubject, record: Sequence[str], moments: int
 ) -> dict[str, Variable]:
-    """The variables of an ensemble besides the numbers that are given."""
+    """The variables of an ensemble besides the given numbers."""
     system = subject.system
-    observables = {item.name: item for item in system.observables}
+    observables = {item.name: item for item in system.scalar.observables}
     works = work_meanings(subject.contact, system)
     variables: dict[str, Variable] = {}
     names = [_ELSEWHERE.get(str(name), str(name)) for name in system.state]
@@ -258,8 +258,7 @@ def ensemble_variables(
             variables[name] = sampled_variable(moments, 1, "", meaning, unit, "")
         elif name in observables:
             item = observables[name]
-            value = to_components(item.value)
-            size = len(value) if hasattr(value, "shape") else 1
+            size = len(scalars(item.value))
             variables[name] = sampled_variable(
                 moments, size, item.frame, item.meaning, item.unit, item.source
             )

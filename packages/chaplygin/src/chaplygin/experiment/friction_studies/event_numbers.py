@@ -1,4 +1,4 @@
-"""Numbers of a motion with friction: counts and sums over its events, and values along it."""
+"""Quantities of a motion with friction: counts and sums over its events, values along it."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.parsing import nearest, parse
 from flowlanes.system.arrays import FloatArray
-from flowlanes.system.system import System, flat
-from flowlanes.system.vectors import to_components
+from flowlanes.system.named_formulas import flat
+from flowlanes.system.system import System
 from nonholonomic.contact.friction.modes import MODE_NAMES
 from nonholonomic.contact.motion import ContactMotion
 from nonholonomic.contact.simulation.events import EventKind
@@ -22,13 +22,13 @@ from nonholonomic.contact.simulation.mode_integrator import ModeIntegrator
 
 from ..contact.trajectory import work_names
 
-#: The part of a motion whose mean is ``late_mean``.
+#: The final fraction of a motion whose mean is ``late_mean``.
 LATE = 0.2
 
 
 @dataclass(frozen=True)
 class EventNumber:
-    """A number that the events of a motion come to.
+    """A quantity derived from the events of a motion.
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ def _time_of(kind: str) -> Callable[[ContactMotion], float]:
     return lambda motion: next((e.time for e in motion.events if e.kind == kind), float("nan"))
 
 
-#: Numbers of every motion of an ensemble or a chart.
+#: Quantities of every motion of an ensemble or a chart.
 EVENT_NUMBERS: Mapping[str, EventNumber] = {
     "events": EventNumber("number of events", "1", lambda m: float(len(m.events))),
     "final_mode": EventNumber(
@@ -71,7 +71,7 @@ def _late_mean(values: FloatArray, times: FloatArray) -> float:
     return float(values[times >= times[-1] - LATE * (times[-1] - times[0])].mean())
 
 
-#: Numbers of a formula at the samples of a motion: title, and how they are computed.
+#: Quantities of a formula at the samples of a motion: title, and computation.
 _OF_FORMULA: Mapping[str, tuple[str, Callable[[FloatArray, FloatArray], float]]] = {
     "highest": ("highest value of {}", lambda values, _: float(values.max())),
     "lowest": ("lowest value of {}", lambda values, _: float(values.min())),
@@ -82,13 +82,13 @@ _OF_FORMULA: Mapping[str, tuple[str, Callable[[FloatArray, FloatArray], float]]]
 
 _KINDS: tuple[str, ...] = get_args(EventKind)
 
-#: Numbers of a kind of event: title, unit.
+#: Quantities of a kind of event: title, unit.
 _OF_KIND = {"first": ("time of the first {}", "s"), "count": ("number of events: {}", "1")}
 
 
 @dataclass(frozen=True)
 class MotionNumber:
-    """A number of a motion with friction, by the words of a user.
+    """A quantity of a motion with friction, as requested by a user.
 
     Attributes
     ----------
@@ -111,7 +111,7 @@ class MotionNumber:
         return titles[self.word].format(self.subject)
 
     def unit(self, system: System) -> str:
-        """Its unit; that of a formula is known where it is a single quantity."""
+        """Its unit; that of a formula is known if it is a single quantity."""
         if self.word in EVENT_NUMBERS:
             return EVENT_NUMBERS[self.word].unit
         if self.word in _OF_KIND:
@@ -119,7 +119,7 @@ class MotionNumber:
         return _units(system).get(self.subject, "unknown")
 
     def __call__(self, motion: ContactMotion, system: System, complete: bool) -> float:
-        """The number, not a number where the motion has none.
+        """The value; NaN if the motion has none.
 
         Parameters
         ----------
@@ -141,7 +141,7 @@ class MotionNumber:
 
 
 def motion_number(text: str, system: System) -> MotionNumber:
-    """A number as it is written: ``events``, ``first:slip``, ``lowest:gamma_3``.
+    """Parse a quantity: ``events``, ``first:slip``, ``lowest:gamma_3``.
 
     Parameters
     ----------
@@ -190,9 +190,9 @@ def motion_number(text: str, system: System) -> MotionNumber:
 
 
 def recorded_values(motion: ContactMotion, system: System) -> dict[str, FloatArray]:
-    """States and observables at the samples, (n,) or (n, size), by the names of datasets.
+    """States and observables at the samples, (n,) or (n, size), by their dataset names.
 
-    A law of friction of the system that the motion lacks, its coefficient being zero, does no work.
+    A friction law of the system that the motion lacks, as its coefficient is zero, does no work.
     """
     none = dict.fromkeys(work_names(system), np.zeros(len(motion.times)))
     return none | motion.variables() | motion.observables()
@@ -213,7 +213,7 @@ def values_of_formula(text: str, motion: ContactMotion, system: System) -> Float
 
 
 def require_formula(text: str, system: System, where: str = "quantity") -> None:
-    """Raise InputError unless a text is a formula in recorded quantities, and no constant."""
+    """Raise InputError unless a text is a nonconstant formula in recorded quantities."""
     if not numerical_function(text, tuple(_columns(system)), where)[1]:
         raise InputError(f"{where} {text}: it is the same at all times")
 
@@ -243,18 +243,17 @@ def formula_at(text: str, mode: ModeIntegrator, states: FloatArray, system: Syst
 
 @lru_cache(maxsize=8)
 def _columns(system: System) -> dict[str, tuple[str, int]]:
-    """Recorded scalars and components: their variable, and the place in it (−1 for a scalar)."""
+    """Recorded scalars and components: their variable, and the index in it (−1 for a scalar)."""
     columns: dict[str, tuple[str, int]] = {}
     for name in system.state:
         symbols = flat([name])
         for place, symbol in enumerate(symbols):
             columns[str(symbol)] = (str(name), place if len(symbols) > 1 else -1)
-    for item in system.observables:
-        value = to_components(item.value)
-        if not isinstance(value, sp.MatrixBase):
+    for item in system.scalar.observables:
+        if not isinstance(item.value, sp.MatrixBase):
             columns[item.name] = (item.name, -1)
             continue
-        for place in range(len(value)):
+        for place in range(len(item.value)):
             columns.setdefault(f"{item.name}_{place + 1}", (item.name, place))
     return columns
 
@@ -272,7 +271,7 @@ def _units(system: System) -> dict[str, str]:
 def numerical_function(
     text: str, names: tuple[str, ...], where: str = "", module: str = "numpy"
 ) -> tuple[Callable[..., Any], list[str]]:
-    """A formula as a function of numbers or arrays, and the quantities that it uses in order."""
+    """A formula as a function of numbers or arrays, and the quantities it uses, in order."""
     known = {name: sp.Symbol(name, real=True) for name in names}
     value = parse(text, known, where)
     used = sorted(value.free_symbols, key=str)

@@ -1,4 +1,4 @@
-"""The numbers of an experiment file by name, to be given other values."""
+"""The numbers of an experiment file by name, so that they can be varied."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from flowlanes.system.arrays import FloatArray
 
 from ..models.rolling_model import FrictionExperiment
 
-#: Tables, keys and the place in an array, from the outside in.
+#: Tables, keys and the array index, from the outside in.
 Path: TypeAlias = tuple[str | int, ...]
 
 #: Labels of the components of a quaternion; those of a vector are 1, 2, 3.
@@ -50,8 +50,8 @@ _UNITS = {
 class FileNumbers:
     """The numbers of an experiment with friction that ensembles and charts may vary.
 
-    A number is called by its key, with the place in a vector after it: ``mu``, ``omega_3``,
-    ``attitude_w``; where two tables have the key, by table and key, as in ``surface.radius``.
+    A number is named by its key, followed by the index in a vector: ``mu``, ``omega_3``,
+    ``attitude_w``; if two tables have the key, by table and key, as in ``surface.radius``.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ class FileNumbers:
             paths.setdefault(name, []).append(path)
 
     def path(self, name: str) -> Path:
-        """The place of a number in the file.
+        """The path of a number in the file.
 
         Raises
         ------
@@ -129,7 +129,7 @@ class FileNumbers:
         )
 
     def values_by_name(self) -> dict[str, float]:
-        """All numbers that have a name of their own, with their values."""
+        """All numbers with a unique name, with their values."""
         return {
             name: value
             for name, paths in self._paths.items()
@@ -137,7 +137,7 @@ class FileNumbers:
         }
 
     def value(self, name: str) -> float | None:
-        """The number in the file; None where it is left out."""
+        """The number in the file; None if it is omitted."""
         value: Any = self._tables
         for part in self.path(name):
             value = value[part]

@@ -1,4 +1,4 @@
-"""Motions with friction of many members, each an experiment with other numbers."""
+"""Motions with friction of many members, each an experiment with different numbers."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from nonholonomic.contact.motion import ContactMotion, contact_motion
 from nonholonomic.contact.simulation.compiled import CompiledContact
 from nonholonomic.contact.simulation.end_reasons import END_REASONS
 from nonholonomic.contact.simulation.event_rules import EventRules
+from nonholonomic.system_files.validation import validation_messages
 
-from ..file.validation import validation_messages
 from ..models.experiment import loads
 from ..models.rolling_model import FrictionExperiment
 from ..subjects.contact_subject import ContactSubject, contact_and_rules, contact_subject, start_of
 from .file_numbers import FileNumbers
 
-#: Codes of the endings in datasets, in the order of `END_REASONS`.
+#: Codes of the end reasons in datasets, in the order of `END_REASONS`.
 CODES = {ending: code for code, ending in enumerate(END_REASONS)}
 
 
@@ -71,7 +71,10 @@ def member_motion(
 def member_start(
     experiment: str, values: Mapping[str, float | FloatArray], tolerance: float
 ) -> tuple[int, tuple[CompiledContact, FloatArray, EventRules] | str]:
-    """The contact, the start and the rules of a member; or why there are none, with its code."""
+    """The contact, the start and the rules of a member.
+
+    Or the reason why there are none, with its code.
+    """
     tables = _numbers(experiment).tables_with(values)
     try:
         changed = FrictionExperiment.model_validate(tables)
@@ -101,7 +104,7 @@ def _numbers(text: str) -> FileNumbers:
 
 @lru_cache(maxsize=8)
 def friction_experiment(text: str) -> FrictionExperiment:
-    """The experiment with friction of a text."""
+    """Read an experiment with friction from text."""
     experiment = loads(text)
     assert isinstance(experiment, FrictionExperiment)
     return experiment
@@ -109,11 +112,11 @@ def friction_experiment(text: str) -> FrictionExperiment:
 
 @lru_cache(maxsize=8)
 def friction_subject(text: str) -> ContactSubject:
-    """The body with friction of a text, once for all its members."""
+    """The body with friction of an experiment text, created once for all its members."""
     return contact_subject(friction_experiment(text))
 
 
 @lru_cache(maxsize=16)
 def _thread_contact(contact: FrictionalContact, tolerance: float, _: int) -> CompiledContact:
-    """A compiled contact of a thread, whose integrators change as they are used."""
+    """A compiled contact for one thread, whose integrators are modified by use."""
     return CompiledContact(contact, tolerance)

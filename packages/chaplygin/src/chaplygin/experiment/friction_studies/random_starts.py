@@ -11,7 +11,7 @@ from flowlanes.errors import InputError
 from flowlanes.flow.ensemble.members import ListedMembers, Members
 from flowlanes.system.arrays import FloatArray
 
-#: What is drawn as a direction, with the number of its components.
+#: Quantities drawn as directions, with their number of components.
 DIRECTIONS = {"gamma": 3, "attitude": 4}
 
 #: Lowest and highest value; None for a direction.
@@ -40,7 +40,7 @@ class DrawnMembers(ListedMembers):
 def random_numbers(count: int, ranges: Mapping[str, Range], seed: int = 0) -> Members:
     """Members with random numbers, each uniform in its range and independent of the others.
 
-    Member k depends on the ranges, the seed and k alone.
+    Member k depends only on the ranges, the seed and k.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def random_numbers(count: int, ranges: Mapping[str, Range], seed: int = 0) -> Me
         columns = uniform[:, first : first + width]
         first += width
         if span is None:
-            # normal numbers, of which the direction is uniform
+            # normal random numbers, whose direction is uniform
             radii = np.sqrt(-2 * np.log1p(-columns[:, : width // 2]))
             values[name] = radii * np.cos(2 * np.pi * columns[:, width // 2 :])
             words.append(f"any {name}")

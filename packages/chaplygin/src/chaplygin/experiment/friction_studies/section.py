@@ -20,7 +20,8 @@ from flowlanes.flow.variable_metadata import (
     variable_metadata,
 )
 from flowlanes.system.arrays import FloatArray
-from flowlanes.system.system import System, flat
+from flowlanes.system.named_formulas import flat
+from flowlanes.system.system import System
 from nonholonomic.contact.friction.modes import MODE_NAMES
 from nonholonomic.contact.simulation.compiled import CompiledContact
 from nonholonomic.contact.simulation.crossings import Crossing, CrossingCourse
@@ -35,7 +36,7 @@ from .file_numbers import FileNumbers
 from .members import CODES, friction_experiment, friction_subject, member_start
 from .random_starts import DIRECTIONS as WHOLE
 
-#: Coordinates that are drawn where none are given.
+#: Coordinates drawn by default.
 COORDINATES = "gamma_1,gamma_2"
 
 
@@ -79,17 +80,17 @@ class ContactSection:
         }
         for place in range(last - first):
             values = {name: array[place] for name, array in rows.items()}
-            self._put(values, system, arrays, place)
+            self._store_crossings(values, system, arrays, place)
         return arrays
 
-    def _put(
+    def _store_crossings(
         self,
         values: dict[str, float | FloatArray],
         system: System,
         arrays: dict[str, npt.NDArray[np.number]],
         place: int,
     ) -> None:
-        """The crossings of one motion in their arrays."""
+        """Store the crossings of one motion in the arrays."""
         outcome, start = member_start(self.experiment, values, self.tolerance)
         arrays["outcome"][place] = outcome
         arrays["points"][place] = 0
@@ -115,7 +116,7 @@ class ContactSection:
             arrays["time"][place, number] = crossing.time
             arrays["mode"][place, number] = MODE_NAMES.index(crossing.mode)
             for name in map(str, system.state):
-                # a law of friction whose coefficient is zero does no work
+                # A friction law whose coefficient is zero does no work.
                 row = crossing.state[columns[name]] if name in columns else np.zeros(1)
                 arrays[name][place, number] = row if len(row) > 1 else row[0]
             for name, text in self.coordinates:
@@ -128,7 +129,7 @@ class ContactSection:
         return np.sin(difference) if self.surface.angle else difference
 
     def _counts(self, crossing: Crossing, system: System) -> bool:
-        """Whether a crossing has the direction and lies in the slabs of the section."""
+        """Whether a crossing has the required direction and lies in the slabs of the section."""
         wanted = DIRECTIONS[self.surface.direction]
         if wanted and crossing.rising != (wanted > 0):
             return False
@@ -143,7 +144,7 @@ class ContactSection:
         )
 
     def part(self, first: int, last: int) -> ContactSection:
-        """The work for these members alone."""
+        """The work restricted to these members."""
         return self
 
 
@@ -157,7 +158,7 @@ def _outcome_of(course: CrossingCourse, count: int) -> int:
     return 0 if len(course.crossings) >= count else _TOO_FEW
 
 
-#: The code of a motion that reached its time limit before its last point.
+#: Outcome code of a motion that reached its time limit before its last point.
 _TOO_FEW = 100
 
 
@@ -171,7 +172,7 @@ def contact_section_task(
     until: float,
     tolerance: float = 1e-13,
 ) -> tuple[Task, tuple[str, ...]]:
-    """A section of motions with friction, to be computed, and the coordinates to be drawn.
+    """Prepare a section of motions with friction; also return the coordinates to be drawn.
 
     Parameters
     ----------

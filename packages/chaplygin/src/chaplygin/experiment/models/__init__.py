@@ -1,1 +1,1 @@
-"""Experiment files by kind of subject: which tables each has and what they mean together."""
+"""Experiment files by kind of subject: the tables of each kind, and their consistency."""

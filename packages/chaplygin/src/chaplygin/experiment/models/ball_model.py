@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from pydantic import Field, ValidationInfo, field_validator
 
-from ..file.ball_tables import BallFieldTable, BallStartTable, FlatTable, SmoothTable
-from ..file.body_tables import BallTable, BodyTable
+from ..file.ball_tables import (
+    SMOOTH_SURFACES,
+    BallFieldTable,
+    BallStartTable,
+    FlatTable,
+    SmoothTable,
+)
+from ..file.body_tables import BodyTable
 from ..file.tables import ContactTable, RunTable
 from .base import ExperimentBase
 
@@ -19,8 +27,8 @@ class BallExperiment(ExperimentBase):
         (A ValueError.) If it is made in Python of parts that do not fit; `load` raises InputError.
     """
 
-    surface: SmoothTable = Field(
-        default=FlatTable(), discriminator="kind", description="a table", validate_default=True
+    surface: Annotated[SmoothTable, SMOOTH_SURFACES] = Field(
+        default=FlatTable(), description="a table", validate_default=True
     )
     body: BodyTable = Field(description="a table [body] with a homogeneous ball")
     contact: ContactTable = Field(default=ContactTable(), description="a table")
@@ -58,8 +66,8 @@ class BallExperiment(ExperimentBase):
 def _is_homogeneous_ball(body: BodyTable) -> bool:
     shape = body.shape
     return (
-        isinstance(shape, BallTable)
-        and not shape.hollow
+        shape.is_ball
+        and not shape.goes_around
         and not any(shape.centre)
         and not any(body.gyrostat)
         and not body.cavities

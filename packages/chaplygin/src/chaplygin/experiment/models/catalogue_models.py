@@ -1,4 +1,4 @@
-"""The experiments with a system of the catalogue."""
+"""Experiments with a system of the catalogue."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class CatalogueExperiment(ExperimentBase):
-    """The part that all systems of the catalogue have in common."""
+    """The part common to all systems of the catalogue."""
 
     system: SystemTable = Field(description="a table [system] with a name")
     body: FilledBodyTable | None = Field(default=None, description="a table with cavity")
@@ -28,7 +28,7 @@ class CatalogueExperiment(ExperimentBase):
     @model_validator(mode="before")
     @classmethod
     def _parameters_beside(cls, tables: object) -> object:
-        """[parameters] of a system of n dimensions belong to [system]."""
+        """For an n-dimensional system, [parameters] belongs to [system]."""
         if not isinstance(tables, dict) or not isinstance(tables.get("parameters"), dict):
             return tables
         system = tables.get("system")
@@ -90,7 +90,7 @@ class StateExperiment(CatalogueExperiment):
         cls, body: FilledBodyTable | None, info: ValidationInfo
     ) -> FilledBodyTable | None:
         if body is not None and "system" in info.data:
-            # only a refused file needs this module, which brings the equations of rolling
+            # Only an invalid file needs this module, which imports the equations of rolling.
             from nonholonomic.catalogue.fixed_point.fluid_filled_bodies import refusal
 
             raise ValueError(refusal(info.data["system"].name))

@@ -1,36 +1,35 @@
-"""The experiment file, from which the command line and Python start.
+"""The experiment file, the common input of the command line and Python.
 
 A TOML file describes a body that rolls on a plane or a sphere (`RollingExperiment`) or touches one
 with friction (`FrictionExperiment`), a homogeneous ball that rolls on any other surface
-(`BallExperiment`), a system of the catalogue, or a system of
-the user's own, by its Lagrangian (`MechanismExperiment`) or by its equations
-(`EquationsExperiment`); further a start and the computation of the motion. Most systems of the
-catalogue are bodies whose start is given by ω and γ (`SystemExperiment`); for any other system the
-start gives the state by the names of its variables (`StateExperiment`). Keys, their meaning, units
-and frames are described in the modules `tables`, `body_tables`, `contact_tables`,
-`ball_tables` and `mechanism_tables`.
+(`BallExperiment`), a system of the catalogue, or a user-defined system, by its Lagrangian
+(`MechanismExperiment`) or by its equations (`EquationsExperiment`).  It also gives a start and the
+computation of the motion.  Most systems of the catalogue are bodies whose start is given by ω and γ
+(`SystemExperiment`); for any other system the start gives the state by the names of its variables
+(`StateExperiment`).  Keys, their meaning, units and frames are described in the modules `tables`,
+`body_tables`, `contact_tables`, `ball_tables` and `mechanism_tables`.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING
 
 from pydantic import ValidationError
 
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError, nearest
 from flowlanes.files.partial_files import require_file_name
+from nonholonomic.system_files.source import Source
+from nonholonomic.system_files.sourced import mistakes
+from nonholonomic.system_files.table import Table
+from nonholonomic.system_files.toml import Key, Tables
+from nonholonomic.system_files.validation import validation_messages
 
-from ..file.ball_tables import SmoothTable
-from ..file.source import Source
-from ..file.table import Table
-from ..file.tables import OF_A_DIMENSION
-from ..file.toml import Key, Tables
-from ..file.validation import validation_messages
+from ..file.ball_tables import SMOOTH_SURFACES
+from ..file.tables import OF_A_DIMENSION, SURFACES
 from .ball_model import BallExperiment
 from .catalogue_models import StateExperiment, SystemExperiment
 from .described_models import EquationsExperiment, MechanismExperiment
@@ -41,12 +40,6 @@ if TYPE_CHECKING:
 
 #: Tables that describe a system by themselves.
 DESCRIPTION_TABLES = ("lagrangian", "equations")
-
-#: Kinds of surface on which no body but a homogeneous ball rolls.
-_BALLS_ONLY = {table.model_fields["kind"].default for table in get_args(SmoothTable)} - {
-    "plane",
-    "sphere",
-}
 
 
 Experiment = (
@@ -60,7 +53,8 @@ Experiment = (
 )
 """Any kind of experiment; ``isinstance`` tells which."""
 
-#: A table of ten thousand numbers has 0.2 MB; to read ten times as much takes seconds.
+#: Maximum size of a file: a table of ten thousand numbers has 0.2 MB; reading ten times as much
+#: takes seconds.
 _MOST_BYTES = 2_000_000
 
 
@@ -108,7 +102,7 @@ def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
     try:
         with Path(source).open("rb") as file:
             content = file.read(_MOST_BYTES + 1)
-        # A byte order mark, as some editors put it first, is no part of the text.
+        # A byte order mark, which some editors write, is not part of the text.
         text = content.decode("utf-8-sig") if len(content) <= _MOST_BYTES else ""
     except FileNotFoundError:
         raise InputError("there is no such file", name) from None
@@ -184,7 +178,7 @@ def catalogue_experiment(name: str, overrides: Iterable[str] = ()) -> Experiment
 
 
 def _read(source: Source) -> Experiment:
-    """The experiment of a source, or an InputError for all that is wrong in it."""
+    """Read the experiment of a source; raises InputError that lists all mistakes."""
     source = replace(source, short=_short(source))
     tables = source.tables()
     _check_one_description(tables, source)
@@ -197,8 +191,7 @@ def _read(source: Source) -> Experiment:
     except ValidationError as error:
         wrong |= validation_messages(error, model, accepted)
     if wrong := _first_the_contact(wrong, model):
-        in_order = sorted(wrong, key=lambda key: source.line(key) or math.inf)
-        raise InputError("\n".join(f"{source.where(key)}: {wrong[key]}" for key in in_order))
+        raise mistakes(wrong, source)
     experiment._source = source
     return experiment
 
@@ -213,7 +206,7 @@ _PARAMETERS: tuple[Key, ...] = (
 
 
 def _short(source: Source) -> dict[str, Key]:
-    """The paths of the parameters by their names, which an option may write alone."""
+    """The full paths of parameters by their names, which an option may use alone."""
     with_tables = tuple(option for option in source.overrides if "." in option.partition("=")[0])
     tables = replace(source, overrides=with_tables).tables()
     paths: dict[str, Key] = {}
@@ -252,19 +245,19 @@ def _no_keys(tables: Tables, model: type[Experiment], source: Source) -> dict[Ke
 
 
 def _item(tables: Tables) -> Entry | None:
-    """The entry of the catalogue that tables name, if there is one of that name."""
+    """The catalogue entry that tables name, if it exists."""
     table = tables.get("system")
     name = table.get("name") if isinstance(table, dict) else None
     if not isinstance(name, str):
         return None
-    # the systems take a while to import, and a file with a body of its own needs none
+    # Importing the systems is slow, and a file with its own body does not need them.
     from nonholonomic.catalogue import CATALOGUE
 
     return CATALOGUE.get(name)
 
 
 def _model(tables: Tables) -> type[Experiment]:
-    """The kind of experiment that these tables mean to be."""
+    """The kind of experiment that these tables describe."""
     if "system" not in tables:
         return _own_model(tables)
     item = _item(tables)
@@ -272,7 +265,7 @@ def _model(tables: Tables) -> type[Experiment]:
 
 
 def _check_one_description(tables: Tables, source: Source) -> None:
-    """Refuse a Lagrangian or equations beside another description of what moves."""
+    """Raise an error for a Lagrangian or equations beside another description of the system."""
     first, *others = [n for n in (*DESCRIPTION_TABLES, "system", "body") if n in tables] or [""]
     if first in DESCRIPTION_TABLES and others:
         where = source.where((others[0],))
@@ -280,7 +273,7 @@ def _check_one_description(tables: Tables, source: Source) -> None:
 
 
 def _own_model(tables: Tables) -> type[Experiment]:
-    """The kind of experiment that tables without a system of the catalogue describe."""
+    """The kind of experiment described by tables without a catalogue system."""
     if "equations" in tables:
         return EquationsExperiment
     if "body" not in tables and tables.keys() & {"frame", "lagrangian", "constraints"}:
@@ -296,12 +289,12 @@ def _means_friction(tables: Tables) -> bool:
 
 
 def _first_the_contact(wrong: dict[Key, str], model: type[Experiment]) -> dict[Key, str]:
-    """Mistakes without those that would be none, perhaps, with the contact that is meant."""
+    """The mistakes without those that another contact model might resolve."""
     of_contact = wrong.keys() & {("contact",), ("contact", "model")}
     if not of_contact or model not in (RollingExperiment, BallExperiment):
         return wrong
     depending = ("contact", "surface", "start", "run")
-    # with friction any body may start at a place
+    # With friction any body may start at a given position.
     of_a_ball = model is BallExperiment
     return {
         key: text
@@ -311,7 +304,7 @@ def _first_the_contact(wrong: dict[Key, str], model: type[Experiment]) -> dict[K
 
 
 def _decided_by_system(tables: Tables) -> dict[Key, str]:
-    """The tables that have no place beside [system]."""
+    """The tables that are not allowed beside [system]."""
     decided = [name for name in RollingExperiment.model_fields if name in tables]
     return {
         (name,): f"must be absent, as the table [system] decides the {name}"
@@ -321,11 +314,13 @@ def _decided_by_system(tables: Tables) -> dict[Key, str]:
 
 
 def _is_ball_experiment(tables: Mapping[str, object]) -> bool:
-    """Whether the tables of a file speak of a surface that only a ball rolls on.
+    """Whether the tables describe a surface on which only a ball rolls.
 
-    A plane or a sphere is meant so if the start gives the place of the ball, not γ.
+    This includes a plane or a sphere if the start gives the position of the ball, not γ.
     """
     surface, start = tables.get("surface"), tables.get("start")
     kind = surface.get("kind") if isinstance(surface, dict) else None
     placed = isinstance(start, dict) and start.keys() & {"contact", "centre"}
-    return bool(placed) or (isinstance(kind, str) and kind in _BALLS_ONLY)
+    return bool(placed) or (
+        isinstance(kind, str) and SMOOTH_SURFACES.knows(kind) and not SURFACES.knows(kind)
+    )

@@ -1,12 +1,12 @@
-"""The experiments with a body on a plane or a sphere: it rolls, or slides with friction."""
+"""Experiments with a body on a plane or a sphere: it rolls, or slides with friction."""
 
 from __future__ import annotations
 
-from typing import TypeVar
+from typing import Annotated, TypeVar
 
 from pydantic import Field, ValidationInfo, field_validator
 
-from ..file.body_tables import BallTable, BodyTable, ShapeTable
+from ..file.body_tables import BodyTable, ShapeTable
 from ..file.contact_tables import (
     WAYS,
     FrictionPlaneTable,
@@ -16,11 +16,11 @@ from ..file.contact_tables import (
     FrictionTable,
 )
 from ..file.tables import (
+    SURFACES,
     ContactTable,
     FieldTable,
     PlaneTable,
     RunTable,
-    SphereTable,
     StartTable,
     SurfaceTable,
 )
@@ -28,16 +28,16 @@ from .base import ExperimentBase
 
 AnyStart = TypeVar("AnyStart", StartTable, FrictionStartTable)
 
-#: The description that a file needs.
+#: The required description of a file.
 BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
 
 
 class BodyOnSurface(ExperimentBase):
-    """The part that all bodies on a plane or a sphere have in common."""
+    """The part common to all bodies on a plane or a sphere."""
 
     body: BodyTable = Field(description=BODY)
-    surface: SurfaceTable = Field(
-        default=PlaneTable(), discriminator="kind", description="a table", validate_default=True
+    surface: Annotated[SurfaceTable, SURFACES] = Field(
+        default=PlaneTable(), description="a table", validate_default=True
     )
     contact: ContactTable | FrictionTable
     field: FieldTable = Field(default=FieldTable(), description="a table")
@@ -72,9 +72,11 @@ class BodyOnSurface(ExperimentBase):
     @field_validator("start", check_fields=False)
     @classmethod
     def _normal_of_surface(cls, start: AnyStart, info: ValidationInfo) -> AnyStart:
-        on_plane = isinstance(info.data.get("surface"), PlaneTable)
-        if on_plane and start.normal not in (None, (0.0, 0.0, 1.0)):
-            raise ValueError("normal is for a sphere alone; on a plane it is always [0, 0, 1]")
+        surface = info.data.get("surface")
+        if surface is not None and start.normal not in (None, (0.0, 0.0, 1.0)):
+            refusal = surface.surface().refusal_of_normal(start.normal)
+            if refusal:
+                raise ValueError(refusal)
         return start
 
 
@@ -132,7 +134,7 @@ class FrictionExperiment(BodyOnSurface):
     @field_validator("field")
     @classmethod
     def _potential_on_plane(cls, field: FieldTable, info: ValidationInfo) -> FieldTable:
-        if field.potential and isinstance(info.data.get("surface"), SphereTable):
+        if field.potential and info.data.get("surface", PlaneTable()).sphere:
             raise ValueError(
                 "a potential U(gamma) with friction is for a plane alone; leave it out"
             )
@@ -140,22 +142,19 @@ class FrictionExperiment(BodyOnSurface):
 
 
 def _misfit(shape: ShapeTable, surface: SurfaceTable) -> str | None:
-    """The reason why a body certainly cannot roll on a surface, if there is one."""
-    radius = surface.radius if isinstance(surface, SphereTable) else None
-    inside = isinstance(surface, SphereTable) and surface.side == "inside"
-    if isinstance(shape, BallTable) and shape.hollow:
+    """Why a body certainly cannot roll on a surface, or None."""
+    radius, inside = surface.sphere or (None, False)
+    size, meaning = shape.size
+    if shape.goes_around:
         if radius is None or inside:
             return 'a hollow ball rolls around a sphere: its side must be "outside"'
-        if shape.radius <= radius:
+        if size <= radius:
             return (
-                f"a hollow ball of radius {shape.radius:.15g} does not go around a sphere of "
+                f"a hollow ball of radius {size:.15g} does not go around a sphere of "
                 f"radius {radius:.15g}; the ball must be the larger one"
             )
         return None
-    if radius is None or not inside:
-        return None
-    size, meaning = shape.size
-    if size < radius:
+    if radius is None or not inside or size < radius:
         return None
     return (
         f"a bowl of radius {radius:.15g} is too small for this {shape.kind}, whose {meaning} is "

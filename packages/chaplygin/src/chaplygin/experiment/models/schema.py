@@ -1,4 +1,4 @@
-"""The experiment file as a JSON Schema, by which editors complete keys and mark mistakes."""
+"""The experiment file as a JSON Schema, for completion and validation in editors."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from .experiment import Experiment
 def experiment_schema() -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of experiment files of every kind.
 
-    What depends on several keys at once (whether a start is admissible, whether a formula can be
-    read) cannot be stated in a schema: `load` checks it.
+    Conditions that involve several keys (whether a start is admissible, whether a formula can be
+    parsed) cannot be stated in a schema: `load` checks them.
 
     Returns
     -------
@@ -29,7 +29,7 @@ def experiment_schema() -> dict[str, Any]:
     schema: dict[str, Any] = TypeAdapter(Experiment).json_schema()
     tables = schema["$defs"]
     for table in tables.values():
-        # what a caller of Python may see raised is of no use to an editor
+        # The exceptions documented for Python callers are of no use in an editor.
         table["description"] = table.get("description", "").partition("\n\nRaises\n")[0]
         cavities = table["properties"].get("cavity") if "properties" in table else None
         if cavities:

@@ -1,4 +1,4 @@
-"""The homogeneous ball that an experiment file describes."""
+"""The homogeneous ball described by an experiment file."""
 
 from __future__ import annotations
 
@@ -14,10 +14,9 @@ from nonholonomic.catalogue.balls.ball_laws import known_ball_laws
 from nonholonomic.mechanics.ball.ball import RollingBall
 from nonholonomic.mechanics.ball.initial_state import ball_state
 from nonholonomic.mechanics.ball.surface import ImplicitSurface, SmoothSurface
+from nonholonomic.system_files.sourced import identifier
 
-from ..file.body_tables import BallTable
 from ..models.ball_model import BallExperiment, moment
-from ..models.base import identifier
 from .subject import BallSubject
 
 R = Vector("R")
@@ -42,23 +41,23 @@ class PlacedBallSubject(BallSubject):
 
     @property
     def summary(self) -> str:
-        """Empty, as the setting says what moves."""
+        """Empty, since the setting describes the system."""
         return ""
 
     @property
     def directions(self) -> set[str]:
-        """None: the place of the ball and ω are no unit vectors."""
+        """Empty: the position of the ball and ω are not unit vectors."""
         return set()
 
     def initial_state(self) -> tuple[mpmath.mpf, ...]:
-        """The state that follows from the place of the ball and ω."""
+        """The state that follows from the position of the ball and ω."""
         place = "contact" if self.ball.carrier == "support" else "centre"
         position, omega = self.start_vector(place), self.start_vector("omega")
         return ball_state(self.ball, self.system, position, omega)
 
 
 def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:
-    """The ball of an experiment, with every integral that the catalogue knows of it.
+    """The ball of an experiment, with all its known integrals.
 
     Raises
     ------
@@ -104,7 +103,7 @@ def _rolling_ball(
         If it does not fit the surface.
     """
     body, field = experiment.body, experiment.field
-    radius = body.shape.radius if isinstance(body.shape, BallTable) else 0.0
+    radius = body.shape.size[0] if body.shape.is_ball else 0.0
     return RollingBall(
         mass=body.mass,
         inertia=moment(body) or 0.0,
@@ -120,8 +119,8 @@ def _rolling_ball(
 
 
 def _support(experiment: BallExperiment, ball: RollingBall) -> str:
-    """The surface that carries the ball, in words."""
-    name = experiment.surface.surface_name
+    """A description of the surface that carries the ball."""
+    name = experiment.surface.title
     if ball.carrier == "centre":
         return f"with its centre on {name}"
     inside = ball.surface.side == "inside"
@@ -129,7 +128,7 @@ def _support(experiment: BallExperiment, ball: RollingBall) -> str:
 
 
 def _title(experiment: BallExperiment, ball: RollingBall) -> str:
-    """A name for a ball that the catalogue has none for."""
+    """A name for a ball that is not in the catalogue."""
     manner = "" if ball.contact == "marble" else ", rubber contact"
     return f"Homogeneous ball {_support(experiment, ball)}{manner}"
 

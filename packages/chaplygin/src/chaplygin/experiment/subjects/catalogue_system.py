@@ -33,7 +33,7 @@ from .subject import BallSubject, BodySubject, Subject
 
 @dataclass(frozen=True, kw_only=True)
 class NDimensionalSubject(Subject):
-    """A body of n dimensions, whose start gives attitude and ω, or γ and ω, or its state.
+    """An n-dimensional body, whose start gives attitude and ω, or γ and ω, or its state.
 
     Attributes
     ----------
@@ -84,7 +84,7 @@ class NDimensionalSubject(Subject):
 
 
 def _with_defaults(item: Entry, start: StartValues) -> StartValues:
-    """A start of an n-dimensional body, what it leaves out filled in from the catalogue."""
+    """A start of an n-dimensional body, completed from the catalogue."""
     values = dict(item.start.values)
     if OMEGA in start:
         values = {GAMMA: values[GAMMA]}
@@ -94,7 +94,7 @@ def _with_defaults(item: Entry, start: StartValues) -> StartValues:
 
 
 def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
-    """A body of the catalogue, whose start is given by ω and γ.
+    """A body of the catalogue, whose start gives ω and γ.
 
     Raises
     ------
@@ -131,7 +131,7 @@ def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
 
 
 def system_of_catalogue(experiment: StateExperiment) -> Subject:
-    """A system of the catalogue whose start is given by its state.
+    """A system of the catalogue whose start gives its state.
 
     Raises
     ------
@@ -144,7 +144,7 @@ def system_of_catalogue(experiment: StateExperiment) -> Subject:
         system = item.system(experiment.system.parameters)
         ball = item.rolling_ball(experiment.system.parameters)
     system, until = _with_title(system, experiment), experiment.run.until or item.start.until
-    # rows of an attitude are sequences like the others
+    # Rows of an attitude are sequences like the others.
     start = cast(StartValues, experiment.start)
     values: StartValues = {**item.start.values, **start}
     if item.family is not None:

@@ -1,4 +1,4 @@
-"""The body with friction that an experiment file describes."""
+"""The body with friction described by an experiment file."""
 
 from __future__ import annotations
 
@@ -32,21 +32,20 @@ from nonholonomic.contact.simulation.compiled import OMEGA, VELOCITY, CompiledCo
 from nonholonomic.contact.simulation.event_rules import EventRules
 from nonholonomic.contact.starts import SLACK, clearance, start_in_contact, start_in_space
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.shapes.shapes import Disk
-from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere, Surface
+from nonholonomic.mechanics.shapes.surfaces import Surface
+from nonholonomic.system_files.open_kinds import KindTable
+from nonholonomic.system_files.sourced import identifier
 
 from ..contact.dataset import work_meanings
 from ..contact.trajectory import ContactTrajectory, contact_trajectory
-from ..file.body_tables import shape_name
-from ..file.contact_tables import FrictionSurfaceTable, FrictionTable
+from ..file.contact_tables import FrictionTable
 from ..file.tables import CommonRunTable
-from ..models.base import identifier
 from ..models.rolling_model import FrictionExperiment
 from .glossary import glossary
-from .rolling_subject import body_of, forces_of, ground_words
+from .rolling_subject import body_of, forces_of
 from .subject import Subject, Variables
 
-#: Letters of a body that slides, in body axes, besides those of every body on a surface.
+#: Letters of a sliding body, in body axes, besides those of every body on a surface.
 _LETTERS = {
     "attitude": "unit quaternion that turns body axes into space axes",
     "position": "centre of mass in space",
@@ -82,7 +81,7 @@ _ONE_MODE = (
     "motion through these events."
 )
 
-#: Where the shares of force and couple are exact and short.
+#: Where the shown formulas of the shares of force and couple hold, as the end of a sentence.
 _INNER = " with a slip below the speed of the edge of the patch, u < patch |spin|"
 
 
@@ -115,7 +114,7 @@ class ContactSubject(Subject):
 
     @property
     def start_words(self) -> Variables:
-        """Meaning and unit of place and direction at the start."""
+        """Meaning and unit of position and direction at the start."""
         return {
             "position": ("centre of mass", "m"),
             "heading": ("angle by which the body is turned about the normal", "rad"),
@@ -129,12 +128,12 @@ class ContactSubject(Subject):
 
     @property
     def summary(self) -> str:
-        """Empty, as the setting says what moves."""
+        """Empty, since the setting describes the system."""
         return ""
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Sentences on what is unusual about the body and its start."""
+        """Sentences on unusual properties of the body and its start."""
         with contextlib.suppress(InputError):
             return (*super().remarks, *self._remarks_on_start())
         return super().remarks
@@ -179,7 +178,7 @@ class ContactSubject(Subject):
 
     @property
     def derivation_notes(self) -> tuple[str, ...]:
-        """Which equations are shown."""
+        """A sentence on the mode whose equations are shown."""
         mode = shown_mode(self.contact)
         return (_ONE_MODE.format(mode=mode.name + (_INNER if mode.range else "")),)
 
@@ -225,10 +224,10 @@ class ContactSubject(Subject):
 
 
 def shown_mode(contact: FrictionalContact) -> Mode:
-    """The mode whose equations stand for all: sliding, or rolling where nothing slips."""
+    """The mode whose equations are shown: sliding, or rolling if nothing slips."""
     if contact.never_slips:
         return Mode(sliding=False)
-    coupled = contact.law(ContensouErismann) is not None
+    coupled = any(law.patch_radius for law in contact.laws)
     return Mode(range="inner" if coupled else "")
 
 
@@ -242,8 +241,7 @@ def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
     """
     contact, rules = contact_and_rules(experiment)
     body, surface = contact.body, contact.surface
-    ground = ground_words(surface)
-    title = experiment.title or f"{shape_name(body.shape)} on {ground}, with friction"
+    title = experiment.title or f"{body.shape.title} on {surface.title}, with friction"
     with experiment.placing_errors("body"):
         system = equations_of_motion(contact, shown_mode(contact))
     return ContactSubject(
@@ -259,9 +257,7 @@ def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
 def _setting(contact: FrictionalContact) -> str:
     """The body, its support, the laws of friction and the forces in one line."""
     surface, field = contact.surface, contact.field
-    ground = "a horizontal plane"
-    if isinstance(surface, Sphere):
-        ground = f"a sphere of radius {surface.radius:g}, {surface.side}"
+    ground = surface.setting
     if surface.turntable:
         ground += f", which turns with {number(surface.turntable, 6)} rad/s"
     force = f"gravity {number(field.gravity, 6)} m/s²" if field.gravity else "no gravity"
@@ -269,11 +265,11 @@ def _setting(contact: FrictionalContact) -> str:
         force += ", a potential U(γ)"
     if any(contact.body.gyrostat):
         force += "; with rotors"
-    return f"{shape_name(contact.body.shape)} on {ground}; {contact.setting}; {force}"
+    return f"{contact.body.shape.title} on {ground}; {contact.setting}; {force}"
 
 
 def contact_and_rules(experiment: FrictionExperiment) -> tuple[FrictionalContact, EventRules]:
-    """The body on its support, and what happens at its events.
+    """The body on its support, and the rules for its events.
 
     Raises
     ------
@@ -281,15 +277,12 @@ def contact_and_rules(experiment: FrictionExperiment) -> tuple[FrictionalContact
         If its parts do not fit together; the message names the place in the file.
     """
     body = body_of(experiment)
-    table = experiment.surface
-    surface = (
-        Plane(table.turntable)
-        if table.kind == "plane"
-        else Sphere(table.radius, table.side, table.turntable)
-    )
+    with experiment.placing_errors("surface"):
+        surface = experiment.surface.surface()
     field = forces_of(experiment)
     with experiment.placing_errors("contact"):
-        contact = FrictionalContact(body, surface, _laws(experiment.contact, body, table), field)
+        laws = _laws(experiment.contact, body, surface) + _added_laws(experiment)
+        contact = FrictionalContact(body, surface, laws, field)
         rules = EventRules(
             experiment.contact.restitution,
             experiment.contact.impact_law,
@@ -318,9 +311,7 @@ def start_of(contact: FrictionalContact, values: Mapping[str, Any]) -> FloatArra
     return start_in_contact(contact, **values)
 
 
-def _laws(
-    table: FrictionTable, body: Body, surface: FrictionSurfaceTable
-) -> tuple[FrictionLaw, ...]:
+def _laws(table: FrictionTable, body: Body, surface: Surface) -> tuple[FrictionLaw, ...]:
     """The laws of a table; coefficients of zero make none."""
     laws: list[FrictionLaw] = []
     if table.patch is not None and table.mu is not None:
@@ -344,10 +335,21 @@ def _laws(
     if table.contour:
         laws.append(ContourResistance(table.contour))
     if table.air:
-        if not isinstance(body.shape, Disk) or surface.kind != "plane":
+        radius = body.shape.edge_radius
+        if radius is None or not surface.is_flat:
             raise InputError(
                 "air: the drag of the air is that of the wedge between a disk and a plane; leave "
                 "it out for other bodies and supports"
             )
-        laws.append(AirFilm(table.air, body.shape.radius))
+        laws.append(AirFilm(table.air, radius))
+    return tuple(laws)
+
+
+def _added_laws(experiment: FrictionExperiment) -> tuple[FrictionLaw, ...]:
+    """The laws of other modules, each of which has a table of its own."""
+    laws: list[FrictionLaw] = []
+    for word, row in experiment.contact.laws or ():
+        if isinstance(row, KindTable):
+            with experiment.placing_errors("contact", "laws", word):
+                laws.append(row.made())
     return tuple(laws)

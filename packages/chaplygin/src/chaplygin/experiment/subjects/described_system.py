@@ -1,14 +1,15 @@
-"""The system of an experiment file that describes its mechanics itself."""
+"""The system of an experiment file that describes its own mechanics."""
 
 from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import cast
+from typing import Any, cast
 
+import mpmath
 import sympy as sp
 
 from flowlanes.errors import InputError
@@ -18,17 +19,23 @@ from flowlanes.system.system import Observable, System
 from flowlanes.system.vectors import real_symbol
 from nonholonomic.mechanics.constraints.integrability import nonholonomy
 from nonholonomic.mechanics.lagrangian.mechanism import TIME, Mechanism
+from nonholonomic.mechanics.lagrangian.plan import plan_of
 from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.system_files.systems import (
+    described_plan,
+    mechanism_of,
+    name_of,
+    system_of,
+    with_claims,
+)
+from nonholonomic.system_files.toml import Key
 
-from ..file.toml import Key
-from ..models.base import identifier
 from ..models.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .initial_state import StartValues
-from .mechanism_from_tables import DEFAULT_TITLE, mechanism_of, system_of, with_claims
-from .plan import described_plan
 from .subject import Subject
 
-#: Subjects of error messages, and the keys of the file that they concern.
+#: Subjects of error messages, and the keys of the file that they refer to.
 _PLACES: tuple[tuple[str, Key], ...] = (
     (r"(the )?(constraint|velocity constraint)\b", ("constraints", "velocity")),
     (r"(the )?position constraint\b", ("constraints", "position")),
@@ -66,6 +73,20 @@ class DescribedSubject(Subject):
         """The velocities of the mechanism."""
         return () if self.mechanism is None else self.mechanism.frame.w
 
+    def initial_state(self) -> tuple[mpmath.mpf, ...]:
+        """The state by its variables, or by ω and γ as of a body.
+
+        Raises
+        ------
+        InputError
+            If a variable is unknown or missing, or the state is not on the phase space.
+        """
+        motion_of_body = bool(self.system.start) or self.system.reconstruction is not None
+        if motion_of_body and self.start_values.keys() == {"omega", "gamma"}:
+            omega, gamma = (self.start_vector(name) for name in ("omega", "gamma"))
+            return initial_state(self.system, omega, gamma)
+        return super().initial_state()
+
     @property
     def state_names(self) -> list[str]:
         """The variables of the state, and of the motion in space."""
@@ -79,7 +100,7 @@ class DescribedSubject(Subject):
 
     @property
     def derivation_notes(self) -> tuple[str, ...]:
-        """Sentences on what is recorded besides the state, and on the constraints.
+        """Sentences on quantities recorded besides the state, and on the constraints.
 
         The verdict on the constraints, holonomic or not, is that of
         :func:`nonholonomic.mechanics.constraints.integrability.nonholonomy`.
@@ -122,7 +143,7 @@ def mechanism_subject(experiment: MechanismExperiment) -> DescribedSubject:
     """
     with _placing_errors(experiment):
         mechanism = mechanism_of(experiment)
-        system = with_claims(experiment, equations(mechanism))
+        system = with_claims(experiment, equations(mechanism), catalogue_system)
     return _checked_subject(experiment, system, mechanism)
 
 
@@ -135,14 +156,14 @@ def equations_subject(experiment: EquationsExperiment) -> DescribedSubject:
         For what is wrong in the file.
     """
     with _placing_errors(experiment):
-        system = system_of(experiment)
+        system = system_of(experiment, catalogue_system)
     return _checked_subject(experiment, system, None)
 
 
 def described_subject(
     experiment: OwnExperiment, system: System, mechanism: Mechanism | None = None
 ) -> DescribedSubject:
-    """A system of the user with the start, variables and plan of an experiment."""
+    """A user-defined system with the start, variables and plan of an experiment."""
     variables = experiment.variables.items()
     instant: StartValues = {str(TIME): 0.0} if TIME in system.symbols else {}
     return DescribedSubject(
@@ -150,9 +171,18 @@ def described_subject(
         start_values={**instant, **cast(StartValues, experiment.start)},
         until=experiment.run.until,
         variables={name: (table.meaning, table.unit) for name, table in variables},
-        plan=described_plan(experiment, system, mechanism),
+        plan=described_plan(experiment, system)
+        or (None if mechanism is None else plan_of(mechanism)),
         mechanism=mechanism,
     )
+
+
+def catalogue_system(name: str, parameters: Mapping[str, Any]) -> System:
+    """A system of the catalogue, onto which an isomorphism may lead."""
+    # few files need one
+    from nonholonomic.catalogue.file_systems import catalogue_system as found
+
+    return found(name, parameters)
 
 
 def _checked_subject(
@@ -165,17 +195,17 @@ def _checked_subject(
 
 @contextmanager
 def _placing_errors(experiment: OwnExperiment) -> Iterator[None]:
-    """Give a mistake that only mechanics could see its place in the file."""
+    """Add the location in the file to errors raised by the mechanics."""
     try:
         yield
     except InputError as error:
         if error.where:
             raise
-        sentence = error.message.removeprefix(f"{identifier(experiment.title or DEFAULT_TITLE)}: ")
+        sentence = error.message.removeprefix(f"{name_of(experiment)}: ")
         key = next((key for words, key in _PLACES if re.match(words, sentence)), ())
         raise InputError(sentence, experiment.where(*key)) from None
     except (ArithmeticError, ValueError) as error:
-        # what is tried at points of its own may leave the domain of a root or a logarithm
+        # Test points of the prover may leave the domain of a root or a logarithm.
         sentence = f"a formula has no real value at a point where it was tried: {error}"
         raise InputError(sentence.removesuffix(": "), experiment.where()) from None
 
@@ -183,7 +213,7 @@ def _placing_errors(experiment: OwnExperiment) -> Iterator[None]:
 def _check_variables(
     experiment: OwnExperiment, mechanism: Mechanism | None, system: System
 ) -> None:
-    """Refuse meanings of what is no variable."""
+    """Raise an error for meanings given to unknown variables."""
     lifted = system.lifted() if system.reconstruction else system
     known = [str(name) for name in lifted.state]
     if mechanism is not None:
@@ -195,7 +225,7 @@ def _check_variables(
 
 
 def _check_names(experiment: OwnExperiment, system: System) -> None:
-    """Refuse names under which two things would be recorded."""
+    """Raise an error for names under which two quantities would be recorded."""
     whole = system.lifted() if system.reconstruction else system
     law_names = Counter(law.name for law in whole.laws)
     for name in experiment.laws.integrals:
@@ -205,7 +235,8 @@ def _check_names(experiment: OwnExperiment, system: System) -> None:
     recorded = Counter(item.name for item in whole.observables)
     recorded += Counter([*map(str, whole.state), "time"])
     recorded += Counter(name for name in law_names if name == "energy")
-    for name in experiment.observables:
+    states = {item.name for item in whole.observables if str(item.value) == item.name}
+    for name in experiment.observables.keys() - states:
         if recorded[name] > 1:
             where = experiment.where("observables", name)
             raise InputError(f"something else is recorded as '{name}'; choose another", where)

@@ -24,7 +24,7 @@ _BODY = {
     "k": "momentum of the rotors",
 }
 
-#: Those of a body that touches a surface.
+#: Letters of a body that touches a surface.
 _TOUCHING = {
     **_BODY,
     "M": "momentum about the contact point",
@@ -48,7 +48,7 @@ _TOUCHING = {
     "ell": "length of ν",
 }
 
-#: A scalar k is no momentum of rotors.
+#: A scalar k is not the momentum of rotors.
 _RATIO = "ratio of the radii"
 
 
@@ -68,7 +68,7 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
     sentence: dict[str, str] = {}
     for letter in _letters(system):
         if words := _meaning(letter, system, known, observed):
-            # a name that is a word would be read as part of the words
+            # A name that is a word would be read as part of the text.
             shown = text(letter)
             is_word = shown.isascii() and len(shown) > 2
             sentence[str(letter)] = f"{shown.replace('_', ' ')}{':' * is_word} {words}"
@@ -76,9 +76,9 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
 
 
 def _letters(system: System) -> tuple[NamedQuantity, ...]:
-    """The names in the equations of motion, and in the definitions that these need."""
+    """The names in the equations of motion, and in the definitions that these use."""
     written = dict(system.definitions)
-    # a component stands for its vector
+    # A component represents its vector.
     whole = {s: v for v in (*system.state, *written) if isinstance(v, Vector) for s in v.symbols}
     letters: dict[NamedQuantity, None] = {}
     waiting = [part for pair in reversed(system.field) for part in reversed(pair)]

@@ -1,6 +1,6 @@
 """Initial states from values of the state by name.
 
-As in :mod:`nonholonomic.mechanics.rolling.initial_state`, numbers are carried with 50 digits and
+As in :mod:`nonholonomic.mechanics.rolling.initial_state`, numbers are computed with 50 digits and
 rounded once.
 """
 
@@ -19,25 +19,25 @@ from flowlanes.flow.initial_states import upright
 from flowlanes.formulas.multiprecision import Multiprecision
 from flowlanes.parsing import NamedQuantity, nearest
 from flowlanes.printing.formula import text
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import Vector, norm_squared, to_components
+from flowlanes.system.vectors import Vector, norm_squared
 from nonholonomic.mechanics.lagrangian.mechanism import TIME
 from nonholonomic.mechanics.rolling.attitude import attitude
 from nonholonomic.mechanics.rolling.initial_state import DIGITS, SLACK
+from nonholonomic.system_files.validation import value_text
 
-from ..file.validation import value_text
-
-#: Components that a vector may have.
+#: Component labels that a vector may have.
 SIZES = (2, 3, 4)
 SPACE, QUATERNION = 3, 4
 
-#: Steps of Newton's method by which a start is put on the phase space, at most.
+#: Maximum number of Newton steps that project a start onto the phase space.
 _STEPS = 40
 
-#: A unit vector given in doubles may miss its length by this much.
+#: Tolerance for the length of a unit vector given in doubles.
 ROUNDING = 4e-16
 
-#: By how much a variable is moved to find a slope.
+#: Step of the difference quotients for slopes.
 _DIFFERENCE = mpmath.mpf(10) ** -20
 
 #: A start as given: numbers, or the components of vectors, by name.
@@ -83,7 +83,7 @@ def initial_state_from_values(
 
 
 def lift_of(system: System, values: StartValues) -> dict[str, float | tuple[float, ...]]:
-    """The variables of the lift that a start leaves out, as they are completed."""
+    """The completed values of lift variables that a start omits."""
     if system.reconstruction is None:
         return {}
     gamma = values.get("gamma")
@@ -114,10 +114,10 @@ def normalised_vectors(
 
 
 def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[mpmath.mpf]) -> bool:
-    """Whether all expressions of a level vanish at a state, but for rounding."""
+    """Whether all expressions of a level vanish at a state, up to rounding."""
     with mpmath.workdps(DIGITS):
         size = 1 + max((abs(x) for x in state), default=0)
-        defects = _numerical_function(system, [to_components(e) for e in level])(state)
+        defects = _numerical_function(system, scalars(tuple(level)))(state)
         return all(abs(x) <= SLACK * size**2 for x in defects)
 
 
@@ -141,7 +141,7 @@ def _state_and_given_definitions(
 def _split_vector(
     name: str, value: float | Sequence[float], state: Collection[str], scalars: Collection[str]
 ) -> list[tuple[str, float | Sequence[float]]]:
-    """A vector that is no whole one in the system, by its components."""
+    """Split a vector that is not a whole vector of the system into its components."""
     if name in state or not isinstance(value, Sequence) or len(value) not in SIZES:
         return [(name, value)]
     symbols = list(map(str, Vector(name, len(value)).symbols))
@@ -153,7 +153,7 @@ def _split_vector(
 def _check_given_definitions(
     lifted: System, state: list[mpmath.mpf], claims: Mapping[sp.Symbol, float]
 ) -> None:
-    """Refuse values of definitions that the state does not give them."""
+    """Raise an error if given values of definitions differ from those of the state."""
     values = _numerical_function(lifted, list(claims))(state) if claims else []
     for symbol, value in zip(claims, values, strict=True):
         claim = claims[symbol]
@@ -165,7 +165,7 @@ def _check_given_definitions(
 
 
 def _checked_values(system: System, values: StartValues) -> dict[str, list[mpmath.mpf]]:
-    """The given values as numbers, names and shapes checked, unit vectors normalised."""
+    """The given values as numbers, with names and shapes checked, and unit vectors normalised."""
     lifted = system.lifted() if system.reconstruction else system
     sizes = {str(name): _size(name) for name in lifted.state}
     for name in values:
@@ -201,12 +201,12 @@ def _numbers(name: str, value: float | Sequence[float], size: int) -> list[mpmat
 
 
 def unit_vectors(system: System) -> set[str]:
-    """Names of the state's vectors whose length the relations make one."""
-    relations = [to_components(relation) for relation in system.relations]
+    """Names of the state's vectors that the relations normalise."""
+    relations = system.scalar.relations
     return {
         str(name)
         for name in system.state
-        if isinstance(name, Vector) and to_components(norm_squared(name)) - 1 in relations
+        if isinstance(name, Vector) and system.scalar.of(norm_squared(name)) - 1 in relations
     }
 
 
@@ -215,7 +215,7 @@ def _complete(lifted: System, values: dict[str, list[mpmath.mpf]]) -> None:
     zero, one = mpmath.mpf(0), mpmath.mpf(1)
     for name in lifted.state:
         if str(name) in unit_vectors(lifted) - {str(attitude)}:
-            # the last axis, or the quaternion that turns nothing
+            # The last axis, or the identity quaternion.
             others = [zero] * (_size(name) - 1)
             values.setdefault(
                 str(name), [one, *others] if _size(name) == QUATERNION else [*others, one]
@@ -228,7 +228,7 @@ def _complete(lifted: System, values: dict[str, list[mpmath.mpf]]) -> None:
 def _numerical_function(
     system: System, formulas: Sequence[sp.Expr]
 ) -> Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]]:
-    """Scalar formulas of a system as a function of its flat state, in mpmath."""
+    """Scalar formulas of a system as an mpmath function of its flat state."""
     constants = {s: mpmath.mpf(repr(float(v))) for s, v in system.defaults.items()}
     steps = system.required_definitions(formulas)
 
@@ -249,12 +249,10 @@ def _numerical_function(
 def _on_relations(
     lifted: System, state: list[mpmath.mpf], velocities: Collection[sp.Symbol]
 ) -> list[mpmath.mpf]:
-    """The nearest state on the relations; an InputError if it is far away."""
+    """The nearest state on the relations; raises InputError if it is far away."""
     if not lifted.relations:
         return state
-    residual = _numerical_function(
-        lifted, [to_components(relation) for relation in lifted.relations]
-    )
+    residual = _numerical_function(lifted, list(lifted.scalar.relations))
     near = _nearest(lifted, state, velocities)
     defects = residual(state)
     if near is not None and _distance(near, state) <= SLACK * (1 + max(map(abs, state))):
@@ -272,31 +270,32 @@ def _on_relations(
 def _nearest(
     lifted: System, state: Sequence[mpmath.mpf], velocities: Collection[sp.Symbol]
 ) -> list[mpmath.mpf] | None:
-    """A state on the relations: places put on their own relations first, then velocities.
+    """A state on the relations: positions are projected first, then velocities.
 
-    Places move, and the time with them, only where places alone violate a relation, or where no
-    velocities at the given places are admissible.
+    Positions, and time with them, change only if positions alone violate a relation, or if no
+    velocities at the given positions are admissible.
     """
-    relations = [to_components(relation) for relation in lifted.relations]
+    relations = list(lifted.scalar.relations)
     of_velocities = [r for r in relations if lifted.expand(r).free_symbols & {*velocities}]
     of_places = [r for r in relations if r not in of_velocities]
     names = lifted.symbols
     fast = [i for i, s in enumerate(names) if s in velocities]
     places = [i for i, s in enumerate(names) if s not in velocities and s != TIME]
     every = range(len(names))
-    point = _first(lifted, of_places, state, (places, every))
+    point = _projected(lifted, of_places, state, (places, every))
     return point and (
-        _first(lifted, of_velocities, point, (fast,)) or _first(lifted, relations, state, (every,))
+        _projected(lifted, of_velocities, point, (fast,))
+        or _projected(lifted, relations, state, (every,))
     )
 
 
-def _first(
+def _projected(
     lifted: System,
     relations: Sequence[sp.Expr],
     state: Sequence[mpmath.mpf],
     choices: Iterable[Sequence[int]],
 ) -> list[mpmath.mpf] | None:
-    """A state on relations, the variables being moved that are the first to suffice."""
+    """A state on the relations, changing the first choice of variables that suffices."""
     if not relations:
         return list(state)
     residual = _numerical_function(lifted, relations)
@@ -311,7 +310,7 @@ def _newton(
 ) -> list[mpmath.mpf] | None:
     """The point near `state` where all residuals vanish, if Newton's method finds one.
 
-    Only the variables with some indices move.
+    Only the variables with given indices change.
     """
     point = list(state)
     for _ in range(_STEPS):
@@ -328,7 +327,7 @@ def _newton(
             columns.append([float((x - y) / _DIFFERENCE) for x, y in pairs])
         if not np.isfinite(columns).all():
             return None  # a state so large that doubles do not hold its slopes
-        # redundant relations (an attitude tied to a unit vector) make the rows dependent
+        # Redundant relations (an attitude tied to a unit vector) make the rows dependent.
         inverse = np.linalg.pinv(np.array(columns).T, rcond=1e-9)
         for index, row in zip(indices, inverse, strict=True):
             point[index] -= sum(float(a) * x for a, x in zip(row, defects, strict=True))
@@ -340,7 +339,7 @@ def _distance(one: Sequence[mpmath.mpf], other: Sequence[mpmath.mpf]) -> mpmath.
 
 
 def _state_text(system: System, state: Sequence[mpmath.mpf]) -> str:
-    """A state by names, as it would be given."""
+    """A state by names, in the form of a start."""
     parts = []
     numbers = [repr(float(x)) for x in state]
     for name in system.state:

@@ -1,4 +1,4 @@
-"""The rolling body that the tables of an experiment describe."""
+"""The rolling body described by the tables of an experiment."""
 
 from __future__ import annotations
 
@@ -8,17 +8,14 @@ from nonholonomic.catalogue import known_laws_of
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, Rolling
 from nonholonomic.mechanics.rolling.fluid import Fluid
-from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere, Surface
+from nonholonomic.system_files.sourced import identifier
 
-from ..file.body_tables import shape_name
-from ..file.tables import PlaneTable
-from ..models.base import identifier
 from ..models.rolling_model import BodyOnSurface, RollingExperiment
 from .subject import BodySubject
 
 
 def rolling_subject(experiment: RollingExperiment) -> BodySubject:
-    """The rolling body of an experiment, with all integrals that are known of it.
+    """The rolling body of an experiment, with all its known integrals.
 
     Raises
     ------
@@ -47,8 +44,9 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
 
 
 def _rolling(experiment: RollingExperiment) -> Rolling:
-    body, surface = body_of(experiment), experiment.surface
-    ground = Plane() if isinstance(surface, PlaneTable) else Sphere(surface.radius, surface.side)
+    body = body_of(experiment)
+    with experiment.placing_errors("surface"):
+        ground = experiment.surface.surface()
     return Rolling(body, ground, experiment.contact.model, forces_of(experiment))
 
 
@@ -68,7 +66,7 @@ def body_of(experiment: BodyOnSurface) -> Body:
 
 
 def letters_with_fluid(fluids: tuple[Fluid, ...], rolls: bool = True) -> dict[str, str]:
-    """Meanings that letters have in the equations of a body with fluid; empty without."""
+    """Meanings of letters in the equations of a body with fluid; empty without fluid."""
     if not fluids:
         return {}
     pivot = "contact point" if rolls else "fixed point"
@@ -106,14 +104,6 @@ def forces_of(experiment: BodyOnSurface) -> Forces:
 
 def _title(rolling: Rolling) -> str:
     """A name for a body that the catalogue has none for."""
-    ground = ground_words(rolling.surface)
     manner = "" if rolling.contact == "marble" else ", rubber contact"
     filled = " with fluid" if rolling.body.fluids else ""
-    return f"{shape_name(rolling.body.shape)}{filled} on {ground}{manner}"
-
-
-def ground_words(surface: Surface) -> str:
-    """A surface as a title names it."""
-    if isinstance(surface, Plane):
-        return "a plane"
-    return "a sphere" if surface.side == "outside" else "the inside of a sphere"
+    return f"{rolling.body.shape.title}{filled} on {rolling.surface.title}{manner}"

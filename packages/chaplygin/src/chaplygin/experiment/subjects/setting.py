@@ -4,17 +4,10 @@ from __future__ import annotations
 
 from flowlanes.printing.numerals import number
 from nonholonomic.mechanics.rolling.equations import Rolling
-from nonholonomic.mechanics.shapes.surfaces import Plane
-
-from ..file.body_tables import shape_name
 
 
 def rolling_setting(rolling: Rolling) -> str:
     """The body, its support, the contact and the forces in one line."""
-    surface = rolling.surface
-    ground = "a horizontal plane"
-    if not isinstance(surface, Plane):
-        ground = f"a sphere of radius {surface.radius:g}, {surface.side}"
     manner = "without slipping"
     if rolling.contact == "rubber":
         manner = "with neither slipping nor spinning"
@@ -25,11 +18,14 @@ def rolling_setting(rolling: Rolling) -> str:
     if any(rolling.body.gyrostat):
         field += "; with rotors"
     field += cavity_words(rolling)
-    return f"{shape_name(rolling.body.shape)} on {ground}, {manner}; {field}"
+    return f"{rolling.body.shape.title} on {rolling.surface.setting}, {manner}; {field}"
 
 
 def cavity_words(rolling: Rolling) -> str:
-    """The fluids in the cavities of a body, to end the line of its setting; empty without any."""
+    """The fluids in the cavities of a body, as the end of its setting line.
+
+    Empty if there are none.
+    """
     fluids = rolling.body.fluids
     if not fluids:
         return ""

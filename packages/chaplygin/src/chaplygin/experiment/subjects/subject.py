@@ -1,10 +1,10 @@
 """The system that a study follows, with everything that depends on its kind.
 
-Three kinds differ in how their start is given, in the words of a report and in its figures: a body
+Three kinds differ in how their start is given, in the texts of a report and in its figures: a body
 with an angular velocity ω and a unit vector γ (`BodySubject`), a homogeneous ball on a surface
-(`BallSubject`), and any other system, whose start gives its state by name (`Subject`).  Those that
-only a file describes have modules of their own: a ball with its place (`ball_subject.py`), a system
-of the user's (`described_system.py`), a body with friction (`contact_subject.py`).
+(`BallSubject`), and any other system, whose start gives its state by name (`Subject`).  Those
+described only by a file have separate modules: a ball with its position (`ball_subject.py`), a
+user-defined system (`described_system.py`), a body with friction (`contact_subject.py`).
 """
 
 from __future__ import annotations
@@ -28,7 +28,6 @@ from nonholonomic.mechanics.lagrangian.plan import Plan
 from nonholonomic.mechanics.rolling.body import AnyBody
 from nonholonomic.mechanics.rolling.equations import Rolling
 from nonholonomic.mechanics.rolling.initial_state import initial_state
-from nonholonomic.mechanics.shapes.gauss_map import contact_points
 from nonholonomic.mechanics.shapes.surfaces import Surface
 
 from ..file.tables import CommonRunTable
@@ -39,7 +38,7 @@ from .setting import rolling_setting
 if TYPE_CHECKING:
     from flowlanes.flow.trajectory import Trajectory
 
-#: Meaning and unit of variables of a state, by name.
+#: Meaning and unit of state variables, by name.
 Variables: TypeAlias = Mapping[str, tuple[str, str]]
 
 _UPWARDS = (0.0, 0.0, 1.0)
@@ -100,14 +99,17 @@ class Subject:
 
     @property
     def kind(self) -> str:
-        """``rolling``, ``ball``, ``mechanism`` or ``system``, as pages have it."""
+        """``rolling``, ``ball``, ``mechanism`` or ``system``, as used on pages."""
         if self.body is not None:
             return "rolling"
         return "system" if self.plan is None else "mechanism"
 
     @property
     def body(self) -> AnyBody | None:
-        """The body on a surface, with the equivalent body of its fluid, if there is one."""
+        """The body on a surface, or the equivalent body if it contains fluid.
+
+        None without a body.
+        """
         return None if self.rolling is None else self.rolling.equivalent.body
 
     @property
@@ -118,11 +120,11 @@ class Subject:
     @property
     def outline(self) -> Callable[[FloatArray], FloatArray] | None:
         """The points of a body with outward normals −γ, for γ (n, 3), body axes."""
-        return None if self.body is None else contact_points(self.body.shape)
+        return None if self.body is None else self.body.shape.contact_points()
 
     @property
     def inertia(self) -> FloatArray | None:
-        """The tensor of inertia (3, 3), of a body or given by I₁, I₂, I₃; None without one."""
+        """The inertia tensor (3, 3) of a body, or given by I₁, I₂, I₃; None if there is none."""
         if self.body is not None:
             return self.body.tensor
         moments = [self.system.defaults.get(s) for s in Diagonal("I").symbols]
@@ -130,27 +132,27 @@ class Subject:
 
     @property
     def start_words(self) -> Variables:
-        """Meaning and unit of what the start gives besides variables of the state."""
+        """Meaning and unit of start values other than state variables."""
         return {}
 
     @property
     def summary(self) -> str:
-        """One or two sentences on what moves, where somebody has written them."""
+        """One or two sentences on the system, if the catalogue or the file has them."""
         return self.system.summary
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Whether the centre of mass lies outside the body, and what else is unusual about it."""
+        """Sentences on unusual properties, such as a centre of mass outside the body."""
         return () if self.body is None else tuple(f"body.{words}" for words in self.body.remarks)
 
     @property
     def velocities(self) -> Collection[sp.Symbol]:
-        """Variables of the state that a start which violates a relation should change first."""
+        """State variables to be changed first if a start violates a relation."""
         return ()
 
     @property
     def directions(self) -> set[str]:
-        """Names of the start values that are made unit vectors."""
+        """Names of the start values that are normalised."""
         return unit_vectors(self.system)
 
     def start_vector(self, name: str) -> tuple[float, ...]:
@@ -199,15 +201,16 @@ class Subject:
         RunError
             If the integration fails; it carries the trajectory so far.
         """
-        # a subject that is refused needs none of it
+        # A rejected subject needs none of these.
         from flowlanes.flow.integrator import integrate
+        from flowlanes.flow.methods import methods
 
         trajectory = integrate(
             system,
             start,
             times,
-            # collocation always computes with all digits
-            tolerance=run.tolerance if run.method == "taylor" else None,
+            # Collocation always computes with all digits.
+            tolerance=run.tolerance if "tolerance" in methods()[run.method].options else None,
             precision=run.precision,
             on_liftoff="warn" if run.on_liftoff == "warn" else "stop",
             keep_integrals=run.keep_integrals,
@@ -225,7 +228,7 @@ class Subject:
 
     @property
     def legend(self) -> str:
-        """The meaning of the letters of its equations; empty where it is not known."""
+        """The meaning of the letters of its equations; empty if unknown."""
         meanings = [
             f"{text(name)} {self.variables[str(name)][0]}"
             for name in self.system.state
@@ -235,12 +238,12 @@ class Subject:
 
     @property
     def weight(self) -> float | None:
-        """The weight, with which the normal force is compared; None without gravity."""
+        """The weight, for comparison with the normal force; None without gravity."""
         return None
 
     @property
     def two_sided(self) -> bool:
-        """Whether nothing but the contact acts, so that the surface holds from both sides."""
+        """Whether only the contact acts, so that the surface holds the body from both sides."""
         return False
 
     @property
@@ -255,12 +258,12 @@ class Subject:
 
     @property
     def recorded_names(self) -> list[str]:
-        """Further quantities for a figure of their own."""
+        """Additional quantities with their own figure."""
         return []
 
     @property
     def derivation_notes(self) -> tuple[str, ...]:
-        """Sentences on what is recorded besides the state, and on the constraints."""
+        """Sentences on quantities recorded besides the state, and on the constraints."""
         return ()
 
 
@@ -294,19 +297,19 @@ class BodySubject(Subject):
 
     @property
     def summary(self) -> str:
-        """That of the catalogue."""
+        """The summary of the catalogue."""
         return self.system.summary if self.from_catalogue else ""
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """As of any subject, but the keys of a file are not named of a body of the catalogue."""
+        """The remarks of any subject; for a catalogue body without the names of file keys."""
         if self.from_catalogue and super().remarks:
             return ("the centre of mass lies outside the body",)
         return super().remarks
 
     @property
     def velocities(self) -> Collection[sp.Symbol]:
-        """Variables of the state that a start which violates a relation should change first."""
+        """State variables to be changed first if a start violates a relation."""
         return ()
 
     @property
@@ -344,7 +347,7 @@ class BodySubject(Subject):
 
     @property
     def gamma_is_normal(self) -> bool:
-        """Whether it rolls, or its entry gives γ a meaning of its own."""
+        """Whether it rolls, or its entry gives γ another meaning."""
         return self.rolling is not None or bool(self.letters)
 
 
@@ -383,5 +386,5 @@ class BallSubject(Subject):
 
     @property
     def two_sided(self) -> bool:
-        """Whether no force acts on it besides that of the surface."""
+        """Whether only the force of the surface acts on it."""
         return not self.ball.has_forces

@@ -17,7 +17,7 @@ from .subject import Subject
 def subject_of(experiment: Experiment) -> Subject:
     """The system of an experiment with its start.
 
-    It is all that can be wrong with parameters, and needs little of what integrates a motion.
+    This validates all parameters, and imports little of the integrators.
 
     Raises
     ------
@@ -28,7 +28,7 @@ def subject_of(experiment: Experiment) -> Subject:
         case RollingExperiment():
             return rolling_subject(experiment)
         case FrictionExperiment():
-            # contact with friction alone needs SciPy
+            # Only contact with friction needs SciPy.
             from .contact_subject import contact_subject
 
             return contact_subject(experiment)

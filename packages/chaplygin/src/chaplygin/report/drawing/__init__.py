@@ -1,1 +1,1 @@
-"""Tools of all figures: canvas, style, files."""
+"""Tools shared by all figures: canvas, style, files."""

@@ -1,4 +1,4 @@
-"""A sheet of paper on which space is drawn, stroke over stroke."""
+"""A sheet on which space is drawn, stroke by stroke."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ _TIME_STEPS = 96
 
 
 class PathColours(Protocol):
-    """The colours of a path, by the share of the time gone by."""
+    """The colours of a path as a function of the fraction of elapsed time."""
 
     def __call__(self, shares: float | list[float]) -> Any:
-        """The colour (4,) at a share, or colours (n, 4) at several."""
+        """The colour (4,) at a fraction, or colours (n, 4) at several."""
 
     def pieces(self, shares: FloatArray) -> FloatArray:
-        """Indices of the first and last points of stretches of one colour."""
+        """Indices of the first and last points of stretches with one colour."""
 
 
 class _TimeColours:
@@ -53,7 +53,7 @@ class _TimeColours:
 
 
 class Canvas:
-    """A sheet of paper on which space is seen from `view`, paths in `colours`."""
+    """A sheet on which space is seen from `view`, with paths in `colours`."""
 
     def __init__(self, axes: Axes, view: View, colours: PathColours | None = None) -> None:
         self.axes = axes
@@ -96,21 +96,21 @@ class Canvas:
             )
 
     def glass(self, facets: Facets, colour: str, alpha: float) -> None:
-        """Fill the union of facets evenly."""
+        """Fill the union of facets with an even, translucent colour."""
         path = _polygons(self.view.project(facets.polygons))
         self.axes.add_patch(
             PathPatch(path, facecolor=colour, alpha=alpha, linewidth=0.0, zorder=self._next())
         )
 
     def facets(self, facets: Facets, tones: FloatArray, side: float, contrast: float) -> None:
-        """Paint facets that do not cover each other, those of one shade together.
+        """Paint facets that do not overlap, grouped by shade.
 
         `side` is 1 for their outer side, -1 for the inner.
         """
         colours = shaded_colours(tones[facets.tones], side * facets.normals, self.view, contrast)
         shades, members = np.unique(np.round(colours * _SHADES), axis=0, return_inverse=True)
         corners = self.view.project(facets.polygons)
-        # A hairline of the facets' own colour covers the seams that smoothing would leave.
+        # A hairline in the facets' own colour covers the seams that anti-aliasing would leave.
         collection = PathCollection(
             [_polygons(corners[members == number]) for number in range(len(shades))],
             facecolors=shades / _SHADES,
@@ -122,9 +122,9 @@ class Canvas:
         self.axes.add_collection(collection)
 
     def sphere(self, radius: float, side: float, border: FloatArray) -> None:
-        """Shade a sphere, its near half from outside or its far half from inside.
+        """Shade a sphere: its near half from outside or its far half from inside.
 
-        Only what lies inside `border`, corners (k, 2) on paper, is painted.
+        Only the part inside `border`, corners (k, 2) on paper, is painted.
         """
         cut = Path(np.concatenate([border, border[:1]]), closed=True)
         for polygon, brightness in sphere_shades(radius, self.view, side, 28):
@@ -132,14 +132,14 @@ class Canvas:
             patch = PathPatch(
                 Path(polygon), facecolor=tuple(colour), linewidth=0.0, zorder=self._next()
             )
-            # Not add_patch: what is cut away must not count as drawn.
+            # Not add_patch: clipped parts must not count as drawn.
             self.axes.add_artist(patch)
             patch.set_clip_path(cut, self.axes.transData)
 
     def time_coloured(
         self, points: FloatArray, fractions: FloatArray, width: float, alpha: float
     ) -> None:
-        """Draw a curve (n, 3) in the colours of paths; fractions (n,) of the time gone by."""
+        """Draw a curve (n, 3) in the colours of paths, at fractions (n,) of elapsed time."""
         if len(points) < 2:
             return
         flat = self.view.project(points)
@@ -179,7 +179,7 @@ class Canvas:
         )
 
     def label(self, point: FloatArray, text: str, colour: str) -> None:
-        """Write a short text around a point (3,); it counts as drawn, lest it be cut off."""
+        """Write a short text around a point (3,); it counts as drawn, so that it is not cut off."""
         x, y = self.view.project(point)
         self.axes.text(
             x, y, text, ha="center", va="center", fontsize=11, color=colour, zorder=self._next()
@@ -232,7 +232,7 @@ def timed_on_surface(
 
 
 def mark_ends(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
-    """Mark the ends of a curve by a ring and a dot, pale where they are hidden."""
+    """Mark the ends of a curve by a ring and a dot, pale if they are hidden."""
     mark_start(sheet, curve, side)
     seen = sheet.view.faces_reader(side * curve.normals[-1])
     last = to_hex(sheet.colours(1.0)) if seen else "#b3aabd"
@@ -240,7 +240,7 @@ def mark_ends(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
 
 
 def mark_start(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
-    """Mark the start of a curve on a surface by a ring, pale where it is hidden."""
+    """Mark the start of a curve on a surface by a ring, pale if it is hidden."""
     seen = sheet.view.faces_reader(side * curve.normals[0])
     sheet.dot(curve.points[0], "white" if seen else "none", INK if seen else QUIET, 4.5)
 
@@ -248,13 +248,13 @@ def mark_start(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
 def time_bar(
     figure: Figure, dataset: xr.Dataset, span: tuple[float, float], place: tuple[float, float]
 ) -> None:
-    """Draw the scale of the colours of time, at `place` in inches."""
+    """Draw the colour scale of time, at `place` in inches."""
     width, height = figure.get_size_inches()
     units = unit_of(dataset, "time")
     start, end = _instants(span)
     first, last = f"$t$ = {start}", f"{end} {units}".rstrip()
     left, bottom = place
-    # Figures of the type are 0.06 inches wide.
+    # Digits of the typeface are 0.06 inches wide.
     left += 0.06 * len(first)
     axes = figure.add_axes((left / width, bottom / height, 1.5 / width, 0.055 / height))
     edges = np.linspace(0.0, 1.0, 49)
@@ -281,7 +281,7 @@ def time_bar(
 
 
 def _instants(span: tuple[float, float]) -> tuple[str, str]:
-    """Two instants in decimals, with three digits of the larger one."""
+    """Two times in decimals, with three digits of the larger one."""
     largest = max(map(abs, span))
     if not 1e-3 <= largest < 1e5:
         return f"{span[0]:.3g}", f"{span[1]:.3g}"
@@ -291,14 +291,14 @@ def _instants(span: tuple[float, float]) -> tuple[str, str]:
 
 
 def blank_axes(figure: Figure) -> Axes:
-    """Axes over the whole figure, without any frame."""
+    """Axes over the whole figure, without a frame."""
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set_axis_off()
     return axes
 
 
 def fit_height(figure: Figure, axes: Axes, width: float, tallest: float) -> None:
-    """Fit the figure's height to what is drawn, with a footer for the bar of time."""
+    """Adjust the figure's height to its content, with a footer for the time scale."""
     box = axes.dataLim
     margin, footer = 0.1, 0.36
     scale = min((width - 2 * margin) / box.width, (tallest - 2 * margin) / box.height)

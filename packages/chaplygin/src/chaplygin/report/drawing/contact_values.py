@@ -10,23 +10,22 @@ import xarray as xr
 
 from flowlanes.system.arrays import BoolArray, FloatArray
 from nonholonomic.contact.equations.situation import FrictionalContact
-from nonholonomic.contact.friction.dry_friction import ContensouErismann
 from nonholonomic.contact.pressure.pressure import Hertz
 
 from ...experiment.contact.mode_intervals import event_times
 from ...geometry.view import rotation_matrices, unit
 from .dataset_access import times_of, values_of
 
-#: The normal force counts as none below this share of the largest.
+#: Fraction of the largest normal force below which it counts as zero.
 _NO_FORCE = 1e-9
 
-#: What is left of an impulse along the normal, relative to it, across the normal.
+#: Relative size below which the component of an impulse across the normal counts as rounding.
 _ROUNDING = 1e-13
 
 
 @dataclass(frozen=True)
 class FrictionLimits:
-    """Limits of dry friction in proportion to the normal force.
+    """Limits of dry friction proportional to the normal force.
 
     Attributes
     ----------
@@ -71,9 +70,9 @@ class FrictionLimits:
 
 def friction_limits(contact: FrictionalContact) -> FrictionLimits:
     """The limits of dry friction of a contact."""
-    patch = contact.law(ContensouErismann)
-    if patch is not None:
-        return FrictionLimits(patch.mu, patch.patch, coupled=True)
+    for law in contact.laws:
+        if law.patch_radius:
+            return FrictionLimits(law.static_mu, law.patch_radius, coupled=True)
     known = [law.static_mu for law in contact.laws if law.static_mu]
     mu = min(known, default=math.inf)
     arm = sum(law.spin_arm for law in contact.laws)
@@ -89,8 +88,8 @@ def presses(dataset: xr.Dataset) -> BoolArray:
 def tangential(dataset: xr.Dataset, name: str) -> FloatArray:
     """Components (n, 2) of a vector of the body in the tangent plane of the contact.
 
-    Along the axes x and y of space; where the tangent plane is not horizontal, along these turned
-    into it by the shortest way.
+    Along the axes x and y of space; if the tangent plane is not horizontal, along these rotated
+    into it by the shortest rotation.
 
     Parameters
     ----------
@@ -104,11 +103,11 @@ def tangential(dataset: xr.Dataset, name: str) -> FloatArray:
 
 
 def in_tangent_plane(vectors: FloatArray, gamma: FloatArray, attitude: FloatArray) -> FloatArray:
-    """Components (n, 2) of body vectors (n, 3) across the normals `gamma` (n, 3), body axes."""
+    """Components (n, 2) of body vectors (n, 3) perpendicular to the normals `gamma` (n, 3)."""
     rotation = rotation_matrices(attitude)
     space = np.einsum("nij,nj->ni", rotation, vectors)
     x, y, z = unit(np.einsum("nij,nj->ni", rotation, gamma)).T
-    # the vertical is turned onto the normal, or its opposite where that is nearer throughout
+    # Rotate the vertical onto the normal, or onto its opposite if that is nearer throughout.
     side = 1.0 if np.min(z, initial=1.0) > -0.9 else -1.0
     share = 1.0 / np.maximum(1.0 + side * z, 1e-12)
     first = np.stack([1.0 - share * x * x, -share * x * y, -side * x], axis=-1)
@@ -153,7 +152,7 @@ def event_impulses(dataset: xr.Dataset) -> tuple[FloatArray, FloatArray]:
 def relative_impulses(dataset: xr.Dataset, limits: FrictionLimits) -> FloatArray:
     """Components (k, 2) of the tangential impulses of impacts, over the normal ones.
 
-    In the units of the force; events without impulse are left out.
+    In the units of the force; events without impulse are omitted.
     """
     normal, across = event_impulses(dataset)
     pressing = normal > 0.0
@@ -165,7 +164,7 @@ def _event_normals(dataset: xr.Dataset, states: FloatArray, columns: list[str]) 
     names = [f"gamma_{axis}" for axis in (1, 2, 3)]
     if all(name in columns for name in names):
         return unit(states[:, [columns.index(name) for name in names]])
-    # bodies of another shape have their contact point as state
+    # Bodies of other shapes have their contact point as state.
     times, samples = event_times(dataset), times_of(dataset)
     gamma = values_of(dataset, "gamma")
     return unit(np.stack([np.interp(times, samples, column) for column in gamma.T], axis=-1))

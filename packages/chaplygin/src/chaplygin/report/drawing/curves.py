@@ -1,4 +1,4 @@
-"""Polygons in the plane, and curves through samples."""
+"""Polygons in the plane, and smooth curves through samples."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _DIRECTIONS = 8
 def convex_hull(points: FloatArray) -> FloatArray:
     """Corners (k, 2) of the convex hull of points (n, 2), anticlockwise.
 
-    Points on one line give its two ends, points at one place that place.
+    Collinear points give two corners, coincident points one.
     """
     ordered = [(float(x), float(y)) for x, y in np.unique(_outer(points), axis=0)]
     if len(ordered) < 3:
@@ -46,7 +46,7 @@ def _outer(points: FloatArray) -> FloatArray:
     heights = points @ np.array([np.cos(angles), np.sin(angles)])
     corners = points[np.argmax(np.hstack([heights, -heights]), axis=0)]
     sides = np.roll(corners, -1, axis=0) - corners
-    # inside is what lies to the left of all sides, by more than rounding
+    # A point is inside if it lies to the left of all sides, by more than rounding.
     least = 1e-9 * np.max(np.abs(heights)) * np.linalg.norm(sides, axis=1)
     offsets = points[:, None] - corners
     areas = sides[:, 0] * offsets[..., 1] - sides[:, 1] * offsets[..., 0]
@@ -94,9 +94,8 @@ def smooth_curve(
 ) -> tuple[FloatArray, FloatArray]:
     """A curve through samples, fine enough to look smooth on paper.
 
-    Samples so sparse that the curve between them is anybody's guess (it turns by more than half
-    a radian from one to the next, for most of them) are left as they are, and so are fewer than
-    four.
+    Samples too sparse to determine the curve between them (most turns exceed half a radian) are
+    left as they are, and so are fewer than four.
 
     Parameters
     ----------

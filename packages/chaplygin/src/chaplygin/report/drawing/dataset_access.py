@@ -1,4 +1,4 @@
-"""Values, units and texts of a trajectory's dataset, for figures."""
+"""Values, units and labels of a trajectory's dataset, for figures."""
 
 from __future__ import annotations
 
@@ -65,21 +65,21 @@ def times_of(dataset: xr.Dataset) -> FloatArray:
 
 
 def time_shares(times: FloatArray, since: float | None = None) -> FloatArray:
-    """Share of the elapsed time at each instant, from `since` or the first on."""
+    """Fraction of elapsed time at each sample, from `since` or the first sample."""
     start = float(times[0]) if since is None else since
     span = float(times[-1]) - start
     return (times - start) / span if span != 0.0 else np.ones_like(times)
 
 
-#: Raised and lowered characters that the typeface of the figures lacks.
+#: Superscript and subscript characters that the typeface of the figures lacks.
 _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True))
 _SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
 
 
 def readable(text: str) -> str:
-    """A text whose formulas can be typeset, or else with plain dollar signs.
+    """The text if its formulas can be typeset, otherwise with literal dollar signs.
 
-    Raised and lowered characters are set as exponents and indices.
+    Superscript and subscript characters become exponents and indices.
     """
     text = re.sub(
         f"[{''.join(_SUPERSCRIPTS)}]+", lambda match: _script(match[0], "^", _SUPERSCRIPTS), text
@@ -98,12 +98,12 @@ def _script(characters: str, mark: str, table: dict[str, str]) -> str:
     return f"${mark}{{{''.join(table[c] for c in characters)}}}$"
 
 
-#: A name with an index, or the word for a Greek letter: what is set as a letter within a text.
+#: A name with an index, or the name of a Greek letter: set as a symbol within a text.
 _LETTER = re.compile(rf"\b(?:[A-Za-z]+_\w+|{'|'.join(GREEK)})\b")
 
 
 def typeset(name: str) -> str:
-    """A name as it is set in formulas: M_1 as M₁, gamma_3 as γ₃; words stay words."""
+    """A name as set in formulas: M_1 as M₁, gamma_3 as γ₃; words are unchanged."""
     if "/" in name:
         return "/".join(map(typeset, name.split("/")))
     letter = name.partition("_")[0]
@@ -112,14 +112,14 @@ def typeset(name: str) -> str:
     return f"${latex(real_symbol(name))}$"
 
 
-#: The first of the characters that mean nothing by themselves.
+#: First of the private-use characters.
 _NOBODYS = 0xE000
 
 
 def wrapped_text(text: str, width: int = 50) -> str:
-    """A text in lines of about `width` characters, names set as letters."""
+    """A text in lines of about `width` characters, with names set as symbols."""
     names = list(map(typeset, _LETTER.findall(text)))
-    # a name is a letter wide: one of those that have no meaning stands for it
+    # A name counts as one character wide: a private-use character replaces it.
     places = iter(range(_NOBODYS, _NOBODYS + len(names)))
     short = _LETTER.sub(lambda _: chr(next(places)), re.sub(r",(?=\S)", ", ", text))
     line = "\n".join(textwrap.wrap(short, width, break_long_words=False, break_on_hyphens=False))
@@ -129,7 +129,7 @@ def wrapped_text(text: str, width: int = 50) -> str:
 
 
 def unit_of(dataset: xr.Dataset, name: str) -> str:
-    """Unit of a variable with raised exponents; empty if it is one or unknown."""
+    """Unit of a variable with superscript exponents; empty if it is one or unknown."""
     units = str(dataset[name].attrs.get("units", "")).strip()
     if units in ("", "1", "unknown"):
         return ""

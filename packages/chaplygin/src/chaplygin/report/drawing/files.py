@@ -70,7 +70,7 @@ _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
 @arguments_checked
 def save(figure: Figure, path: str | FilePath) -> FilePath:
-    """Write a figure in the format of the file name, with the same bits every time.
+    """Write a figure in the format of the file name, with reproducible bytes.
 
     Parameters
     ----------
@@ -149,10 +149,10 @@ def svg_file(text: str) -> str:
 
 @arguments_checked
 def svg_text(figure: Figure) -> str:
-    """A figure as an SVG element to be put into an HTML page.
+    """A figure as an SVG element for an HTML page.
 
-    No prolog, no style sheet that would reach the rest of the page, text as shapes, and ids that
-    belong to this figure alone; the same text every time.
+    It has no prolog and no style sheet that would affect the rest of the page, text as shapes, and
+    ids unique to this figure; the result is reproducible.
 
     Parameters
     ----------
@@ -178,7 +178,7 @@ def svg_text(figure: Figure) -> str:
     >>> plt.close(figure)
     """
     stream = io.StringIO()
-    # curves with thousands of turns would be large files
+    # Curves with thousands of turns would be large files.
     tolerance = max(_FINE, mpl.rcParams["path.simplify_threshold"])
     with mpl.rc_context(STYLE | {"path.simplify_threshold": tolerance}):
         set_plain_ticks(figure)
@@ -195,15 +195,15 @@ def svg_text(figure: Figure) -> str:
         1,
     )
     text = re.sub(r' d="([^"]*)"', lambda path: f' d="{short_path(path[1])}"', text)
-    return _own_ids(grouped_marks(re.sub(r"\n\s*", "\n", text.strip())))
+    return _unique_svg_ids(grouped_marks(re.sub(r"\n\s*", "\n", text.strip())))
 
 
 @arguments_checked
 def page_svg(figure: Figure, narrow: bool = False) -> str:
     """A figure as SVG for a page with light and dark colours; see :func:`svg_text`.
 
-    The colours of paper, ink and curves are left to the style sheet, which may set them by name:
-    ``--ink``, ``--paper`` and so on, those of :data:`PAGE_COLOURS`; each has itself as default.
+    The colours of paper, ink and curves can be set by the style sheet, as ``--ink``, ``--paper``
+    and the other names of :data:`PAGE_COLOURS`; each defaults to its own value.
 
     Parameters
     ----------
@@ -226,7 +226,7 @@ def page_svg(figure: Figure, narrow: bool = False) -> str:
     shown: Figure = pickle.loads(pickle.dumps(figure)) if narrow else figure
     if narrow:
         make_narrow(shown)
-    # at the size of a telephone no eye sees more of a curve
+    # On a telephone no more detail of a curve is visible.
     tolerance = _COARSE if narrow else _FINE
     with mpl.rc_context({"path.simplify_threshold": tolerance}):
         for line in shown.findobj(Line2D) if narrow else ():
@@ -242,7 +242,7 @@ def _with_page_colours(text: str) -> str:
 def page_svgs(
     figures: Mapping[str, Figure], svgs: Mapping[str, str]
 ) -> tuple[dict[str, tuple[str, str]], str]:
-    """Figures of one page as SVG for wide and for narrow screens; see :func:`page_svg`.
+    """Figures of one page as SVG for wide and narrow screens; see :func:`page_svg`.
 
     Parameters
     ----------
@@ -283,8 +283,8 @@ def page_svgs(
     return {name: (texts[f"{name} wide"], texts[f"{name} narrow"]) for name in figures}, letters
 
 
-def _own_ids(svg: str) -> str:
-    """Drop ids nothing refers to; the others are a mark of the whole text and a number."""
+def _unique_svg_ids(svg: str) -> str:
+    """Drop unused ids; the others are a digest of the whole text and a number."""
     mark = "f" + hashlib.sha256(svg.encode()).hexdigest()[:10]
     used = re.findall(r'href="#([^"]+)"|url\(#([^)]+)\)', svg)
     names = list(dict.fromkeys(first or second for first, second in used))

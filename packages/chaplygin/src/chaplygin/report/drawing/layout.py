@@ -17,7 +17,7 @@ Canvas = type[FigureCanvasBase]
 
 
 def lay_out(figure: Figure, canvas: Canvas = FigureCanvasSVG, dpi: float = 72) -> None:
-    """Place the axes of a figure as its layout engine, if it has one, does on a canvas."""
+    """Place the axes of a figure as its layout engine would on a canvas."""
     engine = figure.get_layout_engine()
     if engine is None:
         return
@@ -37,7 +37,10 @@ def lay_out(figure: Figure, canvas: Canvas = FigureCanvasSVG, dpi: float = 72) -
 def layout_done(
     figure: Figure, canvas: Canvas = FigureCanvasSVG, dpi: float = 72
 ) -> Iterator[None]:
-    """A layout for all files that are written inside; by itself `savefig` draws a figure twice."""
+    """Compute the layout once for all files written inside.
+
+    Otherwise `savefig` draws a figure twice.
+    """
     lay_out(figure, canvas, dpi)
     engine = figure.get_layout_engine()
     with mpl.rc_context({"figure.autolayout": False, "figure.constrained_layout.use": False}):

@@ -1,4 +1,4 @@
-"""The modes of a contact in figures: times, colours and names, and the events between them."""
+"""Contact modes in figures: times, colours, names, and the events between them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .style import INK
 
 @dataclass(frozen=True)
 class ModeStyle:
-    """The drawing style of a mode of the contact.
+    """The drawing style of a contact mode.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class ModeStyle:
 
 _DASHES = (0.0, (3.0, 1.5))
 
-# Paul Tol's muted colours again, none of which components of vectors have.
+# Paul Tol's muted colours, without those used for vector components.
 MODE_STYLES = {
     "flight": ModeStyle("#88ccee", dashes=(0.0, (1.6, 1.0)), width=1.7),
     "sliding": ModeStyle("#aa4499"),
@@ -67,12 +67,12 @@ def present_modes(dataset: xr.Dataset) -> list[str]:
 
 
 def changes_mode(dataset: xr.Dataset) -> bool:
-    """Whether the trajectory has modes of a contact, and more than one of them."""
+    """Whether the trajectory has contact modes, and more than one."""
     return "mode" in dataset and len(present_modes(dataset)) > 1
 
 
 def mode_key(modes: list[str]) -> list[Patch]:
-    """Patches of the modes for a key, labelled."""
+    """Labelled patches of the modes for a legend."""
     return [mode_patch(mode) for mode in modes]
 
 
@@ -89,7 +89,7 @@ def mode_patch(mode: str) -> Patch:
 
 
 def mode_runs(dataset: xr.Dataset) -> Iterator[tuple[str, slice]]:
-    """Samples that follow each other without an event between them, with their mode."""
+    """Consecutive samples without an event between them, with their mode."""
     modes, events = sample_modes(dataset), event_times(dataset)
     passed = np.searchsorted(events, times_of(dataset), side="right")
     changes = [
@@ -100,7 +100,7 @@ def mode_runs(dataset: xr.Dataset) -> Iterator[tuple[str, slice]]:
 
 
 class ModeColours:
-    """The colours of a path along which the mode changes, by the share of the time gone by.
+    """The colours of a path along which the mode changes, as a function of time.
 
     Parameters
     ----------
@@ -117,12 +117,12 @@ class ModeColours:
         self._colours = np.array([to_rgba(MODE_STYLES[i.mode].colour) for i in intervals])
 
     def __call__(self, shares: float | list[float]) -> FloatArray:
-        """The colour (4,) at a share of the time, or colours (n, 4) at several."""
+        """The colour (4,) at a fraction of the time, or colours (n, 4) at several."""
         place = np.searchsorted(self._starts, np.asarray(shares), side="right")
         return np.asarray(self._colours[place])
 
     def pieces(self, shares: FloatArray) -> FloatArray:
-        """The first and last points of the stretches of one colour, for points at these shares."""
+        """The first and last points of stretches with one colour, for points at these fractions."""
         place = np.searchsorted(self._starts, shares, side="right")
         changes = np.flatnonzero(np.diff(place))
         return np.unique(np.concatenate([[0], changes, changes + 1, [len(shares) - 1]])).astype(int)

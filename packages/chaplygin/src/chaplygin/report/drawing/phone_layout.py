@@ -1,4 +1,4 @@
-"""Figures fitted to the width of a telephone."""
+"""Adapt figures to the width of a telephone."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _LEAST = 0.85
 
 
 def make_narrow(figure: Figure) -> None:
-    """Fit a figure to the width of a telephone."""
+    """Adapt a figure to the width of a telephone."""
     wide, high = figure.get_size_inches()
     if figure.get_layout_engine() is None:
         larger = min(wide / NARROW, 1.5)
@@ -46,7 +46,7 @@ def make_narrow(figure: Figure) -> None:
     high *= _stack(figure, panels)
     columns = {spec.colspan.start for axes in panels if (spec := axes.get_subplotspec())}
     if len(columns) > 1 or (len(panels) == 1 and _is_long(figure, panels[0])):
-        # what stands side by side, or has a long key, would be crowded out: it stays as it is
+        # Panels side by side, or with a long legend, would be too crowded: leave them unchanged.
         return
     figure.set_size_inches(NARROW, high)
     for key in figure.legends:
@@ -64,7 +64,7 @@ def make_narrow(figure: Figure) -> None:
 
 
 def _in_columns(axes: Axes, legend: Legend, columns: int) -> Legend:
-    """A legend wider than its axes anew; it stands above them, at their right end."""
+    """Rebuild a legend wider than its axes, above them at the right end."""
     texts = [text.get_text() for text in legend.get_texts()]
     handles = [handle for handle in legend.legend_handles if handle is not None]
     anchor = legend.get_bbox_to_anchor().transformed(axes.transAxes.inverted())
@@ -75,7 +75,7 @@ def _in_columns(axes: Axes, legend: Legend, columns: int) -> Legend:
 
 
 def _stack(figure: Figure, panels: list[Axes]) -> float:
-    """Put panels below each other; the added height."""
+    """Stack panels vertically; return the added height."""
     specs = [spec for axes in panels if (spec := axes.get_subplotspec())]
     columns = {spec.colspan.start for spec in specs}
     if len(panels) < 2 or len(specs) < len(panels) or len({s.get_gridspec() for s in specs}) > 1:
@@ -90,7 +90,7 @@ def _stack(figure: Figure, panels: list[Axes]) -> float:
 
 
 def _widen_margins(figure: Figure, larger: float) -> None:
-    """Give labels, and a key below the axes, room for larger letters."""
+    """Widen the margins of labels, and of a legend below the axes, for larger letters."""
     wide, high = figure.get_size_inches()
     (axes,) = figure.axes
     box = axes.get_position()
@@ -101,7 +101,7 @@ def _widen_margins(figure: Figure, larger: float) -> None:
 
 
 def _uncut(figure: Figure, axes: Axes) -> None:
-    """Move the left side of axes so far that nothing of their label is cut away."""
+    """Move the left side of axes so that their label is not cut off."""
     figure.draw_without_rendering()
     drawn = axes.get_tightbbox()
     beyond = 0.0 if drawn is None else -drawn.x0 / figure.bbox.width
@@ -119,7 +119,7 @@ def _is_long(figure: Figure, axes: Axes) -> bool:
 
 
 def _wrap_legend(axes: Axes) -> None:
-    """Break the long words of a legend into lines, but for those with formulas."""
+    """Wrap long words of a legend into lines, except those with formulas."""
     legend = axes.get_legend()
     for text in [] if legend is None else legend.get_texts():
         if "$" not in text.get_text():
@@ -127,9 +127,10 @@ def _wrap_legend(axes: Axes) -> None:
 
 
 def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
-    """The share of a legend's width that its axes have, 1 at most."""
+    """The width of the axes relative to their legend, at most 1."""
     with warnings.catch_warnings():
-        # a legend too wide for the figure leaves its axes no room, which is what is asked here
+        # A legend too wide for the figure leaves its axes no room, which is the case asked for
+        # here.
         warnings.filterwarnings("ignore", message="constrained_layout not applied")
         lay_out(figure)
     room = axes.get_window_extent().width

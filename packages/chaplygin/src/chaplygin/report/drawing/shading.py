@@ -1,4 +1,4 @@
-"""Light and shadow: a lamp over the reader's left shoulder."""
+"""Light and shadow of a lamp over the viewer's left shoulder."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class PlaneGround:
 
 @dataclass(frozen=True)
 class SphereGround:
-    """The body rolls on a sphere with its centre at the origin of space.
+    """The body rolls on a sphere centred at the origin of space.
 
     Attributes
     ----------
@@ -67,10 +67,10 @@ def shaded_colours(
 def sphere_shades(
     radius: float, view: View, side: float, levels: int
 ) -> list[tuple[FloatArray, float]]:
-    """Regions of equal light on a sphere about the origin, each inside the one before.
+    """Regions of at least a given brightness on a sphere about the origin, nested.
 
-    Seen along one direction, the part of a sphere that is lit at least so much is convex on
-    paper: it is the hull of a piece of a circle about the lamp and a piece of the border.
+    In projection, the part of a sphere with at least a given brightness is convex: the hull of an
+    arc of a circle about the lamp and an arc of the border.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ def sphere_shades(
 
 
 def cast_shadow(points: FloatArray, ground: Ground, light: FloatArray) -> FloatArray:
-    """Shadow of a convex body on what it rolls on.
+    """The shadow of a convex body on its support.
 
     Parameters
     ----------

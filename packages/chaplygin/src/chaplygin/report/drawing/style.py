@@ -1,4 +1,4 @@
-"""The style of all figures: colours, type, lines."""
+"""The style of all figures: colours, fonts, lines."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LINES = "#a9b6c2"
 ALARM = "#bb5566"
 
 
-# Paul Tol's high-contrast colours: apart for every kind of colour vision, and in grey print.
+# Paul Tol's high-contrast colours: distinguishable with any colour vision, and in grey print.
 COMPONENTS = ("#004488", "#bb5566", "#d9a521")
 
 

@@ -1,4 +1,4 @@
-"""Paths and marks of an SVG, written with as few characters as may be."""
+"""Paths and marks of an SVG, written with as few characters as possible."""
 
 from __future__ import annotations
 
@@ -7,16 +7,17 @@ import re
 from collections.abc import Mapping
 from functools import lru_cache
 
-#: Numbers after each command of a path with absolute coordinates.
+#: Number of values after each command of a path with absolute coordinates.
 _NUMBERS = {"M": 2, "L": 2, "Q": 4, "C": 6, "z": 0}
 
 _PARTS = re.compile(r"[MLQCz]|-?\d+(?:\.\d+)?(?:e-?\d+)?")
 
 
 def short_path(path: str) -> str:
-    """The data of a path in steps from point to point, to a hundredth of a point of print.
+    """The data of a path in relative steps, to a hundredth of a point.
 
-    No paper shows more.  Steps are differences of rounded places, so that errors do not add up.
+    Finer steps are not visible in print.  Steps are differences of rounded positions, so errors do
+    not accumulate.
 
     Parameters
     ----------
@@ -54,7 +55,7 @@ def short_path(path: str) -> str:
         if command == "M":
             first = here
         numbers = _number_list([_decimal(step) for step in steps])
-        # after a move, steps are lines without saying so
+        # After a move, line steps need no command.
         same = command != "M" and (command == last or (command, last) == ("L", "M"))
         if same and numbers[0] != "-":
             numbers = f" {numbers}"
@@ -65,7 +66,7 @@ def short_path(path: str) -> str:
 
 @lru_cache(maxsize=100_000)
 def _decimal(hundredths: int) -> str:
-    """A number of hundredths as a decimal without what can be left out."""
+    """A number of hundredths as the shortest decimal."""
     sign, size = "-" if hundredths < 0 else "", abs(hundredths)
     whole, part = divmod(size, 100)
     fraction = f".{part:02d}".rstrip("0") if part else ""
@@ -73,7 +74,7 @@ def _decimal(hundredths: int) -> str:
 
 
 def _number_list(numbers: list[str]) -> str:
-    """Numbers with a space where they would run together."""
+    """Numbers separated by spaces only where they would run together."""
     text = numbers[0]
     for before, number in itertools.pairwise(numbers):
         apart = number[0] != "-" and not (number[0] == "." and "." in before)
@@ -81,12 +82,12 @@ def _number_list(numbers: list[str]) -> str:
     return text
 
 
-#: A mark drawn at a place.
+#: A mark drawn at a point.
 _MARK = re.compile(r'<use xlink:href="([^"]*)" x="([^"]*)" y="([^"]*)" style="([^"]*)"/>')
 
 
 def grouped_marks(svg: str) -> str:
-    r"""An SVG in which marks that follow each other share their style, lines kept apart by breaks.
+    r"""r"An SVG in which consecutive marks share their style, in lines separated by line breaks.
 
     Examples
     --------
@@ -115,15 +116,15 @@ def grouped_marks(svg: str) -> str:
     return "\n".join([*lines, "</g>"] if open_style else lines)
 
 
-#: A path with a style of its own, by parts: data, clipping and style.
+#: A path with its own style, by parts: data, clipping and style.
 _PATH = re.compile(r'<path d="([^"]*)"( clip-path="[^"]*")? style="([^"]*)"/>')
 
-#: Characters of a path from which on it is worth naming.
+#: Length of a path in characters above which it is worth naming.
 _LONG = 200
 
 
 def with_shared_paths(first: str, second: str, name: str) -> tuple[str, str]:
-    """Two SVGs of one page, the long paths of the first named and drawn by name in the second.
+    """Two SVGs of one page, where the second refers to long paths of the first by name.
 
     Parameters
     ----------
@@ -150,7 +151,7 @@ def with_shared_paths(first: str, second: str, name: str) -> tuple[str, str]:
             return path[0]
         named.add(identifier)
         drawn = f'<path id="{identifier}" d="{path[1]}" style="{path[3]}"/>'
-        # what is drawn by name elsewhere must not be clipped as it is here
+        # A path referenced elsewhere must not be clipped as it is here.
         return f"<g{path[2]}>{drawn}</g>" if path[2] else drawn
 
     def by_name(path: re.Match[str]) -> str:
@@ -168,7 +169,7 @@ _LETTER = re.compile(r'<path id="([^"]*)" d="([^"]*)"( transform="[^"]*")?/>\n?'
 
 
 def with_shared_letters(texts: Mapping[str, str]) -> tuple[dict[str, str], str]:
-    """SVGs of one page that draw their letters from one place, and that place.
+    """SVGs of one page that share their letter shapes, and the element with these shapes.
 
     Parameters
     ----------

@@ -10,8 +10,8 @@ from mpl_toolkits.mplot3d import Axes3D
 class PlainTicks(ScalarFormatter):
     """Numbers as plain text, and a common power of ten as a formula.
 
-    matplotlib sets both as formulas or both as text; a number looks the same either way, and as a
-    formula it takes many times as long to be set.
+    matplotlib sets both as formulas or both as text; a number looks the same either way, but is
+    much slower to set as a formula.
     """
 
     def __init__(self) -> None:
@@ -27,7 +27,7 @@ class PlainTicks(ScalarFormatter):
 
 
 def set_plain_ticks(figure: Figure) -> None:
-    """Give plain numbers to all axes of a figure whose numbers are matplotlib's own."""
+    """Use plain numbers on all axes of a figure that have matplotlib's default tick formatter."""
     for axes in figure.axes:
         depth = [axes.zaxis] if isinstance(axes, Axes3D) else []
         for axis in (axes.xaxis, axes.yaxis, *depth):

@@ -1,8 +1,8 @@
-"""Figures of a trajectory: body, paths, motion in time, conserved quantities.
+"""Figures of a trajectory: body, paths, time series, conserved quantities.
 
 Every figure is a function of a trajectory's dataset (and, for the drawn body, of its outline and
-of what it rolls on) and returns a `matplotlib.figure.Figure`; nothing global is touched. Needed
-variables that the dataset lacks are an `InputError`; `all_figures` leaves such figures out.
+support) and returns a `matplotlib.figure.Figure`; no global state is changed.  Missing variables
+raise an `InputError`; `all_figures` omits such figures.
 """
 
 from __future__ import annotations
@@ -71,17 +71,18 @@ __all__ = [
 @arguments_checked
 def all_figures(
     dataset: xr.Dataset,
-    bodies: tuple[BodyMesh, Ground] | None = None,
+    bodies: tuple[BodyMesh, Ground] | tuple[BodyMesh, SurfaceGround] | None = None,
     weight: float | None = None,
 ) -> dict[str, Figure]:
-    """Every figure the trajectory has the variables for.
+    """Every figure for which the trajectory has the variables.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-    bodies : tuple of Outline and PlaneGround or SphereGround, optional
-        Shape of the body and what it rolls on; without them there is neither scene nor path of
-        the contact point.
+    bodies : tuple of Outline and ground, optional
+        Shape of the body and what it rolls on, a PlaneGround, a SphereGround or a SurfaceGround;
+        without them there is neither scene nor path of the contact point, and on the last no path
+        besides that of the scene.
     weight : float, optional
         Weight of the body, for comparison with the normal force.
 
@@ -110,10 +111,9 @@ def all_figures(
         name for name, needed in VARIABLES.items() if all(item in dataset for item in needed)
     }
     figures: dict[str, Figure] = {}
-    if "scene" in possible and bodies is not None:
-        figures["scene"] = scene(dataset, *bodies)
-    if "contact_path" in possible and bodies is not None:
-        figures["contact_path"] = contact_path(dataset, bodies[1])
+    if bodies is not None:
+        outline, ground = bodies
+        figures |= _pictures(dataset, outline, ground, possible)
     if "normal_on_sphere" in possible:
         figures["normal_on_sphere"] = normal_on_sphere(dataset)
     if "attitude" in possible:
@@ -140,7 +140,7 @@ def _forces(dataset: xr.Dataset, weight: float | None) -> dict[str, Figure]:
 def state_figures(
     dataset: xr.Dataset, names: Sequence[str], records: Sequence[str] = ()
 ) -> dict[str, Figure]:
-    """The figures of a system without ω and γ: its state in time, and the drift.
+    """The figures of a system without ω and γ: its state over time, and the drift.
 
     Parameters
     ----------
@@ -175,6 +175,20 @@ def state_figures(
         figures["recorded"].set_label(f"Recorded against time: {title_of(dataset)}")
     if drifts(dataset):
         figures["drift"] = drift(dataset)
+    return figures
+
+
+def _pictures(
+    dataset: xr.Dataset, outline: BodyMesh, ground: Ground | SurfaceGround, possible: set[str]
+) -> dict[str, Figure]:
+    """The body on its surface, and the path of its contact point on a plane or a sphere."""
+    figures: dict[str, Figure] = {}
+    if isinstance(ground, SurfaceGround):
+        return {"scene": ball_scene(dataset, outline, ground)} if "scene" in possible else {}
+    if "scene" in possible:
+        figures["scene"] = scene(dataset, outline, ground)
+    if "contact_path" in possible:
+        figures["contact_path"] = contact_path(dataset, ground)
     return figures
 
 

@@ -32,15 +32,15 @@ from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 TONES = {2: "#e6eef5", 4: "#f6ecd2", 8: "#f3dfe2"}
 #: Colour of the given motion.
 MARK = "#117733"
-#: Height of the plane, and of a line of the key, in inches.
+#: Height of the plane, and of a line of the legend, in inches.
 TALL, LINE = 4.3, 0.19
 
 
 @arguments_checked
 def draw_bifurcation_diagram(diagram: Diagram, mark: tuple[float, float] | None = None) -> Figure:
-    """The diagram, with a key to its boundaries.
+    """Draw the diagram, with a legend of its boundaries.
 
-    Solid boundaries are stable motions, broken ones unstable; the colours are those of the body
+    Solid boundaries are stable motions, dashed ones unstable; the colours are those of the body
     axes.  Regions without motions stay white.
 
     Parameters
@@ -110,7 +110,7 @@ def _axis_label(diagram: Diagram, number: int) -> str:
 
 
 def _less(diagram: Diagram, frame: Window) -> str:
-    """The line that is subtracted from the ordinates, as a text."""
+    """The line that is subtracted from the ordinates, as text."""
     if not frame.slope and not frame.offset:
         return ""
     slope, offset = (float(value) for value in (frame.slope, frame.offset))
@@ -224,7 +224,7 @@ def _corner_key(diagram: Diagram) -> list[Line2D]:
 
 
 def _key(figure: Figure, axes: Axes, handles: Sequence[Line2D]) -> None:
-    """The key below the plane, a line each; the figure grows by it."""
+    """Draw the legend below the plane, one line per entry; the figure grows accordingly."""
     foot = 0.62 + LINE * len(handles)
     tall = TALL + foot - 0.5
     figure.set_size_inches(WIDTH, tall)

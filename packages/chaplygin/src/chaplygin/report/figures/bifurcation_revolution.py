@@ -1,4 +1,4 @@
-"""The bifurcation diagram of a rubber body of revolution: energy against linear integral."""
+"""The bifurcation diagram of a rubber body of revolution: energy over linear integral."""
 
 from __future__ import annotations
 

@@ -16,19 +16,19 @@ from nonholonomic.closed_form.base.solution import ClosedForm
 
 from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 
-#: Points with which half an oval is drawn.
+#: Number of points of half an oval.
 _POINTS = 300
 
-#: Turns of the faster phase that are drawn.
+#: Number of turns of the faster phase that are drawn.
 TURNS = 9
 
 
 @arguments_checked
 def closed_form(title: str, form: ClosedForm) -> Figure:
-    """The ovals of a curve y² = ∏ (z − root) and the motion on them.
+    """Draw the ovals of a curve y² = ∏ (z − root) and the motion on them.
 
-    Ovals are drawn to the same height, each in the shape that the curve has there.  A motion of
-    two frequencies is drawn beside them on the square of its two phases, for some turns.
+    Ovals are drawn to the same height, each in the shape of the curve.  A motion with two
+    frequencies is also drawn on the square of its two phases, for some turns.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def closed_form(title: str, form: ClosedForm) -> Figure:
 
 
 def _curve(axes: Axes, form: ClosedForm) -> None:
-    """The line of z with the roots and the ovals of the motion."""
+    """The z axis with the roots and the ovals of the motion."""
     roots = roots_of(form)
     ends = [*roots, *(end for oval in form.ovals for end in oval)]
     low, high = min(ends), max(ends)
@@ -94,7 +94,7 @@ def _torus(axes: Axes, first: float, second: float) -> None:
     speed = max(abs(first), abs(second))
     phase = np.linspace(0.0, TURNS, 400 * TURNS + 1)
     x, y = ((phase * rate / speed) % 1.0 for rate in (first, second))
-    # the line is cut where it leaves the square
+    # The line is cut where it leaves the square.
     cut = (np.abs(np.diff(x)) > 0.5) | (np.abs(np.diff(y)) > 0.5)
     places = np.flatnonzero(cut) + 1
     pieces = zip(np.split(x, places), np.split(y, places), strict=True)
@@ -110,7 +110,7 @@ def _torus(axes: Axes, first: float, second: float) -> None:
 
 
 def frequencies_of(form: ClosedForm) -> tuple[float, float] | None:
-    """The two frequencies among the figures of a closed form."""
+    """The two frequencies among the constants of a closed form."""
     values = {f.symbol: float(f.value.mid()) for f in form.constants}
     if "Omega_1" not in values or "Omega_2" not in values:
         return None
@@ -118,7 +118,7 @@ def frequencies_of(form: ClosedForm) -> tuple[float, float] | None:
 
 
 def roots_of(form: ClosedForm) -> list[float]:
-    """The roots of the curve among the figures of a closed form."""
+    """The roots of the curve among the constants of a closed form."""
     return sorted(float(f.value.mid()) for f in form.constants if f.meaning.startswith("root"))
 
 
@@ -131,7 +131,7 @@ def _oval(
     square = np.ones_like(z)
     for root in roots:
         square = square * np.abs(z - root)
-    # where the ends are no roots of the curve, the piece is a circle on paper
+    # If the ends are not roots of the curve, the piece is drawn as a circle.
     y = np.sqrt(square) if len(roots) > 1 else np.sin(angle)
     y = y / y.max()
     corners = (np.concatenate([z, z[::-1]]), np.concatenate([y, -y[::-1]]))

@@ -78,7 +78,7 @@ def contact_figures(
 
 
 def near_support(dataset: xr.Dataset, bodies: tuple[BodyMesh, Ground]) -> xr.Dataset:
-    """The part of a motion before the body has left a sphere by its own diameter.
+    """The part of a motion until the body has left a sphere by its own diameter.
 
     Above a plane it is the whole motion.
     """

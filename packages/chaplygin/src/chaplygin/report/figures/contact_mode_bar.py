@@ -1,4 +1,4 @@
-"""The bar of contact modes under plots against time, with the events by name."""
+"""The bar of contact modes under time series, with the names of events."""
 
 from __future__ import annotations
 
@@ -26,23 +26,23 @@ from ..drawing.modes import MODE_STYLES, event_kinds, mode_key, present_modes
 from ..drawing.style import INK, QUIET, STYLE
 
 _POINT = 1.0 / 72.0
-#: Points between plot and bar, of the bar, and of the line with the names of events.
+#: Heights in points: between plot and bar, of the bar, and of the line with the names of events.
 _SPACE, _BAR, _NAMES = 3.0, 7.0, 12.0
-#: Size of the names of events.
+#: Font size of the names of events.
 _SIZE = 8.0
-#: Characters of the key of modes for each inch of the figure.
+#: Number of characters of the legend of modes per inch of the figure.
 _LINE = 9.0
-#: So many events are marked by lines through the plot; more would hide the curves.
+#: Maximum number of events marked by lines through the plot; more would hide the curves.
 _LINES = 40
-#: Events nearer to each other than so many points are named together in any case.
+#: Events closer than this many points share a name in any case.
 _NEAR = 4.0
 
 
 def add_mode_bars(figure: Figure, dataset: xr.Dataset) -> None:
-    """Put a bar of the modes under every plot of time in a figure, and their key at its foot.
+    """Add a bar of the modes under every time series in a figure, and their legend at its foot.
 
-    The lowest plot of each column has the names of the events as well. Events so near to each
-    other that their names would touch are named together.
+    The lowest plot of each column also has the names of the events.  Events so close that their
+    names would touch share one.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def add_mode_bars(figure: Figure, dataset: xr.Dataset) -> None:
 
 
 def key(figure: Figure, modes: list[str]) -> None:
-    """Write a key of modes at the foot of a figure."""
+    """Draw a legend of modes at the foot of a figure."""
     columns = len(modes) if sum(map(len, modes)) <= _LINE * figure.get_figwidth() else 2
     figure.legend(
         handles=mode_key(modes),
@@ -80,7 +80,7 @@ def key(figure: Figure, modes: list[str]) -> None:
 
 
 def _add_bar(axes: Axes, dataset: xr.Dataset, with_name: bool) -> None:
-    """The bar under one plot, in the room between it and its axis of time."""
+    """The bar under one plot, between it and its time axis."""
     events = event_times(dataset)
     names = with_name and len(events) > 0
     low, high = axes.get_xlim()
@@ -121,7 +121,7 @@ def _add_bar(axes: Axes, dataset: xr.Dataset, with_name: bool) -> None:
 
 
 def _inches_below(axes: Axes) -> Transform:
-    """Coordinates: the time across, and inches up from the lower edge of a plot."""
+    """Coordinates: time horizontally, and inches up from the lower edge of a plot."""
     figure = axes.get_figure(root=True)
     assert figure is not None
     corner = ScaledTranslation(0.0, 0.0, axes.transAxes)  # type: ignore[arg-type]
@@ -131,7 +131,7 @@ def _inches_below(axes: Axes) -> Transform:
 
 @dataclass(frozen=True)
 class EventGroup:
-    """Events that are named together.
+    """Events with a common name.
 
     Attributes
     ----------
@@ -146,7 +146,7 @@ class EventGroup:
 
     @property
     def name(self) -> str:
-        """The kind of a single event, or of several; else their number."""
+        """The kind of a single event or of equal ones; otherwise the number of events."""
         count, different = len(self.kinds), set(self.kinds)
         if count == 1:
             return self.kinds[0]
@@ -175,7 +175,7 @@ class PlacedName:
 
 
 class EventNames(Artist):
-    """The names of events in one line; those that would touch are put together when drawn.
+    """The names of events in one line; touching names are merged when drawn.
 
     Parameters
     ----------
@@ -196,7 +196,7 @@ class EventNames(Artist):
         self.set_clip_on(False)
 
     def drawn_names(self, renderer: RendererBase) -> list[PlacedName]:
-        """The names as they are drawn, from left to right."""
+        """The names as drawn, from left to right."""
         axes = self.axes
         assert axes is not None
         box = axes.get_window_extent()
@@ -228,7 +228,7 @@ class EventNames(Artist):
 
     @property
     def _pixels(self) -> float:
-        """Of a point."""
+        """Size of a point in pixels."""
         figure = self.get_figure(root=True)
         assert figure is not None
         return float(figure.dpi) * _POINT
@@ -257,7 +257,7 @@ def label_positions(
     limits: tuple[float, float],
     near: float,
 ) -> list[PlacedName]:
-    """Names in one line, each below its events; groups whose names would touch become one.
+    """Names in one line, each below its events; groups whose names would touch are merged.
 
     Parameters
     ----------

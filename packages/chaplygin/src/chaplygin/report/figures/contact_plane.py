@@ -1,4 +1,4 @@
-"""The tangent plane of a contact with friction: forces against their limit, and the slip."""
+"""The tangent plane of a contact with friction: forces relative to their limit, and the slip."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ from ..drawing.style import FAINT, INK, QUIET, STYLE, WIDTH
 from .contact_mode_bar import key
 
 _VARIABLES = ("mode", "event_time", "attitude", "gamma")
-#: Vectors of sliding that turn by more than this (rad) from one sample to the next are no chord.
+#: Turning (rad) between two samples of sliding above which no straight chord is drawn.
 _TURN = 0.05
-#: What is allowed, behind the curves.
+#: Colour of the admissible region, behind the curves.
 _WITHIN = "#ccd3da"
 
 
 def friction_cone(dataset: xr.Dataset, limits: FrictionLimits) -> Figure:
-    """Friction force over its limit, as the cone of friction is seen from above.
+    """Friction force relative to its limit, as the friction cone seen from above.
 
-    The force at each sample is a point of the tangent plane of the contact; dry friction allows
-    the unit disk.  Where a couple about the normal has a limit too, a second plot shows force and
-    couple together.  Impulses of impacts are points of their own.
+    The force at each sample is a point of the tangent plane of the contact; dry friction allows the
+    unit disk.  If a couple about the normal has a limit too, a second plot shows force and couple
+    together.  Impulses of impacts are separate points.
 
     Parameters
     ----------
@@ -128,9 +128,9 @@ def _force_and_couple(
 
 
 def slip_hodograph(dataset: xr.Dataset) -> Figure:
-    """The curve that the slip velocity describes in the tangent plane.
+    """The hodograph of the slip velocity in the tangent plane.
 
-    A ring marks the start and a dot the end; broken lines are jumps in impacts.
+    A ring marks the start and a dot the end; dashed lines are jumps in impacts.
 
     Parameters
     ----------
@@ -175,10 +175,10 @@ def _cross(axes: Axes) -> None:
 def _runs(
     axes: Axes, dataset: xr.Dataset, points: FloatArray, wider: float, turning: bool = False
 ) -> None:
-    """Draw points (n, 2) as curves in the styles of the modes; one alone is a dot.
+    """Draw points (n, 2) as curves in the styles of the modes; a single point as a dot.
 
-    Where vectors of sliding turn fast from sample to sample, `turning` has the curve follow their
-    direction instead of a chord.
+    If `turning` is set and vectors turn fast between samples, the curve follows their direction
+    instead of a chord.
     """
     for mode, run in mode_runs(dataset):
         part = points[run]
@@ -188,7 +188,7 @@ def _runs(
         if not good.any():
             continue
         style = MODE_STYLES[mode]
-        # what stays in one place is no line
+        # A point that does not move is not a line.
         if float(np.max(np.ptp(part[good], axis=0))) <= NOTHING:
             size = style.width if good.sum() == 1 else 3.5
             axes.plot(
@@ -210,9 +210,9 @@ def _runs(
 
 
 def turned_steps(vectors: FloatArray) -> FloatArray:
-    """Vectors (n, 2) with others between those that turn by more than a few degrees.
+    """Vectors (n, 2) with interpolated ones between those that turn by more than a few degrees.
 
-    Between two of them direction and length change evenly.
+    Direction and length change linearly between two samples.
 
     Examples
     --------
@@ -234,7 +234,7 @@ def turned_steps(vectors: FloatArray) -> FloatArray:
 
 
 def _joints(axes: Axes, dataset: xr.Dataset, points: FloatArray) -> None:
-    """Join the curves before and after events: in impacts, by thin broken lines."""
+    """Join the curves before and after events: in impacts, by thin dashed lines."""
     times = np.asarray(dataset["event_time"].values)
     struck = times[np.any(dataset["event_impulse"].values != 0.0, axis=1)]
     samples = np.asarray(dataset["time"].values)

@@ -1,4 +1,4 @@
-"""A contact with friction against time: slip, friction over its limit, energy."""
+"""A contact with friction over time: slip, friction relative to its limit, energy."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from ..drawing.modes import MODE_STYLES, mode_runs
 from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 from .time_axis import legend_above, marker, time_chart, time_label, widen
 
-#: Colours of stored energy, and of what it was lost to, whose areas are striped.
+#: Colours of stored energy, and of dissipated energy, whose areas are hatched.
 _STORE_COLOURS = ("#004488", "#ddaa33")
 _LOSS_COLOURS = ("#cc6677", "#999933", "#117733", "#aa4499", "#44aa99", "#88ccee")
 
-#: What takes energy, by the ends of the names of variables.
+#: Dissipation mechanisms, by the suffixes of variable names.
 LOSSES = {
     "coulomb": "dry friction",
     "contensou": "dry friction over the patch",
@@ -50,7 +50,7 @@ LOSSES = {
 
 @dataclass(frozen=True)
 class EnergyPart:
-    """A part of the energy along a motion.
+    """A form of energy along a motion.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class EnergyPart:
 
 
 def energy_parts(dataset: xr.Dataset, body: Body) -> list[EnergyPart]:
-    """The balance of energy: kinetic, potential above its lowest, work lost to each law.
+    """The energy balance: kinetic, potential above its minimum, work dissipated by each law.
 
     Parameters
     ----------
@@ -100,9 +100,9 @@ def energy_parts(dataset: xr.Dataset, body: Body) -> list[EnergyPart]:
 
 
 def energy_stack(dataset: xr.Dataset, body: Body) -> Figure:
-    """The energy against time, as a stack of what became of it.
+    """The energy over time, as a stack of its forms.
 
-    What a moving support has given is below zero; the height above it is the total, which stays
+    Energy supplied by a moving support is below zero; the height above it is the total, which is
     constant.
 
     Parameters
@@ -168,10 +168,10 @@ def _area(
 
 
 def slip_and_spin(dataset: xr.Dataset) -> Figure:
-    """Slip speed and spin of the contact against time, in the styles of the modes.
+    """Slip speed and spin of the contact over time, in the styles of the modes.
 
-    Where the body flies, they are those of its point nearest to the support; its height is then a
-    third plot.
+    In flight they are those of the body's point nearest to the support; its height is then a third
+    plot.
 
     Parameters
     ----------
@@ -218,7 +218,7 @@ def slip_and_spin(dataset: xr.Dataset) -> Figure:
             axes.set_ylabel(with_unit(words, unit_of(dataset, name)))
             widen(axes, np.append(values, 0.0))
             if name != "spin":
-                # lengths are not below zero
+                # Lengths are not negative.
                 axes.set_ylim(bottom=min(0.0, -0.03 * axes.get_ylim()[1]))
         if times[-1] > times[0]:
             panels[-1].set_xlim(times[0], times[-1])
@@ -228,7 +228,7 @@ def slip_and_spin(dataset: xr.Dataset) -> Figure:
 
 
 def friction_share(dataset: xr.Dataset, limits: FrictionLimits) -> Figure:
-    """Friction force, and couple about the normal, over their largest values against time.
+    """Friction force, and couple about the normal, relative to their limits over time.
 
     Parameters
     ----------
@@ -259,7 +259,7 @@ def friction_share(dataset: xr.Dataset, limits: FrictionLimits) -> Figure:
         figure, axes = time_chart(dataset, 2.4, "Friction over its limit")
         largest = 0.0
         for (label, values), colour in zip(curves, COMPONENTS, strict=False):
-            # the ends of a time without an event, lest a jump be drawn as a line
+            # The ends of an interval without an event, so that a jump is not drawn as a line.
             for number, (_, run) in enumerate(mode_runs(dataset)):
                 axes.plot(
                     times[run],

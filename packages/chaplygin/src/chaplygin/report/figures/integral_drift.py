@@ -1,4 +1,4 @@
-"""The drift of the first integrals against time."""
+"""The drift of the first integrals over time."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _DOTS = 400
 
 @arguments_checked
 def drift(dataset: xr.Dataset) -> Figure:
-    """Relative drift of each integral against time, on a logarithmic scale.
+    """Relative drift of each integral over time, on a logarithmic scale.
 
     Dots are samples (some hundreds of them), lines the largest drift so far. Samples that agree
     with the first one to the last bit lie on the line marked 0 at the foot.
@@ -107,8 +107,8 @@ def drift(dataset: xr.Dataset) -> Figure:
 def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
     """The change of a conserved quantity relative to its first value.
 
-    A quantity that starts at zero but for rounding has no scale of its own; its drift is given
-    as it is. Trajectories of 34 digits count with all of them.
+    A quantity that starts at zero up to rounding has no scale; its absolute drift is given.
+    Trajectories of 34 digits are evaluated with all of them.
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
         raise InputError(f"the dataset has no variable {name!r}{nearest(name, map(str, dataset))}")
     values = values_of(dataset, name)
     scale = 1.0 if _starts_at_zero(values) else abs(float(values[0]))
-    # values that are recorded as infinite have no drift
+    # Values recorded as infinite have no drift.
     with np.errstate(over="ignore", invalid="ignore"):
         change = values - values[0]
         if f"{name}_low" in dataset:
@@ -148,9 +148,9 @@ def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
 
 
 def _starts_at_zero(values: FloatArray) -> bool:
-    """Whether the first value is zero but for rounding.
+    """Whether the first value is zero up to rounding.
 
-    Tiny alone would not do: the squared momentum of a coin is 1e-10 in SI units.
+    A small absolute value is not enough: the squared momentum of a coin is 1e-10 in SI units.
     """
     first = abs(float(values[0]))
     change = np.max(np.abs(values - values[0]), initial=0.0, where=np.isfinite(values))
@@ -158,9 +158,9 @@ def _starts_at_zero(values: FloatArray) -> bool:
 
 
 def conserved_variables(dataset: xr.Dataset) -> list[str]:
-    """Variables that ought to stay constant, that of the energy first.
+    """Variables that should stay constant, the energy first.
 
-    An energy that is recorded and is no integral is not among them.
+    A recorded energy that is not an integral is not included.
     """
     laws = sorted(
         str(name)
@@ -171,7 +171,7 @@ def conserved_variables(dataset: xr.Dataset) -> list[str]:
 
 
 def drifts(dataset: xr.Dataset) -> bool:
-    """Whether anything that ought to stay constant changes by a bit or more."""
+    """Whether any quantity that should stay constant changes by at least one bit."""
     return any(
         bool(np.any(relative_drift(dataset, name) > 0.0)) for name in conserved_variables(dataset)
     )

@@ -1,4 +1,4 @@
-"""A branch of periodic orbits: period and multipliers against what varies."""
+"""A branch of periodic orbits: period and multipliers over the varied quantity."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from flowlanes.orbits.continuation import Branch
 from ..drawing.dataset_access import typeset
 from ..drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 
-#: Signs of what happens on a branch.
+#: Symbols of the events on a branch.
 MARKS = {"fold": "o", "branch": "s", "doubling": "D", "torus": "^"}
 
 
 def branch(orbits: Branch, title: str) -> Figure:
-    """Period and sizes of the multipliers of the orbits, and what happens on the way.
+    """Period and moduli of the multipliers of the orbits, with the events on the branch.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Paths: of the contact point on the ground, of the normal on its sphere."""
+"""Paths of the contact point on the support, and of the normal on its sphere."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ _LEFT = 0.76
 def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
     """The path of the contact point on the surface, in the colours of time.
 
-    Where the mode of the contact changes, it is in those of the modes.
+    If the contact mode changes, the colours are those of the modes.
 
     On a plane it is seen from above, to scale; on a sphere in space, with the part on the far
     side faded (of a bowl the inside of the far wall is seen).
@@ -221,7 +221,7 @@ def normal_on_sphere(dataset: xr.Dataset) -> Figure:
 
 
 def _view_of_most(normals: FloatArray) -> View:
-    """The view from the middle of an octant that shows most of a curve."""
+    """The view from the centre of an octant that shows most of a curve."""
     views = [
         View(np.radians(azimuth), elevation)
         for azimuth in (42.0, 132.0, 222.0, 312.0)
@@ -231,7 +231,7 @@ def _view_of_most(normals: FloatArray) -> View:
 
 
 def _draw_axes(sheet: Canvas, behind: bool) -> None:
-    """Draw those body axes that point away from the reader, or towards the reader."""
+    """Draw those body axes that point away from the viewer, or towards the viewer."""
     for axis, direction in enumerate(np.eye(3)):
         if bool(sheet.view.depth(direction) < 0.0) == behind:
             colour = "#a3afba" if behind else "#56636f"

@@ -22,16 +22,16 @@ from flowlanes.system.arrays import FloatArray, IntArray
 from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit
 from ..drawing.style import FAINT, QUIET, SERIES, STYLE, WIDTH
 
-#: Points drawn at most, unless there are more motions than that.
+#: Maximum number of drawn points, unless there are more motions than that.
 MOST = 120_000
 #: Colours of starts, which have no order.
 KINDS = (*SERIES, "#882255", "#e07b39", "#4477aa", "#5c5c5c")
-#: Colours of the number of the return: yellow is left out, as too pale on white.
+#: Colours of the return number, without yellow, which is too pale on white.
 COLOURS = mpl.colormaps["viridis"].with_extremes(bad=FAINT)
 PALEST = 0.92
-#: Into so many layers one above the other a single motion is drawn.
+#: Number of layers into which a single motion is drawn.
 LAYERS = 40
-#: From where space is seen, height and turn in degrees: the upright axes stand on the outside.
+#: Elevation and azimuth of the view in degrees: the vertical axes are on the outside.
 VIEWS = ((22.0, 32.0), (22.0, -58.0))
 #: A word in a formula.
 _NAME = re.compile(r"[A-Za-z]+(_\w+)?")
@@ -40,8 +40,8 @@ _NAME = re.compile(r"[A-Za-z]+(_\w+)?")
 def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     """The points of a section by two or three of its coordinates.
 
-    The points of several motions have a colour for each start, a dozen by turns; those of a
-    single motion go from dark to light with the number of the return.
+    The points of several motions are coloured by start, with a dozen colours in turn; those of a
+    single motion go from dark to light with the return number.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
         colours = COLOURS(number / max(count - 1, 1) * PALEST)
     else:
         colours = to_rgba_array(KINDS)[run % len(KINDS)]
-    # starts in turn, so that none lies wholly over another
+    # Starts alternate, so that none completely covers another.
     order = np.argsort(number, kind="stable")
     points, colours = [p[order] for p in points], colours[order]
     labels = [_label(dataset, name) for name in names]
@@ -86,7 +86,7 @@ def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
             axes = figure.add_axes((0.125, 0.12, 0.74, 0.8))
             _plane(axes, points, labels, look)
         else:
-            # of one motion what comes later lies above, so that its end is seen
+            # Later points of one motion are drawn on top, so that its end is visible.
             layers = np.array_split(np.arange(len(run)), LAYERS if runs == 1 else 1)
             _space(figure, points, labels, look, layers)
         _key(figure, runs, count)
@@ -101,7 +101,7 @@ def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
 
 
 def _drawn_returns(runs: int, count: int) -> IntArray:
-    """Numbers of the drawn returns, random ones if there are too many."""
+    """Return numbers to draw, a random selection if there are too many."""
     drawn = max(1, min(count, MOST // runs))
     if drawn == count:
         return np.arange(count)
@@ -190,7 +190,7 @@ def _space(
 
 
 def _key(figure: Figure, runs: int, count: int) -> None:
-    """Draw the meaning of the colours: starts, or the number of the return."""
+    """Draw the legend of the colours: starts, or the return number."""
     if 1 < runs <= len(KINDS):
         dots = [
             Line2D([], [], linestyle="", marker="o", markersize=4, color=c) for c in KINDS[:runs]
@@ -212,7 +212,7 @@ def _key(figure: Figure, runs: int, count: int) -> None:
         colours = mpl.colors.ListedColormap(COLOURS(np.linspace(0.0, PALEST, 256)))
         place = figure.add_axes((0.92, 0.44, 0.014, 0.4))
         bar = figure.colorbar(ScalarMappable(Normalize(1, count), colours), cax=place)
-        # above and not beside the bar, where the tick labels may be of any length
+        # Above and not beside the bar, where the tick labels may have any length.
         bar.ax.set_title("number of\nthe return", fontsize=8, color=QUIET)
         bar.ax.tick_params(labelsize=7)
         bar.locator = mpl.ticker.MaxNLocator(5, integer=True)

@@ -1,4 +1,4 @@
-"""A number over a plane of parameters or starts, as a picture."""
+"""A number over a plane of parameters or starts, as an image."""
 
 from __future__ import annotations
 
@@ -21,27 +21,27 @@ from flowlanes.system.arrays import FloatArray
 from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit, wrapped_text
 from ..drawing.style import INK, QUIET, STYLE, WIDTH
 
-#: Ends of the axes: left, right, bottom, top.
+#: Edges of the axes: left, right, bottom, top.
 Extent: TypeAlias = tuple[float, float, float, float]
 
-#: Perceptually uniform, and readable for every kind of colour vision.
+#: Perceptually uniform, and readable with any colour vision.
 COLOURS = "viridis"
-#: Part of the values beyond each end of the colours.
+#: Fraction of the values beyond each end of the colour scale.
 BEYOND = 0.005
-#: The value that parts two kinds of motion, and what it means, by the name of the number.
+#: The value that separates two kinds of motion, and its meaning, by the name of the number.
 MARKS = {
     "megno": (2.0, "regular"),
     "lyapunov": (0.0, "regular"),
     "sum": (0.0, "volume kept"),
 }
-#: Values spread over more decades than this are told apart by their logarithms.
+#: Values that span more decades than this are coloured by their logarithms.
 DECADES = 3.0
-#: Colours of cells without a number, one for each reason; none of them occurs among the others.
+#: Colours of cells without a number, one per reason; none occurs in the colour scale.
 EMPTY = ("#dde1e6", "#efc3ca", "#bfc6ce", "#f7e3e6")
 
 
 def chart(dataset: xr.Dataset, name: str | None = None) -> Figure:
-    """A chart as a picture; cells without a number are pale.
+    """Draw a chart as an image; cells without a number are pale.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def chart(dataset: xr.Dataset, name: str | None = None) -> Figure:
 
 
 def _edges(places: FloatArray) -> tuple[float, float]:
-    """The ends of a row of cells around equidistant places."""
+    """The edges of a row of cells around equidistant points."""
     first, last = float(places[0]), float(places[-1])
     half = (last - first) / (2 * (len(places) - 1)) if len(places) > 1 else 0.5
     return first - half, last + half
@@ -114,12 +114,12 @@ def _draw_numbers(
 
 
 def _mark(bar: Colorbar, value: float, meaning: str) -> None:
-    """A line across the bar at a value, labelled with its meaning."""
+    """A line across the colour bar at a value, labelled with its meaning."""
     bar.ax.axhline(value, color="white", linewidth=2.4)
     bar.ax.axhline(value, color=INK, linewidth=1.2)
     low, high = bar.ax.get_ylim()
     ticks = [tick for tick in bar.get_ticks() if low <= tick <= high]
-    # ticks so near that their numbers would print over this one give way
+    # Ticks whose numbers would overlap this one are removed.
     near = 0.05 * (high - low)
     ticks = [tick for tick in ticks if abs(tick - value) > near]
     shown = [f"{tick:g}".replace("-", "\N{MINUS SIGN}") for tick in ticks]
@@ -151,7 +151,7 @@ def _norm(values: FloatArray, mark: float | None) -> tuple[Normalize, str]:
 def _draw_reasons(
     axes: Axes, outcome: xr.DataArray, values: FloatArray, extent: Extent
 ) -> Iterator[Patch]:
-    """Fill cells without a number, and say for the legend why there is none."""
+    """Fill cells without a number; return legend entries with the reasons."""
     words = str(outcome.attrs["flag_meanings"]).split()
     flags = np.atleast_1d(outcome.attrs["flag_values"])
     meanings = {int(f): w.replace("_", " ") for f, w in zip(flags, words, strict=True)}

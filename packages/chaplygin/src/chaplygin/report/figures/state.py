@@ -1,4 +1,4 @@
-"""The state of any system against time."""
+"""The state of any system over time."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ PAIR = 2
 
 
 class Curve(NamedTuple):
-    """A component: its entry (as 12), its label in LaTeX, and its values."""
+    """A component: its index (such as 12), its LaTeX label, and its values."""
 
     entry: str
     label: str
@@ -46,11 +46,11 @@ class Curve(NamedTuple):
 
 @arguments_checked
 def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
-    r"""Variables of the state against time, one panel for each, on a page at most.
+    r"""r"Variables of the state over time, one panel each, on at most one page.
 
-    Vectors are drawn by their components; scalars that follow each other and have one letter and
-    one unit, as k₁₂ and k₁₃, share a panel.  Skew matrices with more entries than there are colours
-    have a panel for each row.
+    Vectors are drawn by their components; consecutive scalars with the same letter and unit, such
+    as k₁₂ and k₁₃, share a panel.  Skew matrices with more entries than there are colours have a
+    panel per row.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     ]
     times = times_of(dataset)
     with mpl.rc_context(STYLE):
-        # rows of a matrix have wide legends
+        # Rows of a matrix have wide legends.
         apart = any(one is other for (one, _), (other, _) in pairwise(groups))
         columns = 1 if len(groups) <= _TALL or apart else 2
         rows = -(-len(groups) // columns)
@@ -111,7 +111,7 @@ def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
 
 
 def _kind(dataset: xr.Dataset, name: str) -> tuple[str, str]:
-    """Letter and unit that scalars of one panel have in common; unique for vectors."""
+    """Letter and unit shared by the scalars of one panel; unique for vectors."""
     if dataset[name].ndim > 1:
         return name, ""
     letter, bar, _ = name.partition("_")
@@ -119,7 +119,7 @@ def _kind(dataset: xr.Dataset, name: str) -> tuple[str, str]:
 
 
 def _rows_of(dataset: xr.Dataset, group: Sequence[str]) -> list[list[Curve]]:
-    """The curves of one panel; of too many entries with two indices, one panel for each row."""
+    """The curves of one panel; if there are too many entries with two indices, a panel per row."""
     curves = [curve for name in group for curve in _curves(dataset, name)]
     if len(curves) <= len(SERIES) or any(len(curve.entry) != PAIR for curve in curves):
         return [curves]
@@ -155,7 +155,7 @@ def _curves(dataset: xr.Dataset, name: str) -> list[Curve]:
 
 
 def _symbol(dataset: xr.Dataset, group: Sequence[str]) -> str:
-    """The symbol at the axis: a vector, a scalar, or the common letter of scalars."""
+    """The axis label: a vector, a scalar, or the common letter of scalars."""
     name = group[0]
     if dataset[name].ndim > 1:
         return latex(Vector(name))

@@ -17,19 +17,19 @@ from ..drawing.dataset_access import title_of, typeset, unit_of, with_unit
 from ..drawing.style import FAINT, SERIES, STYLE, WIDTH
 from .time_axis import time_label
 
-#: So many motions have a colour and a line of the key of their own.
+#: Maximum number of motions with their own colour and legend entry.
 FEW = 6
-#: Curves drawn at most: evenly chosen ones of more.
+#: Maximum number of curves; if there are more, evenly chosen ones are drawn.
 MOST = 200
-#: Yellow is left out, as too pale on white.
+#: Yellow is omitted, as too pale on white.
 COLOURS = mpl.colormaps["viridis"]
 PALEST = 0.92
-#: A curve may turn at this share of its samples at most: ten samples for a swing up and down.
+#: Largest fraction of samples at which a curve may turn: ten samples per oscillation.
 TURNS = 0.2
 
 
 def sweep(dataset: xr.Dataset, parameters: Sequence[str], quantity: str) -> Figure:
-    """A quantity against time, for every motion of a sweep; samples too far apart stay points.
+    """A quantity over time for every motion of a sweep; sparse samples stay points.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def sweep(dataset: xr.Dataset, parameters: Sequence[str], quantity: str) -> Figu
 
 
 def are_close_enough(values: FloatArray) -> bool:
-    """Whether lines between samples (motions, times) show the motions, and not a zigzag."""
+    """Whether lines between samples (motions, times) represent the motions, and not a zigzag."""
     steps = np.diff(values, axis=1)
     turns = (steps[:, 1:] * steps[:, :-1] < 0).mean(axis=1) if values.shape[1] > 2 else np.zeros(1)
     return bool((turns <= TURNS).all())

@@ -1,4 +1,4 @@
-"""Plots against time: axes, limits and legends."""
+"""Time series: axes, limits and legends."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from ..drawing.style import FAINT, WIDTH
 
 
 def time_label(dataset: xr.Dataset) -> str:
-    """The label of an axis of time."""
+    """The label of a time axis."""
     return with_unit("time  $t$", unit_of(dataset, "time"))
 
 
 def time_chart(dataset: xr.Dataset, height: float, description: str) -> tuple[Figure, Axes]:
-    """A figure with one plot against time."""
+    """A figure with one plot over time."""
     figure, (axes,) = time_charts(dataset, [height], description)
     return figure, axes
 
@@ -29,7 +29,7 @@ def time_chart(dataset: xr.Dataset, height: float, description: str) -> tuple[Fi
 def time_charts(
     dataset: xr.Dataset, heights: Sequence[float], description: str
 ) -> tuple[Figure, list[Axes]]:
-    """A figure with plots of these heights in inches against time, one above the other."""
+    """A figure with plots of given heights in inches over time, stacked vertically."""
     figure = Figure(figsize=(WIDTH, sum(heights)), layout="constrained")
     figure.set_label(f"{description}: {title_of(dataset)}")
     grid = figure.subplots(len(heights), sharex=True, squeeze=False, height_ratios=heights)
@@ -45,7 +45,7 @@ def time_charts(
 
 
 def widen(axes: Axes, values: FloatArray) -> None:
-    """Set limits with a margin around the values, also if they are almost equal."""
+    """Set limits with a margin around the values, even if they are almost equal."""
     finite = values[np.isfinite(values)]
     if not len(finite):
         return
@@ -58,11 +58,11 @@ def widen(axes: Axes, values: FloatArray) -> None:
 
 
 def marker(times: FloatArray) -> str:
-    """A single sample is no line: it is marked."""
+    """The marker of a curve: a single sample must be marked, since it is not a line."""
     return "o" if len(times) == 1 else ""
 
 
 def legend_above(axes: Axes, columns: int) -> None:
     """Put the legend above the plot, on the right."""
-    # on the left stands the power of ten that the ticks have in common
+    # The common power of ten of the ticks is on the left.
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=columns)

@@ -1,4 +1,4 @@
-"""Angular velocity, attitude and contact forces against time."""
+"""Angular velocity, attitude and contact forces over time."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _TURNS = 4.0 * np.pi
 
 @arguments_checked
 def angular_velocity(dataset: xr.Dataset) -> Figure:
-    """Components of the angular velocity in body axes, and its length, against time.
+    """Components of the angular velocity in body axes, and its magnitude, over time.
 
     Parameters
     ----------
@@ -89,9 +89,9 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
 
 @arguments_checked
 def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
-    """The pressure of the surface on the body against time.
+    """The normal force of the surface on the body over time.
 
-    Where it is negative the surface would have to pull: the body would leave it. Such times are
+    Where it is negative the surface would have to pull: the body would leave it.  Such times are
     shaded.
 
     Parameters
@@ -168,9 +168,9 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
 
 @arguments_checked
 def friction_ratio(dataset: xr.Dataset) -> Figure:
-    """The coefficient of friction that rolling needs, against time.
+    """The friction coefficient required for rolling, over time.
 
-    Instants at which the surface does not press have no ratio and are left out.
+    Times at which the surface does not press have no ratio and are omitted.
 
     Parameters
     ----------
@@ -205,7 +205,7 @@ def friction_ratio(dataset: xr.Dataset) -> Figure:
     with mpl.rc_context(STYLE):
         figure, axes = time_chart(dataset, 2.2, "Friction over normal force")
         axes.plot(times, ratio, color=COMPONENTS[0], marker=marker(times), zorder=3)
-        # where the surface hardly presses the ratio has no bound
+        # Where the surface hardly presses, the ratio is unbounded.
         top = 1.1 * float(np.nanquantile(ratio, _MOST))
         axes.set_ylim(0.0, top if top > NOTHING else 1.0)
         axes.set_ylabel("friction over normal force")
@@ -213,7 +213,7 @@ def friction_ratio(dataset: xr.Dataset) -> Figure:
 
 
 def presses(dataset: xr.Dataset) -> bool:
-    """Whether there is any normal force: none acts on a balanced ball without weight."""
+    """Whether there is any normal force; none acts on a balanced ball without weight."""
     force = values_of(dataset, "normal_force")
     return bool(np.max(np.abs(force), initial=0.0, where=np.isfinite(force)) > NOTHING)
 
@@ -228,10 +228,10 @@ def needed_friction(dataset: xr.Dataset) -> FloatArray:
 
 @arguments_checked
 def attitude(dataset: xr.Dataset) -> Figure:
-    """Three angles of the body's axes against space.
+    """Three angles between body axes and space axes.
 
-    Euler's angles ψ, θ, φ, or yaw, pitch and roll: those that are farther from where they are not
-    defined.  Whole turns are counted on; angles that make several turns have a plot of their own.
+    Either Euler's angles ψ, θ, φ, or yaw, pitch and roll: those that stay farther from their
+    singularity.  Whole turns are counted; angles with several turns have a separate plot.
 
     Parameters
     ----------
@@ -260,7 +260,7 @@ def attitude(dataset: xr.Dataset) -> Figure:
     times = times_of(dataset)
     names, angles = turning_angles(values_of(dataset, "attitude"))
     curves = list(zip(names, angles, COMPONENTS, strict=False))
-    # beside an angle that counts many turns the others would be flat
+    # Beside an angle with many turns the others would look flat.
     turning = [curve for curve in curves if np.nanmax(curve[1]) - np.nanmin(curve[1]) > _TURNS]
     others = [curve for curve in curves if not any(curve is other for other in turning)]
     groups = [group for group in (turning, others) if group]
@@ -294,7 +294,7 @@ def turning_angles(quaternions: FloatArray) -> tuple[tuple[str, str, str], list[
 
 
 def _continuous_angle(angle: FloatArray) -> FloatArray:
-    """An angle that does not jump by whole turns, not-a-number where it was."""
+    """An angle without jumps by whole turns; NaN where it was NaN."""
     good = np.isfinite(angle)
     angles = angle.copy()
     angles[good] = np.unwrap(angle[good])

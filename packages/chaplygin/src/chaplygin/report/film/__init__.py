@@ -1,1 +1,1 @@
-"""Motions as films, and as models that move."""
+"""Motions as films, and as animated 3D models."""

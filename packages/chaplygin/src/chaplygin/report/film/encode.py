@@ -1,4 +1,4 @@
-"""Frames as a film, written completely or not at all."""
+"""Encode frames as a film, written atomically."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from ..drawing.style import TIME_COLOURS
 from .encoders import ENCODERS
 from .frames import Picture, Size
 
-#: Colours of the first frames of a GIF, and how many these are; the other colours are of paths.
+#: Number of colours from the first frames of a GIF, and the number of these frames; the remaining
+#: colours are those of paths.
 _COLOURS, _FIRST = 160, 24
 
 
@@ -56,14 +57,14 @@ def _write_video(
 
 
 def _write_gif(frames: Iterator[Picture], place: Path, rate: int) -> None:
-    """Write frames with the same colours, so that nothing flickers."""
+    """Write frames with a common palette, which avoids flicker."""
     from PIL import Image
 
     first = list(islice(frames, _FIRST))
-    # together they show light and shade on all that moves
+    # Together they show light and shade on all moving parts.
     together = Image.fromarray(np.concatenate([frame[::2, ::2] for frame in first]))
     own = together.quantize(_COLOURS, dither=Image.Dither.NONE).getpalette() or []
-    # those of paths, which the first frames do not have yet
+    # The colours of paths, which the first frames do not contain yet.
     later = TIME_COLOURS(np.linspace(0.0, 1.0, 256 - _COLOURS), bytes=True)[:, :3]
     palette = Image.new("P", (1, 1))
     palette.putpalette([*own[: 3 * _COLOURS], *later.ravel().tolist()])

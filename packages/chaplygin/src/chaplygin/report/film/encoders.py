@@ -1,10 +1,10 @@
-"""The encoders of films, and whether they are here; nothing that draws is imported for it."""
+"""The encoders of films, and their availability; does not import any drawing code."""
 
 from __future__ import annotations
 
 from flowlanes.errors import InputError
 
-#: The encoder of each kind of film, its pixels and its settings.
+#: The encoder of each film type, its pixel format and its settings.
 ENCODERS = {
     ".mp4": ("libx264", {"crf": "20", "preset": "medium", "movflags": "+faststart"}),
     ".webm": ("libvpx-vp9", {"crf": "32", "b": "0", "row-mt": "1", "cpu-used": "2"}),
@@ -12,7 +12,7 @@ ENCODERS = {
 
 
 def require_encoder(suffix: str) -> None:
-    """Raise InputError unless films of this kind can be encoded here."""
+    """Raise InputError unless films of this type can be encoded here."""
     if suffix == ".gif":
         return
     name, _ = ENCODERS[suffix]

@@ -1,6 +1,6 @@
-"""The frames of a film: what the figures draw at one instant after another, from one place.
+"""The frames of a film: the scene at successive times, from a fixed viewpoint.
 
-A path that fits beside the body is seen as a whole; of a longer one the film follows the body.
+A path that fits beside the body is shown as a whole; for a longer one the film follows the body.
 """
 
 from __future__ import annotations
@@ -29,31 +29,31 @@ from ..drawing.style import INK, QUIET, STYLE
 from ..scenes.ball import paint_ball_scene, surface_seen
 from ..scenes.planar_mechanism import OF_MECHANISM, OF_PICTURE, Pose
 from ..scenes.rolling_body import Track, draw_scene, scene_view, track_of
-from ..scenes.scene import ball_scene_of, scene_of
+from ..scenes.scene import scene_of, surface_scene_of
 
-#: Pixels of a frame: width and height.
+#: Width and height of a frame in pixels.
 Size = tuple[int, int]
 #: A frame, (height, width, 3), of bytes.
 Picture = npt.NDArray[np.uint8]
 
-#: Dots of an inch of the drawing.
+#: Dots per inch of the drawing.
 _DOTS = 144
-#: Extent of a path in diameters of the body up to which it is seen as a whole.
+#: Extent of a path, in diameters of the body, up to which it is shown as a whole.
 _WHOLE = 7.0
-#: Share of the picture left free around what moves.
+#: Fraction of the picture left free around the moving parts.
 _ROOM = 1.12
 
 
 @dataclass(frozen=True)
 class _Window:
-    """The visible part of the plane: a middle for each instant, and half the width and height."""
+    """The visible part of the plane: its centre at each time, and half its width and height."""
 
     middles: FloatArray
     half: FloatArray
 
 
 def require_scene(subject: Subject) -> None:
-    """Refuse what no film can show, before anything is integrated.
+    """Reject subjects without anything to show, before anything is integrated.
 
     Raises
     ------
@@ -75,7 +75,7 @@ def _nothing_to_show(subject: Subject) -> InputError:
 def frames(
     subject: Subject, dataset: xr.Dataset, plan: PlanMotion | None, every: int, size: Size
 ) -> tuple[int, Iterator[Picture]]:
-    """The number of frames of a motion, and the frames as they are drawn.
+    """The number of frames of a motion, and an iterator over the frames.
 
     Parameters
     ----------
@@ -94,8 +94,9 @@ def frames(
     InputError
         If the motion has no body and no drawing.
     """
-    if subject.ball is not None:
-        outline, ground = ball_scene_of(subject.ball)
+    on_surface = surface_scene_of(subject)
+    if on_surface is not None:
+        outline, ground = on_surface
         track = track_of(dataset, None)
         view, seen = surface_seen(track, outline, ground)
 
@@ -131,7 +132,7 @@ def frames(
 
 
 def _part(track: Track, until: int) -> Track:
-    """The way up to an instant."""
+    """The path up to a given time."""
     end = slice(0, until + 1)
     return replace(
         track,
@@ -144,13 +145,13 @@ def _part(track: Track, until: int) -> Track:
 
 
 def _fit(half: FloatArray, size: Size) -> FloatArray:
-    """Half the extent of a picture of this size that shows at least so much."""
+    """Half the extent of a picture of this size that shows at least the given extent."""
     scale = float(np.max(half / np.array(size)))
     return np.array(size) * scale
 
 
 def _whole(draw: Callable[[Canvas, int], None], view: View, count: int, size: Size) -> _Window:
-    """All that is drawn at the end, and stays in sight."""
+    """Everything drawn at the end, which must stay visible."""
     with mpl.rc_context(STYLE):
         sheet = Canvas(blank_axes(Figure(figsize=(4.0, 4.0))), view)
         draw(sheet, count - 1)
@@ -168,7 +169,7 @@ def _films(
     every: int,
     size: Size,
 ) -> tuple[int, Iterator[Picture]]:
-    """Frames at every so many instants, the last one among them."""
+    """Frames at regular sample intervals, including the last sample."""
     chosen = list(range(0, len(times), every))
     units = unit_of(dataset, "time")
 
@@ -177,7 +178,7 @@ def _films(
             for index in chosen:
                 figure = Figure(figsize=(size[0] / _DOTS, size[1] / _DOTS), dpi=_DOTS)
                 sheet = Canvas(blank_axes(figure), view)
-                # a way of one point has no path yet
+                # A single point has no path yet.
                 draw(sheet, max(index, 1))
                 yield _pixels(figure, sheet, window, index, f"{times[index]:.2f} {units}")
 
@@ -185,7 +186,7 @@ def _films(
 
 
 def _pixels(figure: Figure, sheet: Canvas, window: _Window, index: int, words: str) -> Picture:
-    """The picture of a sheet through a window, with the time."""
+    """The pixels of a sheet seen through a window, with the time."""
     (x, y), (wide, high) = window.middles[index], window.half
     sheet.axes.set_aspect("auto")
     sheet.axes.set_xlim(x - wide, x + wide)

@@ -1,4 +1,4 @@
-"""Moving solids as a glTF file, as programs for scenes in space read it (.glb).
+"""Moving solids as a glTF file (.glb), as read by 3D programs.
 
 The axis z of space, which points upwards here, becomes the axis y of glTF.
 """
@@ -34,7 +34,7 @@ _VERTICES, _CORNERS = 34962, 34963
 
 
 class _Buffer:
-    """Numbers in one block of bytes, and where each lot of them is."""
+    """Arrays in one block of bytes, with their positions."""
 
     def __init__(self) -> None:
         self.content = bytearray()
@@ -42,7 +42,7 @@ class _Buffer:
         self.accessors: list[dict[str, object]] = []
 
     def add(self, numbers: npt.NDArray[np.generic], kind: str, target: int | None = None) -> int:
-        """Add rows of numbers; their index."""
+        """Add rows of numbers; return their index."""
         whole = numbers.dtype.kind in "iu"
         rows = np.ascontiguousarray(numbers, dtype="<u4" if whole else "<f4")
         view = {"buffer": 0, "byteOffset": len(self.content), "byteLength": rows.nbytes}
@@ -64,7 +64,7 @@ class _Buffer:
 
 @dataclass(frozen=True, eq=False)
 class Solid:
-    """A solid and its motion at n instants.
+    """A solid and its motion at n times.
 
     Attributes
     ----------
@@ -87,7 +87,7 @@ class Solid:
 
     @property
     def presence(self) -> BoolArray:
-        """Whether it has a place, of each instant."""
+        """Whether it has a position at each time."""
         numbers = np.column_stack([self.centre, self.attitude])
         return np.asarray(np.isfinite(numbers).all(axis=1))
 
@@ -136,7 +136,7 @@ def write_gltf(dataset: xr.Dataset, solids: Sequence[Solid], path: Path) -> None
 
 
 def gltf(times: FloatArray, solids: Sequence[Solid], title: str) -> bytes:
-    """The content of a glTF file (binary): solids and their motion.
+    """The content of a binary glTF file: solids and their motion.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ def gltf(times: FloatArray, solids: Sequence[Solid], title: str) -> bytes:
     channels: list[dict[str, object]] = []
     for number, solid in enumerate(solids):
         turns = solid.attitude[good][:, [1, 2, 3, 0]]
-        # neighbours on the same side of the sphere, so that the way between them is the short one
+        # Neighbouring quaternions with the same sign, so that interpolation takes the short way.
         signs = np.where(np.sum(turns[1:] * turns[:-1], axis=1) < 0.0, -1.0, 1.0)
         turns = turns * np.concatenate([[1.0], np.cumprod(signs)])[:, None]
         moves = {"translation": solid.centre[good], "rotation": turns}
@@ -209,7 +209,7 @@ def _primitives(buffer: _Buffer, facets: Facets) -> list[dict[str, object]]:
             continue
         corners = np.concatenate([chosen.polygons[:, [0, 1, 2]], chosen.polygons[:, [0, 2, 3]]])
         normals = np.concatenate([chosen.normals] * 2)
-        # a triangle repeats its last corner
+        # A triangle repeats its last corner.
         proper = (corners[:, 1] != corners[:, 2]).any(axis=1)
         triangles = corners[proper].reshape(-1, 3)
         primitives.append(
@@ -226,7 +226,7 @@ def _primitives(buffer: _Buffer, facets: Facets) -> list[dict[str, object]]:
 
 
 def _binary(document: dict[str, object], content: bytes) -> bytes:
-    """The two parts of a binary file, each filled up to four bytes."""
+    """The two chunks of a binary file, each padded to four bytes."""
     text = json.dumps(document, allow_nan=False).encode()
     text += b" " * (-len(text) % 4)
     content += b"\0" * (-len(content) % 4)

@@ -1,4 +1,4 @@
-"""The parts of a mechanism in the plane as solids: rods, wheels, axles, blades, joints."""
+"""The parts of a planar mechanism as solids: rods, wheels, axles, blades, joints."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ _SIDES = 32
 
 
 def mechanism_solids(motion: PlanMotion) -> tuple[Solid, ...]:
-    """The solids of a drawing, which stand on the plane z = 0.
+    """The solids of a drawing, standing on the plane z = 0.
 
-    Wheels are as long as in pictures in the plane: a share of the mechanism, or of its path.
+    Wheels are as long as in plane drawings: a fraction of the mechanism, or of its path.
     """
     last = Pose(motion, int(np.flatnonzero(np.isfinite(motion.path).all(axis=1))[-1]))
     extent = float(np.max(np.nanmax(motion.path, axis=0) - np.nanmin(motion.path, axis=0)))
@@ -66,13 +66,13 @@ def _solids(motion: PlanMotion, length: float) -> Iterator[Solid]:
 
 
 def _turn(heading: FloatArray) -> FloatArray:
-    """Quaternions of turns about z."""
+    """Quaternions of rotations about z."""
     zero = np.zeros_like(heading)
     return np.column_stack([np.cos(heading / 2), zero, zero, np.sin(heading / 2)])
 
 
 def _box(length: float, width: float, height: float, middle: float, tone: int) -> Facets:
-    """A box along x, its middle at a height."""
+    """A box along x, with its centre at a height."""
     unit = np.array([[-1.0, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]])
     faces = [np.roll(side * unit[::side], turn, axis=1) for turn in range(3) for side in (1, -1)]
     polygons = np.array(faces) * [length / 2, width / 2, height / 2]
@@ -84,7 +84,7 @@ def _box(length: float, width: float, height: float, middle: float, tone: int) -
 
 
 def _cylinder(radius: float, width: float, aside: float, height: float, tone: int) -> Facets:
-    """A cylinder about the axis y, its middle on the left of x and at a height."""
+    """A cylinder about the axis y, with its centre to the left of x and at a height."""
     angles = 2 * np.pi * np.arange(_SIDES + 1) / _SIDES
     rim = radius * np.column_stack([np.sin(angles), 0 * angles, np.cos(angles)])
     side = np.array([0.0, width / 2, 0.0])

@@ -1,1 +1,1 @@
-"""Bodies, surfaces and mechanisms drawn in space and in plan."""
+"""Bodies, surfaces and mechanisms drawn in space and in plan view."""

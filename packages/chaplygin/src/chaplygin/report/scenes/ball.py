@@ -1,4 +1,4 @@
-"""The picture of a homogeneous ball on a surface of any kind."""
+"""The picture of a homogeneous ball on an arbitrary surface."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ _LINE_STEPS = (1.0, 2.0, 5.0)
 def ball_scene(dataset: xr.Dataset, outline: BodyMesh, ground: SurfaceGround) -> Figure:
     """The ball on its surface at the end, and the path of its contact point.
 
-    Lines on the surface are its cuts with planes x, y, z = const.  Walls between the reader and
-    the ball are drawn as of glass, where their back is seen.
+    Lines on the surface are its intersections with planes x, y, z = const.  Walls between the
+    viewer and the ball are drawn translucent where their back is visible.
 
     Parameters
     ----------
@@ -76,17 +76,17 @@ def ball_scene(dataset: xr.Dataset, outline: BodyMesh, ground: SurfaceGround) ->
 
 
 def surface_seen(track: Track, outline: BodyMesh, ground: SurfaceGround) -> tuple[View, Crossings]:
-    """The view of a ball on its surface, and what is seen of the surface around its way."""
+    """The view of a ball on its surface, and the visible part of the surface around its path."""
     view = _view(track, ground.normals(track.contact))
     extent = float(np.max(np.ptp(track.contact, axis=0)))
-    # nothing of the ball may be cut off
+    # No part of the ball may be cut off.
     around = np.concatenate([track.contact, track.centre[-1:]])
     margin = 0.75 * outline.diameter + extent * np.array([0.15, 0.15, 0.05])
     return view, crossings(ground, frame_of(around, margin, ground), view, _COLUMNS)
 
 
 def _view(track: Track, normals: FloatArray) -> View:
-    """From the side to which the surface is turned where the ball is."""
+    """From the side that the surface faces at the ball."""
     facing = normals[-1] + 0.4 * normals.mean(axis=0)
     if np.hypot(facing[0], facing[1]) < 0.35:
         return View(across(track.contact) + 0.3, 0.5)
@@ -104,7 +104,7 @@ def paint_ball_scene(sheet: Canvas, layers: Crossings, track: Track, outline: Bo
     hidden = _hidden_points(sheet.view, layers, path, 0.12 * radius)
     near = sheet.view.depth(path) > ball
     colours = _colours(layers, sheet.view, track.centre[-1], radius)
-    # what is opaque is painted twice, lest a seam be seen where both parts meet
+    # Opaque parts are painted twice, so that no seam is visible where both parts meet.
     _image(sheet, layers, colours, behind | _opaque(layers, sheet.view))
     _strokes(sheet, path, fractions, ~hidden & ~near, 2.0, 1.0)
     if not near[0]:
@@ -118,7 +118,7 @@ def paint_ball_scene(sheet: Canvas, layers: Crossings, track: Track, outline: Bo
 
 
 def _mark_start(sheet: Canvas, place: FloatArray, is_hidden: bool) -> None:
-    """A ring, pale where the surface stands before it."""
+    """A ring, pale where the surface hides it."""
     sheet.dot(place, "none" if is_hidden else "white", QUIET if is_hidden else INK, 4.5)
 
 
@@ -135,7 +135,7 @@ def _strokes(
 
 
 def _hidden_points(view: View, layers: Crossings, path: FloatArray, slack: float) -> BoolArray:
-    """Whether the surface stands before each point of a curve (n, 3) on it, opaque."""
+    """Whether the opaque surface hides each point of a curve (n, 3) on it."""
     left, right, bottom, top = layers.extent
     rows, columns = layers.depth.shape[1:]
     x, y = view.project(path).T
@@ -147,7 +147,7 @@ def _hidden_points(view: View, layers: Crossings, path: FloatArray, slack: float
 
 
 def _without_short_runs(mask: BoolArray) -> BoolArray:
-    """The marks without short runs, which are due to the raster at a border."""
+    """The marks without short runs, which are raster artefacts at a border."""
     long = np.zeros_like(mask)
     for run in runs(mask[1:] & mask[:-1]):
         long[run] = run.stop - run.start > _SHORTEST
@@ -178,7 +178,7 @@ def _colours(layers: Crossings, view: View, centre: FloatArray, radius: float) -
 
 
 def _lines(layers: Crossings) -> FloatArray:
-    """Strength from 0 to 1 of the cuts with planes x, y, z = const at every crossing."""
+    """Strength from 0 to 1 of the intersections with planes x, y, z = const at every crossing."""
     strengths = np.zeros(layers.depth.shape)
     if not np.any(layers.is_hit):
         return strengths
@@ -191,7 +191,7 @@ def _lines(layers: Crossings) -> FloatArray:
             off = np.abs(place - np.round(place))
             line = np.clip(1.2 - off / np.clip(width, 1e-9, 0.5), 0.0, 1.0)
             line = np.where(width < 0.4, line, 0.0)
-        # where the surface runs along such a plane the cut would be a blot
+        # Where the surface is nearly parallel to such a plane the line would be a blot.
         slant = np.clip((0.98 - np.abs(layers.normals[..., axis])) / 0.1, 0.0, 1.0)
         strengths = np.maximum(strengths, np.nan_to_num(line) * slant)
     return strengths
@@ -213,7 +213,7 @@ def _image(sheet: Canvas, layers: Crossings, colours: FloatArray, mask: BoolArra
         colour = np.where(opaque[layer][..., None], colours[layer], _GLASS)
         total = share + cover * (1.0 - share)
         mixed = share * colour + (1.0 - share) * cover * paint
-        # where there is nothing, the colour counts for the soft border of what there is
+        # In empty pixels the colour matters for the soft border of neighbouring ones.
         paint = np.where(total > 0.0, mixed / np.where(total > 0.0, total, 1.0), GROUND_LIGHT)
         cover = total
     sheet.image(_with_soft_borders(paint, cover), layers.extent)

@@ -1,4 +1,4 @@
-"""Events and the key of modes in the scene of a body with friction."""
+"""Events and the legend of modes in the scene of a body with friction."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from ..drawing.shading import Ground, PlaneGround
 from ..drawing.style import INK
 from .ground import on_ground
 
-#: Characters of the names of modes that fit into one line beside the note on the grid.
+#: Number of characters of mode names that fit into one line beside the note on the grid.
 _LINE = 24
-#: Height of a line of the key in inches.
+#: Height of a line of the legend in inches.
 _HIGH = 0.2
 
 
@@ -35,7 +35,7 @@ def mark_events(
     ground: Ground,
     body: BodyMesh | None = None,
 ) -> None:
-    """Mark where the contact is at the events, but for places that ground or body hide.
+    """Mark the contact point at the events, except where ground or body hide it.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def mark_events(
 
 
 def mode_scale(figure: Figure, axes: Axes, dataset: xr.Dataset, span: tuple[float, float]) -> None:
-    """Write the key of the modes below the picture, with the time that it shows."""
+    """Draw the legend of the modes below the picture, with the time shown."""
     names = present_modes(dataset)
     shown = {i.mode for i in mode_intervals(dataset) if i.end > span[0] and i.begin < span[1]}
     names = [name for name in names if name in shown] or names
@@ -94,12 +94,12 @@ def mode_scale(figure: Figure, axes: Axes, dataset: xr.Dataset, span: tuple[floa
 
 
 def _words(words: str) -> Patch:
-    """An entry of a key without a colour."""
+    """A legend entry without a colour."""
     return Patch(facecolor="none", edgecolor="none", label=words)
 
 
 def _extend(figure: Figure, axes: Axes, more: float) -> None:
-    """Lengthen the foot of a figure by some inches."""
+    """Extend the foot of a figure by some inches."""
     wide, high = figure.get_size_inches()
     box = axes.get_position()
     figure.set_size_inches(wide, high + more)

@@ -14,12 +14,12 @@ from ..drawing.curves import convex_hull, runs
 from ..drawing.shading import Ground, PlaneGround
 from ..drawing.style import LINES
 
-#: Farther from a sphere than this share of its radius is no rounding.
+#: Distance from a sphere, relative to its radius, above which it is not rounding.
 _ABOVE = 1e-4
 
 
 def on_ground(points: FloatArray, ground: Ground) -> SurfaceCurve:
-    """A curve laid exactly on the ground, but for what is clearly above it."""
+    """A curve laid exactly on the ground, except where it is clearly above it."""
     if isinstance(ground, PlaneGround):
         return SurfaceCurve(points, np.tile([0.0, 0.0, 1.0], (len(points), 1)))
     normals, radius = unit(points), abs(ground.radius)
@@ -59,7 +59,7 @@ def draw_grid(sheet: Canvas, path: FloatArray, diameter: float) -> float:
 
 
 def _round_number(size: float) -> float:
-    """The number 1, 2 or 5 times a power of ten that is next below `size`."""
+    """The largest number 1, 2 or 5 times a power of ten below `size`."""
     power = 10.0 ** np.floor(np.log10(size))
     return float(max(step for step in (1.0, 2.0, 5.0) if step * power <= size * (1 + 1e-9)) * power)
 
@@ -95,7 +95,7 @@ def draw_far_wall(sheet: Canvas, radius: float, opening: float) -> None:
 
 
 def draw_near_wall(sheet: Canvas, radius: float, opening: float) -> None:
-    """The near wall of a bowl, as of glass, and its rim."""
+    """The translucent near wall of a bowl, and its rim."""
     if opening < np.pi:
         bowl = sphere_cap(radius, -1.0, opening, 20, 64)
         sheet.glass(bowl.select(bowl.faces_reader(sheet.view)), "#8fa6bb", 0.2)
@@ -130,7 +130,7 @@ def _graticule(radius: float, pole: float, opening: float) -> list[SurfaceCurve]
     around = np.linspace(0.0, 2 * np.pi, 145)
     for angle in polar:
         curves.append(_sphere_points(np.full_like(around, angle), around, pole))
-    # Meridians end short of the pole, where they would crowd.
+    # Meridians end short of the pole, where they would be too dense.
     along = np.linspace(step, opening if opening < np.pi else np.pi - step, 73)
     for azimuth in np.arange(24) * np.pi / 12:
         curves.append(_sphere_points(along, np.full_like(along, azimuth), pole))

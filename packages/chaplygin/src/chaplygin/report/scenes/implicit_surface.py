@@ -1,7 +1,7 @@
-"""The surface f = 0 in pictures: its crossings with lines of sight.
+"""The surface f = 0 in pictures: its intersections with lines of sight.
 
-As in :mod:`chaplygin.geometry.view` everything is plain geometry in arrays; all lengths
-are in the units of the trajectory.
+As in :mod:`chaplygin.geometry.view` everything is plain geometry in arrays; all lengths are in the
+units of the trajectory.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _LAYERS = 4
 
 @dataclass(frozen=True, eq=False)
 class Crossings:
-    """The crossings of lines of sight with a surface, nearest to the reader first.
+    """The crossings of lines of sight with a surface, nearest to the viewer first.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class Crossings:
 
     @property
     def is_hit(self) -> BoolArray:
-        """Whether each line of sight meets the surface so many times."""
+        """Whether each line of sight has a crossing in each layer."""
         return np.asarray(np.isfinite(self.depth), dtype=np.bool_)
 
 
@@ -81,12 +81,12 @@ def _first_crossings(
     ground: SurfaceGround, box: Box, view: View, start: FloatArray, run: FloatArray
 ) -> FloatArray:
     """Crossings (layers, n, 3) of lines start + t·toward, NaN where there is none."""
-    # samples reach beyond the box, so that it cuts the surface between two of them
+    # Samples reach beyond the box, so that the surface can cross the box boundary between samples.
     room = 0.04 * float(np.max(box.high - box.low))
     wide = Box(box.low - room, box.high + room)
     _, heights = heights_on_grid(wide, ground)
     scale = (np.array(heights.shape) - 1) / (wide.high - wide.low)
-    # by components, each of all lines: samples are many, and arrays of three slow
+    # Component-wise, for all rays at once: (n, 3) arrays are slower.
     starts = np.ascontiguousarray(start.T)
     first = np.full((_LAYERS, len(start), 3), np.nan)
     count = np.zeros(len(start), dtype=int)

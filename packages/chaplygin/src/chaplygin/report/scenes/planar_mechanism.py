@@ -1,4 +1,4 @@
-"""The plan of a mechanism: its path, and where its links, wheels and blades are."""
+"""The plan view of a mechanism: its path, and the positions of links, wheels and blades."""
 
 from __future__ import annotations
 
@@ -30,24 +30,25 @@ from ..drawing.dataset_access import (
 )
 from ..drawing.style import FAINT, INK, STYLE, TIME_COLOURS, WIDTH
 
-#: Earlier positions that are drawn.
+#: Number of earlier positions that are drawn.
 EARLIER = 5
-#: Length of a drawn wheel or blade: a share of the mechanism's size, and of the picture's at least.
+#: Length of a drawn wheel or blade: relative to the mechanism's size, and at least relative to the
+#: picture.
 OF_MECHANISM = 0.2
 OF_PICTURE = 0.022
-#: A mechanism smaller than this share of its path is drawn once more, by itself.
+#: A mechanism smaller than this fraction of its path is drawn again enlarged.
 _SMALL = 0.16
 _PALE = "#b7c3ce"
-#: Inches around the map.
+#: Margins around the map in inches.
 _LEFT, _RIGHT, _BOTTOM, _TOP = 0.76, 0.12, 0.86, 0.12
 
 
 @arguments_checked
 def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
-    """The path of a mechanism in the plane, with the mechanism at some instants.
+    """The path of a mechanism in the plane, with the mechanism at some times.
 
     The path is in the colours of time; the mechanism is dark at the end and pale before.  A
-    mechanism that is small beside its path is shown enlarged in a corner as well.
+    mechanism that is small compared with its path is also shown enlarged in a corner.
 
     Parameters
     ----------
@@ -76,7 +77,7 @@ def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
     corners = np.concatenate([path, *(pose.corners for pose in poses)])
     low, high = corners.min(axis=0), corners.max(axis=0)
     extent = float(np.max(high - low))
-    # wheels reach beyond their places
+    # Wheels extend beyond their centres.
     room = max(OF_MECHANISM * last.size, OF_PICTURE * extent) / 2 if last.shapes else 0.0
     low, high = low - room, high + room
     with mpl.rc_context(STYLE):
@@ -115,7 +116,7 @@ def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
 
 
 class Pose:
-    """A mechanism at an instant: rods, and places with headings."""
+    """A mechanism at one time: rods, and positions with headings."""
 
     def __init__(self, motion: PlanMotion, number: int) -> None:
         self.place = motion.path[number]
@@ -133,7 +134,7 @@ class Pose:
 
     @property
     def corners(self) -> FloatArray:
-        """Places that must be in the picture, (k, 2)."""
+        """Points that must be in the picture, (k, 2)."""
         ends = self.links.reshape(-1, 2)
         placed = [part[:, :2] for part in (self.wheels, self.axles, self.blades, self.points)]
         points = np.concatenate([self.place[None], ends, *placed])
@@ -141,7 +142,7 @@ class Pose:
 
     @property
     def size(self) -> float:
-        """The longest side of a rectangle around it."""
+        """The longest side of its bounding rectangle."""
         return float(np.max(np.ptp(self.corners, axis=0)))
 
     def draw(self, axes: Axes, mark: float, colour: str, layer: float) -> None:
@@ -174,7 +175,7 @@ class Pose:
 
 
 def _box(x: float, y: float, angle: float, length: float, width: float) -> FloatArray:
-    """A rectangle about a place, its longer side along an angle."""
+    """A rectangle about a point, with its longer side at an angle."""
     along = np.array([np.cos(angle), np.sin(angle)]) * length / 2
     side = np.array([-np.sin(angle), np.cos(angle)]) * width / 2
     corners = np.array([along + side, side - along, -along - side, along - side])
@@ -182,7 +183,7 @@ def _box(x: float, y: float, angle: float, length: float, width: float) -> Float
 
 
 def _spread(path: FloatArray, numbers: Iterable[int]) -> list[int]:
-    """Samples at about equal distances along a path, with both ends."""
+    """Samples at roughly equal distances along a path, including both ends."""
     chosen = list(numbers)
     steps = np.linalg.norm(np.diff(path[chosen], axis=0), axis=1)
     way = np.concatenate([[0.0], np.cumsum(steps)])
@@ -205,7 +206,7 @@ def _draw_enlarged(
     pose: Pose,
     wide: float,
 ) -> None:
-    """The mechanism alone, at the end, on the right of the map."""
+    """The mechanism alone, at the end, to the right of the map."""
     height = figure.get_figheight()
     left = (_LEFT + wide + 0.25) / WIDTH
     axes = figure.add_axes((left, 1.0 - (_TOP + 1.65) / height, 1.65 / WIDTH, 1.65 / height))

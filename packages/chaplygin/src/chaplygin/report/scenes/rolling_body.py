@@ -113,7 +113,7 @@ def scene(
 def draw_scene(
     sheet: Canvas, track: Track, outline: BodyMesh, surface: Ground, whole: Track | None = None
 ) -> float:
-    """Draw the body at the end of a way, its surface and the paths of the contact.
+    """Draw the body at the end of a track, its surface and the paths of the contact.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ def draw_scene(
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """The way of a rolling body, as far as it is drawn.
+    """The drawn part of a rolling body's track.
 
     Attributes
     ----------
@@ -164,7 +164,7 @@ class Track:
     normal: FloatArray
 
     def last_part(self, diameter: float) -> Track:
-        """As much of the way, back from its end, as fits beside a body of this diameter."""
+        """The last part of the track that fits beside a body of this diameter."""
         low = np.minimum.accumulate(self.contact[::-1], axis=0)
         high = np.maximum.accumulate(self.contact[::-1], axis=0)
         extent = np.max(high - low, axis=1)
@@ -180,14 +180,14 @@ class Track:
         )
 
     def path(self, ground: Ground) -> tuple[FloatArray, SurfaceCurve]:
-        """Times, and the path of the contact on the ground, smooth."""
+        """Times, and the path of the contact on the ground, smoothed."""
         times, points = smooth_curve(self.times, self.contact, CURVE_POINTS)
         return times, on_ground(points, ground)
 
     def trace(self, hollow: bool, longest: float) -> tuple[FloatArray, SurfaceCurve]:
-        """Times, and the path of the contact on the body as it lies at the end, smooth.
+        """Times, and the path of the contact on the body in its final position, smoothed.
 
-        Only its last part is given, of length `longest` at most.
+        Only its last part is given, up to the length `longest`.
         """
         body = np.einsum("nji,nj->ni", self.rotation, self.contact - self.centre)
         outward = self.normal if hollow else -self.normal
@@ -200,7 +200,7 @@ class Track:
 
 
 def track_of(dataset: xr.Dataset, until: float | None) -> Track:
-    """All finite samples up to an instant."""
+    """All finite samples up to a time."""
     require(dataset, "scene")
     times = times_of(dataset)
     contact, attitude = values_of(dataset, "contact"), values_of(dataset, "attitude")
@@ -219,7 +219,7 @@ def track_of(dataset: xr.Dataset, until: float | None) -> Track:
 
 
 def scene_view(track: Track, ground: Ground) -> View:
-    """The view from which the path runs from left to right."""
+    """The view in which the path runs from left to right."""
     end = track.contact[-1]
     if isinstance(ground, PlaneGround):
         return _plane_view(track.contact)
@@ -233,12 +233,12 @@ def scene_view(track: Track, ground: Ground) -> View:
 
 
 def _plane_view(contact: FloatArray) -> View:
-    """A view slightly along the path, across which the last steps lead."""
+    """A view slightly along the path, perpendicular to its last steps."""
     azimuth = across(contact)
     back = np.linalg.norm(contact - contact[-1], axis=1)
     last = contact[-1] - contact[np.argmax(back <= 0.15 * np.max(back))]
     views = [View(azimuth + turn, 0.5) for turn in (0.42, -0.42)]
-    # With the body on the near side, unless that shows the end of the path from its end.
+    # With the body on the near side, unless that shows the end of the path head-on.
     return min(views, key=lambda view: abs(view.depth(unit(last))) - 0.1 * view.depth(unit(last)))
 
 
@@ -252,7 +252,7 @@ def across(points: FloatArray) -> float:
 
 
 def _lamp(view: View) -> FloatArray:
-    """Direction of the light that casts shadows: that of the view, but steep."""
+    """Direction of the light that casts shadows: that of the view, but steeper."""
     return unit(0.45 * view.light + np.array([0.0, 0.0, 1.0]))
 
 
@@ -285,7 +285,7 @@ def _draw_border(sheet: Canvas, body: BodyMesh, colour: str, width: float) -> No
 
 
 def _draw_ghosts(sheet: Canvas, track: Track, outline: BodyMesh) -> None:
-    """Draw pale bodies at earlier positions that overlap with no other."""
+    """Draw pale bodies at earlier positions that do not overlap others."""
     extent = float(np.max(np.ptp(track.contact, axis=0)))
     apart = max(1.25 * outline.diameter, 0.2 * extent)
     places = [len(track.times) - 1]
@@ -308,7 +308,7 @@ def _draw_ghosts(sheet: Canvas, track: Track, outline: BodyMesh) -> None:
 def _scene_on_plane(
     sheet: Canvas, track: Track, outline: BodyMesh, body: BodyMesh, whole: Track | None
 ) -> float:
-    """Draw grid, shadow, paths and body; give the spacing of the grid."""
+    """Draw grid, shadow, paths and body; return the spacing of the grid."""
     times, path = track.path(PlaneGround())
     around = path if whole is None else whole.path(PlaneGround())[1]
     spacing = draw_grid(sheet, around.points, outline.diameter)
@@ -328,7 +328,7 @@ def _scene_on_sphere(
     fractions = time_shares(times)
     room = max(0.12, 0.75 * body.diameter / ground.radius)
     in_front = bool(sheet.view.faces_reader(path.normals[-1]))
-    # The plane of contact parts body and sphere: the reader's side of it hides the other.
+    # The contact plane separates body and sphere: the one on the viewer's side hides the other.
     if not in_front:
         draw_body(sheet, body, track)
     draw_outside(sheet, ground.radius, cap_opening(whole.path(ground)[1].points, 1.0, room, 1.2))

@@ -1,14 +1,11 @@
-"""The drawn body and the surface that it rolls on."""
+"""The drawn body and its supporting surface."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from nonholonomic.mechanics.ball.ball import RollingBall
-from nonholonomic.mechanics.shapes.surfaces import Plane
-
 from ...experiment.subjects.subject import Subject
-from ...geometry.ball_surface import SurfaceGround, ground_of_ball
+from ...geometry.ball_surface import SurfaceGround, ground_of_ball, ground_of_surface
 from ...geometry.mesh import BodyMesh, outline_from_contact
 from ..drawing.shading import Ground, PlaneGround, SphereGround
 
@@ -20,23 +17,30 @@ class Scene(NamedTuple):
     surface: Ground
 
 
-class BallScene(NamedTuple):
-    """The drawn ball and the surface that carries it."""
+class SurfaceScene(NamedTuple):
+    """The drawn body and the surface f = 0 that carries it."""
 
     outline: BodyMesh
     surface: SurfaceGround
 
 
 def scene_of(subject: Subject) -> Scene | None:
-    """The scene of a body that rolls or slides on a plane or a sphere; None without one."""
+    """The scene of a body that rolls or slides on a plane or a sphere; None for other subjects."""
     surface, outline = subject.surface, subject.outline
-    if surface is None or outline is None:
+    if surface is None or outline is None or not surface.is_even:
         return None
-    ground = PlaneGround() if isinstance(surface, Plane) else SphereGround(surface.signed_radius)
+    radius = surface.signed_radius
+    ground = PlaneGround() if radius is None else SphereGround(radius)
     return Scene(outline_from_contact(outline), ground)
 
 
-def ball_scene_of(ball: RollingBall) -> BallScene:
-    """The scene of a homogeneous ball on a surface."""
-    radius = ball.radius
-    return BallScene(outline_from_contact(lambda gamma: -radius * gamma), ground_of_ball(ball))
+def surface_scene_of(subject: Subject) -> SurfaceScene | None:
+    """The scene of a homogeneous ball on a surface, or of a body on neither plane nor sphere."""
+    ball, surface, outline = subject.ball, subject.surface, subject.outline
+    if ball is not None:
+        radius = ball.radius
+        mesh = outline_from_contact(lambda gamma: -radius * gamma)
+        return SurfaceScene(mesh, ground_of_ball(ball))
+    if surface is None or outline is None or surface.is_even:
+        return None
+    return SurfaceScene(outline_from_contact(outline), ground_of_surface(surface))

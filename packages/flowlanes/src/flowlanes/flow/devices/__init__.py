@@ -1,1 +1,1 @@
-"""Devices on which many motions are computed: processors, and a graphics processor."""
+"""Devices that integrate many motions: CPUs and a GPU."""

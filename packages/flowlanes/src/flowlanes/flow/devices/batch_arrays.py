@@ -1,4 +1,4 @@
-"""The arrays that one call of the loop over motions reads and writes."""
+"""The arrays that one call of the integration loop reads and writes."""
 
 from __future__ import annotations
 
@@ -77,11 +77,11 @@ class BatchOutput:
 
     @property
     def arrays(self) -> tuple[FloatArray | IntArray, ...]:
-        """All of them, in the order of the loop's arguments."""
+        """All arrays, in the order of the loop's arguments."""
         return self.states, self.times, self.counts, self.outcome, self.end_times, self.steps
 
     def clear(self, first: int, last: int) -> None:
-        """Set the results of some motions to those of none: not a number, and zero."""
+        """Reset the results of some motions to NaN and zero."""
         for array in self.arrays:
             array[first:last] = np.nan if array.dtype.kind == "f" else 0
 
@@ -101,8 +101,8 @@ def empty_output(task: BatchInput) -> BatchOutput:
 
 
 class BatchLoop(Protocol):
-    """The compiled loop over motions, on some device."""
+    """The compiled loop over motions on a device."""
 
     def run(self, task: BatchInput, threads: int | None) -> BatchOutput:
-        """The motions; `threads` is the number of processor threads, all if None."""
+        """Integrate the motions, using `threads` processor threads (all if None)."""
         ...

@@ -1,4 +1,4 @@
-"""A graphics processor of NVIDIA, through its driver and the library cuda-core."""
+"""NVIDIA graphics processors, through the driver and the cuda-core library."""
 
 from __future__ import annotations
 
@@ -13,24 +13,25 @@ import numpy.typing as npt
 
 from ...errors import InputError
 
-#: An array in the memory of the host, without gaps.
+#: A contiguous array in host memory.
 Array: TypeAlias = npt.NDArray[np.float64] | npt.NDArray[np.int64]
 
 #: An argument of a kernel.
 Argument: TypeAlias = Array | int | float
 
-#: Threads of a block: a warp, so that blocks with many registers fill a processor.
+#: Threads per block: one warp, so that blocks with many registers still fill a multiprocessor.
 BLOCK = 32
 
-#: Blocks of a multiprocessor at most: with more, their stages no longer fit its cache.
+#: Maximum number of blocks per multiprocessor: with more, their stages no longer fit into the
+#: cache.
 BLOCKS = 8
 
-#: Bytes to whose multiples arrays are aligned in a buffer.
+#: Alignment of arrays within a buffer, in bytes.
 ALIGNMENT = 256
 
 
 class GraphicsProcessor(Protocol):
-    """A graphics processor, as far as it is needed here."""
+    """The operations of a graphics processor that are needed here."""
 
     def run(
         self,
@@ -40,7 +41,7 @@ class GraphicsProcessor(Protocol):
         outputs: Sequence[Array],
         most: int,
     ) -> None:
-        """Run a kernel to its end.
+        """Run a kernel and wait for its end.
 
         Parameters
         ----------
@@ -60,7 +61,7 @@ class GraphicsProcessor(Protocol):
 
 @dataclass(frozen=True)
 class CudaProcessor:
-    """A device that cuda-core has opened.
+    """A device opened with cuda-core.
 
     Attributes
     ----------
@@ -86,7 +87,7 @@ class CudaProcessor:
     ) -> None:
         """Run a kernel; see :class:`GraphicsProcessor`."""
         core, device = self.core, self.device
-        # each thread of the host has a current device of its own
+        # Each host thread has its own current device.
         device.set_current()
         into = [argument for argument in inputs if isinstance(argument, np.ndarray)]
         *places, size = _places([*into, *outputs])
@@ -101,7 +102,7 @@ class CudaProcessor:
                 view[place : place + array.nbytes] = _bytes(array)
             self._part(there, 0, first).copy_from(self._part(pinned, 0, first), stream=stream)
             for array, place in zip(outputs, places[len(into) :], strict=True):
-                # a float whose bits are all 1 is not a number
+                # A float with all bits set is NaN.
                 byte = 0xFF if array.dtype.kind == "f" else 0
                 self._part(there, place, max(array.nbytes, 1)).fill(byte, stream=stream)
             addresses = iter([np.uint64(int(there.handle) + place) for place in places])
@@ -124,11 +125,11 @@ class CudaProcessor:
             self.staging.append(pinned)
 
     def _part(self, buffer: Any, first: int, size: int) -> Any:
-        """Some bytes of a buffer."""
+        """A slice of a buffer, in bytes."""
         return self.core.Buffer.from_handle(int(buffer.handle) + first, size, owner=buffer)
 
     def _pinned_buffer(self, size: int) -> Any:
-        """Memory of the host, taken from what earlier calls have locked if it is large enough."""
+        """Page-locked host memory, reused from earlier calls if it is large enough."""
         try:
             pinned = self.staging.pop()
         except IndexError:
@@ -141,7 +142,7 @@ class CudaProcessor:
 
 
 def _places(arrays: Sequence[Array]) -> list[int]:
-    """The offset of each array in a common buffer, and the size of that buffer in bytes."""
+    """The offset of each array in a common buffer, and the size of the buffer in bytes."""
     sizes = [max(1, -(-array.nbytes // ALIGNMENT)) * ALIGNMENT for array in arrays]
     return [0, *itertools.accumulate(sizes)]
 
@@ -156,12 +157,12 @@ def _bytes(array: Array) -> npt.NDArray[np.uint8]:
 
 @lru_cache(maxsize=64)
 def _kernel(core: Any, _device: int, ptx: str, entry: str) -> Any:
-    """A kernel, which the driver compiles for a device the first time."""
+    """A kernel, compiled by the driver on first use."""
     return core.ObjectCode.from_ptx(ptx.encode()).get_kernel(entry)
 
 
 def open_processor() -> GraphicsProcessor:
-    """The first graphics processor of this machine.
+    """Open the first graphics processor of this machine.
 
     Raises
     ------
@@ -176,7 +177,7 @@ def open_processor() -> GraphicsProcessor:
         ) from None
     try:
         return _first_device(core)
-    # without a driver, without a device, with a driver too old: each raises an error of its own
+    # A missing driver, a missing device and an old driver all raise different errors.
     except Exception as error:
         reason = " ".join(str(error).split()).rstrip(".")
         raise InputError(
@@ -186,7 +187,7 @@ def open_processor() -> GraphicsProcessor:
 
 @lru_cache(maxsize=1)
 def _first_device(core: Any) -> CudaProcessor:
-    """The device, once in a process, so that all share the memory that is locked."""
+    """The device, opened once per process, so that all calls share the page-locked memory."""
     device = core.Device()
     device.set_current()
     return CudaProcessor(core, device)

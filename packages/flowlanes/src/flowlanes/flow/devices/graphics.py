@@ -1,4 +1,4 @@
-"""The loop over motions on a graphics processor, with a motion in each of its threads."""
+"""The integration loop on a graphics processor, with one motion per thread."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ from .cuda import GraphicsProcessor, open_processor
 from .graphics_text import ENTRY, thread_loop
 from .ptx import cached_ptx
 
-#: Where motions are computed.
+#: Available devices.
 Device: TypeAlias = Literal["cpu", "gpu"]
 
-#: Motions that are computed at a time: some for each thread of a large device.
+#: Number of motions computed per piece: a few for each thread of a large device.
 MOTIONS = 2**17
 
-#: Bytes of their results at most, about.
+#: Approximate upper bound of the result size of one piece, in bytes.
 PIECE = 2**28
 
-#: Pieces at once: while one is computed, others are copied to the device and from it.
+#: Number of pieces in flight: while one is computed, others are copied to and from the device.
 PIECES = 3
 
 
 @dataclass(frozen=True)
 class GraphicsLoop:
-    """The loop in PTX, and the processor that runs it.
+    """The loop as PTX code, and the processor that runs it.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class GraphicsLoop:
     ptx: str = field(repr=False)
 
     def run(self, task: BatchInput, threads: int | None) -> BatchOutput:
-        """The motions, piece by piece; `threads` of the host have nothing to do here."""
+        """Integrate the motions piece by piece; `threads` of the host is ignored."""
         result = empty_output(task)
         each = max(1, result.states.nbytes // max(task.motions, 1))
         motions = max(1, min(MOTIONS, PIECE // each))
@@ -68,7 +68,7 @@ class GraphicsLoop:
 
 
 def refuse_graphics(device: Device) -> None:
-    """Raise InputError where motions with friction are wanted on a graphics processor."""
+    """Raise InputError if motions with friction are requested on a graphics processor."""
     if device == "gpu":
         raise InputError(
             "device = 'gpu': motions with friction, whose equations change, are computed on the "
@@ -82,7 +82,7 @@ def graphics_loop(
     tolerance: float,
     open_device: Callable[[], GraphicsProcessor] = open_processor,
 ) -> GraphicsLoop:
-    """The loop for some equations, with 16 or 30 digits and the method for a tolerance.
+    """Generate the loop for given equations, with 16 or 30 digits and the method for a tolerance.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
-"""The loop over motions for one thread of a graphics processor.
+"""LLVM code of the integration loop for one thread of a graphics processor.
 
-The text is that of one vector lane.  Threads take motions from a counter that they share, so that
-none waits for its neighbours; whatever a thread has to do between steps is done within one loop,
-so that the threads of a warp take their steps together.
+The code is that of a single vector lane.  Threads take motions from a shared counter, so none waits
+for its neighbours.  Everything that a thread does between steps happens within one loop, so the
+threads of a warp take their steps together.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from ..kernel.runge_kutta import RungeKuttaLoop
 from ..kernel.tableaux import Explicit
 from ..machine_code.arithmetic import Arithmetic, V
 
-#: The name of the function that a graphics processor starts.
+#: Name of the kernel function.
 ENTRY = "march"
 
 _HEAD = (
@@ -24,8 +24,8 @@ _HEAD = (
     "ptr noalias %outcome, ptr noalias %ended, ptr noalias %taken)"
 )
 
-# calls instead of a dozen copies of the rates: they leave more registers, and their code stays in
-# the cache of instructions
+# Calls instead of a dozen inlined copies of the rates: this leaves more registers, and the code
+# stays in the instruction cache.
 _ATTRIBUTES = """
 attributes #0 = { nounwind }
 attributes #1 = { nounwind noinline }
@@ -33,10 +33,10 @@ attributes #1 = { nounwind noinline }
 
 
 class _ThreadLoop(RungeKuttaLoop[V]):
-    """The loop of one thread."""
+    """Generates the loop of one thread."""
 
     def write(self) -> str:
-        """The whole text."""
+        """The complete LLVM code."""
         w = self.w
         w.entry.append(f"  %work = alloca [{self.space.size} x {w.type}], align 64")
         self.start_lanes()
@@ -46,25 +46,25 @@ class _ThreadLoop(RungeKuttaLoop[V]):
             leave(w.emit(f"xor i1 {w.any(self.live())}, true"))
             with w.branch(w.any(w.compare("ogt", self.get("fresh"), w.constant(0.0)))):
                 self.begin_fresh()
-            # a start that is refused has an event before its first step
+            # A rejected start has an event before its first step.
             with w.branch(w.emit(f"xor i1 {self._in_event()}, true")):
                 self.step()
         return "\n".join((self.pieces, w.text(_HEAD, "#0"), _ATTRIBUTES))
 
     def variables(self, first: int, last: int) -> Iterator[int]:
-        """The places of some variables, written out: registers of a thread have no index."""
+        """Indices of some variables, unrolled: registers of a thread cannot be indexed."""
         yield from range(first, last)
 
     def _in_event(self) -> str:
         return self.w.any(self.w.compare("ogt", self.get("event"), self.w.constant(0.0)))
 
     def next_index(self) -> str:
-        """The number of the next trajectory, from the counter of all threads."""
+        """The index of the next motion, from a counter shared by all threads."""
         return self.w.emit("atomicrmw add ptr %counter, i64 1 monotonic, align 8")
 
 
 def thread_loop(arithmetic: type[Arithmetic[V]], method: Explicit, equations: Equations) -> str:
-    """The text of the loop in LLVM's language.
+    """Generate the LLVM code of the loop.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The loop over motions on the processors of this machine, with a motion in each vector lane."""
+"""The integration loop on the CPUs of this machine, with one motion per vector lane."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from .batch_arrays import BatchInput, BatchOutput, empty_output
 from .threads import run_in_threads
 
 _I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
-#: Arguments of the loop.
+#: Argument types of the loop.
 SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P, _P, _P)
 
 
 @dataclass(frozen=True)
 class ProcessorLoop:
-    """Vector code for this processor.
+    """Vector code for the CPU.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class ProcessorLoop:
     code: native.Native = field(repr=False)
 
     def run(self, task: BatchInput, threads: int | None) -> BatchOutput:
-        """The motions; see :class:`flowlanes.flow.devices.batch_arrays.BatchLoop`."""
+        """Integrate the motions; see :class:`flowlanes.flow.devices.batch_arrays.BatchLoop`."""
         result = empty_output(task)
 
         def compute(first: int, last: int) -> None:
@@ -48,7 +48,7 @@ class ProcessorLoop:
 
 
 def processor_loop(equations: Equations, digits: int, tolerance: float) -> ProcessorLoop:
-    """The loop for some equations, with 16 or 30 digits and the method for a tolerance."""
+    """Compile the loop for given equations, with 16 or 30 digits and the method for a tolerance."""
     width = native.width()
     arithmetic, method = arithmetic_and_method(digits, tolerance)
 

@@ -1,8 +1,8 @@
-"""From LLVM's language to PTX, the assembly language of NVIDIA's graphics processors.
+"""Compile LLVM code to PTX, the assembly language of NVIDIA's graphics processors.
 
-The driver of a device translates PTX for its processor.  All operations are rounded as on other
-processors (IEEE 754), and products are fused into sums only where the text says so: instructions
-carry ``.rn``, which forbids anything else.
+The driver translates PTX for the device.  All operations are rounded as on CPUs (IEEE 754), and
+products and sums are fused only where the code says so: instructions carry ``.rn``, which forbids
+contraction.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import llvmlite.binding as llvm
 from ..machine_code import code_cache as cache
 from ..machine_code.jit import optimise
 
-#: The oldest processor that the newest driver knows (Turing).
+#: The oldest architecture that current drivers support (Turing).
 ARCHITECTURE = "sm_75"
 
 
@@ -29,14 +29,14 @@ def _machine() -> llvm.TargetMachine:
 
 
 def compile_ptx(text: str) -> str:
-    """PTX of a text in LLVM's language."""
+    """Compile LLVM code to PTX."""
     machine = _machine()
     ptx: str = machine.emit_assembly(optimise(text, machine))
     return ptx
 
 
 def cached_ptx(key: str, text: Callable[[], str]) -> str:
-    """PTX of a text, compiled or from the cache.
+    """PTX for LLVM code, compiled or from the cache.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The motions of one call shared between threads."""
+"""Share the motions of one call between threads."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ import numpy as np
 
 T = TypeVar("T")
 
-#: Threads that a section of a program may use at most; set by code that runs several at once.
+#: Number of threads that the current context may use; set by code that runs several tasks at once.
 THREADS: ContextVar[int] = ContextVar("THREADS", default=2**31)
 
-#: Motions of a piece at least: fewer are done sooner than a thread begins.
+#: Smallest number of motions per thread: for fewer, starting a thread does not pay.
 _PIECE = 32
 
 
 def available_threads() -> int:
-    """Processors that this section of the program may use."""
+    """Number of processors that the current context may use."""
     if hasattr(os, "sched_getaffinity"):
         processors = len(os.sched_getaffinity(0))
     else:
@@ -30,10 +30,10 @@ def available_threads() -> int:
 
 
 def map_in_threads(compute: Callable[[int, int], T], count: int) -> list[T]:
-    """Results of ``compute(first, last)`` on ranges that together are 0, …, count − 1.
+    """Apply ``compute(first, last)`` to ranges that partition 0, …, count − 1; return the results.
 
-    There is a range for each processor that may be used, or fewer; what a range computes may use
-    its share of them.  For work whose parts of NumPy leave other processors idle.
+    There is at most one range per available processor; within a range, the rest of the processors
+    may be used.  This is for work whose NumPy parts leave other processors idle.
     """
     processors = available_threads()
     edges = np.linspace(0, count, max(1, min(processors, count)) + 1).astype(int).tolist()
@@ -51,7 +51,7 @@ def map_in_threads(compute: Callable[[int, int], T], count: int) -> list[T]:
 
 
 def run_in_threads(compute: Callable[[int, int], None], count: int, threads: int | None) -> None:
-    """Call ``compute(first, last)`` on ranges that together are 0, …, count − 1.
+    """Call ``compute(first, last)`` on ranges that partition 0, …, count − 1.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Many motions at once, in blocks that are kept on disk and may run on Dask."""
+"""Ensembles of motions, computed in blocks that are stored on disk and may run on Dask."""
 
 import lazy_loader
 

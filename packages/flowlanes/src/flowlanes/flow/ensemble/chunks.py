@@ -1,4 +1,4 @@
-"""The chunks of a store: their files, and the check that they are the ones that were written."""
+"""The chunk files of a store, and the check that they are the ones that were written."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ if TYPE_CHECKING:
 
     ZarrArray: TypeAlias = zarr.Array[Any]
 
-#: The table of sizes and times of change of all chunks, in the folder of the marks: a row of pairs
-#: of 64-bit numbers for each block.
+#: File with the sizes and modification times of all chunks, in the folder of the block marks: for
+#: each block a row of pairs of 64-bit integers.
 CHUNK_TABLE = Path("done", "chunks")
 
 
 def chunk_path(folder: Path, name: str, block: int, dimensions: int) -> Path:
-    """The file that holds an array's share of a block."""
+    """Path of the chunk that holds one block of an array."""
     return folder.joinpath(name, "c", str(block), *["0"] * (dimensions - 1))
 
 
 def write_chunk_table(folder: Path, block: int, chunks: Sequence[Path]) -> None:
-    """Write sizes and times of change of the chunks of a block to the disk."""
+    """Store the sizes and modification times of the chunks of a block on disk."""
     row = np.array([_status(chunk) for chunk in chunks], dtype="<i8").tobytes()
     table = folder / CHUNK_TABLE
     table.touch()
@@ -40,7 +40,7 @@ def write_chunk_table(folder: Path, block: int, chunks: Sequence[Path]) -> None:
 
 
 def _chunk_table(folder: Path, blocks: int, variables: int) -> IntArray:
-    """Sizes and times of change (blocks, variables, 2) of chunks; zero if unwritten."""
+    """Sizes and modification times (blocks, variables, 2) of the chunks; zero if not written."""
     table = np.zeros((blocks, variables, 2), dtype="<i8")
     with contextlib.suppress(OSError):
         content = (folder / CHUNK_TABLE).read_bytes()[: table.nbytes]
@@ -50,7 +50,7 @@ def _chunk_table(folder: Path, blocks: int, variables: int) -> IntArray:
 
 
 def _status(chunk: Path) -> tuple[int, int]:
-    """Size and time of change (ns) of a file; zeros if there is none."""
+    """Size and modification time (ns) of a file; zeros if it does not exist."""
     try:
         status = chunk.stat()
     except (FileNotFoundError, NotADirectoryError):
@@ -59,14 +59,14 @@ def _status(chunk: Path) -> tuple[int, int]:
 
 
 def flush(chunk: Path) -> None:
-    """Wait until a file is on the disk itself, so that no mark gets there before it."""
-    # Windows flushes only what it may write to
+    """Wait until a file is physically on disk, so that no mark can precede it."""
+    # Windows can only flush files opened for writing.
     with chunk.open("r+b") as stream:
         os.fsync(stream.fileno())
 
 
 def _is_complete(folder: Path, array: ZarrArray, block: int, status: tuple[int, ...]) -> bool:
-    """Whether an array's chunk of a block is the one that was written.
+    """Whether the chunk of a block is the one that was written.
 
     Parameters
     ----------
@@ -84,13 +84,13 @@ def _is_complete(folder: Path, array: ZarrArray, block: int, status: tuple[int, 
     try:
         array[first : first + array.chunks[0]]
     except Exception:
-        # damage may make the library raise anything
+        # Damaged data may make the library raise any exception.
         return False
     return True
 
 
 def damaged_blocks(folder: Path, arrays: Sequence[ZarrArray], complete: BoolArray) -> list[int]:
-    """Blocks that are marked, but of which a chunk is missing, empty or damaged.
+    """Blocks that are marked as complete but have a missing, empty or damaged chunk.
 
     Parameters
     ----------

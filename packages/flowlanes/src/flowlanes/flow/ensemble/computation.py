@@ -1,4 +1,4 @@
-"""Execution of a task block by block: in memory or into a Zarr store, here or with Dask."""
+"""Execute a task block by block: in memory or into a Zarr store, locally or with Dask."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def compute(
     client: Client | str | int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
-    """Carry out a task.
+    """Execute a task.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def compute(
     >>> x = flowlanes.scans.axis("I_1=1:2:3")
     >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
     >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
-    >>> rule = flowlanes.scans.SurvivalTime(ball, 5.0)
+    >>> rule = flowlanes.scans.survival_time(ball, 5.0)
     >>> task = flowlanes.scans.scan(flowlanes.scans.Scan(grid, rule, "survival", "Survival time"))
     >>> flowlanes.flow.ensemble.compute(task)["survival"].values.tolist()
     [[5.0, 5.0, 5.0], [5.0, 5.0, 5.0]]
@@ -77,7 +77,7 @@ def compute(
 
 
 def _require_room(task: Task, where: str | Path | None) -> None:
-    """Refuse a task whose result is too large for the memory or the disk."""
+    """Raise an error if the result does not fit into memory or on the disk."""
     sizes = [
         (task.size * math.prod(variable.shape), np.dtype(variable.dtype).itemsize)
         for variable in task.variables.values()
@@ -89,13 +89,13 @@ def _require_room(task: Task, where: str | Path | None) -> None:
 
 
 def _no_progress(share: float) -> None:
-    """Ignore progress."""
+    """Ignore progress reports."""
 
 
 def _results(
     task: Task, blocks: Sequence[int], client: Client | str | int | None, progress: Progress
 ) -> Iterator[tuple[int, Arrays]]:
-    """The blocks asked for as they come, each with its number."""
+    """Yield the requested blocks with their numbers, as they become ready."""
     progress(1 - len(blocks) / task.blocks)
     pace = Pace()
     if client is None:

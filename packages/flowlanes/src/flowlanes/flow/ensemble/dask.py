@@ -1,7 +1,7 @@
-"""Blocks computed by the workers of a Dask cluster.
+"""Compute blocks on the workers of a Dask cluster.
 
-Workers only compute; this process alone writes.  So nothing needs to be shared but the network, and
-a worker that disappears costs the block it was at, which another one computes again.
+Workers only compute; this process alone writes.  So nothing but the network has to be shared, and a
+worker that disappears costs only its current block, which another worker recomputes.
 """
 
 from __future__ import annotations
@@ -22,20 +22,20 @@ from .task import Arrays, Divisible, IncompleteError, Work
 if TYPE_CHECKING:
     from distributed import Client, Future
 
-#: Blocks waiting at each thread of the workers, besides the one it is at.
+#: Number of blocks queued per worker thread, besides the current one.
 _WAITING = 1
 
-#: Times that Dask may give up a block before it is given up here.
+#: Number of times that Dask may retry a block before the computation stops.
 _MOST_FAILURES = 3
 
-#: The time within which a scheduler must answer.
+#: Time within which a scheduler must answer.
 CONNECTION_TIMEOUT = "10s"
 
 
 def results(
     client: Client | str | int, work: Work, blocks: Mapping[int, tuple[int, int]]
 ) -> Iterator[tuple[int, Arrays]]:
-    """Blocks in the order in which they are ready.
+    """Yield blocks in the order in which they are ready.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def results(
             try:
                 arrays: Arrays = future.result()
             except distributed.KilledWorker:
-                # Dask blames all blocks of a worker that disappears, not the one it was at alone
+                # Dask blames all blocks of a worker that disappears, not only its current one.
                 blamed[block] += 1
                 if blamed[block] == _MOST_FAILURES:
                     first, last = blocks[block]
@@ -111,7 +111,7 @@ def results(
 
 
 def _compute(pickle: bytes, first: int, last: int) -> Arrays:
-    """A block, in a thread of a worker, on CHAPLYGIN_THREADS processors (1)."""
+    """Compute a block in a worker thread, on CHAPLYGIN_THREADS processors (default 1)."""
     from ..devices.threads import THREADS
 
     before = THREADS.set(int(os.environ.get("CHAPLYGIN_THREADS", "1")))
@@ -123,7 +123,7 @@ def _compute(pickle: bytes, first: int, last: int) -> Arrays:
 
 @functools.lru_cache(maxsize=2)
 def _work_of(pickle: bytes) -> Work:
-    """The work, once for every worker and not for every block."""
+    """The work, unpickled once per worker and not once per block."""
     import cloudpickle
 
     work: Work = cloudpickle.loads(pickle)
@@ -132,7 +132,7 @@ def _work_of(pickle: bytes) -> Work:
 
 @contextmanager
 def _client(client: Client | str | int) -> Iterator[Client]:
-    """A client; what is opened here is closed here."""
+    """Connect to a cluster; a client opened here is closed again."""
     import dask
     import distributed
 
@@ -147,7 +147,7 @@ def _client(client: Client | str | int) -> Iterator[Client]:
         )
     if whole or client == "local":
         number = int(client) if whole else None
-        # a worker that is killed again while it is started again is not given up
+        # A worker that is killed while being restarted is not given up.
         patient = {"distributed.deploy.lost-worker-timeout": "1 day"}
         with (
             dask.config.set(patient),
@@ -155,7 +155,8 @@ def _client(client: Client | str | int) -> Iterator[Client]:
                 n_workers=number,
                 threads_per_worker=1,
                 dashboard_address=":0",
-                # failures come with the futures; a heartbeat to a scheduler that closes is none
+                # Failures arrive with the futures; a failed heartbeat to a closing scheduler is
+                # harmless.
                 silence_logs=logging.CRITICAL,
             ) as cluster,
             distributed.Client(cluster, set_as_default=False) as connected,
@@ -163,7 +164,7 @@ def _client(client: Client | str | int) -> Iterator[Client]:
             yield connected
     else:
         try:
-            # a client that fails as it is made would stay the process's default
+            # A client that fails during construction would remain the default of the process.
             connected = distributed.Client(client, timeout=CONNECTION_TIMEOUT, set_as_default=False)
         except (OSError, ValueError) as problem:
             raise InputError(

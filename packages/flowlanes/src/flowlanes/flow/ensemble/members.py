@@ -64,9 +64,9 @@ class SampledMembers:
 
 @dataclass(frozen=True, eq=False)
 class Members:
-    """Every combination of members of its factors; the last factor varies fastest.
+    """All combinations of the members of its factors; the last factor varies fastest.
 
-    Two of them are multiplied with ``*``.
+    Two Members can be multiplied with ``*``.
 
     Parameters
     ----------
@@ -101,14 +101,14 @@ class Members:
 
     @property
     def names(self) -> list[str]:
-        """Everything that is given values."""
+        """Names of all quantities with given values."""
         return [
             n for factor in self.factors if isinstance(factor, ListedMembers) for n in factor.values
         ]
 
     @property
     def draw(self) -> SampledMembers | None:
-        """The random starts, if there are any."""
+        """The random starts, or None."""
         return next((factor for factor in self.factors if isinstance(factor, SampledMembers)), None)
 
     def rows(self, first: int, last: int) -> tuple[dict[str, FloatArray], IntArray | None]:

@@ -1,4 +1,4 @@
-"""Ensembles: many motions of one System at the same instants, in blocks."""
+"""Ensembles: many motions of one System, sampled at the same times, in blocks."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ if TYPE_CHECKING:
     from distributed import Client
 
 
-#: A block holds no more members than this, nor more numbers.
+#: Largest number of members of a block, and largest number of values.
 _MEMBERS: Mapping[Device, int] = {"cpu": 4096, "gpu": 1 << 17}
 _NUMBERS = 1 << 22
 
-#: Blocks for a cluster, at least.
+#: Smallest number of blocks for a cluster.
 SHARES = 64
 
 
@@ -55,7 +55,7 @@ def ensemble(
     client: Client | str | int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
-    """Many motions of a system, each from its own start with its own parameters.
+    """Integrate many motions of a system, each with its own start and parameters.
 
     Parameters
     ----------
@@ -133,10 +133,10 @@ def ensemble_task(
     block: int | None = None,
     shares: int = 1,
 ) -> Task:
-    """An ensemble that is still to be computed; see :func:`ensemble`.
+    """Prepare an ensemble without computing it; see :func:`ensemble`.
 
-    Unless the size of a block is given, there are as many as `shares` at least, of 16 members or
-    more, so that several workers find something to do.
+    Unless the block size is given, there are at least `shares` blocks, of 16 members or more, so
+    that several workers are kept busy.
     """
     everyone = members if isinstance(members, Members) else from_lists(state=members)
     work = EnsembleWork(
@@ -152,7 +152,7 @@ def ensemble_task(
     if twice:
         raise InputError(f"{system.name}: {', '.join(twice)} is given twice")
     lanes = work.lanes
-    # a mistake shows at the first member, before any store is begun
+    # Check the first member now, so that a mistake shows before a store is created.
     first, parameters, points = work.starts(0, 1)
     try:
         lanes.require_reach(first[0], work.times[-1], parameters)
@@ -176,14 +176,14 @@ def ensemble_task(
 
 
 def _times(times: Numbers) -> tuple[float, ...]:
-    """The sampling times of an ensemble, or an InputError."""
+    """The sampling times of an ensemble; raises InputError if they are invalid."""
     row = np.atleast_1d(as_float_array("times", times))
     moments(row, backward=bool(row.size) and bool(row.flat[-1] < 0))
     return tuple(row.tolist())
 
 
 def _constants(system: System, parameters: Parameters) -> dict[str, float]:
-    """Values of parameters by name, without those that equal the default."""
+    """Parameter values by name, without those that equal the default."""
     constants, defaults = {}, dict(system.default_values)
     for name, value in (parameters or {}).items():
         number = as_float_array(f"{system.name}: {name}", value)
@@ -197,7 +197,7 @@ def _constants(system: System, parameters: Parameters) -> dict[str, float]:
 
 
 def _variables(work: EnsembleWork, are_random: bool) -> dict[str, Variable]:
-    """The variables that `EnsembleWork` computes."""
+    """The output variables of `EnsembleWork`."""
     system, moments = work.system, len(work.times)
     text = {str(p.symbol): p for p in system.parameters}
     variables = {
@@ -225,7 +225,7 @@ def _variables(work: EnsembleWork, are_random: bool) -> dict[str, Variable]:
 def sampled_variable(
     moments: int, size: int, frame: str, meaning: str, unit: str, source: str
 ) -> Variable:
-    """A quantity along the motions."""
+    """The description of a quantity sampled along the motions."""
     notes = cf_attributes(meaning, unit, source)
     if not frame:
         return Variable(("time",), (moments,), attributes=notes)
@@ -237,7 +237,7 @@ def sampled_variable(
 
 
 def _outcomes(work: EnsembleWork) -> dict[str, object]:
-    """Flags that say why a motion ended."""
+    """Flag values that say why a motion ended."""
     codes = range(len(STATUS_MESSAGES) + len(work.system.guards))
     reasons = [
         "the last time was reached",
@@ -254,7 +254,7 @@ def _outcomes(work: EnsembleWork) -> dict[str, object]:
 def sample_coordinates(
     times: Sequence[float], variables: Mapping[str, Variable]
 ) -> dict[str, Coordinate]:
-    """The times and the axes that are used."""
+    """The coordinates for the times and for the axes in use."""
     used = {dimension for variable in variables.values() for dimension in variable.dimensions}
     axes = {
         axis: Coordinate((axis,), np.array(labels), cf_attributes(LABELS[axis], "1"))
@@ -282,7 +282,7 @@ def _attributes(work: EnsembleWork) -> dict[str, object]:
 
 
 def _draw(work: EnsembleWork, parameters: Mapping[str, npt.ArrayLike]) -> dict[str, object]:
-    """Seed and measure of random starts, at the parameters of the first member."""
+    """Seed and measure of the random starts, at the parameters of the first member."""
     draw = work.members.draw
     if draw is None:
         return {}

@@ -1,9 +1,9 @@
-"""Long computations in blocks: in memory or streamed to a store, here or on a cluster.
+"""Long computations in blocks: in memory or streamed to a store, locally or on a cluster.
 
-A computation has many members (runs of an ensemble, cells of a chart), each of which depends on
-its own number alone.  They are computed in blocks of neighbours; a block that is done stays done,
-so that a computation that was killed resumes where it was, and its numbers are the same to the
-bit in whatever order, in whatever blocks and on however many machines they were computed.
+A computation has many members (runs of an ensemble, cells of a chart), each of which depends only
+on its own index.  They are computed in contiguous blocks.  A finished block is kept, so a
+computation that was killed resumes where it stopped, and its numbers are the same bit for bit in
+whatever order, in whatever blocks and on however many machines they are computed.
 """
 
 from __future__ import annotations
@@ -24,30 +24,30 @@ if TYPE_CHECKING:
     pass
 
 Arrays: TypeAlias = Mapping[str, np.ndarray]
-#: A function that is called with the fraction done.
+#: A function called with the completed fraction.
 Progress: TypeAlias = Callable[[float], Any]
 
 
 class Work(Protocol):
-    """A callable that computes blocks: first, last ↦ arrays by name, a row per member.
+    """A callable that computes blocks: first, last ↦ arrays by name, one row per member.
 
-    The rows are those of the members first, …, last − 1.
+    The rows belong to the members first, …, last − 1.
 
-    It must be pure (the same numbers give the same bits, wherever and in whatever blocks), and be
-    such that it can be pickled and named: a function of a module, a :func:`functools.partial` of
-    one, or a frozen dataclass with ``__call__``.
+    It must be pure (the same numbers give the same bits, wherever and in whatever blocks),
+    picklable and identifiable by name: a function of a module, a :func:`functools.partial` of one,
+    or a frozen dataclass with ``__call__``.
     """
 
     def __call__(self, first: int, last: int, /) -> Arrays:
-        """Arrays by name; their leading axis has length last − first."""
+        """Arrays by name; their first axis has length last − first."""
 
 
 @runtime_checkable
 class Divisible(Work, Protocol):
-    """Work that holds so much data that each worker should be sent its share alone."""
+    """Work with so much data that each worker should receive only its share."""
 
     def part(self, first: int, last: int, /) -> Work:
-        """Work that gives the same for these members, numbered as before."""
+        """Work that returns the same values for these members, with the same numbering."""
 
 
 @arguments_checked
@@ -84,7 +84,7 @@ class Variable:
 
 @dataclass(frozen=True)
 class Coordinate:
-    """A small array that is known beforehand, such as the times of the samples."""
+    """A small array known in advance, such as the sampling times."""
 
     dimensions: tuple[str, ...]
     values: npt.ArrayLike
@@ -127,7 +127,7 @@ class Task(WithShortRepr):
     >>> x = flowlanes.scans.axis("I_1=1:2:3")
     >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
     >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
-    >>> rule = flowlanes.scans.SurvivalTime(ball, 5.0)
+    >>> rule = flowlanes.scans.survival_time(ball, 5.0)
     >>> task = flowlanes.scans.scan(flowlanes.scans.Scan(grid, rule, "survival", "Survival time"))
     >>> task.size, task.member
     (2, 'I_2')
@@ -157,7 +157,7 @@ class Task(WithShortRepr):
         return math.ceil(self.size / self.block)
 
     def require_arrays(self, arrays: Arrays, first: int, last: int) -> Arrays:
-        """The arrays of a block, if names, shapes and types are as declared.
+        """Check that names, shapes and dtypes of a block are as declared, and return its arrays.
 
         Raises
         ------
@@ -180,7 +180,7 @@ class Task(WithShortRepr):
 
 
 class IncompleteError(RunError):
-    """A computation in blocks that stopped before its end; what was written stays.
+    """A computation in blocks stopped early; the blocks already written are kept.
 
     Examples
     --------

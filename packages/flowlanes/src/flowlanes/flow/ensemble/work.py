@@ -1,4 +1,4 @@
-"""The work of an ensemble: motions of some of its members."""
+"""The work of an ensemble: integrate some of its members."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def quantities_by_name(system: System, names: Sequence[str]) -> tuple[RecordedQu
 
 
 def _is_observable(name: str) -> bool:
-    """Whether a recorded quantity is none of the integrals, which are listed first."""
+    """Whether a recorded quantity is an observable, not an integral; integrals are listed first."""
     return not name.startswith("law_")
 
 
@@ -78,7 +78,7 @@ class EnsembleWork:
 
     @property
     def lanes(self) -> BatchIntegrator:
-        """The machine code."""
+        """The compiled integrator."""
         return batch_integrator(
             self.system,
             tolerance=self.tolerance,
@@ -88,12 +88,12 @@ class EnsembleWork:
 
     @property
     def varied_parameters(self) -> tuple[str, ...]:
-        """The parameters that are given member by member."""
+        """The parameters that vary between members."""
         known = {str(p.symbol) for p in self.system.parameters}
         return tuple(name for name in self.members.names if name in known)
 
     def __call__(self, first: int, last: int) -> Arrays:
-        """Motions first, …, last − 1; arrays by name, a row for each."""
+        """Integrate the motions first, …, last − 1; arrays by name, one row per motion."""
         try:
             starts, parameters, points = self.starts(first, last)
             motions = self.lanes.propagate(starts, self.times, parameters)
@@ -117,7 +117,7 @@ class EnsembleWork:
         return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
 
     def part(self, first: int, last: int) -> EnsembleWork:
-        """The work for these members alone, without the listed rows of others."""
+        """The work restricted to these members, without the listed rows of others."""
         if self.members.draw is not None:
             return self
         rows, _ = self.members.rows(first - self.offset, last - self.offset)
@@ -126,7 +126,7 @@ class EnsembleWork:
     def starts(
         self, first: int, last: int
     ) -> tuple[FloatArray, dict[str, float | FloatArray], IntArray | None]:
-        """Initial states, parameters, and numbers of the random starts, of some members."""
+        """Initial states, parameters, and indices of the random starts, for some members."""
         rows, points = self.members.rows(first - self.offset, last - self.offset)
         varied = {name: rows.pop(name) for name in self.varied_parameters}
         parameters: dict[str, float | FloatArray] = {**self.parameters, **varied}
@@ -142,7 +142,7 @@ class EnsembleWork:
     def _random_starts(
         self, draw: SampledMembers, parameters: Mapping[str, FloatArray], points: IntArray
     ) -> FloatArray:
-        """Random starts by number, each on the level at its own parameters."""
+        """Random starts by index, each on the level at its own parameters."""
         starts = np.empty((len(points), len(self.system.symbols)))
         rows = np.column_stack([np.zeros(len(points)), *parameters.values()])
         sets, which = np.unique(rows, axis=0, return_inverse=True)
@@ -156,7 +156,7 @@ class EnsembleWork:
         return starts
 
     def level(self, parameters: Mapping[str, float]) -> LevelSampler:
-        """The level from which starts are drawn, at values of the varying parameters."""
+        """The level from which starts are drawn, for given values of the varying parameters."""
         level = self.members.draw.level if self.members.draw is not None else {}
         values = {**self.parameters, **parameters}
         return _level(self.system, tuple(level.items()), tuple(values.items()))

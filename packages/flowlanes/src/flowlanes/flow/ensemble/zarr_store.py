@@ -1,16 +1,15 @@
-"""The Zarr store of a computation in blocks: written so that it can be killed at any moment.
+"""The Zarr store of a computation in blocks, written so that it can be killed at any moment.
 
-A block has a chunk of every variable.  Each chunk appears whole or not at all.  When all of them
-are on the disk, their sizes and times of change are written into a table, and when that is on the
-disk too, the block is marked in the array ``done``, which again appears whole or not at all.  So a
-block that is marked is complete, whatever happened; one that is not is computed again, to the same
-bits.
+A block has one chunk of every variable.  Each chunk appears atomically.  Once all of them are on
+disk, their sizes and modification times are written to a table, and once that is on disk too, the
+block is marked in the array ``done``, again atomically.  So a marked block is complete, whatever
+happened; an unmarked one is computed again, to the same bits.
 
-Chunks may be deleted or damaged later.  On opening, a chunk whose size and time of change are those
-in the table is the one that was written.  Any other one (in a copy of the store, after damage) is
-read with its checksum, and a block with a chunk that is missing or damaged is computed again.  So
-an ordinary opening lists the files of the store but reads none of its data.  The store as such
-appears at once too, under a provisional name first.
+Chunks may be deleted or damaged later.  When a store is opened, a chunk whose size and modification
+time agree with the table is the one that was written.  Any other one (in a copy of the store, or
+after damage) is read with its checksum, and a block with a missing or damaged chunk is computed
+again.  So opening a store normally lists its files but reads none of its data.  The store itself is
+also created atomically, under a temporary name first.
 """
 
 from __future__ import annotations
@@ -40,16 +39,16 @@ if TYPE_CHECKING:
 
     ZarrArray: TypeAlias = zarr.Array[Any]
 
-#: The array of the marks of complete blocks.
+#: Name of the array that marks complete blocks.
 MARKS = "done"
 
-#: An attribute of every store, by which other stores are recognised.
+#: Attribute that identifies the stores written by this module.
 FORMAT = "chaplygin blocks 1"
 
 
 @dataclass
 class Store:
-    """A store that is being written, by this process alone.
+    """A store that is being written, by this process only.
 
     Parameters
     ----------
@@ -68,12 +67,12 @@ class Store:
 
     @property
     def missing(self) -> list[int]:
-        """The blocks that are not complete."""
+        """Indices of the incomplete blocks."""
         blocks: list[int] = np.flatnonzero(~self.complete).tolist()
         return blocks
 
     def write(self, block: int, arrays: Arrays) -> None:
-        """Write a block; it counts as done when all of it is on the disk.
+        """Write a block; it counts as done once it is completely on disk.
 
         Raises
         ------
@@ -112,9 +111,9 @@ def _reason(problem: OSError) -> str:
 
 @contextmanager
 def open_store(task: Task, folder: Path) -> Iterator[Store]:
-    """The store of a task, created or resumed; nobody else may write to it meanwhile.
+    """Create or resume the store of a task; no other process may write to it meanwhile.
 
-    The blocks are those in which it was created.
+    An existing store keeps the block size with which it was created.
 
     Raises
     ------
@@ -134,7 +133,7 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
 
 
 def remove_store(folder: Path) -> None:
-    """Remove a store that nobody is writing.
+    """Delete a store that no process is writing to.
 
     Raises
     ------
@@ -147,9 +146,9 @@ def remove_store(folder: Path) -> None:
 
 
 def read_store(folder: str | Path) -> xr.Dataset:
-    """The dataset in a store, read from the disk when it is used.
+    """Open the dataset in a store; data are read from disk on demand.
 
-    Numbers that are not computed yet are not-a-number (−1 if they are whole numbers).
+    Values not yet computed are NaN (−1 for integers).
 
     Raises
     ------
@@ -169,7 +168,7 @@ def read_store(folder: str | Path) -> xr.Dataset:
     try:
         dataset = xr.open_dataset(folder, engine="zarr", chunks=None, decode_times=False)
     except Exception as problem:
-        # damage may make the libraries raise anything
+        # Damaged data may make the libraries raise any exception.
         raise InputError(
             f"{path} is damaged: its coordinates cannot be read; delete it or choose another name "
             "for the store, and run the same again"
@@ -178,7 +177,7 @@ def read_store(folder: str | Path) -> xr.Dataset:
 
 
 def _create(task: Task, folder: Path) -> None:
-    """An empty store under a provisional name, then under its own."""
+    """Create an empty store under a temporary name, then rename it."""
     if not folder.parent.is_dir():
         raise InputError(f"{folder} cannot be written: there is no folder {folder.parent}")
     with partial_folder(folder.parent) as provisional:
@@ -186,7 +185,7 @@ def _create(task: Task, folder: Path) -> None:
         try:
             provisional.replace(folder)
         except OSError:
-            # another process may have been as far at the same moment
+            # Another process may have created the store at the same moment.
             if _is_empty(folder):
                 raise
 
@@ -200,10 +199,10 @@ def _write_layout(task: Task, folder: Path) -> None:
     import zarr
     from zarr.codecs import ZstdCodec
 
-    # with it damage is an error and no number
+    # With a checksum, damage raises an error instead of giving a wrong number.
     compressor = ZstdCodec(checksum=True)
     with warnings.catch_warnings():
-        # texts and consolidated metadata are widely read, but not in the standard yet
+        # Strings and consolidated metadata are widely supported, but not yet in the standard.
         warnings.simplefilter("ignore")
         coordinates = [name for name, item in task.variables.items() if item.coordinate]
         group = zarr.create_group(
@@ -253,17 +252,17 @@ def _write_layout(task: Task, folder: Path) -> None:
 
 
 def _attributes(notes: Mapping[str, object]) -> dict[str, Any]:
-    """Attributes as Zarr takes them: numbers, texts, lists."""
+    """Attributes in the types that Zarr supports: numbers, strings, lists."""
     return dict(notes)
 
 
 def _fill_value(dtype: np.dtype[np.generic]) -> float:
-    """The number in place of one that is not computed yet."""
+    """The value that stands for numbers not yet computed."""
     return {"f": float("nan"), "i": -1}.get(dtype.kind, 0)
 
 
 def _description(task: Task) -> dict[str, str]:
-    """Digests of all that distinguishes this experiment from others, save its blocks."""
+    """Digests of everything that distinguishes this experiment from others, except its blocks."""
     return {
         **{f"attribute {name}": digest(item) for name, item in task.attributes.items()},
         **{f"{name} of the work": value for name, value in field_digests(task.work).items()},
@@ -288,7 +287,7 @@ def _group(folder: Path) -> zarr.Group:
             raise
         known = False
     except Exception:
-        # a foreign or damaged folder may make the library raise anything
+        # A foreign or damaged folder may make the library raise any exception.
         known = False
     if not known:
         raise InputError(f"{folder} is no store of a computation in blocks: choose another name")
@@ -302,7 +301,7 @@ def _array(group: zarr.Group, name: str) -> ZarrArray:
 
 
 def _variables(group: zarr.Group) -> list[ZarrArray]:
-    """The arrays of the variables of the task, in its order."""
+    """The arrays of the variables of the task, in order."""
     texts = (name.partition("variable ") for name in _notes(group)["task"])
     return [_array(group, name) for before, prefix, name in texts if prefix and not before]
 
@@ -319,12 +318,12 @@ def _marks(folder: Path, group: zarr.Group) -> BoolArray:
 
 
 def _notes(group: zarr.Group) -> Mapping[str, Any]:
-    """The attributes of the marks: format, blocks, task and program of a store."""
+    """The attributes of the marks: format, block size, task and version of a store."""
     return group[MARKS].attrs
 
 
 def _resumed_store(task: Task, folder: Path, group: zarr.Group) -> Store:
-    """The store with its own blocks, if it belongs to the task."""
+    """The existing store with its own block size, if it belongs to the task."""
     notes = _notes(group)
     stored, wanted = notes["task"], _description(task)
     for name in [*wanted, *stored]:
@@ -346,12 +345,12 @@ def _resumed_store(task: Task, folder: Path, group: zarr.Group) -> Store:
     return Store(replace(task, block=notes["block"]), folder, arrays, done)
 
 
-#: The choices of a user whose store exists already.
+#: What a user can do if the store already exists.
 _CHOICE = "choose another name for the store, or remove it (commands: --force)"
 
 
 def _difference(name: str, task: Task, group: zarr.Group) -> str:
-    """The difference between two experiments in words, with both values if possible."""
+    """Describe the difference between two experiments, with both values if possible."""
     _, _, attribute = name.partition("attribute ")
     if not attribute:
         return f"its {name} is another one; {_CHOICE}"

@@ -1,1 +1,1 @@
-"""Machine code for integration: its generation, its compilation, its cache."""
+"""Generation of machine code for integrators."""

@@ -1,10 +1,10 @@
-"""Dormand and Prince's method of order 8 to as many digits as wanted.
+"""The coefficients of Dormand and Prince's method of order 8 to arbitrary precision.
 
-Its coefficients were published to thirty digits and stand in SciPy with sixteen.  They are
-roots of the order conditions: one equation for each rooted tree, 200 up to order 8 (Butcher 1963;
-Hairer, Nørsett, Wanner 1993, II.2).  The nodes are known in closed form; they leave free one
-direction in the rows of the last four stages, and some of the estimates, where the point next to
-the published numbers is taken.
+The coefficients were published to thirty digits, and SciPy has them with sixteen.  They are roots
+of the order conditions: one equation for each rooted tree, 200 up to order 8 (Butcher 1963; Hairer,
+Nørsett, Wanner 1993, II.2).  The nodes are known in closed form.  These leave one direction in the
+rows of the last four stages undetermined, and some of the error estimates; there the point closest
+to the published numbers is taken.
 """
 
 from __future__ import annotations
@@ -19,23 +19,23 @@ import numpy as np
 import numpy.typing as npt
 from flint import arb
 
-#: A rooted tree: the branches at its root.
+#: A rooted tree, as the tuple of branches at its root.
 Tree: TypeAlias = tuple["Tree", ...]
 
-#: Numbers: doubles, complex ones, or `arb` with many digits.
+#: Numbers: doubles, complex numbers, or `arb` with many digits.
 Numbers: TypeAlias = npt.NDArray[Any]
 
 ORDER = 8
 STAGES = 12
 
-#: Binary places of the coefficients.
+#: Working precision of the coefficients, in bits.
 BITS = 240
 
-#: Singular values of the conditions below this, relative to the largest, belong to what they
-#: leave free: the smallest of the others is 2e-11.
+#: Relative size below which a singular value of the conditions belongs to an undetermined
+#: direction: the smallest of the others is 2e-11.
 FREE = 1e-13
 
-#: Every step of Newton's method adds nine digits.
+#: Number of Newton steps; each adds nine digits.
 STEPS = 20
 
 
@@ -64,12 +64,12 @@ class Table(NamedTuple):
 
 @lru_cache
 def trees(order: int) -> tuple[Tree, ...]:
-    """All rooted trees with a number of nodes."""
+    """All rooted trees with a given number of nodes."""
     return tuple(_forests(order - 1, order - 1))
 
 
 def _forests(nodes: int, largest: int) -> Iterator[Tree]:
-    """Forests with a number of nodes, their trees in falling order of size."""
+    """Forests with a given number of nodes, with trees in decreasing order of size."""
     if nodes == 0:
         yield ()
     for size in range(min(nodes, largest), 0, -1):
@@ -87,7 +87,7 @@ def _size(tree: Tree) -> int:
 
 @cache
 def _density(tree: Tree) -> int:
-    """The product of the sizes of all subtrees."""
+    """The density γ(t): the product of the sizes of all subtrees."""
     product = _size(tree)
     for branch in tree:
         product *= _density(branch)
@@ -95,7 +95,7 @@ def _density(tree: Tree) -> int:
 
 
 def weights(a: Numbers, b: Numbers, order: int) -> Numbers:
-    """The left sides γ(t) Σ b_i Φ_i(t) of the order conditions, which require 1.
+    """The left sides γ(t) Σ b_i Φ_i(t) of the order conditions, which should equal 1.
 
     Parameters
     ----------
@@ -133,10 +133,10 @@ def _root(
     right: Numbers | arb,
     start: Numbers,
 ) -> Numbers:
-    """The solution of f(x) = right that is next to doubles which nearly solve it.
+    """The solution of f(x) = right closest to doubles that nearly solve it.
 
-    Newton's method with the derivative at the start and its pseudoinverse, so that nothing moves
-    along the surface of solutions.
+    Newton's method with the Jacobian at the starting point and its pseudo-inverse, so that nothing
+    moves along the manifold of solutions.
     """
     step = 1e-30
     columns = [function(start + 1j * step * unit).imag / step for unit in np.eye(len(start))]
@@ -152,18 +152,18 @@ def _root(
 
 
 def _exact(values: Numbers) -> Numbers:
-    """Doubles as numbers of many digits."""
+    """Doubles converted to multi-precision numbers."""
     result: Numbers = np.vectorize(arb, otypes=[object])(values)
     return result
 
 
 def _middles(values: Numbers) -> Numbers:
-    """Numbers without the bounds of their errors."""
+    """Midpoints of balls, without their error bounds."""
     return np.array([value.mid() for value in values])
 
 
 def _fractions(values: Numbers) -> tuple[Fraction, ...]:
-    """Numbers as they stand in memory."""
+    """Numbers converted exactly to fractions."""
     pairs = (arb(value).mid().man_exp() for value in values)
     return tuple(int(mantissa) * Fraction(2) ** int(exponent) for mantissa, exponent in pairs)
 
@@ -172,7 +172,7 @@ def _fractions(values: Numbers) -> tuple[Fraction, ...]:
 
 
 def _nodes() -> Numbers:
-    """The times of the stages (Hairer, Nørsett, Wanner 1993, II.5)."""
+    """The nodes of the stages (Hairer, Nørsett, Wanner 1993, II.5)."""
     root = arb(6).sqrt()
     irrational = [arb(0), (12 - 2 * root) / 135, (6 - root) / 45, (6 - root) / 30, (6 + root) / 30]
     rational = [(1, 3), (1, 4), (4, 13), (127, 195), (3, 5), (6, 7), (1, 1)]
@@ -181,7 +181,7 @@ def _nodes() -> Numbers:
 
 @lru_cache
 def explicit_table() -> Table:
-    """Dormand and Prince's method with all its digits, from the doubles of SciPy."""
+    """Dormand and Prince's method to all digits, starting from SciPy's doubles."""
     from scipy.integrate import DOP853
 
     doubles = DOP853.A[:STAGES, :STAGES]
@@ -216,7 +216,7 @@ def _array_of(
     indices: tuple[Sequence[int] | npt.NDArray[np.intp], ...],
     values: Numbers,
 ) -> Numbers:
-    """An array that is zero but for values at some indices."""
+    """An array that is zero except at given indices."""
     array = np.zeros(shape, values.dtype)
     array[indices] = values
     return array
@@ -231,7 +231,7 @@ def _third_order(c: Numbers) -> Numbers:
 
 
 def _fifth_order(a: Numbers, doubles: Numbers) -> Numbers:
-    """The estimate of order 5, that vanishes for all trees of at most 5 nodes."""
+    """The fifth-order estimate, which vanishes for all trees with at most 5 nodes."""
     places = np.nonzero(doubles)
 
     def conditions(x: Numbers) -> Numbers:

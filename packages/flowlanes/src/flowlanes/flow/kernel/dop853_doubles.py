@@ -1,6 +1,6 @@
-"""Dormand and Prince's method of order 8 in doubles, as SciPy's `DOP853` has it.
+"""Dormand and Prince's method of order 8 in doubles, as in SciPy's `DOP853`.
 
-To import it from there takes 0.4 s, longer than all else before the first point of a section.
+Importing it from SciPy takes 0.4 s, longer than everything else before the first section point.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ B: tuple[float, ...] = (
     0.20136540080403034,
     0.04471061572777259,
 )
-#: Weights of the estimate of order 3.
+#: Weights of the third-order error estimate.
 E3: tuple[float, ...] = (
     -0.18980075407240762,
     0.0,
@@ -100,7 +100,7 @@ E3: tuple[float, ...] = (
     0.20136540080403034,
     0.02265179219836082,
 )
-#: Weights of the estimate of order 5.
+#: Weights of the fifth-order error estimate.
 E5: tuple[float, ...] = (
     0.01312004499419488,
     0.0,

@@ -94,7 +94,7 @@ def poincare_section(
 
 @dataclass(frozen=True)
 class SectionChoice:
-    """One of several sections, the one whose parameter is positive.
+    """One of several sections: the one whose parameter is positive.
 
     Attributes
     ----------
@@ -158,7 +158,7 @@ class Equations:
 
     @property
     def clock(self) -> tuple[int, int] | None:
-        """The place of the state variable that is the time, and whether it runs on (1) or back."""
+        """Index of the state variable that is the time, and whether it runs forward (1)."""
         for i in range(sum(map(len, self.groups))):
             rate = self.rates[i]
             if rate.kind == "number" and abs(rate.args[0]) == 1:
@@ -167,14 +167,14 @@ class Equations:
 
     @property
     def acting(self) -> tuple[int, ...]:
-        """State variables on which some rate depends; a place on a plane is none."""
+        """State variables on which some rate depends; a position on a plane is not among them."""
         controlled = {i for group in self.groups for i in group}
         used = {term.args[0] for term in topological_order(self.rates) if term.kind == "state"}
         return tuple(sorted(controlled & used))
 
     @property
     def pieces(self) -> dict[str, tuple[Term, ...]]:
-        """The formulas of each generated function, by its name."""
+        """The formulas of each generated function, by name."""
         pieces = {"rates": self.rates}
         if self.section is not None and self.slope is not None:
             where = () if self.where is None else (self.where,)
@@ -226,7 +226,7 @@ def equations_of(
 
 
 def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Term]:
-    """The variational equations, of one deviation after the other."""
+    """The variational equations, one deviation after the other."""
     size = len(rates)
     variations: list[Term] = []
     for k in range(1, deviations + 1):
@@ -236,12 +236,12 @@ def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Te
 
 
 def groups(system: System) -> tuple[tuple[int, ...], ...]:
-    """The places of the components of each vector of the state; scalars stand alone."""
+    """Indices of the components of each vector of the state; scalars form their own group."""
     return tuple(tuple(range(place.start, place.stop)) for _, place in system.slices)
 
 
 def serial(equations: Equations) -> str:
-    """All on which the code depends, as a text."""
+    """Everything on which the generated code depends, as text."""
     pieces = equations.pieces
     heads = [f"{name} {len(piece)}" for name, piece in pieces.items()]
     terms = serial_terms([term for piece in pieces.values() for term in piece])
@@ -250,7 +250,7 @@ def serial(equations: Equations) -> str:
 
 
 def serial_terms(terms: Sequence[Term]) -> str:
-    """Terms as a text, in which each is written once."""
+    """Terms as text, in which each term is written once."""
     nodes = topological_order(terms)
     place = {id(node): i for i, node in enumerate(nodes)}
     lines = [

@@ -1,12 +1,22 @@
-"""LLVM code of the Gauss–Legendre integrator: one motion, a SIMD lane for each stage.
+"""LLVM code of the Gauss–Legendre integrator: one motion, with one SIMD lane per stage.
 
-The state is carried as an unevaluated sum of two doubles.  The stages are found by iteration from
-the polynomial of the step before; with 30 digits wanted they are first found to 16, and every
-further iteration then adds a correction so small that 16 digits of it are enough.
+A step of length h from the state y solves the collocation equations
 
-With 16 digits the state is moved onto the level of its integrals now and then, along the shortest
-way, where the residuals are computed with 32 digits; no method that works in doubles alone
-gets below its own rounding errors otherwise.
+    k_i = f(y + h Σ_j a_ij k_j),    i = 1, …, s,    then    y ← y + h Σ_i b_i k_i
+
+with the nodes, weights and matrix of `tableaux.gauss` (order 2s; Hairer, Lubich, Wanner,
+Geometric Numerical Integration, sections II.1 and VIII.6).  They are solved by fixed-point
+iteration, which contracts if h times the Lipschitz constant of f is below one, and starts from
+the collocation polynomial of the previous step, extrapolated.  A step that does not converge is
+repeated with a smaller h.  The error estimate is the highest Legendre coefficient of the rates
+over the step.
+
+The state is carried as an unevaluated sum of two doubles.  For 30 digits the stages are first
+found to 16; each further iteration adds a correction so small that 16 digits of it suffice.
+
+With 16 digits the state is orthogonally projected onto the level of its integrals every few steps,
+with residuals computed to 32 digits.  Without this no method in doubles stays below its own
+rounding errors.
 """
 
 from __future__ import annotations
@@ -24,27 +34,29 @@ from .projection_terms import ProjectionTerms
 from .runge_kutta import Workspace
 from .tableaux import Gauss
 
-#: Steps between two projections.
+#: Number of steps between two projections.
 EVERY = 4
 
-#: Iterations after which a step is tried again at half its length.
+#: Maximum number of iterations; then the step is repeated with half its length.
 MOST = 60
 
-#: Steps at the beginning whose length follows the estimate freely.
+#: Number of initial steps whose length follows the error estimate freely.
 SETTLING = 8
 
-#: Steps are lengthened after the estimate was this much below its bound for this many steps.
+#: A step is lengthened once the estimate has been below this fraction of its bound for this many
+#: steps.  Otherwise the length stays constant, so that the extrapolated stages are good guesses.
 ROOM_TO_LENGTHEN, STEPS_TO_LENGTHEN = 0.1, 32
 
-#: Displacements of stages are multiplied by this, so that the rates' change is above a rounding.
+#: Factor by which stage displacements are multiplied so that the change of the rates, a difference
+#: of doubles, is far above rounding.
 MAGNIFICATION = 2.0**20
 
-#: Vectors of the linear iteration.
+#: Vectors used by the linear iteration.
 _LINEAR = ("at_stage", "defect", "missing", "displacement")
 
 
 class _LoopGenerator:
-    """The writing of the loop."""
+    """Generates the LLVM code of the loop."""
 
     def __init__(
         self, method: Gauss, equations: Equations, projection: ProjectionTerms | None, refine: bool
@@ -82,7 +94,7 @@ class _LoopGenerator:
         self._vectors("guards", max(len(equations.guards), 1))
 
     def _vectors(self, name: str, count: int) -> None:
-        """Memory for vectors, at an address that is a multiple of their size."""
+        """Allocate memory for vectors, aligned to their size."""
         self.space.size += -self.space.size % 8
         self.space.reserve(name, count * self.stages)
 
@@ -95,7 +107,7 @@ class _LoopGenerator:
     ) -> None:
         text, constants = functions(kind, pieces, lanes, f"prepare_{name}")
         self.texts.append(text)
-        # vectors want addresses that are multiples of their size
+        # Vectors must be aligned to their size.
         self.space.size += -self.space.size % 8
         self.space.reserve(f"{name}_constants", max(constants, 1) * lanes * kind.words)
         self.space.reserve(
@@ -164,7 +176,7 @@ class _LoopGenerator:
         return self.w.emit(f"{op} double {a}, {b}")
 
     def _parameters(self, index: str) -> None:
-        """Parameters in all lanes, and what depends on them alone."""
+        """Load the parameters into all lanes, and compute everything that depends only on them."""
         w = self.w
         row = w.address("double", "%values", w.emit(f"mul i64 {index}, %stride"))
         uses: list[tuple[str, Double | Pair]] = [("wide", self.d), ("fine", self.p)]
@@ -186,7 +198,7 @@ class _LoopGenerator:
             )
 
     def _targets(self) -> None:
-        """The values that are to be kept; at first what vanishes is the value itself."""
+        """Store the values to be conserved: the residuals at the start."""
         if self.projection is None:
             return
         w = self.w
@@ -205,7 +217,7 @@ class _LoopGenerator:
         )
 
     def _first_step(self) -> None:
-        """A tenth of the time in which the state changes by its own size."""
+        """Initial step length: a tenth of the time in which the state changes by its own size."""
         w = self.w
         for i in range(self.size):
             self.d.store(self._y(i), self.address("stage"), i)
@@ -215,7 +227,7 @@ class _LoopGenerator:
             y, k = self.d.load(self.address("stage"), i), self.d.load(self.address("rates"), i)
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
         first = w.op("fmul", w.constant(0.1), w.call("sqrt", w.op("fdiv", size, speed)))
-        # at an equilibrium no rate gives a time scale
+        # At an equilibrium no rate gives a time scale; use the last sample time.
         last = w.address("double", "%times", w.emit("sub i64 %wanted, 1"))
         first = w.call("minnum", first, w.splat(w.load("double", last)))
         w.store("double", self._first_lane(first), self.planned_step)
@@ -236,18 +248,18 @@ class _LoopGenerator:
         )
 
     def _step(self, target: str) -> None:
-        """One attempt."""
+        """Attempt one step."""
         w = self.w
         now, planned = w.load("double", self.time), w.load("double", self.planned_step)
         left = self._scalar("fsub", target, now)
-        # as many equal steps as are needed, so that the next one resembles the last
+        # Divide the remaining time into equal steps, so that the next step resembles the last one.
         ratio = self._scalar("fdiv", left, planned)
         count = self._call("ceil", self._scalar("fsub", ratio, literal(1e-6)))
         count = self._call("maxnum", count, "1.0")
         final = w.emit(f"fcmp ole double {count}, 1.0")
         arrived = self._scalar("fadd", now, self._scalar("fdiv", left, count))
         arrived = w.emit(f"select i1 {final}, double {target}, double {arrived}")
-        # the clock shows the sum of all steps, and nothing of it is lost
+        # The step is the exact difference of two clock values, so that no time is lost.
         whole = self.p.difference(w.splat(arrived), w.splat(now))
         step = self._first_lane(whole[0])
         attempts = w.emit(f"add i64 {w.load('i64', self.attempts)}, 1")
@@ -263,7 +275,7 @@ class _LoopGenerator:
         return self.w.emit(f"call double @llvm.{name}.f64({listed})")
 
     def _guess(self, step: str) -> None:
-        """First rates: those of the polynomial of the last step, or of the start."""
+        """Initial rates: extrapolated from the last step, or evaluated at the start."""
         w = self.w
         before = w.load("double", self.last_step)
         off = self._call("fabs", self._scalar("fsub", step, before))
@@ -285,13 +297,13 @@ class _LoopGenerator:
         return f"<{', '.join(f'double {literal(x)}' for x in entries)}>"
 
     def _exact_vector(self, entries: Sequence[Fraction]) -> Registers:
-        """A vector of pairs."""
+        """A vector of double-double numbers."""
         high = [float(x) for x in entries]
         low = [float(x - Fraction(h)) for x, h in zip(entries, high, strict=True)]
         return self._vector(high), self._vector(low)
 
     def _matrix_product(self, columns: Sequence[str], name: str, i: int) -> str:
-        """A matrix times the values of one variable in the stages."""
+        """Multiply a matrix by the stage values of one variable."""
         w = self.w
         total = ""
         for j, column in enumerate(columns):
@@ -300,7 +312,7 @@ class _LoopGenerator:
         return total
 
     def _iterate(self, whole: Registers) -> str:
-        """Iterate the stages; return a bit: whether they have converged."""
+        """Iterate the stages; return a bit that tells whether they converged."""
         w, d, h = self.w, self.d, whole[0]
         columns = self._columns(self.method.a)
         convergence = _Convergence(self, h, 1e-26, 1e-24)
@@ -327,13 +339,20 @@ class _LoopGenerator:
         return w.emit(f"and i1 {good}, {w.load('i1', fine)}")
 
     def _iterate_linear(self, h: str, columns: Sequence[str]) -> str:
-        """Rates of 32 digits at stages that need not be so exact; the address of a bit: converged.
+        """Compute the rates to 32 digits from stages of 16.
 
-        Rates and coefficients of 16 digits have rounded constants, which move the stages to the
-        same side in every step, so that quadratic integrals drift by a rounding each time.  The
-        defect of the stages is computed from one evaluation with 32 digits, and from differences of
-        rates in doubles over a displacement that is 2²⁰ times as large: none of it is lost to
-        rounding.
+        Return the address of the convergence bit.
+
+        Doubles alone have rounded constants that shift the stages in the same direction in every
+        step, so that quadratic integrals would drift by one rounding error each time.  Instead,
+        with the converged rates k in doubles and the stages Y = y + hAk in 32 digits, the corrected
+        rates k + m satisfy
+
+            m = d + [f(Y + hAm) − f(Y)],    d = f(Y) − k,
+
+        where d is computed once in 32 digits.  The bracket is of rounding size, so it is evaluated
+        in doubles for the displacement 2²⁰ hAm and divided by 2²⁰; the nonlinear error of this is
+        of the order of 2²⁰ |hAm|², far below the digits kept.
         """
         w, p, d = self.w, self.p, self.d
         exact = [self._exact_vector([row[j] for row in self.method.a]) for j in range(self.stages)]
@@ -381,7 +400,7 @@ class _LoopGenerator:
         self.w.line(f"call void @fine_rates({arguments})")
 
     def _begin_fine(self, whole: Registers) -> None:
-        """Stages of 32 digits from rates of 16."""
+        """Compute stages of 32 digits from rates of 16."""
         w, p = self.w, self.p
         columns = [
             self._exact_vector([row[j] for row in self.method.a]) for j in range(self.stages)
@@ -399,7 +418,10 @@ class _LoopGenerator:
             p.store(p.whole(rate), self.address("fine_before"), i)
 
     def _iterate_fine(self, h: str, columns: Sequence[str]) -> str:
-        """Correct them by the changes of the rates; the address of a bit: converged."""
+        """Correct the stages by the changes of the rates.
+
+        Return the address of the convergence bit.
+        """
         w, p, d = self.w, self.p, self.d
         convergence = _Convergence(self, h, 1e-65, 1e-58)
         with w.forever() as leave:
@@ -419,11 +441,11 @@ class _LoopGenerator:
         return convergence.place
 
     def relative(self, h: str, changes: Sequence[str]) -> str:
-        """The largest squared relative change of a vector of the state by rates."""
+        """The largest squared relative change, over the vectors of the state, that rates cause."""
         w, d = self.w, self.d
         square = w.op("fmul", h, h)
         worst = w.constant(0.0)
-        # a variable that happens to be zero is measured by a millionth of what acts
+        # A variable that is close to zero is measured relative to 1e-6 of the acting variables.
         whole = w.constant(1e-200)
         for i in self.equations.acting:
             whole = w.call("fma", self._y(i), self._y(i), whole)
@@ -436,12 +458,12 @@ class _LoopGenerator:
                 size = w.call("fma", w.op("fmul", k, k), square, size)
                 change = w.call("fma", changes[i], changes[i], change)
             share = w.op("fdiv", w.op("fmul", change, square), size)
-            # unlike maxnum this keeps what is not a number
+            # Unlike maxnum, this propagates NaN.
             worst = w.choose(w.compare("ogt", worst, share), worst, share)
         return self._largest(worst)
 
     def _rotation(self, vector: str, by: int) -> str:
-        """The lanes of a vector moved round."""
+        """Rotate the lanes of a vector."""
         kind = self.w.type
         places = ", ".join(f"i32 {(k + by) % self.stages}" for k in range(self.stages))
         mask = f"<{self.stages} x i32> <{places}>"
@@ -456,7 +478,7 @@ class _LoopGenerator:
         return self._first_lane(vector)
 
     def _total(self, vector: str) -> str:
-        """The sum over the lanes, in all of them."""
+        """The sum over the lanes, in every lane."""
         by = self.stages // 2
         while by:
             vector = self.w.op("fadd", vector, self._rotation(vector, by))
@@ -472,7 +494,13 @@ class _LoopGenerator:
         return value
 
     def _judge(self, step: str, whole: Registers, end_time: str, good: str) -> None:
-        """Take the step or try a shorter one."""
+        """Accept the step or reduce its length.
+
+        With the estimate e (the highest Legendre coefficient of h·rates relative to the state), a
+        converged step is accepted if e ≤ tolerance and no guard is violated.  The coefficient
+        scales like hˢ, so the next length is h·0.95·(tolerance/e)^{1/s}, limited to factors in
+        [0.3, 2].  Steps below 1e-15 of the time, or 1e-12 of the first step, end the motion.
+        """
         w, d, h = self.w, self.d, whole[0]
         top = self._vector([float(x) for x in self.method.top])
         tops = [
@@ -517,7 +545,7 @@ class _LoopGenerator:
                 w.store("i64", w.load("i64", reason), self.outcome)
 
     def _guards(self, h: str, is_accepted: str, reason: str) -> None:
-        """A guard that is passed in a stage, or where the step leads, forbids the step."""
+        """Reject the step if a guard is violated at a stage or at its end."""
         w, d = self.w, self.d
         weights = self._vector([float(x) for x in self.method.b])
         for i in range(self.size):
@@ -535,7 +563,7 @@ class _LoopGenerator:
                     w.store("i64", str(len(STATUS_MESSAGES) + i), reason)
 
     def _plan_taken(self, step: str, factor: str, estimate: str, bound: str) -> None:
-        """The next step: first by the estimate, later longer only after many easy steps."""
+        """Choose the next step length: at first from the estimate, later rarely changed."""
         w = self.w
         done = w.emit(f"add i64 {w.load('i64', self.accepted_steps)}, 1")
         w.store("i64", done, self.accepted_steps)
@@ -550,7 +578,7 @@ class _LoopGenerator:
         free = self._scalar("fmul", planned, factor)
         longer = self._scalar("fmul", planned, literal(1.25))
         following = w.emit(f"select i1 {long}, double {longer}, double {planned}")
-        # a step cut short says nothing about the planned one
+        # A shortened step gives no information about the planned length.
         whole = w.emit(f"fcmp oge double {step}, {self._scalar('fmul', planned, literal(0.5))}")
         first = w.emit(f"and i1 {early}, {whole}")
         w.store(
@@ -563,7 +591,7 @@ class _LoopGenerator:
             self._project()
 
     def _advance(self, whole: Registers) -> None:
-        """The new state, carried with twice the digits."""
+        """Advance the state with twice the digits."""
         d, p, p1 = self.d, self.p, self.p1
         weights = self._exact_vector(self.method.b)
         for i in range(self.size):
@@ -581,7 +609,7 @@ class _LoopGenerator:
         )
 
     def _project(self) -> None:
-        """Move the state to where the kept functions have their values."""
+        """Project the state onto the level of the conserved functions."""
         if self.projection is None:
             return
         w, p1, d1 = self.w, self.p1, self.d1
@@ -602,7 +630,8 @@ class _LoopGenerator:
 class _Convergence:
     """The convergence test of an iteration.
 
-    It has when its squared change is below a level, or below a second one and no longer falling.
+    An iteration has converged if its squared change is below `small`, or is below `low` and no
+    longer decreases.
     """
 
     def __init__(self, loop: _LoopGenerator, h: str, small: float, low: float) -> None:
@@ -613,7 +642,7 @@ class _Convergence:
         self.tries = w.variable("i64", "0")
 
     def look(self, changes: Sequence[str], leave: Callable[[str], None]) -> None:
-        """Leave the iteration if it has, or if it is not going to."""
+        """Leave the iteration if it has converged or will not converge."""
         w = self.loop.w
         change = self.loop.relative(self.h, changes)
         before = w.load("double", self.last)
@@ -630,14 +659,14 @@ class _Convergence:
         leave(w.emit(f"icmp sge i64 {tries}, {MOST}"))
 
     def has_converged(self) -> str:
-        """The answer, a bit."""
+        """The result as a bit."""
         return self.loop.w.load("i1", self.place)
 
 
 def gauss_loop(
     method: Gauss, equations: Equations, projection: ProjectionTerms | None, refine: bool
 ) -> tuple[str, int]:
-    """The text of the loop, and the doubles of memory that it needs.
+    """Generate the code of the loop; also return the number of doubles of memory it needs.
 
     Parameters
     ----------

@@ -1,17 +1,17 @@
-"""A function in a step, as the cubic through its values and slopes at both ends."""
+"""Cubic Hermite interpolation of a function within a step."""
 
 from __future__ import annotations
 
 from ..machine_code.ir_writer import IRWriter
 
-#: Distance of an extremum from the ends of a step, of its length, from which on it is looked at.
+#: Smallest distance, relative to the step, of an extremum from the ends to be considered.
 NEAR = 1e-6
 
 
 def cubic(
     w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str
 ) -> tuple[str, str, str, str]:
-    """a, b, c, d of the cubic g + a x + c x² + d x³ through both ends; b: slope at 1."""
+    """a, b, c, d of the cubic g + a x + c x² + d x³ through both ends; b is the slope at 1."""
     a, b = w.op("fmul", step, gdot), w.op("fmul", step, gdot_new)
     rise = w.op("fsub", g_new, g)
     d = w.op("fsub", w.op("fadd", a, b), w.op("fmul", w.constant(2.0), rise))
@@ -19,7 +19,11 @@ def cubic(
 
 
 def crossing_step(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
-    """The zero in a step of the cubic through values and slopes at both ends."""
+    """The zero of the cubic interpolant within a step whose ends have opposite signs.
+
+    Five Newton steps from the secant point, each replaced by a bisection if it leaves the interval
+    that brackets the zero.
+    """
     a, _, c, d = cubic(w, step, g, g_new, gdot, gdot_new)
     low, high = w.constant(0.0), w.constant(1.0)
     x = w.op("fdiv", g, w.op("fsub", g, g_new))
@@ -42,10 +46,11 @@ def crossing_step(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_ne
 def double_crossing(
     w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str, slack: str
 ) -> tuple[str, str]:
-    """The mask of cubics with one sign at the ends and, within their error, another in between.
+    """The mask of cubics with two zeros within a step, given an error bound of the cubic.
 
-    The second result is the step to the extremum: taken, it leaves one crossing on each side.
-    `slack` times x²(1 − x)² is the error of the cubic.
+    The ends have the same sign, and the extremum x in between has the opposite sign, or comes
+    closer to zero than the error `slack`·x²(1 − x)² of the cubic.  The second result is the step to
+    the extremum, which leaves one zero on each side.
     """
     zero = w.constant(0.0)
     a, b, c, d = cubic(w, step, g, g_new, gdot, gdot_new)
@@ -54,7 +59,7 @@ def double_crossing(
     )
     place = w.variable(w.type, zero)
     with w.branch(w.any(turns)):
-        # a + 2 c x + 3 d x² = 0, without cancellation
+        # a + 2 c x + 3 d x² = 0, without cancellation.
         cubed = w.op("fmul", w.constant(3.0), d)
         root = w.call("fma", c, c, w.op("fneg", w.op("fmul", cubed, a)))
         root = w.call("sqrt", w.call("maxnum", root, zero))
@@ -67,7 +72,7 @@ def double_crossing(
         value = w.call("fma", w.call("fma", w.call("fma", d, x, c), x, a), x, g)
         low, high = w.compare("ogt", x, w.constant(NEAR)), w.compare("olt", x, w.constant(1 - NEAR))
         within = w.conjunction(low, high)
-        # on the side of g where the product is positive
+        # Positive if the extremum is on the same side as g.
         depth = w.op("fmul", value, w.call("copysign", w.constant(1.0), g))
         spread = w.call("fma", w.op("fneg", x), x, x)
         error = w.op("fmul", slack, w.op("fmul", spread, spread))
@@ -81,6 +86,6 @@ def double_crossing(
 
 
 def side_after_crossing(w: IRWriter, rate: str) -> str:
-    """On the side of the section to which the motion goes."""
+    """A tiny value with the sign that the function takes after the crossing."""
     near = w.call("copysign", w.constant(1e-300), rate)
     return w.choose(w.compare("one", rate, w.constant(0.0)), near, w.constant(0.0))

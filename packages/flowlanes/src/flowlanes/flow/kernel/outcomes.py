@@ -1,10 +1,10 @@
-"""The codes with which a motion ends, and their meaning."""
+"""Codes for the reasons why a motion ends."""
 
 from __future__ import annotations
 
 from ...system.system import System
 
-#: Reasons why a motion ended, by code; guards of the system follow.
+#: Reasons by code; the guards of the system follow.
 STATUS_MESSAGES = (
     "",
     "the step size collapsed (a singularity of the equations is near)",
@@ -18,7 +18,7 @@ COLLAPSED, NOT_A_NUMBER, STEPS, OVER, IN_VAIN = range(1, len(STATUS_MESSAGES))
 
 
 def outcome_message(system: System, code: int) -> str:
-    """The reason why a motion ended, in words; empty for 0."""
+    """Why a motion ended; empty for code 0."""
     if code < len(STATUS_MESSAGES):
         return STATUS_MESSAGES[code]
     return system.guards[code - len(STATUS_MESSAGES)].message

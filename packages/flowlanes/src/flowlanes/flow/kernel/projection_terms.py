@@ -1,4 +1,4 @@
-"""The projection of a state onto a level of integrals and relations, as terms."""
+"""Projection of a state onto a level of integrals and relations, as terms."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def projection_terms(
     groups: Sequence[Sequence[int]],
     residuals: Sequence[Term],
 ) -> ProjectionTerms:
-    """The projection onto values of some functions and zeros of others.
+    """The projection onto given values of some functions and zeros of others.
 
     The change is the shortest in which each vector of the state counts relative to its length:
     −D Gᵀ(G D Gᵀ)⁻¹ c, with G the gradients, c the residuals and D the squared lengths.  Where
@@ -82,7 +82,7 @@ def dot(graph: Graph, a: Sequence[Term], b: Sequence[Term]) -> Term:
 
 
 def _solution(graph: Graph, matrix: list[list[Term]], right: Sequence[Term]) -> list[Term]:
-    """The solution of symmetric equations without rows that depend on earlier ones."""
+    """Solve symmetric equations, ignoring rows that depend on earlier ones."""
     size = len(right)
     rows = [[*row, b] for row, b in zip(matrix, right, strict=True)]
     pivots = []

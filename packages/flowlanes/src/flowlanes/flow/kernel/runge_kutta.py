@@ -1,12 +1,12 @@
-"""Many motions at once: an explicit method with a lane for each trajectory.
+"""Explicit Runge–Kutta integration of many motions, with one motion per vector lane.
 
-Every lane has its own time, step size and outcome.  A lane whose motion has ended makes room for
-the next trajectory of the batch, so that all lanes are busy until few are left; nothing that
-happens in one lane is seen by another.
+Every lane has its own time, step size and outcome.  When the motion of a lane has ended, the next
+motion of the batch takes its place, so all lanes are busy until few motions are left.  Lanes never
+influence each other.
 
-Crossings of a section are found by the steps themselves.  When a step has passed through the
-section it is not taken; the lane goes instead to where a cubic through values and slopes at both
-ends vanishes, then by Newton's method in time, until what is left is below rounding.
+Crossings of a section are located within the steps.  A step across the section is rejected; instead
+the lane goes to the zero of the cubic interpolant, and then refines it by Newton's method in time,
+until the remaining distance is below rounding.
 """
 
 from __future__ import annotations
@@ -26,16 +26,17 @@ from .hermite import crossing_step, double_crossing, side_after_crossing
 from .outcomes import COLLAPSED, IN_VAIN, NOT_A_NUMBER, OVER, STATUS_MESSAGES, STEPS
 from .tableaux import Explicit
 
-#: Steps without a crossing after which a motion is given up: one at rest crosses nothing.
+#: Number of steps without a crossing after which a motion ends: a motion at rest never crosses.
 MAX_STEPS_WITHOUT_CROSSING = 1e6
 
-#: The error of the cubic of a step, of the error found halfway.
+#: Safety factor for the error of the cubic interpolant, which is estimated at the stage near the
+#: middle.
 ERROR_MARGIN = 4.0
 
-#: The error allowed to deviations, relative to that of the motion.
+#: Tolerance of the deviations, relative to that of the motion.
 LOOSER = 100.0
 
-#: The places of variables that are added, and their change divided by the length of the step.
+#: Indices of the variables that are summed, and their change divided by the step length.
 Component: TypeAlias = tuple[Sequence[int | str], V | None]
 
 #: Vectors that the lanes keep between steps.
@@ -44,29 +45,29 @@ _LANE_VECTORS = (
     "mode fault event fresh index samples"
 )
 
-# events that a lane may have to handle
+# Events that a lane may have to handle.
 _SAMPLE, _POINT, _END = 1.0, 2.0, 3.0
 
-# which stage of its life a lane is in
+# States of a lane.
 _EMPTY, _RUNNING, _REFINING = 0.0, 1.0, 2.0
 
 
 @dataclass
 class Workspace:
-    """The layout of the memory of one thread, in vectors."""
+    """Memory layout of one thread, in vectors."""
 
     size: int = 0
     places: dict[str, int] = field(default_factory=dict)
 
     def reserve(self, name: str, vectors: int = 1) -> int:
-        """Memory for some vectors."""
+        """Reserve memory for some vectors."""
         self.places[name] = self.size
         self.size += vectors
         return self.places[name]
 
 
 class RungeKuttaLoop(Generic[V]):
-    """The writing of the loop.
+    """Generates the LLVM code of the integration loop.
 
     Parameters
     ----------
@@ -84,7 +85,7 @@ class RungeKuttaLoop(Generic[V]):
         self.n = arithmetic(self.w)
         self.method, self.equations = method, equations
         self.dimension = len(equations.rates)
-        # numbers of 30 digits need no second one
+        # Numbers of 30 digits need no second one.
         self.clock, self.pace = None, 0
         if equations.clock is not None and self.n.words == 1:
             place, self.pace = equations.clock
@@ -122,11 +123,11 @@ class RungeKuttaLoop(Generic[V]):
         return self.w.address(self.w.type, "%work", vectors)
 
     def get(self, name: str) -> str:
-        """A vector that the lanes keep."""
+        """Load a vector that the lanes keep between steps."""
         return self.w.load(self.w.type, self.place(name))
 
     def put(self, name: str, value: str) -> None:
-        """Change a vector that the lanes keep."""
+        """Store a vector that the lanes keep between steps."""
         self.w.store(self.w.type, value, self.place(name))
 
     def lane_address(self, name: str, lane: str) -> str:
@@ -139,7 +140,7 @@ class RungeKuttaLoop(Generic[V]):
         self.w.line(f"call void @rates(ptr {to}, ptr {state}, ptr {self.place('constants')})")
 
     def evaluate_section(self, piece: str, of: str, stage: int) -> None:
-        """Compute the section at a state, whose rates are those of a stage."""
+        """Compute the section function at a state whose rates are those of a stage."""
         if not self.equations.choices:
             self.evaluate(piece, of)
             return
@@ -151,7 +152,7 @@ class RungeKuttaLoop(Generic[V]):
         for number, choice in enumerate(self.equations.choices):
             chosen = n.leading(n.load(self.place("parameters"), choice.parameter))
             mask = w.compare("ogt", chosen, w.constant(0.0))
-            # only what some lane has chosen is computed
+            # Compute only sections that some lane has chosen.
             with w.branch(w.any(mask)):
                 w.line(
                     f"call void @section_{number}(ptr {self.place('choice')}, "
@@ -171,7 +172,7 @@ class RungeKuttaLoop(Generic[V]):
     # --- the loop ------------------------------------------------------------------------------
 
     def write(self) -> str:
-        """The whole text."""
+        """The complete LLVM code."""
         w = self.w
         self.next = w.variable("i64", "%first")
         self.start_lanes()
@@ -192,18 +193,18 @@ class RungeKuttaLoop(Generic[V]):
         return self.pieces + "\n" + w.text(head, "#0")
 
     def live(self) -> str:
-        """The mask of lanes that have a trajectory."""
+        """The mask of lanes that have a motion."""
         return self.w.compare("ogt", self.get("mode"), self.w.constant(_EMPTY))
 
     def start_lanes(self) -> None:
-        """Clear the workspace, and let all lanes ask for a trajectory."""
+        """Clear the workspace and let all lanes request a motion."""
         w, zero = self.w, self.w.constant(0.0)
         with w.count(self.space.size) as i:
             w.store(w.type, zero, w.address(w.type, "%work", i))
         self.put("event", w.constant(_END))
 
     def attend(self) -> None:
-        """Look at each lane in which something has happened."""
+        """Handle every lane in which an event has occurred."""
         w = self.w
         with w.count(w.lanes) as lane:
             event = w.load("double", self.lane_address("event", lane))
@@ -219,14 +220,14 @@ class RungeKuttaLoop(Generic[V]):
                         self._take(lane, index)
 
     def next_index(self) -> str:
-        """The number of the next trajectory, which is handed out only once."""
+        """The index of the next motion; each index is returned only once."""
         w = self.w
         index = w.load("i64", self.next)
         w.store("i64", w.emit(f"add i64 {index}, 1"), self.next)
         return index
 
     def _take(self, lane: str, index: str) -> None:
-        """Put the next trajectory into a lane."""
+        """Assign the next motion to a lane."""
         w, words = self.w, self.n.words
         w.store("i64", index, self.lane_address("index", lane))
         row = w.emit(f"mul i64 {index}, {self.dimension * words}")
@@ -258,7 +259,7 @@ class RungeKuttaLoop(Generic[V]):
         return self.w.address("double", place, lane)
 
     def _leave_sample(self, lane: str, event: str) -> None:
-        """Write down a state, or the end."""
+        """Store a sample, or end the motion."""
         w = self.w
         index = w.load("i64", self.lane_address("index", lane))
         done = w.emit(
@@ -301,7 +302,7 @@ class RungeKuttaLoop(Generic[V]):
         w.store("double", literal(_EMPTY), self.lane_address("mode", lane))
 
     def _write_state(self, lane: str, index: str, row_number: str) -> None:
-        """Record a motion; on a section, its state moved onto it along the flow."""
+        """Store a state; on a section, first move it onto the section along the flow."""
         w, words = self.w, self.n.words
         row = w.emit(f"add i64 {w.emit(f'mul i64 {index}, %wanted')}, {row_number}")
         if self.equations.has_section:
@@ -337,7 +338,7 @@ class RungeKuttaLoop(Generic[V]):
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
         ratio = w.op("fdiv", size, speed)
         first = w.op("fmul", w.constant(1e-2), w.call("sqrt", ratio))
-        # at an equilibrium no rate gives a time scale
+        # At an equilibrium no rate gives a time scale.
         index = "0" if self.equations.has_section else w.emit("sub i64 %wanted, 1")
         end = w.splat(w.load("double", w.address("double", "%times", index)))
         first = w.call("minnum", first, w.call("minnum", end, w.constant(1e6)))
@@ -348,7 +349,7 @@ class RungeKuttaLoop(Generic[V]):
             self.evaluate_section("section", "y", 0)
             g = n.leading(n.load(self.place("section"), 0))
             gdot = n.leading(n.load(self.place("section"), 1))
-            # a start on the section is not a return to it
+            # Starting on the section does not count as a return.
             reach = w.op("fmul", w.op("fmul", w.constant(1e-8), first), w.call("fabs", gdot))
             close = w.compare("ole", w.call("fabs", g), reach)
             self.put(
@@ -367,16 +368,19 @@ class RungeKuttaLoop(Generic[V]):
         self.put("fresh", zero)
 
     def _guard_masks(self) -> list[str]:
-        """For each guard, where it is not positive; what is no number is not."""
+        """For each guard, the mask of lanes where it is not positive.
+
+        NaN counts as not positive.
+        """
         w, n = self.w, self.n
         places = range(len(self.equations.guards))
         values = [n.leading(n.load(self.place("guards"), i)) for i in places]
         return [w.compare("ule", value, w.constant(0.0)) for value in values]
 
     def _notice_guards(self, among: str, before: Sequence[str] = ()) -> str:
-        """Mark lanes whose state a guard forbids; the mask of those that none does.
+        """Mark lanes whose state violates a guard; return the mask of all others.
 
-        `before` are masks of guards that were passed earlier in the step.
+        `before` has the masks of guards that were violated earlier in the step.
         """
         w = self.w
         fine = "splat (i1 true)"
@@ -390,7 +394,28 @@ class RungeKuttaLoop(Generic[V]):
         return fine
 
     def step(self) -> None:
-        """One attempt in all lanes."""
+        """Attempt one step in all lanes.
+
+        In every lane, with the tableau (a, b, c) of `Explicit` and y the state at the time t,
+
+            k_i = f(y + h Σ_{j<i} a_ij k_j),    y_new = y + h Σ_i b_i k_i.
+
+        The two embedded error estimates e5 = Σ e5_i k_i and e3 = Σ e3_i k_i (sums of squares over
+        the vectors of the state, each relative to its size) are combined as in DOP853 (Hairer,
+        Nørsett, Wanner, Solving Ordinary Differential Equations I, section II.10),
+
+            err² = h² e5⁴/(e5² + e3²/100),
+
+        with the tolerance as unit.  A step is accepted if err ≤ 1, no guard is violated and, with a
+        section, the section function is close enough to its cubic interpolant (`_wavering`).  The
+        next step is h·min(5, max(0.2, 0.9 err^{−1/p})) with the order p of the method.
+
+        Branches would serialise the lanes, so that everything is computed in all of them and masks
+        select what is stored:  `moved` marks lanes whose step is taken, `event` those that need
+        attention afterwards, `fault` says why a lane would end.  A step that would pass the next
+        sample is shortened to end there exactly.  A motion ends if its step falls below 1e-15 of
+        the time, or after `limit` steps.
+        """
         w, n, zero = self.w, self.n, self.w.constant(0.0)
         mode = self.get("mode")
         running = w.compare("oeq", mode, w.constant(_RUNNING))
@@ -403,7 +428,7 @@ class RungeKuttaLoop(Generic[V]):
         )
         step = w.choose(live, w.choose(last, left, planned), zero)
         arrived = w.op("fadd", time, step)
-        # a step that the clock can show, so that no time is lost by rounding
+        # Use the difference of two clock values as the step, so that no time is lost by rounding.
         step_number = n.difference(arrived, time)
         halfway: list[str] = []
         step = n.leading(step_number)
@@ -444,7 +469,7 @@ class RungeKuttaLoop(Generic[V]):
             factor = w.choose(w.conjunction(allowed, w.complement(fine)), w.constant(0.5), factor)
             allowed = w.conjunction(allowed, fine)
         following = w.op("fmul", step, factor)
-        # a step cut short says nothing against the one that was planned
+        # A shortened step does not reduce the planned one.
         short = w.conjunction(allowed, last)
         following = w.choose(short, w.call("maxnum", following, planned), following)
         moved = allowed
@@ -494,7 +519,7 @@ class RungeKuttaLoop(Generic[V]):
                 self._renew(at_sample)
 
     def _renew(self, at_sample: str) -> None:
-        """Replace the numbers of some lanes by what follows a sample."""
+        """Replace the numbers of some lanes by those that follow a sample."""
         n = self.n
         self.evaluate("renewal", "y")
         for i in range(self.dimension):
@@ -508,7 +533,7 @@ class RungeKuttaLoop(Generic[V]):
         self.rates(0, "y")
 
     def _set_clock(self, of: str, step: str, share: Fraction) -> None:
-        """Put the time after a share of the step into a state, exactly."""
+        """Set the clock variable of a state to the time after a fraction of the step, exactly."""
         if self.clock is None:
             return
         n, pair, place = self.n, pair_of(self.n), self.clock.place
@@ -521,13 +546,13 @@ class RungeKuttaLoop(Generic[V]):
             n.store(n.whole(rest), self.place("stage"), place)
 
     def _keep_clock(self) -> None:
-        """Put what rounding has taken from the time beside it."""
+        """Store the rounding error of the time beside it."""
         if self.clock is not None:
             rest = self.n.load(self.place("rest"), self.clock.place)
             self.n.store(rest, self.place("y"), self.clock.rest)
 
     def variables(self, first: int, last: int) -> Iterator[int | str]:
-        """The places of some variables, in a loop of the code."""
+        """Iterate over the indices of some variables, in a loop of the generated code."""
         with self.w.count(last, first) as i:
             yield i
 
@@ -535,7 +560,7 @@ class RungeKuttaLoop(Generic[V]):
         return self.n.load(self.place("y"), i)
 
     def _after(self, step: V, slope: V, i: int | str) -> V:
-        """The value of a variable at a stage, reached with a slope."""
+        """The value of a variable at a stage, reached with a given slope."""
         n = self.n
         if not self.method.steady:
             return n.multiply_add(step, slope, self._y(i))
@@ -543,7 +568,7 @@ class RungeKuttaLoop(Generic[V]):
         return n.add(self._y(i), n.multiply_add(step, slope, rest))
 
     def _sum(self, weights: Sequence[Fraction], *members: int | str) -> V:
-        """A sum over the stages, with weights, of the rates of a variable or of several."""
+        """A weighted sum over the stages of the rates of one or several variables."""
         n = self.n
         total = None
         for stage, weight in enumerate(weights):
@@ -558,8 +583,10 @@ class RungeKuttaLoop(Generic[V]):
         assert total is not None
         return total
 
-    def _apart(self, weights: Sequence[Fraction], result: V | None, *members: int | str) -> V:
-        """A linear combination, from the sum of the result if few weights differ."""
+    def _weighted_rates(
+        self, weights: Sequence[Fraction], result: V | None, *members: int | str
+    ) -> V:
+        """A weighted sum of rates, computed from the sum of the result if few weights differ."""
         others = [weight - b for weight, b in zip(weights, self.method.b, strict=True)]
         nothing = Fraction(0)
         if result is None or others.count(nothing) <= list(weights).count(nothing):
@@ -567,9 +594,9 @@ class RungeKuttaLoop(Generic[V]):
         return self.n.add(result, self._sum(others, *members))
 
     def _advance(self, step: V, i: int | str) -> V:
-        """The new value of a variable, and what rounding has taken from it.
+        """Store the new value of a variable and its rounding error.
 
-        Gives its change, divided by the length of the step.
+        Return its change divided by the step length.
         """
         n = self.n
         if self.method.steady:
@@ -583,7 +610,7 @@ class RungeKuttaLoop(Generic[V]):
         return result
 
     def _advance_steadily(self, step: V, i: int | str) -> V:
-        """The same, where only what differs between stages is rounded before it is added."""
+        """The same, with rounding only in the differences between stages before the final sum."""
         n, middle = self.n, self.method.middle
         slope = n.load(self.place("rates", middle * self.dimension), i)
         rest = n.load(self.place("rest"), i)
@@ -613,15 +640,15 @@ class RungeKuttaLoop(Generic[V]):
             yield [self.w.emit(f"add i64 {i}, {place}") for place in first], None
 
     def _advance_all(self, step_number: V) -> str:
-        """New values; the square of the estimated error, where the tolerance is 1."""
+        """Compute the new state; return err², relative to the tolerance."""
         w, n = self.w, self.n
         step = n.leading(step_number)
-        # deviations follow the components of vectors
+        # The deviations follow the components of vectors.
         for i in self.variables(self.equations.groups[-1][-1] + 1, self.dimension):
             self._advance(step_number, i)
         fifth, third = w.constant(0.0), w.constant(0.0)
         square = w.op("fmul", step, step)
-        # a variable that happens to be zero is measured by a millionth of what acts
+        # A variable that is close to zero is measured relative to 1e-6 of the acting variables.
         whole = w.constant(1e-200)
         for i in self.equations.acting:
             y = n.leading(self._y(i))
@@ -631,11 +658,12 @@ class RungeKuttaLoop(Generic[V]):
             e5, e3 = self._share(self._group(step_number, group), square, whole)
             fifth, third = w.op("fadd", fifth, e5), w.op("fadd", third, e3)
         if self.equations.deviations:
-            # the equations are linear in them, so that the error of their sum tells of all
+            # The equations are linear in the deviations, so the error of their sum represents all
+            # of them.
             e5, e3 = self._share(self._deviations(), square, w.constant(1e-200))
             looser = w.constant(LOOSER**-2)
             fifth, third = w.call("fma", looser, e5, fifth), w.call("fma", looser, e3, third)
-        # err² = h² e5⁴ / (e5² + e3²/100), relative to the tolerance, a mean over the groups
+        # err² = h² e5⁴ / (e5² + e3²/100), relative to the tolerance, averaged over the groups.
         below = w.call("fma", third, w.constant(0.01), fifth)
         below = w.op("fadd", below, w.constant(1e-290))
         error = w.op("fdiv", w.op("fmul", fifth, w.op("fmul", fifth, square)), below)
@@ -646,7 +674,7 @@ class RungeKuttaLoop(Generic[V]):
     def _share(
         self, components: Iterator[Component[V]], square: str, floor: str
     ) -> tuple[str, str]:
-        """The squares of both estimates for a vector, relative to its size.
+        """The squares of both error estimates for a vector, relative to its size.
 
         Each component is the sum of some variables.
         """
@@ -657,9 +685,9 @@ class RungeKuttaLoop(Generic[V]):
             y = self._register_sum([n.leading(self._y(i)) for i in members])
             k = self._register_sum([n.leading(n.load(self.place("rates"), i)) for i in members])
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
-            # the sums cancel to the size of the tolerance: pairs need all their digits here
+            # The sums cancel down to the tolerance, so double-doubles need all their digits here.
             a = n.leading(self._sum(self.method.e5, *members))
-            b = n.leading(self._apart(self.method.e3, result, *members))
+            b = n.leading(self._weighted_rates(self.method.e3, result, *members))
             e5, e3 = w.call("fma", a, a, e5), w.call("fma", b, b, e3)
             for x, value in zip(sums, (size, speed, e5, e3), strict=True):
                 w.store(w.type, value, x)
@@ -684,7 +712,18 @@ class RungeKuttaLoop(Generic[V]):
         fault: str,
         off: str,
     ) -> tuple[str, str, str, str]:
-        """Find crossings, and go to them."""
+        """Detect crossings of the section, and steer the lanes to them.
+
+        The section is g = 0.  A running lane whose g changes sign in the required direction rejects
+        the step and becomes a refining lane: it steps to the zero of the cubic interpolant of g,
+        then by −g/ġ (Newton's method in time) until this correction is below 1e-8 of a step; the
+        rest, whose error is quadratically smaller, is made along the flow when the point is stored.
+        If g has equal signs at both ends but its interpolant touches zero within its error
+        (`double_crossing`), the step is shortened to the extremum, so that each half has at most
+        one zero.  Refinement is abandoned after 12 attempts, as for a tangency; the motion then
+        continues beyond.  After a crossing g is replaced by a tiny value of its new sign, so that
+        the same zero is not found twice.
+        """
         w, n, zero = self.w, self.n, self.w.constant(0.0)
         g, g_here, gdot = self.get("g"), self.get("g_here"), self.get("gdot")
         g_new = n.leading(n.load(self.place("section"), 0))
@@ -700,7 +739,7 @@ class RungeKuttaLoop(Generic[V]):
         )
         through = self._crossing_mask(rises, falls)
         crossed = w.conjunction(w.conjunction(running, mask), through)
-        # running lanes: stop before a crossing and go to it
+        # Running lanes: stop before a crossing and go to it.
         moved = w.conjunction(mask, w.complement(w.disjunction(crossed, dips)))
         following = w.choose(dips, turn, following)
         event = w.choose(dips, zero, event)
@@ -716,13 +755,13 @@ class RungeKuttaLoop(Generic[V]):
         fault = w.choose(crossed, zero, fault)
         mode = w.choose(crossed, w.constant(_REFINING), self.get("mode"))
         tries = w.choose(crossed, zero, self.get("tries"))
-        # refining lanes: Newton's method in time
+        # Refining lanes: Newton's method in time.
         arrived = w.conjunction(refining, mask)
         left = w.op("fdiv", w.op("fneg", g_new), gdot_new)
         close = w.compare("ole", w.call("fabs", left), w.op("fmul", w.constant(1e-8), saved))
         there = w.conjunction(arrived, close)
         tries = w.choose(arrived, w.op("fadd", tries, w.constant(1.0)), tries)
-        # a section that is only touched is left
+        # Give up on a section that is only touched.
         stuck = w.conjunction(
             w.conjunction(arrived, w.complement(close)), w.compare("ogt", tries, w.constant(12.0))
         )
@@ -735,12 +774,12 @@ class RungeKuttaLoop(Generic[V]):
         event = w.choose(counted, w.constant(_POINT), event)
         following = w.choose(back, saved, following)
         mode = w.choose(back, w.constant(_RUNNING), mode)
-        # the position of the section, for the code that records the point
+        # The remaining distance to the section, for the code that records the point.
         saved = w.choose(counted, left, saved)
         self.put("saved", saved)
         self.put("mode", mode)
         self.put("tries", tries)
-        # a section that was just crossed is not crossed again, but may be crossed back
+        # A section that was just crossed must not be crossed again, but may be crossed back.
         self.put("g", w.choose(moved, w.choose(back, side_after_crossing(w, gdot_new), g_new), g))
         self.put("g_here", w.choose(moved, g_new, self.get("g_here")))
         self.put("gdot", w.choose(moved, gdot_new, gdot))
@@ -758,10 +797,10 @@ class RungeKuttaLoop(Generic[V]):
         return rises if direction > 0 else falls
 
     def _wavering(self, step: str) -> tuple[str, str]:
-        """The distance of the section's function from the cubic of the step; its share, squared.
+        """The distance of the section function from its cubic interpolant; and its relative square.
 
-        With a share up to 1 it crosses zero where the cubic does; beyond, it may have turned unseen
-        in between.
+        If the relative distance is at most 1, the function has the zeros of the cubic; beyond, it
+        may have turned unnoticed in between.
         """
         w, n = self.w, self.n
         x = float(sum(self.method.a[self.method.halfway]))
@@ -784,7 +823,7 @@ class RungeKuttaLoop(Generic[V]):
 def runge_kutta_loop(
     arithmetic: type[Arithmetic[V]], method: Explicit, equations: Equations, lanes: int
 ) -> tuple[str, int]:
-    """The text of the loop, and the doubles of memory that it needs.
+    """Generate the code of the loop; also return the number of doubles of memory it needs.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Coefficients of the methods."""
+"""Coefficients of the integration methods."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import mpmath
 from ..machine_code.arithmetic import Arithmetic, Double, Pair
 from . import dop853_doubles, verner_doubles
 
-#: Below this tolerance of a step, errors of rounding matter more than those of the method.
+#: Tolerance of a step below which rounding errors matter more than the error of the method.
 FINE = 1e-15
 
 
@@ -47,7 +47,7 @@ class Explicit:
 
     @property
     def middle(self) -> int:
-        """The stage with a weight whose time is nearest to the middle of a step."""
+        """The stage with nonzero weight whose time is closest to the middle of a step."""
         weighty = [i for i, weight in enumerate(self.b) if weight != 0]
         return min(weighty, key=lambda i: abs(sum(self.a[i]) - Fraction(1, 2)))
 
@@ -72,8 +72,8 @@ def explicit() -> Explicit:
 def explicit_steady() -> Explicit:
     """Verner's method of order 8 with 12 stages and positive weights.
 
-    The squares of its weights have the root 0.39, of Dormand and Prince's 7.6: by so much errors of
-    rates count in a step.  For steps of the same error it needs more of them.
+    The root of the sum of its squared weights is 0.39, against 7.6 for Dormand and Prince: this is
+    how errors of the rates are amplified within a step.  It needs more steps for the same accuracy.
     """
     return Explicit(
         a=tuple(map(_fractions, verner_doubles.A)),
@@ -96,7 +96,7 @@ def explicit_fine() -> Explicit:
 
 
 def arithmetic_and_method(digits: int, tolerance: float) -> tuple[type[Arithmetic[Any]], Explicit]:
-    """The arithmetic with 16 or 30 digits, and the method for a tolerance of its steps."""
+    """The arithmetic for 16 or 30 digits, and the method for a step tolerance."""
     if digits == 30:
         return Pair, explicit_fine()
     return Double, explicit_steady() if tolerance < FINE else explicit()
@@ -131,11 +131,11 @@ class Gauss:
 
 @lru_cache
 def gauss(stages: int) -> Gauss:
-    """The method with a number of stages, to 70 digits.
+    """The method with a given number of stages, to 70 digits.
 
     A polynomial p of degree < s is Σ_k (2k + 1) L_k(x) Σ_j b_j L_k(c_j) p(c_j) with the Legendre
-    polynomials L_k on [0, 1], for the rule of s nodes is exact to degree 2s − 1; integrals of L_k
-    are differences of its neighbours.
+    polynomials L_k on [0, 1], because the quadrature with s nodes is exact to degree 2s − 1.  The
+    integral of L_k is a difference of its neighbours L_{k+1} and L_{k−1}.
     """
     with mpmath.workdps(80):
         nodes = sorted(_roots(stages))
@@ -158,7 +158,7 @@ def gauss(stages: int) -> Gauss:
 
 
 def _roots(stages: int) -> list[mpmath.mpf]:
-    """The roots of the Legendre polynomial on [−1, 1]: eigenvalues of Jacobi's matrix."""
+    """The roots of the Legendre polynomial on [−1, 1], as eigenvalues of the Jacobi matrix."""
     jacobi = mpmath.matrix(stages)
     for k in range(1, stages):
         jacobi[k - 1, k] = jacobi[k, k - 1] = k / mpmath.sqrt(4 * k * k - 1)
@@ -172,7 +172,7 @@ def _legendre(count: int, x: mpmath.mpf) -> list[mpmath.mpf]:
 
 
 def _primitives(count: int, x: mpmath.mpf) -> list[mpmath.mpf]:
-    """Their integrals from 0 to x."""
+    """The integrals of the Legendre polynomials from 0 to x."""
     values = _legendre(count + 1, x)
     higher = [(values[k + 1] - values[k - 1]) / (2 * (2 * k + 1)) for k in range(1, count)]
     return [x, *higher]
@@ -186,6 +186,6 @@ def _combine(values: list[mpmath.mpf], expand: list[list[mpmath.mpf]]) -> list[m
 
 
 def _exact(values: list[mpmath.mpf]) -> tuple[Fraction, ...]:
-    """Numbers of many digits as fractions."""
+    """Multi-precision numbers converted to fractions."""
     scale = 2**240
     return tuple(Fraction(int(mpmath.nint(v * scale)), scale) for v in values)

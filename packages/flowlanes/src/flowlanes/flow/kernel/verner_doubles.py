@@ -2,8 +2,8 @@
 
 J. H. Verner, Numerically optimal Runge–Kutta pairs with interpolants, Numerical Algorithms 53
 (2010), 383–396: the efficient pair of orders 8 and 7 without its last stage.  Each coefficient is
-one of the two doubles next to it, so chosen that in every row the sums with powers of the nodes
-are as near to the exact ones as may be: what rounding takes from them is taken in every step.
+one of the two neighbouring doubles, chosen such that in every row the sums with powers of the nodes
+are as close as possible to the exact ones: their rounding error recurs in every step.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ B: tuple[float, ...] = (
     0.041811958638991634,
 )
 
-#: The result less one of order 5, and less one of order 6.
+#: The result minus one of order 5, and minus one of order 6.
 E3: tuple[float, ...] = (
     1.732060140217349,
     1.8551849220207017e-15,

@@ -1,7 +1,8 @@
-"""WebAssembly from text in LLVM's language: the machine code of a page.
+"""Compile LLVM code to WebAssembly, the machine code of a page.
 
-The text is that of :mod:`flowlanes.flow.machine_code.codegen`, in vectors of one lane or two.  The
-one difference: WebAssembly has no fused product and sum, so that last bits differ from native code.
+The code is that of :mod:`flowlanes.flow.machine_code.codegen`, in vectors of one or two lanes.  The
+one difference is that WebAssembly has no fused multiply-add, so the last bits differ from native
+code.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ def _machine() -> llvm.TargetMachine:
 
 
 def wasm_module(texts: Sequence[str], exports: Sequence[str]) -> bytes:
-    """A module of some functions.
+    """Compile functions to a WebAssembly module.
 
     Parameters
     ----------
@@ -50,7 +51,7 @@ def wasm_module(texts: Sequence[str], exports: Sequence[str]) -> bytes:
         It imports a memory, ``env.memory``.
     """
     text = "\n".join(texts)
-    # neither is there in WebAssembly; its own minimum also knows what is not a number
+    # WebAssembly has neither of these; its own minimum also propagates NaN.
     text = text.replace("@llvm.fma.", "@llvm.fmuladd.")
     text = re.sub(r"@llvm\.(min|max)num\.", r"@llvm.\1imum.", text)
     name = cache.code_name("wasm", _FEATURES, str(llvm.llvm_version_info), text)
@@ -59,21 +60,23 @@ def wasm_module(texts: Sequence[str], exports: Sequence[str]) -> bytes:
 
 
 def with_prefix(prefix: str, text: str) -> str:
-    """A text in which all functions have a prefix, so that texts can stand side by side."""
+    """Add a prefix to all function names, so that several codes can be combined."""
     return re.sub(r"@(?!llvm\.)(\w+)", rf"@{prefix}_\1", text)
 
 
-def march_text(prefix: str, equations: Equations, lanes: int, tolerance: float) -> tuple[str, int]:
-    """The loop for a tolerance, ``<prefix>_march``, and the doubles that it needs."""
+def emit_integration_loop(
+    prefix: str, equations: Equations, lanes: int, tolerance: float
+) -> tuple[str, int]:
+    """Generate the loop ``<prefix>_march`` for a tolerance; also return its memory in doubles."""
     _, method = arithmetic_and_method(16, tolerance)
     text, work = runge_kutta_loop(WithoutFused, method, equations, lanes)
     return with_prefix(prefix, text), work
 
 
-def values_text(
+def emit_row_functions(
     prefix: str, pieces: Mapping[str, Sequence[Term]], inputs: int
 ) -> tuple[str, dict[str, str], int]:
-    """Functions that compute formulas at many rows.
+    """Generate functions that evaluate formulas on many rows.
 
     ``<prefix>_<piece>_rows(n, rows, parameters, results, work)`` takes n rows of `inputs` numbers
     and gives as many rows of results.

@@ -1,8 +1,8 @@
-"""Deviations along many motions, made orthonormal after every interval by the loop itself.
+"""Deviations along many motions, orthonormalised after every interval within the loop.
 
 The operations that :mod:`flowlanes.flow.linearisation.tangent_space` applies to arrays are terms
-here, part of the machine code: a motion is followed to its end at one go, on any device, and only
-the lengths that deviations lose are handed back.
+here, and part of the machine code.  A motion is integrated to its end in one call, on any device,
+and only the factors by which deviations are normalised are returned.
 """
 
 from __future__ import annotations
@@ -29,21 +29,21 @@ from .tangent_space import DEPENDENT, TangentSpace
 #: The components of a vector.
 Vector: TypeAlias = Sequence[Term]
 
-#: Deviations without the span of a basis, of length one, and the lengths that were lost.
+#: Deviations of unit length orthogonal to a basis, and the lengths that were divided out.
 Normalisation: TypeAlias = Callable[
     [Graph, Sequence[Vector], Sequence[Vector]], tuple[list[list[Term]], list[Term]]
 ]
 
-#: Further numbers that are recorded, of deviations of length one.
+#: Additional recorded quantities, computed from deviations of unit length.
 Record: TypeAlias = Callable[[Graph, Sequence[Vector]], Sequence[Term]]
 
 
 def orthonormal_terms(
     graph: Graph, vectors: Sequence[Vector], basis: Sequence[Vector] = ()
 ) -> tuple[list[list[Term]], list[Term]]:
-    """Vectors made orthonormal one after the other, and the lengths of their remainders.
+    """Orthonormalise vectors one after the other; also return the lengths of the remainders.
 
-    As :func:`flowlanes.flow.linearisation.tangent_space.orthonormal` does it with numbers.
+    The symbolic version of :func:`flowlanes.flow.linearisation.tangent_space.orthonormal`.
     """
     share, zero = graph.number(Fraction(DEPENDENT)), graph.number(0)
     frames: list[list[Term]] = []
@@ -68,7 +68,7 @@ def _norm(graph: Graph, vector: Vector) -> Term:
 
 @dataclass(frozen=True)
 class GrowthRun:
-    """Deviations along some motions.
+    """The growth of deviations along some motions.
 
     Attributes
     ----------
@@ -117,7 +117,7 @@ class DeviationGrowth:
         times: FloatArray,
         parameters: Parameters = None,
     ) -> GrowthRun:
-        """Deviations along motions.
+        """Follow deviations along motions.
 
         Parameters
         ----------
@@ -154,7 +154,7 @@ def deviation_growth(
     tolerance: float,
     device: Device,
 ) -> DeviationGrowth:
-    """The growth of deviations as machine code.
+    """Compile the growth of deviations to machine code.
 
     Parameters
     ----------
@@ -181,7 +181,7 @@ def deviation_growth(
     frames, lengths = normalise(graph, measured, _excluded_basis(space, reader, sizes))
     relations = [reader(relation) for relation in system.relations]
     correction = projection_terms(graph, (), relations, equations.groups, relations).correction
-    # back onto the phase space
+    # Return to the phase space.
     states = [graph.state(i) + change for i, change in enumerate(correction)]
     carried = [x * y for frame in frames for x, y in zip(frame, sizes, strict=True)]
     recorded = record(graph, frames)
@@ -199,7 +199,7 @@ def deviation_growth(
 
 
 def _excluded_basis(space: TangentSpace, reader: Reader, sizes: Vector) -> list[list[Term]]:
-    """An orthonormal basis of what is no deviation that counts, measured."""
+    """An orthonormal basis, in measured lengths, of the excluded deviations."""
     graph, places = reader.graph, range(len(sizes))
     slopes = graph.jacobian(
         [reader(condition) for condition in space.conditions], [graph.state(i) for i in places]

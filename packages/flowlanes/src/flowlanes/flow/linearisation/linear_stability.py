@@ -1,15 +1,15 @@
-"""Linear stability: a System near a steady motion, with as many digits as are asked for.
+"""Linear stability of a System near a steady motion, to any number of digits.
 
 At a point x of the phase space where the field v vanishes, or is a combination of symmetry fields
-(a relative equilibrium: in a frame carried along by the symmetries nothing changes), small
-deviations ξ obey
+(a relative equilibrium: it is at rest in a frame that the symmetries carry along), small deviations
+ξ obey
 
     ξ̇ = A ξ,    A = ∂v/∂x − Σ c_i ∂u_i/∂x,    v(x) = Σ c_i u_i(x).
 
-Deviations must keep to the phase space: ξ is tangent to the relations, and A acts on the tangent
-space.  State variables on which nothing depends (a place, a heading) are left out, and directions
-along a family of steady motions can be divided out.  Derivatives are exact: formulas are
-differentiated symbolically, through the definitions by the chain rule.
+Deviations stay in the phase space: ξ is tangent to the relations, and A acts on the tangent space.
+State variables on which no rate depends (a position, a heading) are omitted, and directions along a
+family of steady motions can be divided out.  Derivatives are exact: formulas are differentiated
+symbolically, through the definitions by the chain rule.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias, TypeGuard
+from typing import Any, TypeAlias
 
 import mpmath
 import sympy as sp
@@ -25,10 +25,10 @@ import sympy as sp
 from ...arguments import Parameters, arguments_checked
 from ...errors import InputError
 from ...formulas.multiprecision import number, slopes
-from ...system.laws import Law, Symmetry
+from ...system.laws import Symmetry
+from ...system.named_formulas import flat_pairs
 from ...system.parameters import parameter_values
-from ...system.system import System, flat_pairs
-from ...system.vectors import to_components
+from ...system.system import System
 from ..initial_states import reduced_start, vector_components
 from ..taylor.working_numbers import WorkingNumber
 from .multiprecision_subspaces import minimum_norm_solution, null_space_basis, orthogonal_part
@@ -77,7 +77,7 @@ class Linearisation:
         with mpmath.workdps(_working(self.digits)):
             values, vectors = mpmath.eig(self.reduced)
             modes = [(value, self.basis * vectors[:, i]) for i, value in enumerate(values)]
-            # real parts of a conjugate pair differ by rounding alone
+            # The real parts of a conjugate pair differ only by rounding.
             grain = mpmath.mpf(10) ** (4 - self.digits) * (1 + mpmath.mnorm(self.reduced, 1))
             return sorted(modes, key=lambda m: (-mpmath.nint(m[0].real / grain), -m[0].imag))
 
@@ -108,7 +108,7 @@ def linear_stability(
     along: Iterable[Mapping[Any, Any]] = (),
     digits: int = 30,
 ) -> Linearisation:
-    """The linear equations of a system near a steady motion, and their eigenvalues.
+    """Linearise a system near a steady motion and compute the eigenvalues.
 
     Parameters
     ----------
@@ -178,7 +178,7 @@ def relative_equilibrium(
     fixed_variables: Iterable[sp.Symbol | str] = (),
     digits: int = 30,
 ) -> dict[sp.Symbol, mpmath.mpf]:
-    """A steady motion near a guess, by Newton's method along the shortest way.
+    """Find a steady motion near a guess, by Newton's method with steps of minimal norm.
 
     Parameters
     ----------
@@ -232,7 +232,7 @@ def relative_equilibrium(
 
 
 class _LinearisedSystem:
-    """A system at one state, with derivatives."""
+    """A system at one state, with its derivatives."""
 
     def __init__(
         self,
@@ -245,7 +245,7 @@ class _LinearisedSystem:
         self.variables = _variables(system)
         self.point = _state(system, state, parameters, self.variables)
         self.values = {**self.point, **_constants(system, parameters)}
-        # a state given as a float is exact to some 16 digits
+        # A state given as a float is accurate to about 16 digits.
         self.tolerance = mpmath.mpf(10) ** (-min(digits, 12))
         self._require_on_phase_space()
 
@@ -262,24 +262,22 @@ class _LinearisedSystem:
                     f"{_brief(relation)} is {mpmath.nstr(value, 6)} there and must vanish"
                 )
 
-    def _carries(self, law: Law) -> TypeGuard[Symmetry]:
-        """Whether a law is a symmetry on all of the phase space, with these parameters."""
-        if not isinstance(law, Symmetry):
-            return False
-        level = [to_components(condition) for condition in law.on]
+    def _carries(self, law: Symmetry) -> bool:
+        """Whether a symmetry is one on all of the phase space, with these parameters."""
+        level = law.scalar.on
         moving = set(self.system.symbols) | {s for s, _ in self.system.scalar_definitions}
         if any(condition.free_symbols & moving for condition in level):
             return False
         return all(abs(value) < self.tolerance for value in self._field(level)[0])
 
     def slopes_of_relations(self) -> mpmath.matrix:
-        """The differentials of the relations, one a row."""
+        """The differentials of the relations, one per row."""
         return self._field(_relations(self.system))[1]
 
     def moving(self) -> tuple[mpmath.matrix, dict[str, mpmath.mpf]]:
-        """A, and the speeds along the symmetries."""
+        """The matrix A, and the speeds along the symmetries."""
         value, matrix = self._field(_rates(self.system, self.variables))
-        symmetries = [law for law in self.system.laws if self._carries(law)]
+        symmetries = [law for law in self.system.laws_of(Symmetry) if self._carries(law)]
         drift: dict[str, mpmath.mpf] = {}
         if symmetries and mpmath.norm(value, mpmath.inf) > self.tolerance:
             fields = [self._field(components(law, self.variables)) for law in symmetries]
@@ -303,14 +301,14 @@ class _LinearisedSystem:
 
 
 def _working(digits: int) -> int:
-    """Digits of the computation."""
+    """Working precision in digits."""
     if not 5 <= digits <= 1000:
         raise InputError(f"digits = {digits}: it must lie between 5 and 1000")
     return 4 * digits + 20
 
 
 def _clean(value: mpmath.mpc, floor: mpmath.mpf) -> mpmath.mpc:
-    """Without the rounding error of a part that is zero."""
+    """The number without a part that is zero up to rounding."""
     return mpmath.mpc(
         0 if abs(value.real) < floor else value.real, 0 if abs(value.imag) < floor else value.imag
     )
@@ -321,7 +319,7 @@ def _brief(formula: sp.Expr) -> str:
 
 
 def _relations(system: System) -> list[sp.Expr]:
-    return [to_components(relation) for relation in system.relations]
+    return list(system.scalar.relations)
 
 
 def _rates(system: System, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
@@ -336,7 +334,7 @@ def components(law: Symmetry, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
 
 
 def essential_variables(system: System) -> tuple[sp.Symbol, ...]:
-    """State variables without those on which nothing depends, one after the other."""
+    """The state variables without those on which nothing depends, removed one after the other."""
     rates = dict(zip(system.symbols, system.rates, strict=True))
     while True:
         formulas = [*rates.values(), *_relations(system)]
@@ -388,7 +386,7 @@ def _constants(system: System, parameters: Parameters) -> dict[sp.Symbol, mpmath
 def _require_family(
     system: System, forms: Sequence[mpmath.matrix], direction: mpmath.matrix, tolerance: mpmath.mpf
 ) -> None:
-    """Refuse a direction that A or the differentials of the relations do not annul."""
+    """Raise an error for a direction not annihilated by A or the differentials of the relations."""
     size = mpmath.norm(direction)
     for form in forms:
         scale = 1 + mpmath.mnorm(form, 1) if form.rows else 1

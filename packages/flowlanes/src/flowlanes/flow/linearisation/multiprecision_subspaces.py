@@ -1,4 +1,4 @@
-"""Subspaces in many digits: null spaces, bases, least-squares solutions of minimal norm."""
+"""Subspaces in multi-precision arithmetic: null spaces, bases, minimum-norm solutions."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import mpmath
 
 
 def minimum_norm_solution(matrix: mpmath.matrix, right: mpmath.matrix) -> mpmath.matrix:
-    """The shortest of the least-squares solutions of a x = b, whatever the rank."""
+    """The least-squares solution of a x = b of minimal norm, for any rank."""
     left, sizes, other = mpmath.svd_r(matrix)
     floor = sizes[0] * mpmath.mpf(10) ** (-mpmath.mp.dps // 4)
     share = left.T * right
@@ -18,14 +18,14 @@ def minimum_norm_solution(matrix: mpmath.matrix, right: mpmath.matrix) -> mpmath
 
 
 def null_space_basis(rows: mpmath.matrix, size: int) -> mpmath.matrix:
-    """An orthonormal basis, in columns, of the vectors that all rows annul."""
+    """An orthonormal basis, in columns, of the null space of the rows."""
     span = _orthonormal([rows[i, :].T for i in range(rows.rows)])
     units = [mpmath.matrix([int(i == j) for j in range(size)]) for i in range(size)]
     return _columns(_orthonormal(units, span), size)
 
 
 def orthogonal_part(basis: mpmath.matrix, family: Sequence[mpmath.matrix]) -> mpmath.matrix:
-    """Orthonormal basis of the part of a span orthogonal to the given vectors."""
+    """Orthonormal basis of the part of a span that is orthogonal to given vectors."""
     span = _orthonormal(family)
     columns = [basis[:, j] for j in range(basis.cols)]
     return _columns(_orthonormal(columns, span), basis.rows) if span else basis
@@ -42,7 +42,7 @@ def _columns(vectors: Sequence[mpmath.matrix], size: int) -> mpmath.matrix:
 def _orthonormal(
     vectors: Sequence[mpmath.matrix], beside: Sequence[mpmath.matrix] = ()
 ) -> list[mpmath.matrix]:
-    """An orthonormal basis by Gram and Schmidt, twice over, longest remainder first."""
+    """An orthonormal basis by the Gram–Schmidt process done twice, largest remainder first."""
     basis: list[mpmath.matrix] = []
     remainders = [+v for v in vectors]
     scale = max((mpmath.norm(v) for v in remainders), default=mpmath.mpf(1))
@@ -58,7 +58,7 @@ def _orthonormal(
 
 
 def _remainder(vector: mpmath.matrix, span: Sequence[mpmath.matrix]) -> mpmath.matrix:
-    """A vector less its projection onto an orthonormal span."""
+    """A vector minus its projection onto an orthonormal span."""
     for _ in range(2):
         for e in span:
             vector = vector - (e.T * vector)[0] * e

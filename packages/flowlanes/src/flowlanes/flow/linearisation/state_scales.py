@@ -1,8 +1,8 @@
 """Sizes of the vectors of a state along a motion, covariant under a change of units.
 
-A momentum of 1e-10 kg m²/s beside the unit vector γ is not small, and a deviation of γ by one is
-not large beside one of the momentum by 1e-10.  Deviations are therefore measured with each vector
-of the state divided by a fixed size of its own.
+A momentum of 1e-10 kg m²/s beside the unit vector γ is not small, and a change of γ by one is not
+large beside a change of the momentum by 1e-10.  Deviations are therefore measured after dividing
+each vector of the state by a fixed size of its own.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from ..batch import batch_integrator
 from ..devices.graphics import Device
 from ..kernel.equations import groups
 
-#: Part of a motion over which the sizes of its vectors are taken, and the number of samples.
+#: Fraction of a motion over which the sizes of its vectors are sampled, and the number of samples.
 STRETCH, LOOKS = 0.1, 32
-#: A vector smaller than this share of the size by which it acts as much as others counts as zero.
+#: Fraction of the size by which it acts as strongly as others, below which a vector counts as zero.
 SMALL = 1e-10
-#: Two vectors act on each other if they do so at this share of the fastest rate, at least.
+#: Smallest coupling of two vectors, relative to the fastest rate, that counts.
 COUPLING = 1e-4
 
 
@@ -33,7 +33,7 @@ def state_scales(
     tolerance: float = 1e-12,
     device: Device = "cpu",
 ) -> FloatArray:
-    """The greatest sizes of the vectors of the state over the first tenth of motions.
+    """The largest sizes of the vectors of the state over the first tenth of motions.
 
     Parameters
     ----------
@@ -64,10 +64,11 @@ def state_scales(
 def state_scales_at(
     system: System, states: FloatArray, parameters: Parameters = None
 ) -> FloatArray:
-    """The greatest sizes of the vectors of the state among some states of each motion.
+    """The largest sizes of the vectors of the state among given states of each motion.
 
-    A vector u that is zero beside others v has the size with which each acts on the other as
-    strongly, |v| √(|∂u̇/∂v| / |∂v̇/∂u|) at the first state, and 1 if none acts on it so.
+    A vector u that is zero beside others v gets the size with which both act on each other equally
+    strongly, |v| √(|∂u̇/∂v| / |∂v̇/∂u|) at the first state, and 1 if no other vector is coupled to
+    it.
 
     Parameters
     ----------
@@ -81,7 +82,7 @@ def state_scales_at(
     (n, size) array
     """
     vectors = groups(system)
-    # component after component, so that no neighbour changes a bit
+    # Component by component, so that neighbours change no bit.
     squares = [sum(states[..., i] ** 2 for i in part) for part in vectors]
     norms = np.stack([np.sqrt(np.fmax.reduce(square, axis=1)) for square in squares], axis=1)
     slopes = Formulas(system, system.rates).slopes(states[:, 0], parameters)

@@ -1,15 +1,14 @@
 """Tangent vectors carried along many motions, and their growth.
 
 The variational equations of :func:`flowlanes.flow.batch.batch_integrator` carry deviations over a
-short interval; there they are made orthonormal again, and the logarithms of the lengths that are
-lost add up to the Lyapunov exponents (Benettin et al. 1980).  Directions that cannot grow are
-projected out at the end of every interval, so that rounding cannot bring it back: deviations stay
-tangent to relations and integrals, and are counted modulo the flow and the symmetries.
+short interval.  There they are orthonormalised, and the logarithms of the normalisation factors add
+up to the Lyapunov exponents (Benettin et al. 1980).  Directions that cannot grow are projected out
+at the end of every interval, so that rounding cannot reintroduce them: deviations stay tangent to
+relations and integrals, and are counted modulo the flow and the symmetries.
 
-Lengths and angles of deviations are measured with each variable divided by a fixed size, so that
-they are the same in all units: what is called orthonormal below is so in these measures, and
-gradients are those with respect to the measured variables; see
-:mod:`flowlanes.flow.linearisation.state_scales`.
+Lengths and angles of deviations are measured after dividing each variable by a fixed size, so that
+they are the same in all units.  "Orthonormal" and "gradient" below refer to these measured
+variables; see :mod:`flowlanes.flow.linearisation.state_scales`.
 """
 
 from __future__ import annotations
@@ -28,24 +27,24 @@ from ...system.system import System
 from ..batch import BatchIntegrator
 from ..level_projection import REDUNDANT, select_parameters
 
-#: A vector whose remainder is shorter than this share of it counts as dependent on others.
+#: Fraction of its length below which the remainder of a vector counts as zero (linear dependence).
 DEPENDENT = 1e-12
-#: A state is put back on its level when it misses it by more than this, relatively.
+#: Relative distance from its level above which a state is projected back.
 LARGEST_DRIFT = 1e-11
-#: Steps by which it is put back.
+#: Number of Newton steps of that projection.
 STEPS = 3
-#: Sizes of the variables unless others are given.
+#: Default sizes of the variables.
 ONE = np.ones(1)
-#: Seed of the frames that deviations start from.
+#: Seed of the initial frames of deviations.
 SEED = 20080830
 
 
 def orthonormal(
     vectors: FloatArray, basis: FloatArray | None = None
 ) -> tuple[FloatArray, FloatArray]:
-    """Vectors made orthonormal one after the other, for many states at once.
+    """Orthonormalise vectors one after the other, for many states at once.
 
-    By Gram and Schmidt, each projection done twice, after which it is exact to rounding.
+    Gram–Schmidt with every projection done twice, which is accurate to rounding.
 
     Parameters
     ----------
@@ -77,13 +76,13 @@ def orthonormal(
 
 
 def _take_out(vector: FloatArray, others: FloatArray) -> None:
-    """Subtract from vectors (n, size), in place, projections onto others (n, k, size)."""
+    """Subtract, in place, the projections of vectors (n, size) onto others (n, k, size)."""
     for other in np.moveaxis(others, 1, 0):
         vector -= _dot(vector, other)[:, None] * other
 
 
 def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
-    # a sum along each row, whose bits do not depend on other rows, as einsum's do
+    # Sum along each row, so that the bits do not depend on other rows, as they do with einsum.
     result: FloatArray = (a * b).sum(axis=1)
     return result
 
@@ -155,7 +154,7 @@ class TangentSpace:
         parameters: Parameters = None,
         sizes: FloatArray = ONE,
     ) -> FloatArray:
-        """States (n, size), moved back onto the level of the conditions after drift."""
+        """States (n, size), projected back onto the level of the conditions after drift."""
         normals = self.normals(states, parameters, sizes)
         reach = np.abs(level) + np.sqrt((normals**2).sum(axis=2))
         missed = np.abs(self.level(states, parameters) - level)
@@ -189,7 +188,7 @@ class TangentSpace:
     def excluded_basis(
         self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
     ) -> tuple[FloatArray, FloatArray]:
-        """An orthonormal basis of what is no deviation that counts.
+        """An orthonormal basis of the excluded deviations.
 
         Parameters
         ----------
@@ -219,7 +218,7 @@ class TangentSpace:
         count: int | None = None,
         sizes: FloatArray = ONE,
     ) -> FloatArray:
-        """Orthonormal deviations to start from, measured, the same at the same state.
+        """Orthonormal initial deviations, in measured lengths; the same at the same state.
 
         Parameters
         ----------
@@ -246,9 +245,9 @@ class TangentSpace:
         relations: Sequence[sp.Expr] = (),
         sizes: FloatArray = ONE,
     ) -> FloatArray:
-        """The divergence of the equations on the surface where relations vanish, (n,).
+        """The divergence of the equations on the surface where the relations vanish, (n,).
 
-        It is the rate of the logarithm of a volume of deviations tangent to `relations`.
+        It is the logarithmic growth rate of a volume of deviations tangent to `relations`.
         """
         jacobian = self._rates.slopes(states, parameters)
         jacobian *= sizes[..., None, :] / sizes[..., :, None]
@@ -303,7 +302,9 @@ def propagate(
     nodes: FloatArray | None = None,
     threads: int | None = None,
 ) -> Iterator[Stretch]:
-    """Deviations along motions, orthonormalised after each of endless intervals.
+    """Follow deviations along motions.
+
+    Orthonormalise and yield them after each interval, endlessly.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""Arithmetic and formulas as LLVM code: text, elementary functions, compiling, and its cache."""
+"""Arithmetic and formulas as LLVM code: generation, elementary functions, compilation, cache."""

@@ -1,4 +1,4 @@
-"""Short polynomials for the smooth parts of functions, as exact as an arithmetic asks for."""
+"""Short polynomials for the smooth parts of functions, to a required accuracy."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SmoothPart: TypeAlias = Callable[[MPContext, mpmath.mpf], mpmath.mpf]
 
 @dataclass(frozen=True)
 class Approximation:
-    """A polynomial near a function on an interval.
+    """A polynomial approximation on an interval.
 
     Attributes
     ----------
@@ -41,8 +41,8 @@ def _odd(name: str) -> SmoothPart:
     return smooth
 
 
-#: Smooth parts of functions and the intervals on which they are wanted, a little widened for
-#: arguments reduced with rounding.
+#: Smooth parts of functions and the intervals on which they are needed, slightly widened for
+#: arguments whose reduction was rounded.
 PARTS: Mapping[str, tuple[SmoothPart, float, float]] = {
     # x = √t up to π/4
     "sin": (_odd("sin"), 0.0, 0.617),
@@ -60,9 +60,9 @@ PARTS: Mapping[str, tuple[SmoothPart, float, float]] = {
 
 @lru_cache
 def series(name: str, bits: int) -> Approximation:
-    """The shortest polynomial near a smooth part of a function.
+    """The shortest polynomial approximation of the smooth part of a function.
 
-    Interpolation at Chebyshev's points is as good as the best polynomial but for a small factor.
+    Interpolation at Chebyshev points is as good as the best polynomial up to a small factor.
 
     Parameters
     ----------
@@ -81,14 +81,14 @@ def series(name: str, bits: int) -> Approximation:
         reached = -mp.mag(error)
         if reached >= bits:
             return Approximation(tuple(map(_fraction, reversed(coefficients))), max(-first, last))
-        # half of what is missing at the present rate, so as not to go too far
+        # Increase by half of what the present rate predicts, so as not to overshoot.
         rate = max(1, reached // terms)
         terms += max(1, (bits - reached) // (2 * rate))
 
 
 @lru_cache
 def parts(name: str, bits: tuple[int, ...]) -> tuple[Fraction, ...]:
-    """A constant as a sum of short numbers, of given lengths, and the rest of it.
+    """A constant as a sum of short numbers of given lengths, and a remainder.
 
     Parameters
     ----------
@@ -108,12 +108,12 @@ def parts(name: str, bits: tuple[int, ...]) -> tuple[Fraction, ...]:
 
 
 def _nearest_short(value: Fraction, bits: int) -> Fraction:
-    """The nearest number of so many bits."""
+    """The nearest number with a given number of bits."""
     mp = MPContext()
     mp.prec = bits
     return _fraction(mp.mpf(value.numerator) / value.denominator)
 
 
 def _fraction(value: mpmath.mpf) -> Fraction:
-    """A number of mpmath, exactly."""
+    """An mpmath number, exactly."""
     return Fraction(*libmp.to_rational(value._mpf_))

@@ -1,4 +1,4 @@
-"""Arithmetic of the vector code: in doubles, and in pairs of doubles (double-double)."""
+"""Arithmetic of the vector code: in doubles, and in double-double numbers."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ from typing import Protocol, TypeAlias, TypeVar
 from ...errors import InputError
 from .ir_writer import IRWriter
 
-#: The name of one vector register, or of two that hold one number of twice the digits.
+#: The name of one vector register, or of two that together hold a double-double number.
 V = TypeVar("V")
-#: The two registers of a number of twice the digits.
+#: The two registers of a double-double number.
 Registers: TypeAlias = tuple[str, str]
 
 
 class Arithmetic(Protocol[V]):
-    """An arithmetic whose operations are written as vector instructions."""
+    """An arithmetic whose operations are emitted as vector instructions."""
 
     def __init__(self, writer: IRWriter) -> None: ...
 
     writer: IRWriter
-    #: Doubles that one number takes.
+    #: Number of doubles per number.
     words: int
-    #: Bits of a number.
+    #: Number of bits of precision.
     bits: int
 
     def number(self, value: Fraction) -> V:
@@ -54,11 +54,11 @@ class Arithmetic(Protocol[V]):
         ...
 
     def plus(self, a: V, b: V) -> V:
-        """a + b with an error measured by the larger of the two."""
+        """a + b with an error relative to the larger of the two."""
         ...
 
     def multiply_add(self, a: V, b: V, c: V) -> V:
-        """a b + c with an error measured by the larger of product and c."""
+        """a b + c with an error relative to the larger of the product and c."""
         ...
 
     def neg(self, a: V) -> V:
@@ -70,11 +70,11 @@ class Arithmetic(Protocol[V]):
         ...
 
     def sqrt(self, a: V) -> V:
-        """The root of a."""
+        """The square root of a."""
         ...
 
     def difference(self, a: str, b: str) -> V:
-        """The difference of two registers, with all the digits that numbers have."""
+        """The difference of two registers, with all digits of the arithmetic."""
         ...
 
     def leading(self, a: V) -> str:
@@ -82,7 +82,7 @@ class Arithmetic(Protocol[V]):
         ...
 
     def whole(self, a: str) -> V:
-        """One register as a number."""
+        """One register converted to a number."""
         ...
 
     def choose(self, mask: str, yes: V, no: V) -> V:
@@ -91,7 +91,10 @@ class Arithmetic(Protocol[V]):
 
 
 def _nearest_double(value: Fraction) -> float:
-    """The double nearest to a constant of a formula; InputError beyond all doubles."""
+    """The double nearest to a constant of a formula.
+
+    Raises InputError outside the range of doubles.
+    """
     try:
         return float(value)
     except OverflowError:
@@ -157,7 +160,7 @@ class Double:
         return self.writer.op("fdiv", self.number(Fraction(1)), a)
 
     def sqrt(self, a: str) -> str:
-        """The root of a."""
+        """The square root of a."""
         return self.writer.call("sqrt", a)
 
     def difference(self, a: str, b: str) -> str:
@@ -169,7 +172,7 @@ class Double:
         return a
 
     def whole(self, a: str) -> str:
-        """One register as a number."""
+        """One register converted to a number."""
         return a
 
     def choose(self, mask: str, yes: str, no: str) -> str:
@@ -178,14 +181,14 @@ class Double:
 
 
 class WithoutFused(Double):
-    """Doubles of a machine without fused products and sums.
+    """Doubles on a machine without fused multiply-add.
 
-    Where a result must be rounded only once, because the rounding error itself is needed, the
-    product is split (Dekker 1971); in formulas products and sums are rounded separately.
+    Where a result must be rounded only once because its rounding error is needed, the product is
+    split (Dekker 1971); in formulas products and sums are rounded separately.
     """
 
     def fma(self, a: str, b: str, c: str) -> str:
-        """a b + c, in error by little more than half a unit in the last place."""
+        """a b + c, with an error of little more than half a unit in the last place."""
         w = self.writer
         product, lost = split_product(w, a, b)
         total = w.op("fadd", product, c)
@@ -201,7 +204,7 @@ class WithoutFused(Double):
 
 
 def split_product(w: IRWriter, a: str, b: str) -> Registers:
-    """A product and what rounding has taken from it, without fused operations (Dekker)."""
+    """A product and its rounding error, without fused operations (Dekker)."""
     product = w.op("fmul", a, b)
     (high, low), (other_high, other_low) = _halves(w, a), _halves(w, b)
     lost = w.op("fsub", w.op("fmul", high, other_high), product)
@@ -211,17 +214,17 @@ def split_product(w: IRWriter, a: str, b: str) -> Registers:
 
 
 def _halves(w: IRWriter, a: str) -> Registers:
-    """A number as the sum of two of 26 bits (Veltkamp)."""
+    """A number as the sum of two numbers of 26 bits (Veltkamp)."""
     scaled = w.op("fmul", a, w.constant(2.0**27 + 1.0))
     high = w.op("fsub", scaled, w.op("fsub", scaled, a))
     return high, w.op("fsub", a, high)
 
 
 class Pair:
-    """Numbers of 106 bits: unevaluated sums of two doubles.
+    """Numbers of 106 bits: unevaluated sums of two doubles (double-double).
 
-    The second is below half a unit in the last place of the first (Dekker 1971); sums and products
-    are those of Joldes, Muller, Popescu 2017, with relative errors below 2⁻¹⁰⁴.
+    The second double is at most half a unit in the last place of the first (Dekker 1971); sums and
+    products are those of Joldes, Muller, Popescu 2017, with relative errors below 2⁻¹⁰⁴.
     """
 
     words, bits = 2, 104
@@ -249,7 +252,7 @@ class Pair:
         w.store(w.type, value[1], w.address(w.type, place, 1))
 
     def two_sum(self, a: str, b: str) -> Registers:
-        """The sum of two doubles without error (Knuth)."""
+        """The exact sum of two doubles (Knuth)."""
         w = self.writer
         s = w.op("fadd", a, b)
         t = w.op("fsub", s, a)
@@ -257,7 +260,7 @@ class Pair:
         return s, error
 
     def fast_sum(self, a: str, b: str) -> Registers:
-        """The sum of two doubles without error, if a is the larger (Dekker)."""
+        """The exact sum of two doubles, for |a| ≥ |b| (Dekker)."""
         w = self.writer
         s = w.op("fadd", a, b)
         return s, w.op("fsub", b, w.op("fsub", s, a))
@@ -289,17 +292,17 @@ class Pair:
         return self.add(self.mul(a, b), c)
 
     def plus(self, a: Registers, b: Registers) -> Registers:
-        """a + b in half the operations.
+        """a + b with half as many operations.
 
-        If a and b nearly cancel, the error is below 2⁻¹⁰⁴ of these and not of the difference:
-        rounded numbers are uncertain by as much.
+        If a and b nearly cancel, the error is below 2⁻¹⁰⁴ of them, not of the difference: rounded
+        inputs are uncertain by as much.
         """
         w = self.writer
         s, error = self.two_sum(a[0], b[0])
         return self.fast_sum(s, w.op("fadd", error, w.op("fadd", a[1], b[1])))
 
     def multiply_add(self, a: Registers, b: Registers, c: Registers) -> Registers:
-        """a b + c with an error measured by the larger of product and c."""
+        """a b + c with an error relative to the larger of the product and c."""
         return self.plus(self.mul(a, b), c)
 
     def neg(self, a: Registers) -> Registers:
@@ -307,7 +310,7 @@ class Pair:
         return self.writer.op("fneg", a[0]), self.writer.op("fneg", a[1])
 
     def recip(self, a: Registers) -> Registers:
-        """1/a: Newton's step from the quotient of doubles, twice."""
+        """1/a: two Newton steps from the quotient in doubles."""
         w, one = self.writer, self.number(Fraction(1))
         first = w.op("fdiv", one[0], a[0])
         left = self.sub(one, self.mul(a, self.whole(first)))
@@ -317,7 +320,7 @@ class Pair:
         return self.add(self.fast_sum(first, second), self.whole(third))
 
     def sqrt(self, a: Registers) -> Registers:
-        """The root of a; of zero it is zero."""
+        """The square root of a; zero for zero."""
         w = self.writer
         root = w.call("sqrt", a[0])
         left = self.sub(a, self.mul(self.whole(root), self.whole(root)))
@@ -327,7 +330,7 @@ class Pair:
         return self.choose(zero, self.whole(w.constant(0.0)), corrected)
 
     def difference(self, a: str, b: str) -> Registers:
-        """The difference of two registers, without error."""
+        """The exact difference of two registers."""
         return self.two_sum(a, self.writer.op("fneg", b))
 
     def leading(self, a: Registers) -> str:
@@ -335,7 +338,7 @@ class Pair:
         return a[0]
 
     def whole(self, a: str) -> Registers:
-        """One register as a number."""
+        """One register converted to a number."""
         return a, self.writer.constant(0.0)
 
     def choose(self, mask: str, yes: Registers, no: Registers) -> Registers:
@@ -345,7 +348,7 @@ class Pair:
 
 
 class PairWithoutFused(Pair):
-    """Pairs of doubles on a machine without fused products and sums."""
+    """Double-double numbers on a machine without fused multiply-add."""
 
     def mul(self, a: Registers, b: Registers) -> Registers:
         """a b."""

@@ -1,8 +1,8 @@
 """Compiled code stored on disk between processes.
 
-An entry is native code, so it is only ever read as :mod:`flowlanes.files.private_files` reads; its
-name is a digest of everything that shaped it (formulas, tolerance, versions, processor).  A cache
-that cannot be used is no error: the code is compiled again.
+An entry is native code, so it is only read in the way :mod:`flowlanes.files.private_files` reads;
+its name is a digest of everything that determined it (formulas, tolerance, versions, processor).  A
+cache that cannot be used is not an error: the code is compiled again.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Entry = TypeVar("Entry")
 
 _LOG = logging.getLogger(__name__)
 
-#: Entries on disk, and in the memory of this process, at most.
+#: Maximum number of entries on disk, and in the memory of this process.
 _STORED, _IN_MEMORY = 200, 32
 
 
@@ -40,7 +40,7 @@ def _machine() -> str:
 
 
 def code_name(*parts: str) -> str:
-    """The name of code shaped by `parts`, for this machine and these versions."""
+    """The name of code determined by `parts`, for this machine and these versions."""
     return entry_name(*parts, _machine())
 
 
@@ -53,7 +53,7 @@ def _read(path: Path) -> object:
     try:
         return pickle.loads(content)
     except Exception:
-        # libraries built otherwise may raise anything when they unpickle
+        # Incompatible library versions may raise any exception while unpickling.
         return None
 
 
@@ -67,7 +67,7 @@ def _write(path: Path, entry: object) -> None:
 
 
 def _file_version(path: Path) -> tuple[int, int] | None:
-    """Time of change and size of a file; None if there is none."""
+    """Modification time and size of a file; None if it does not exist."""
     try:
         status = path.stat()
     except OSError:
@@ -75,12 +75,12 @@ def _file_version(path: Path) -> tuple[int, int] | None:
     return status.st_mtime_ns, status.st_size
 
 
-#: Entries of this process, with the version of the file that they were read from or written to.
+#: Entries in memory, with the version of the file that they were read from or written to.
 _in_memory: dict[Path, tuple[object, tuple[int, int] | None]] = {}
 
 
 def cached_entry(name: str, compute: Callable[[], Entry]) -> tuple[Entry, bool]:
-    """The entry called `name`, computed if there is none, and whether there was one."""
+    """The entry called `name`, computed if missing, and whether it was present."""
     path = folder() / f"{name}.code"
     if path in _in_memory and _in_memory[path][1] == _file_version(path):
         return cast("Entry", _in_memory[path][0]), True

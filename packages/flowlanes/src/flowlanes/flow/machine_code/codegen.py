@@ -1,8 +1,8 @@
-"""From terms to vector instructions: one lane per trajectory, stage, deviation or parameter.
+"""Compile terms to vector instructions: one lane per motion, stage, deviation or parameter.
 
-Every operation is exactly rounded and products are fused into sums where the graph says so, never
-where a compiler likes to, so that a lane gives the same bits at every vector width and whatever
-its neighbours do.
+Every operation is correctly rounded, and products are fused with sums only where the graph says so,
+not where a compiler chooses.  So a lane gives the same bits at every vector width and beside any
+neighbours.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ _SLOPES = {"sin": ("cos", 1), "cos": ("sin", -1)}
 
 @dataclass(frozen=True)
 class Clock:
-    """A state variable that is the time, as the sum of two doubles.
+    """The state variable that is the time, as the sum of two doubles.
 
-    What depends on it alone is computed with twice the digits: a phase of many turns is more
-    than its last digit.
+    Everything that depends only on the time is computed with twice the digits: a phase of many
+    turns exceeds the precision of a double.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class Clock:
 def evaluate(
     arithmetic: Arithmetic[V], terms: Sequence[Term], leaf: Callable[[Term], V | None]
 ) -> list[V]:
-    """Instructions that compute terms.
+    """Emit the instructions that compute terms.
 
     Parameters
     ----------
@@ -120,9 +120,9 @@ def _compute(
 
 
 def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
-    """Terms in the parameters alone that are used by terms in the state.
+    """Terms that depend only on parameters and are used by terms in the state.
 
-    They are computed once for a trajectory; numbers are not among them.
+    They are computed once per motion; numbers are not among them.
     """
     nodes = topological_order(terms)
     moving = _ids_with(nodes, lambda node: node.kind == "state")
@@ -130,7 +130,7 @@ def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
 
 
 def _clock_terms(terms: Sequence[Term], place: int) -> list[Term]:
-    """Terms in the time and parameters alone that are used by others."""
+    """Terms in the time and parameters only that are used by others."""
     nodes = topological_order(terms)
     moving = _ids_with(nodes, lambda node: node.kind == "state" and node.args[0] != place)
     timed = _ids_with(nodes, lambda node: node.kind == "state")
@@ -138,7 +138,7 @@ def _clock_terms(terms: Sequence[Term], place: int) -> list[Term]:
 
 
 def _ids_with(nodes: Sequence[Term], among: Callable[[Term], bool]) -> set[int]:
-    """The nodes among some, and all that depend on these."""
+    """The given nodes and all that depend on them."""
     found: set[int] = set()
     for node in nodes:
         if among(node) or any(id(a) in found for a in node.operands):
@@ -164,10 +164,10 @@ def functions(
     clock: Clock | None = None,
     steady: bool = False,
 ) -> tuple[str, int]:
-    """The text of functions that compute formulas, and the number of shared constants.
+    """Emit functions that compute formulas; also return the number of shared constants.
 
-    ``@prepare(constants, parameters)`` computes once what depends on parameters alone;
-    ``@<piece>(result, state, constants)`` everything else.
+    ``@prepare(constants, parameters)`` computes everything that depends only on parameters;
+    ``@<piece>(result, state, constants)`` computes the rest.
 
     Parameters
     ----------
@@ -234,7 +234,7 @@ def _function(
 def _values_rounded_once(
     number: Arithmetic[V], terms: Sequence[Term], leaf: Callable[[Term], V | None]
 ) -> list[V]:
-    """Values of terms by twice the digits."""
+    """Values of terms, computed with twice the digits and rounded once."""
     pair = pair_of(number)
 
     def exact(term: Term) -> tuple[str, str] | None:
@@ -247,7 +247,7 @@ def _values_rounded_once(
 def _timed_values(
     number: Arithmetic[V], terms: Sequence[Term], slots: Mapping[int, int], clock: Clock
 ) -> dict[int, V]:
-    """Values of what depends on the time alone, rounded once."""
+    """Values of terms that depend only on the time, rounded once."""
     pair, wanted = pair_of(number), _clock_terms(terms, clock.place)
 
     def one(base: str, place: int) -> str:
@@ -263,7 +263,7 @@ def _timed_values(
         return None
 
     def circular(name: str, angle: tuple[str, str]) -> str:
-        """A circular function of an angle of twice the digits, by its slope."""
+        """A circular function of an angle with twice the digits, from its value and slope."""
         (other, sign), (head, rest) = _SLOPES[name], map(number.whole, angle)
         slope = special.FUNCTIONS[other](number, head)
         rest = rest if sign > 0 else number.neg(rest)

@@ -1,4 +1,4 @@
-"""Numbers as sums of a head and a tail, and operations on the bits of doubles."""
+"""Numbers as sums of a head and a tail, and bit operations on doubles."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from .approximation import parts, series
 from .arithmetic import Arithmetic, V
 from .ir_writer import IRWriter
 
-#: Adding this rounds to an integer, which then stands in the lowest bits (Moler's trick; vector
-#: instructions for it are missing on half of the machines).
+#: Adding this constant rounds to an integer, which then occupies the lowest bits (Moler's trick).
+#: Half of the machines lack a vector instruction for this.
 MAGIC = 1.5 * 2.0**52
 
 
@@ -25,22 +25,22 @@ class HeadTail(NamedTuple, Generic[V]):
 
 
 def as_integers(w: IRWriter, a: str) -> str:
-    """Doubles as integers."""
+    """Reinterpret doubles as integers."""
     return w.emit(f"bitcast {w.type} {a} to {w.whole}")
 
 
 def as_doubles(w: IRWriter, bits: str) -> str:
-    """Integers as doubles."""
+    """Reinterpret integers as doubles."""
     return w.emit(f"bitcast {w.whole} {bits} to {w.type}")
 
 
 def integers(w: IRWriter, name: str, a: str, b: int) -> str:
-    """An instruction on integers, with a constant."""
+    """An integer instruction with a constant."""
     return w.emit(f"{name} {w.whole} {a}, splat (i64 {b})")
 
 
 def is_negative(w: IRWriter, a: str) -> str:
-    """The mask of negative numbers, by their sign bit."""
+    """The mask of negative numbers, from their sign bit."""
     return w.emit(f"icmp slt {w.whole} {as_integers(w, a)}, zeroinitializer")
 
 
@@ -71,20 +71,20 @@ def unit(k: Arithmetic[V]) -> V:
 
 
 def fast_sum(k: Arithmetic[V], a: V, b: V) -> HeadTail[V]:
-    """a + b without error, where a is the larger (Dekker)."""
+    """The exact sum a + b for |a| ≥ |b| (Dekker)."""
     head = k.add(a, b)
     return HeadTail(head, k.sub(b, k.sub(head, a)))
 
 
 def any_sum(k: Arithmetic[V], a: V, b: V) -> HeadTail[V]:
-    """a + b without error (Knuth)."""
+    """The exact sum a + b (Knuth)."""
     head = k.add(a, b)
     moved = k.sub(head, a)
     return HeadTail(head, k.add(k.sub(a, k.sub(head, moved)), k.sub(b, moved)))
 
 
 def total_of(k: Arithmetic[V], a: HeadTail[V]) -> V:
-    """As one number."""
+    """Convert to a single number."""
     return k.add(a.head, a.tail)
 
 
@@ -105,8 +105,8 @@ def quotient(k: Arithmetic[V], a: HeadTail[V], b: HeadTail[V]) -> HeadTail[V]:
 def polynomial(k: Arithmetic[V], name: str, t: V) -> V:
     """The smooth part of a function, by Horner's rule.
 
-    High terms are too small for more than their first 53 bits to matter: they take one register
-    in any arithmetic.
+    High-order terms are so small that only their first 53 bits matter: they use one register in any
+    arithmetic.
     """
     approximation = series(name, k.bits + 6)
     sizes = [
@@ -129,42 +129,42 @@ def polynomial(k: Arithmetic[V], name: str, t: V) -> V:
 
 
 def difference(k: Arithmetic[V], a: HeadTail[V], b: HeadTail[V]) -> HeadTail[V]:
-    """a − b, where a is the larger or zero."""
+    """a − b, where |a| ≥ |b| or a is zero."""
     total = fast_sum(k, a.head, k.neg(b.head))
     return HeadTail(total.head, k.add(total.tail, k.sub(a.tail, b.tail)))
 
 
 def constant(k: Arithmetic[V], name: str, factor: Fraction) -> HeadTail[V]:
-    """A constant and what is lost by rounding it."""
+    """A constant and its rounding error."""
     head, tail = parts(name, (53 * k.words,))
     return HeadTail(k.number(head * factor), k.number(tail * factor))
 
 
 def where(k: Arithmetic[V], x: V, relation: str, limit: float) -> str:
-    """The mask of the lanes in which x has a relation to a number."""
+    """The mask of the lanes in which x satisfies a relation to a number."""
     w = k.writer
     return w.compare(relation, k.leading(x), w.constant(limit))
 
 
 def where_constant(k: Arithmetic[V], mask: str, value: float, result: V) -> V:
-    """A result with a constant in some places."""
+    """Replace a result by a constant where a mask is set."""
     return k.choose(mask, k.whole(k.writer.constant(value)), result)
 
 
 def copy_sign(k: Arithmetic[V], x: V, magnitude: V) -> V:
-    """With the sign of x."""
+    """The number with the sign of x."""
     return k.choose(is_negative(k.writer, k.leading(x)), k.neg(magnitude), magnitude)
 
 
 def reduce_argument(
     k: Arithmetic[V], x: V, name: str, factor: Fraction
 ) -> tuple[HeadTail[V], str, str]:
-    """x less the nearest multiple of a constant, and the multiplier n.
+    """Subtract from x the nearest multiple of a constant; also return the multiplier n.
 
-    n is given as a double, and as an integer in the lowest bits.
+    n is returned as a double, and as an integer in the lowest bits.
 
-    Multiples of short pieces of the constant are subtracted one after another, all but the last
-    two without error (Cody and Waite 1980; with fused products Boldo, Daumas and Li 2009).
+    Multiples of short parts of the constant are subtracted one after another, all but the last two
+    exactly (Cody and Waite 1980; with fused products Boldo, Daumas and Li 2009).
     """
     w = k.writer
     *pieces, _ = (piece * factor for piece in parts(name, (53,) * (k.words + 2)))

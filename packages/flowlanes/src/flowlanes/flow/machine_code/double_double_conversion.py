@@ -1,4 +1,4 @@
-"""Conversion of numbers to and from pairs of doubles (32 digits)."""
+"""Conversion of numbers to and from double-double numbers (32 digits)."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def parameter_pairs(system: System, parameters: Parameters, count: int) -> Float
 
 
 def from_pairs(first: FloatArray, second: FloatArray) -> npt.NDArray[np.object_]:
-    """The numbers that pairs stand for, as an array of mpmath numbers."""
+    """Double-double numbers converted to an array of mpmath numbers."""
     with mpmath.workdps(40):
         sums = [
             mpmath.mpf(float(a)) + mpmath.mpf(float(b))

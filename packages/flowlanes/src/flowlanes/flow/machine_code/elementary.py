@@ -1,11 +1,11 @@
-"""Functions of one number and more, in vector instructions: no branches, no tables, no calls.
+"""Elementary functions in vector instructions, without branches, tables or calls.
 
-Every function is written once over an arithmetic, so that doubles and pairs of doubles share it.
-The argument is reduced to a short interval; there the function is its leading part, exact, and a
-polynomial times something small.  Both are kept apart as long as anything is done with them (a
-`HeadTail` number), so that rounding is felt hardly more than once: results are
-within 0.9 units in the last place for doubles, and to 10⁻³¹ for pairs.  Circular functions of
-more than 2⁴⁰ are not a number.
+Every function is written once for any arithmetic, so doubles and double-doubles share it.  The
+argument is reduced to a short interval; there the function is an exact leading part plus a
+polynomial times a small factor.  Both parts are kept separate as long as possible (a `HeadTail`
+number), so that little more than one rounding occurs: results are within 0.9 units in the last
+place for doubles, and to 10⁻³¹ for double-doubles.  Circular functions of arguments above 2⁴⁰ are
+NaN.
 """
 
 from __future__ import annotations
@@ -50,14 +50,14 @@ def absolute(k: Arithmetic[V], x: V) -> V:
 
 
 def sign(k: Arithmetic[V], x: V) -> V:
-    """1, −1; zero for zero, not a number for what is none."""
+    """1, −1; zero for zero, NaN for NaN."""
     negative = where_constant(k, where(k, x, "olt", 0.0), -1.0, x)
     return where_constant(k, where(k, x, "ogt", 0.0), 1.0, negative)
 
 
 # --- circular functions -----------------------------------------------------------------------
 
-#: Beyond this the nearest multiple of π/2 is not determined any more.
+#: Argument beyond which the nearest multiple of π/2 can no longer be determined.
 FARTHEST = 2.0**40
 
 
@@ -82,12 +82,12 @@ def _shifted_sine(k: Arithmetic[V], x: V, quarters: int) -> V:
 
 
 def _within(k: Arithmetic[V], x: V, value: V) -> V:
-    """Not a number where the angle is too large."""
+    """Replace by NaN where the angle is too large."""
     return where_constant(k, where(k, absolute(k, x), "ogt", FARTHEST), float("nan"), value)
 
 
 def _through_zero(k: Arithmetic[V], x: V, value: V) -> V:
-    """x itself where that is zero, for the sign."""
+    """Return x itself where it is zero, to keep its sign."""
     return k.choose(where(k, x, "oeq", 0.0), x, value)
 
 
@@ -152,7 +152,7 @@ def acos(k: Arithmetic[V], x: V) -> V:
 
 
 def atan2(k: Arithmetic[V], y: V, x: V) -> V:
-    """The angle of a point (x, y): a multiple of π/4, and the arctangent of at most ½."""
+    """The angle of a point (x, y): a multiple of π/4 plus the arctangent of at most ½."""
     w, one, zero = k.writer, unit(k), k.number(Fraction(0))
     steep = w.compare("ogt", k.leading(absolute(k, y)), k.leading(absolute(k, x)))
     above, below = _proper(k, absolute(k, y), absolute(k, x), steep)
@@ -179,7 +179,7 @@ def atan2(k: Arithmetic[V], y: V, x: V) -> V:
 
 
 def _proper(k: Arithmetic[V], a: V, b: V, swap: str) -> tuple[V, V]:
-    """Two magnitudes in the same ratio, the smaller first, scaled to usual size."""
+    """Two magnitudes with the same ratio, the smaller first, scaled to order one."""
     one = unit(k)
     above, below = k.choose(swap, b, a), k.choose(swap, a, b)
     factor = where_constant(k, where(k, below, "olt", 2.0**-500), 2.0**600, one)
@@ -200,20 +200,20 @@ def atan(k: Arithmetic[V], x: V) -> V:
 
 # --- exponentials -----------------------------------------------------------------------------
 
-#: Arguments at which exp, and sinh and cosh, overflow, and at which exp underflows.
+#: Arguments at which exp, sinh and cosh overflow, and at which exp underflows.
 HIGHEST, HIGHEST_HYPERBOLIC, LOWEST = 709.782712893384, 710.4758600739439, -746.0
-#: From here on the hyperbolic tangent is 1 to 106 bits.
+#: Above this the hyperbolic tangent is 1 to 106 bits.
 SATURATION = 40.0
 
 
 def _exponential(k: Arithmetic[V], x: V, halvings: int) -> HeadTail[V]:
-    """eˣ by a power of two: 2ⁿ (1 + r + …), |r| ≤ (log 2)/2."""
+    """eˣ as a power of two times a correction: 2ⁿ (1 + r + …), |r| ≤ (log 2)/2."""
     w = k.writer
     (r, tail), turns, _ = reduce_argument(k, x, "ln2", Fraction(1))
     top = fast_sum(k, unit(k), r)
     small = k.fma(k.mul(r, r), polynomial(k, "exp", r), tail)
     turns = w.op("fsub", turns, w.constant(float(halvings)))
-    # in two steps, for the last numbers before infinity and zero
+    # In two steps, for the last numbers before infinity and zero.
     first, _ = nearest(w, turns, Fraction(1, 2))
     powers = (first, w.op("fsub", turns, first))
     near, far = (k.whole(power_of_two(w, power)) for power in powers)
@@ -273,7 +273,7 @@ def log(k: Arithmetic[V], x: V) -> V:
     tiny, huge = where(k, x, "olt", 2.0**-500), where(k, x, "ogt", 2.0**500)
     m = k.mul(x, where_constant(k, huge, 2.0**-600, where_constant(k, tiny, 2.0**600, one)))
     n = w.choose(huge, w.constant(600.0), w.choose(tiny, w.constant(-600.0), w.constant(0.0)))
-    # the exponent's field, counted from √½ instead of 1
+    # The exponent field, counted from √½ instead of 1.
     field = integers(
         w, "add", as_integers(w, k.leading(m)), 0x3FF0000000000000 - 0x3FE6A09E667F3BCD
     )
@@ -289,7 +289,7 @@ def log(k: Arithmetic[V], x: V) -> V:
     twice = HeadTail(*(k.add(part, part) for part in s))
     t = k.mul(s.head, s.head)
     cubic = k.mul(k.mul(twice.head, t), polynomial(k, "atanh", t))
-    # short, so that its multiples are exact
+    # Short, so that its multiples are exact.
     high, low = parts("ln2", (k.bits - 11,))
     total = fast_sum(k, k.mul(k.whole(n), k.number(high)), twice.head)
     tail = k.add(twice.tail, k.fma(k.whole(n), k.number(low), cubic))

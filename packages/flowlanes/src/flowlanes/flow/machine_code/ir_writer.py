@@ -1,4 +1,4 @@
-"""The text of functions in LLVM's language, in vectors of doubles."""
+"""Write LLVM functions on vectors of doubles."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from contextlib import contextmanager
 
 
 class IRWriter:
-    """The text of one function.
+    """The LLVM text of one function.
 
     Parameters
     ----------
@@ -27,21 +27,21 @@ class IRWriter:
         self._numbers = itertools.count()
 
     def narrow(self) -> IRWriter:
-        """A writer of the same text for vectors of one lane."""
+        """A writer of the same function for vectors of one lane."""
         other = IRWriter(1)
         other.entry, other.lines, other._numbers = self.entry, self.lines, self._numbers
         return other
 
     def name(self) -> str:
-        """A fresh name."""
+        """Create a new name."""
         return f"v{next(self._numbers)}"
 
     def line(self, text: str) -> None:
-        """An instruction without a result."""
+        """Emit an instruction without a result."""
         self.lines.append(f"  {text}")
 
     def emit(self, text: str) -> str:
-        """An instruction with a result; returns its name."""
+        """Emit an instruction with a result; return its name."""
         name = f"%{self.name()}"
         self.lines.append(f"  {name} = {text}")
         return name
@@ -49,18 +49,18 @@ class IRWriter:
     # --- memory and control ------------------------------------------------------------------
 
     def variable(self, kind: str, value: str) -> str:
-        """The address of a variable, allocated in the first block even inside a loop."""
+        """The address of a local variable, allocated in the first block even inside a loop."""
         place = f"%{self.name()}"
         self.entry.append(f"  {place} = alloca {kind}, align 64")
         self.store(kind, value, place)
         return place
 
     def load(self, kind: str, place: str) -> str:
-        """Read a place."""
+        """Load from an address."""
         return self.emit(f"load {kind}, ptr {place}, align {_align(kind)}")
 
     def store(self, kind: str, value: str, place: str) -> None:
-        """Write a place."""
+        """Store to an address."""
         self.line(f"store {kind} {value}, ptr {place}, align {_align(kind)}")
 
     def address(self, kind: str, base: str, index: str | int) -> str:
@@ -68,13 +68,13 @@ class IRWriter:
         return self.emit(f"getelementptr {kind}, ptr {base}, i64 {index}")
 
     def label(self, name: str) -> None:
-        """Begin a block, which the one before runs into."""
+        """Begin a block that the previous one falls through to."""
         self.line(f"br label %{name}")
         self.lines.append(f"{name}:")
 
     @contextmanager
     def branch(self, condition: str) -> Iterator[None]:
-        """A branch: instructions inside are executed only if a bit is set."""
+        """A branch: the instructions inside are executed only if a bit is set."""
         inside, after = self.name(), self.name()
         self.line(f"br i1 {condition}, label %{inside}, label %{after}")
         self.lines.append(f"{inside}:")
@@ -83,7 +83,7 @@ class IRWriter:
 
     @contextmanager
     def forever(self) -> Iterator[Callable[[str], None]]:
-        """A loop; call what it gives with a bit to leave when that is set."""
+        """A loop; call the yielded function with a bit to leave when it is set."""
         head, after = self.name(), self.name()
         self.label(head)
 
@@ -109,23 +109,23 @@ class IRWriter:
     # --- vectors -----------------------------------------------------------------------------
 
     def op(self, name: str, *values: str) -> str:
-        """An instruction on vectors of doubles."""
+        """Emit an instruction on vectors of doubles."""
         return self.emit(f"{name} {self.type} {', '.join(values)}")
 
     def call(self, name: str, *values: str) -> str:
-        """An intrinsic on vectors of doubles."""
+        """Emit an intrinsic on vectors of doubles."""
         listed = ", ".join(f"{self.type} {v}" for v in values)
         return self.emit(f"call {self.type} @llvm.{name}.v{self.lanes}f64({listed})")
 
     def compare(self, relation: str, a: str, b: str) -> str:
-        """The mask of an ordered relation (``"olt"``, ``"ole"``, …); unset for a NaN."""
+        """The mask of an ordered relation (``"olt"``, ``"ole"``, …); false for NaN."""
         return self.op(f"fcmp {relation}", a, b)
 
     def choose(self, mask: str, yes: str, no: str) -> str:
         """`yes` where the mask is set, else `no`."""
         kind = self.type
-        # a value without history: a choice that goes back to where one of the two came from would
-        # be stored through the mask, which AMD's processors do slowly
+        # Break the dependence on the stored value: otherwise LLVM would turn a choice that is
+        # written back into a masked store, which is slow on AMD processors.
         other = self.emit(f"freeze {kind} {no}")
         return self.emit(f"select {self.mask} {mask}, {kind} {yes}, {kind} {other}")
 
@@ -142,13 +142,13 @@ class IRWriter:
         return self.emit(f"xor {self.mask} {a}, splat (i1 true)")
 
     def any(self, mask: str) -> str:
-        """A bit: whether a mask is set anywhere."""
+        """A bit that tells whether a mask is set anywhere."""
         return self.emit(f"call i1 @llvm.vector.reduce.or.v{self.lanes}i1({self.mask} {mask})")
 
     def inverse_root(self, value: str, degree: int) -> str:
-        """value^(−1/degree) to a hundredth, from the exponent's bits; degree a power of 2.
+        """value^(−1/degree) to about a percent, from the exponent bits; degree a power of 2.
 
-        The bits of a double, as an integer, are about 2⁵² (1023 + log₂ x).
+        The bits of a double, read as an integer, are about 2⁵² (1023 + log₂ x).
         """
         bits = self.emit(f"bitcast {self.type} {value} to {self.whole}")
         share = self.emit(f"lshr {self.whole} {bits}, splat (i64 {degree.bit_length() - 1})")
@@ -173,12 +173,12 @@ class IRWriter:
 
 
 def literal(value: float) -> str:
-    """A double, to the bit."""
+    """A double as an exact literal."""
     return f"0x{struct.unpack('<Q', struct.pack('<d', value))[0]:016X}"
 
 
 def _align(kind: str) -> int:
-    """Vectors are aligned_zeros as memory is handed out; lanes are powers of two."""
+    """Alignment of vectors: that of `aligned_zeros`; the number of lanes is a power of two."""
     if kind.startswith("<"):
         return min(64, 8 * int(kind[1 : kind.index(" ")]))
     return 8

@@ -1,4 +1,4 @@
-"""Machine code from text: compiled for this processor, kept on disk, called without a lock."""
+"""Compile LLVM text for this processor; cache it on disk; call it without the GIL."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ import numpy as np
 from ...system.arrays import FloatArray
 from . import code_cache as cache
 
-#: Of the functions of a text.
+#: Argument types of the functions of a text.
 ATTRIBUTES = """
 attributes #0 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }
 attributes #1 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }
@@ -62,7 +62,7 @@ class InstructionSets:
 
 
 def instruction_sets(*left_out: str) -> InstructionSets:
-    """Those of this processor, without some as if it were an older one.
+    """The instruction sets of this processor, with some removed to emulate an older one.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def _machine(sets: InstructionSets) -> llvm.TargetMachine:
     return target.create_target_machine(
         cpu=llvm.get_host_cpu_name(),
         features=sets.features,
-        # with 2, a sixth more time to compile, and code that is no faster
+        # With level 2, compilation takes a sixth longer and the code is no faster.
         opt=1,
         reloc="pic",
         codemodel="small",
@@ -99,19 +99,19 @@ def _machine(sets: InstructionSets) -> llvm.TargetMachine:
 
 @lru_cache
 def _linker() -> llvm.LLJIT:
-    # LLVM's older linker puts code and its constants wherever there is room, and ends the process
-    # where they are 2 GiB apart; the newer one keeps them together, but does not serve Windows
+    # LLVM's older linker places code and constants anywhere and aborts the process if they are more
+    # than 2 GiB apart; the newer one keeps them together, but does not support Windows.
     together = sys.platform != "win32"
     return llvm.create_lljit_compiler(_machine(instruction_sets()), use_jit_link=together)
 
 
 def width() -> int:
-    """Doubles in a vector of the code for this processor."""
+    """Number of doubles in a vector of the code for this processor."""
     return host().width
 
 
 def _processor(sets: InstructionSets) -> str:
-    """The target of the code: processor, instruction sets, version of LLVM."""
+    """The target of the code: processor, instruction sets, LLVM version."""
     return " ".join(
         (
             llvm.get_default_triple(),
@@ -124,7 +124,7 @@ def _processor(sets: InstructionSets) -> str:
 
 
 def optimise(text: str, machine: llvm.TargetMachine) -> llvm.ModuleRef:
-    """A text in LLVM's assembly language as a module for a machine."""
+    """Parse and optimise LLVM assembly text for a machine."""
     module = llvm.parse_assembly(text)
     module.triple = machine.triple
     module.data_layout = str(machine.target_data)
@@ -140,7 +140,7 @@ def optimise(text: str, machine: llvm.TargetMachine) -> llvm.ModuleRef:
 
 
 def optimised_object(text: str, machine: llvm.TargetMachine) -> bytes:
-    """The object file of a text in LLVM's assembly language for a machine."""
+    """The object file of LLVM assembly text for a machine."""
     code: bytes = machine.emit_object(optimise(text, machine))
     return code
 
@@ -153,7 +153,7 @@ def load_code(
     text: Callable[[], tuple[str, int]],
     signatures: Mapping[str, Sequence[type]],
 ) -> Native:
-    """Functions of a text in LLVM's assembly language, compiled or from the cache.
+    """Functions given as LLVM assembly text, compiled or from the cache.
 
     Parameters
     ----------
@@ -181,14 +181,14 @@ def code_name(key: str) -> str:
 
 
 def object_code(text: str) -> bytes:
-    """The object file of functions in LLVM's assembly language, for this processor."""
+    """The object file of functions in LLVM assembly text, for this processor."""
     return optimised_object(text + ATTRIBUTES, _machine(host()))
 
 
 def link(
     name: str, code: bytes, signatures: Mapping[str, Sequence[type]]
 ) -> tuple[dict[str, Callable[..., None]], object]:
-    """The functions of an object file, and an object whose life is that of their code.
+    """Link an object file; also return an object that keeps its code alive.
 
     Parameters
     ----------
@@ -208,7 +208,7 @@ def link(
 
 
 def aligned_zeros(doubles: int) -> FloatArray:
-    """Zeros at an address that any vector accepts."""
+    """Zeros at an address that is aligned for any vector."""
     memory = np.zeros(doubles + 8)
     shift = (-memory.ctypes.data // 8) % 8
     return memory[shift : shift + doubles]

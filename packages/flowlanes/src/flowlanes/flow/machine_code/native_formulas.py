@@ -80,7 +80,7 @@ class NativeFormulas:
         """
         rows = np.asarray(states, dtype=float).T
         many = 1 if rows.ndim == 1 else len(rows)
-        # one piece of memory, since asking NumPy for an address takes longer than a formula
+        # A single piece of memory, since asking NumPy for an address takes longer than a formula.
         ends = list(accumulate((rows.size, len(parameters), many * self.shape.count)))
         memory = np.empty(ends[2] + self.shape.work)
         memory[: ends[0]] = rows.ravel()
@@ -91,8 +91,8 @@ class NativeFormulas:
         return results if rows.ndim == 1 else results.reshape(many, self.shape.count).T
 
 
-def formulas_text(name: str, terms: Sequence[Term], size: int) -> tuple[str, FormulaShape]:
-    """The text of a function called `name` that computes terms.
+def emit_formulas(name: str, terms: Sequence[Term], size: int) -> tuple[str, FormulaShape]:
+    """Emit a function called `name` that computes terms.
 
     Parameters
     ----------
@@ -121,7 +121,7 @@ def native_formulas(key: str, size: int, terms: Callable[[], Sequence[Term]]) ->
     name = code_name(f"formulas {size} {key}")
 
     def compute() -> tuple[bytes, FormulaShape]:
-        text, shape = formulas_text("evaluate", terms(), size)
+        text, shape = emit_formulas("evaluate", terms(), size)
         return object_code(text), shape
 
     (code, shape), from_cache = code_cache.cached_entry(name, compute)

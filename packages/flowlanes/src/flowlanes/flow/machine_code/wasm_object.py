@@ -1,8 +1,8 @@
-"""From LLVM's object file for WebAssembly to a module that can be instantiated.
+"""Turn LLVM's object file for WebAssembly into a module that can be instantiated.
 
-An object of one module needs no linker: calls within it carry the numbers of the functions already.
-It lacks a list of exports, whose names stand in the symbol table of its section ``linking``;
-superfluous are that section and those of relocations, for linkers alone.
+An object made from one module needs no linker: calls within it already contain the function
+indices. It lacks a list of exports, whose names are in the symbol table of its section ``linking``;
+that section and those of relocations, which only linkers use, are dropped.
 https://github.com/WebAssembly/tool-conventions/blob/main/Linking.md
 """
 
@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 MAGIC = b"\0asm\1\0\0\0"
 
-# sections by number
+# Sections by number.
 _CUSTOM, _IMPORT, _EXPORT, _START = 0, 2, 7, 8
-#: Sections of a module without data, tables and variables of its own.
+#: Sections of a module without data, tables or variables of its own.
 _SECTIONS = {_CUSTOM, 1, _IMPORT, 3, _EXPORT, 10}
 
 _SYMBOL_TABLE = 8
@@ -23,17 +23,17 @@ _SYMBOL_TABLE = 8
 _FUNCTION, _MEMORY = 0, 2
 _UNDEFINED, _EXPLICIT_NAME = 0x10, 0x40
 
-#: Kinds of relocations that name functions and types by numbers that are final.
+#: Kinds of relocations that refer to functions and types by final indices.
 _FUNCTION_INDEX, _TYPE_INDEX = 0, 6
 
 
 class NotSelfContainedError(ValueError):
-    """An object that refers to something outside itself, or to memory of its own."""
+    """An object that refers to external symbols, or to memory of its own."""
 
 
 @dataclass
 class _Reader:
-    """Bytes read one after another."""
+    """Reads bytes one after another."""
 
     data: bytes
     at: int = 0
@@ -47,7 +47,7 @@ class _Reader:
         return self.data[self.at - 1]
 
     def number(self) -> int:
-        """An unsigned integer, seven bits in a byte (LEB128)."""
+        """An unsigned integer, seven bits per byte (LEB128)."""
         value = shift = 0
         while True:
             byte = self.byte()
@@ -65,7 +65,7 @@ class _Reader:
 
 
 def leb(value: int) -> bytes:
-    """An unsigned integer, seven bits in a byte."""
+    """Encode an unsigned integer, seven bits per byte."""
     result = bytearray()
     while value >= 0x80:
         result.append(value & 0x7F | 0x80)
@@ -84,7 +84,7 @@ def sections(module: bytes) -> Iterator[tuple[int, bytes]]:
 
 
 def module_of_object(code: bytes, exports: Sequence[str]) -> bytes:
-    """A module of the functions in an object file.
+    """Build a module from the functions in an object file.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def _name(text: str) -> bytes:
 
 
 def _import_of_memory(body: bytes) -> bytes:
-    """The imports, which must be the memory alone."""
+    """The import section, which must import only the memory."""
     reader = _Reader(body)
     limits = b""
     for _ in range(reader.number()):
@@ -152,7 +152,7 @@ def _import_of_memory(body: bytes) -> bytes:
 
 
 def _functions(reader: _Reader) -> dict[str, int]:
-    """The numbers of functions by name, from the section ``linking``."""
+    """The function indices by name, from the section ``linking``."""
     places: dict[str, int] = {}
     reader.number()
     while not reader.over:
@@ -173,7 +173,7 @@ def _functions(reader: _Reader) -> dict[str, int]:
 
 
 def _check_relocations(title: str, reader: _Reader) -> None:
-    """Refuse what a linker would have to fill in."""
+    """Raise an error for relocations that a linker would have to resolve."""
     reader.number()
     for _ in range(reader.number()):
         kind = reader.number()

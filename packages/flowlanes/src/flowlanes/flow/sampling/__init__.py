@@ -1,1 +1,1 @@
-"""Points drawn from a level of integrals, by its invariant measure."""
+"""Random points on a level of integrals, distributed by its invariant measure."""

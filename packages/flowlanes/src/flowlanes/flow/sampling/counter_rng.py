@@ -1,8 +1,8 @@
-"""Random numbers that depend on their place alone: on a seed, a member, an attempt and a slot.
+"""Counter-based random numbers: they depend only on seed, member, attempt and slot.
 
-Philox 4x32 with ten rounds (Salmon, Moraes, Dror & Shaw, "Parallel random numbers: as easy as
-1, 2, 3", SC 2011): a counter goes in, four random words come out, for whole arrays of counters
-at once.  A generator with a memory would make member k depend on the members drawn before it.
+Philox 4x32 with ten rounds (Salmon, Moraes, Dror & Shaw, "Parallel random numbers: as easy as 1, 2,
+3", SC 2011): a counter is mapped to four random words, for whole arrays of counters at once.  A
+generator with internal state would make member k depend on the members drawn before it.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def philox(
 def uniforms(
     seed: int, members: npt.NDArray[np.integer], attempts: IntArray | FloatArray, many: int
 ) -> FloatArray:
-    """Numbers uniform in (0, 1), of 53 bits.
+    """Uniform random numbers in (0, 1), of 53 bits.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def uniforms(
 def counter_normals(
     seed: int, members: npt.NDArray[np.integer], attempts: IntArray | FloatArray, many: int
 ) -> FloatArray:
-    """Numbers of the standard normal distribution, array (many, k); see `uniforms`."""
+    """Standard normal random numbers, array (many, k); see `uniforms`."""
     flat = uniforms(seed, members, attempts, many + many % 2)
     radius = np.sqrt(-2 * np.log(flat[0::2]))
     turn = 2 * np.pi * flat[1::2]

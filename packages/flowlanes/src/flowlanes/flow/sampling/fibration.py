@@ -1,9 +1,10 @@
 """A level of integrals as fibres over a compact base.
 
 In the systems of rolling and turning bodies some variables lie on spheres (the normal γ) or are
-angles: the base.  In the others, the fibre, the relations and integrals are linear or quadratic:
-over every point of the base lie an ellipsoid (a level of the energy) and planes ((M, γ) = const,
-(ω, γ) = 0).  Rays from the centre of the section of both give every point of the level once.
+angles: they form the base.  In the remaining variables, the fibre, the relations and integrals are
+linear or quadratic: over every base point there are an ellipsoid (a level of the energy) and planes
+((M, γ) = const, (ω, γ) = 0).  Rays from the centre of their intersection reach every point of the
+level exactly once.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ class LevelCondition:
 
 @dataclass(frozen=True)
 class Fibration:
-    """Base and fibre of a level, and what is held in the fibre.
+    """Base and fibre of a level, and the conditions in the fibre.
 
     Attributes
     ----------
@@ -75,17 +76,17 @@ class Fibration:
 
     @property
     def rays(self) -> int:
-        """Dimension of the space in which the rays of a fibre lie."""
+        """Dimension of the space of ray directions in a fibre."""
         return len(self.fibre) - len(self.linear)
 
     @property
     def base(self) -> tuple[int, ...]:
-        """Places of the variables of the base: unit vectors, then angles."""
+        """Indices of the base variables: unit vectors, then angles."""
         return (*(place for places in self.spheres for place in places), *self.angles)
 
     @property
     def balls(self) -> tuple[slice, ...]:
-        """Slices of the unit vectors in the numbers y of a point: base and ray."""
+        """Slices of the unit vectors among the coordinates y of a point: base and ray."""
         sizes = [*map(len, self.spheres)]
         ends = [sum(sizes[: i + 1]) for i in range(len(sizes))]
         start = len(self.base)
@@ -98,9 +99,9 @@ class Fibration:
         return len(self.base) + len(self.fibre)
 
     def uniform_points(self, gauss: FloatArray) -> FloatArray:
-        """Uniform points on the product of spheres and circles from normal numbers (y, k).
+        """Uniform points on the product of spheres and circles, from normal random numbers (y, k).
 
-        Angles come by the normal distribution function, uniform in (0, 2π).
+        Angles are obtained through the normal distribution function, uniform in (0, 2π).
         """
         from scipy.special import ndtr
 
@@ -112,11 +113,11 @@ class Fibration:
         return places
 
     def base_states(self, places: FloatArray) -> FloatArray:
-        """The variables of the base (b, k) that points y (y, k) make."""
+        """The base variables (b, k) of points y (y, k)."""
         return np.array(self.axes)[:, None] * places[: len(self.base)]
 
     def gauss(self, places: FloatArray) -> FloatArray:
-        """Numbers of which `uniform_points` makes the points y."""
+        """Numbers that `uniform_points` maps to the points y."""
         from scipy.special import ndtri
 
         numbers = places.copy()
@@ -125,7 +126,7 @@ class Fibration:
         return numbers
 
     def over(self, places: FloatArray, parameters: FloatArray) -> FibrePoints:
-        """The points of the level that points y (y, k) make."""
+        """The points of the level for points y (y, k)."""
         states = np.zeros((self.size, places.shape[1]))
         states[list(self.base)] = self.base_states(places)
         return self.fill(states, places[len(self.base) :], parameters)
@@ -133,7 +134,7 @@ class Fibration:
     def fill(
         self, states: FloatArray, directions: FloatArray, parameters: FloatArray
     ) -> FibrePoints:
-        """Put points of the level over base points, along rays of given directions.
+        """Compute points of the level over base points, along rays of given directions.
 
         Parameters
         ----------

@@ -1,9 +1,9 @@
-"""Points where random great circles over a fibration meet a further condition.
+"""Points where random great circles over a fibration satisfy an additional condition.
 
-Base points and directions of rays make a point y of a product of spheres (and circles), and with
-it a state.  A geodesic from a uniform point into a uniform direction meets the hypersurface
-F(y) = c at points whose density is the surface measure (the formula of Crofton and Santaló), that
-is |∇F| δ(F − c) dy: dividing by |∇F| gives the measure δ(F − c) exactly, tangencies and all.
+Base points and ray directions make a point y of a product of spheres (and circles), and with it a
+state. A geodesic from a uniform point in a uniform direction intersects the hypersurface F(y) = c
+at points whose density is the surface measure (Crofton's formula; Santaló), that is |∇F| δ(F − c)
+dy.  Dividing by |∇F| gives the measure δ(F − c) exactly, tangencies included.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ from .proposals import WeightedPoints
 #: Length of a geodesic, and its initial number of pieces.
 LENGTH = 0.5
 PIECES = 1
-#: A piece is halved, at most so often, while a cubic through its ends misses its middle by more
-#: than this, relative to the largest value on the curve.
+#: A piece is halved, up to the given number of times, while a cubic through its ends misses its
+#: midpoint by more than this, relative to the largest value on the curve.
 _HALVINGS = 10
 _CUBIC = 0.01
-#: Accuracy of a crossing, before the state is moved onto its level.
+#: Accuracy of a crossing, before the state is projected onto its level.
 _FINE = 1e-12
-#: First argument in a piece that ends at the edge of the level, in its own parameter.
+#: Smallest parameter of a piece that ends at the edge of the level.
 _EDGE = 1e-5
 
-#: From curves and parameters on them to values and slopes.
+#: Maps curves and parameters on them to values and slopes.
 Along = Callable[[IntArray, FloatArray], tuple[FloatArray, FloatArray]]
 
 
@@ -85,7 +85,7 @@ class GreatCircleProposal:
         rays = self.fibration.over(places, self.parameters)
         base, _ = self._central(rays)
         slopes = np.zeros(places.shape[::-1])
-        # the least value in a fibre has the slopes of the Lagrange function
+        # By the envelope theorem the minimum in a fibre has the slopes of the Lagrange function.
         pulls = np.concatenate([np.ones((places.shape[1], 1)), rays.pull], axis=1)
         for j in range(len(self.fibration.base)):
             slopes[:, j] = -row_dots(pulls, base[:, :, j])
@@ -100,7 +100,7 @@ class GreatCircleProposal:
         fibre, base = list(fibration.fibre), list(fibration.base)
         with np.errstate(invalid="ignore", divide="ignore"):
             rise = row_dots(own[:, fibre], rays.ray) / row_dots(outer[:, fibre], rays.ray)
-        # slopes of F along the level: what is left when the length of the ray adapts
+        # Slopes of F along the level, at the adapted length of the ray.
         free = own - rise[:, None] * outer
         across = free[:, fibre]
         inside = across - batched_matvec(
@@ -126,7 +126,7 @@ class GreatCircleProposal:
         return F - self.target, self._tangent(places, slopes), rays
 
     def _shares(self, rays: FibrePoints, vectors: FloatArray) -> FloatArray:
-        """Coefficients of vectors in the slopes of the linear conditions."""
+        """Coefficients of vectors in the basis of gradients of the linear conditions."""
         gram = rays.normals @ np.swapaxes(rays.normals, 1, 2)
         return batched_solve(gram, batched_matvec(rays.normals, vectors))
 
@@ -147,7 +147,7 @@ class GreatCircleProposal:
         return self._across(places, tangents)
 
     def _across(self, places: FloatArray, vectors: FloatArray) -> FloatArray:
-        """Vectors without their parts along the unit vectors."""
+        """Vectors without their components along the unit vectors."""
         tangents = vectors.copy()
         for part in self.fibration.balls:
             unit, own = places[part].T, vectors[:, part]
@@ -158,16 +158,16 @@ class GreatCircleProposal:
 
     @property
     def numbers(self) -> int:
-        """The number of normal numbers of a proposal: a point y and a direction."""
+        """Number of normal random numbers per proposal: a point y and a direction."""
         return 2 * self.fibration.numbers
 
     @property
     def most(self) -> float:
-        """Three: so short a geodesic rarely meets a smooth surface more than once."""
+        """Three: such a short geodesic rarely intersects a smooth surface more than once."""
         return 3.0
 
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
-        """Points of the level on the geodesics of normal numbers (numbers, k)."""
+        """Points of the level on the geodesics given by normal random numbers (numbers, k)."""
         which, places = self.crossings(*self.curves(gauss))
         _, slopes, rays = self.value(places)
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -177,13 +177,13 @@ class GreatCircleProposal:
         return WeightedPoints(which[real], places[:, real], states, volume[real])
 
     def nearby_proposals(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
-        """Geodesics that begin at places made of `gauss` (y, k)."""
+        """Geodesics that start at points given by `gauss` (y, k)."""
         return np.concatenate([gauss, fresh[self.fibration.numbers :]])
 
     # --- curves ----------------------------------------------------------------------------------
 
     def curves(self, gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Uniform points and unit tangent vectors (y, k) from normal numbers (2 y, k)."""
+        """Uniform points and unit tangent vectors (y, k) from normal random numbers (2 y, k)."""
         half = gauss.shape[0] // 2
         places = self.fibration.uniform_points(gauss[:half])
         pushes = self._across(places, np.ascontiguousarray(gauss[half:].T)).T
@@ -192,7 +192,7 @@ class GreatCircleProposal:
     def geodesic_points(
         self, places: FloatArray, pushes: FloatArray, way: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Points and velocities on geodesics, after a way (k,) at unit speed."""
+        """Points and velocities on geodesics after a length (k,) at unit speed."""
         there, speed = places + way * pushes, pushes.copy()
         for part in self.fibration.balls:
             rate = np.sqrt(norm_squared_columns(pushes[part]))
@@ -203,7 +203,7 @@ class GreatCircleProposal:
         return there, speed
 
     def crossings(self, places: FloatArray, pushes: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Intersections of geodesics with the level: curve numbers, points y (y, n)."""
+        """Intersections of geodesics with the level: curve indices, points y (y, n)."""
 
         def reach(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
             there, speed = self.geodesic_points(places[:, which], pushes[:, which], way)
@@ -213,7 +213,8 @@ class GreatCircleProposal:
         which, low, high = _parts(reach, places.shape[1])
 
         def along(index: IntArray, angle: FloatArray) -> tuple[FloatArray, FloatArray]:
-            # at the edge of the level rays shrink like a square root, which the cosine smooths
+            # At the edge of the level rays shrink like a square root, which the cosine substitution
+            # smooths.
             half = (high[index] - low[index]) / 2
             way = low[index] + half * (1 - np.cos(np.pi * angle))
             there, speed = self.geodesic_points(
@@ -233,7 +234,7 @@ class GreatCircleProposal:
 
 
 def _parts(reach: Along, count: int) -> tuple[IntArray, FloatArray, FloatArray]:
-    """The parts of curves over which the level lies: curves, beginnings and ends."""
+    """The parts of curves over which the level lies: curves, start and end parameters."""
     which, way = crossings(reach, count, np.linspace(0.0, LENGTH, PIECES + 1))
     curve = np.concatenate([np.arange(count), which, np.arange(count)])
     cut = np.concatenate([np.zeros(count), way, np.full(count, LENGTH)])
@@ -263,7 +264,7 @@ class Steps:
         )
 
     def union(self, other: Steps) -> Steps:
-        """These and others."""
+        """The union with other intervals."""
         return Steps(
             np.append(self.owner, other.owner),
             np.append(self.ends, other.ends, axis=1),
@@ -272,7 +273,7 @@ class Steps:
         )
 
     def halves(self, along: Along) -> tuple[Steps, FloatArray]:
-        """Both halves of each, and by how much a cubic through the ends misses the middle."""
+        """Both halves of each interval, and the error of the cubic interpolant at the midpoint."""
         middle = self.ends.mean(axis=0)
         value, slope = along(self.owner, middle)
         cubic = self.values.mean(axis=0) + np.diff(self.ends, axis=0)[0] / 8 * (
@@ -317,7 +318,7 @@ def crossings(along: Along, count: int, nodes: FloatArray) -> tuple[IntArray, Fl
 
 
 def _cubic_steps(along: Along, count: int, nodes: FloatArray) -> Steps:
-    """Intervals so short that every function is nearly a cubic in each."""
+    """Subdivide until every function is nearly a cubic in each interval."""
     flat = along(np.repeat(np.arange(count), nodes.size), np.tile(nodes, count))
     value, slope = (part.reshape(count, nodes.size) for part in flat)
     scale = np.abs(value).max(axis=1, initial=0.0)
@@ -336,12 +337,12 @@ def _cubic_steps(along: Along, count: int, nodes: FloatArray) -> Steps:
 
 
 def _may_dip(steps: Steps) -> BoolArray:
-    """Intervals in which a function of one sign may touch zero."""
+    """Intervals in which a function of constant sign may touch zero."""
     sign = np.sign(steps.values[0])
     left, right = sign * steps.values
     down, up = sign * steps.slopes
     with np.errstate(invalid="ignore", divide="ignore"):
-        # intersection of the tangents at both ends; a convex curve stays above it
+        # Intersection of the tangents at both ends; a convex curve stays above it.
         meet = (right - left - up * np.diff(steps.ends, axis=0)[0]) / (down - up)
         lowest = left + down * meet
         result: BoolArray = (
@@ -353,7 +354,7 @@ def _may_dip(steps: Steps) -> BoolArray:
 def _zero(
     function: Callable[[FloatArray, FloatArray], FloatArray], low: FloatArray, high: FloatArray
 ) -> FloatArray:
-    """Zeros between arguments at which functions have opposite signs."""
+    """Zeros between parameters at which functions have opposite signs."""
     from scipy.optimize import elementwise
 
     if not low.size:

@@ -11,14 +11,13 @@ from ...errors import InputError
 from ...system.arrays import FloatArray
 from ...system.laws import Measure
 from ...system.system import System
-from ...system.vectors import to_components
 
-#: A condition on parameters holds up to this, relative to the size of its terms.
+#: Tolerance of a condition on parameters, relative to the size of its terms.
 _ROUNDING = 1e-12
 
 
 def validate_level(system: System, level: Mapping[str, float], values: FloatArray) -> None:
-    """Refuse integrals that the system has not, or not at these parameters.
+    """Raise an error for integrals that the system lacks, or that do not hold at these parameters.
 
     Raises
     ------
@@ -32,10 +31,10 @@ def validate_level(system: System, level: Mapping[str, float], values: FloatArra
             )
         if not np.isfinite(float(value)):
             raise InputError(f"{system.name}: {name} = {value}: a finite number is needed")
-        for condition in known[name].on:
+        for condition in known[name].scalar.on:
             if not _vanishes(system, condition, level, values):
                 raise InputError(
-                    f"{system.name}: {name} is an integral only where {to_components(condition)} "
+                    f"{system.name}: {name} is an integral only where {condition} "
                     "= 0, which does not hold here"
                 )
 
@@ -43,7 +42,7 @@ def validate_level(system: System, level: Mapping[str, float], values: FloatArra
 def _vanishes(
     system: System, formula: sp.Expr, level: Mapping[str, float], values: FloatArray
 ) -> bool:
-    """Whether a formula is zero at these parameters, or an integral with value zero."""
+    """Whether a formula vanishes at these parameters, or is an integral with value zero."""
     written = system.expand(formula)
     parameters = [p.symbol for p in system.parameters]
     if written.free_symbols <= set(parameters):
@@ -57,17 +56,16 @@ def _vanishes(
 
 
 def measures(system: System, level: Mapping[str, float], values: FloatArray) -> list[Measure]:
-    """The measures claimed of a system whose conditions hold here."""
+    """The invariant measures of a system whose conditions hold here."""
     return [
         law
-        for law in system.laws
-        if isinstance(law, Measure)
-        and all(_vanishes(system, condition, level, values) for condition in law.on)
+        for law in system.laws_of(Measure)
+        if all(_vanishes(system, condition, level, values) for condition in law.on)
     ]
 
 
 def measure_label(law: Measure | None) -> str:
-    """A measure in words, with its source."""
+    """A description of a measure, with its source."""
     if law is None:
         return "surface measure"
     name = "invariant measure"
@@ -76,5 +74,5 @@ def measure_label(law: Measure | None) -> str:
 
 
 def level_label(level: Mapping[str, float]) -> str:
-    """The values on a level as text."""
+    """The values of the integrals on a level, as text."""
     return " and ".join(f"{name} = {value:.6g}" for name, value in level.items())

@@ -1,12 +1,12 @@
-"""Start points drawn uniformly on a level of the integrals.
+"""Random start points, uniformly distributed on a level of the integrals.
 
-Uniform means: by the invariant measure where one is known, else by the surface measure of the
-level in the space of the state.  With δ-functions the invariant measure of a level is
-ρ ∏ δ(relations) ∏ δ(held integrals) dx, that is ρ / √det(G Gᵀ) times the surface measure, the rows
-of G being the gradients of relations and held integrals (the Gelfand–Leray form).
+Uniform means with respect to the invariant measure if one is known, and otherwise to the surface
+measure of the level in state space.  In terms of δ-functions the invariant measure of a level is ρ
+∏ δ(relations) ∏ δ(held integrals) dx, that is ρ / √det(G Gᵀ) times the surface measure, where the
+rows of G are the gradients of relations and held integrals (the Gelfand–Leray form).
 
-Points are drawn by rejection, so that they are independent and their distribution exact; each
-depends on the seed and its own number alone.
+Points are drawn by rejection sampling, so they are independent and exactly distributed; each
+depends only on the seed and its own index.
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ from ...formulas.compiled import CompiledTerms, SystemFormulas
 from ...system.arrays import BoolArray, FloatArray, IntArray
 from ...system.laws import Measure
 from ...system.system import System
-from ...system.vectors import to_components
 from ..cost import require_room
 from ..devices.threads import map_in_threads
 from .counter_rng import counter_normals
@@ -34,19 +33,19 @@ from .level_integrals import level_label, measure_label, measures, validate_leve
 from .level_set_fibration import find_fibration
 from .proposals import Proposal, RayProposal, WeightedPoints, maximise
 
-#: Attempts that are computed together.
+#: Number of attempts computed together.
 _BATCH = 1 << 14
-#: The bound of the density, relative to the largest value that was met.
+#: Bound of the density, relative to the largest value found.
 _MARGIN = 1.15
-#: Attempts from which their yield is estimated.
+#: Number of attempts from which the acceptance rate is estimated.
 _TRIAL = 1 << 11
-#: Attempts for one point after which the level counts as too thin.
+#: Number of attempts for one point after which the level counts as too thin.
 _MOST_ATTEMPTS = 10**6
-#: Newton steps by which a point is settled on its level.
+#: Number of Newton steps that project a point onto its level.
 _NEWTON = 2
 
 
-#: Numbers that are none are seen in what comes of them, and refused.
+#: NaNs are detected in the results, and rejected there.
 _MINDING_RESULTS = np.errstate(over="ignore", invalid="ignore", divide="ignore")
 
 
@@ -60,7 +59,7 @@ def sample_level(
     seed: int = 0,
     first: int = 0,
 ) -> FloatArray:
-    """Points drawn uniformly on a level of the integrals.
+    """Draw points uniformly on a level of the integrals.
 
     Parameters
     ----------
@@ -133,7 +132,7 @@ class LevelSampler:
         if count < 0:
             raise InputError(f"count = {count}: it must not be negative")
         size = len(self.system.symbols)
-        # beside the points, as many numbers again while they are drawn
+        # Drawing needs as much memory again as the points themselves.
         require_room(16.0 * count * size, None, f"{count:,} starts at once")
         points = np.empty((count, size))
         pending, attempt, tries = np.arange(count), 0, self._tries
@@ -154,7 +153,7 @@ class LevelSampler:
     def _attempts(
         self, seed: int, members: IntArray, attempt: int, tries: int, low: int, high: int
     ) -> tuple[FloatArray, BoolArray]:
-        """The first accepted of some attempts, for the members from `low` to `high`."""
+        """The first accepted attempt for each of the members from `low` to `high`."""
         step = _BATCH // tries
         parts = [
             self._first(seed, members[start : min(start + step, high)], attempt, tries)
@@ -165,7 +164,7 @@ class LevelSampler:
     def _first(
         self, seed: int, members: IntArray, attempt: int, tries: int
     ) -> tuple[FloatArray, BoolArray]:
-        """The first accepted of some attempts of each member, and which members have one."""
+        """The first accepted attempt of each member, and which members have one."""
         from scipy.special import ndtr
 
         many = self._proposal.numbers
@@ -176,7 +175,7 @@ class LevelSampler:
         weighted_points = self._proposal.weighted_points(gauss[:many])
         density = self.density(weighted_points)
         thresholds = self._density_bound * ndtr(gauss[many])
-        # at most one point of a proposal is accepted, each with the frequency of its density
+        # At most one point of a proposal is accepted, each with the probability of its density.
         rank = np.arange(weighted_points.which.size) - np.searchsorted(
             weighted_points.which, weighted_points.which
         )
@@ -226,7 +225,7 @@ class LevelSampler:
         return np.ascontiguousarray(flat).reshape(k, self._targets.size, size)
 
     def _onto_level(self, states: FloatArray) -> FloatArray:
-        """States moved onto the level along the shortest way, by Newton's method."""
+        """States projected onto the level by Newton's method."""
         for _ in range(_NEWTON):
             defect = self._held_terms(states, self.parameters) - self._targets[:, None]
             slopes = self._gradients(states)
@@ -245,7 +244,7 @@ def level_sampler(
     level: Mapping[str, float],
     parameters: Parameters = None,
 ) -> LevelSampler:
-    """A level from which points can be drawn again and again; see :func:`draw`.
+    """Prepare a level from which points can be drawn repeatedly; see :func:`draw`.
 
     Parameters
     ----------
@@ -280,7 +279,7 @@ def level_sampler(
     fibration = find_fibration(system, sheet, level, values)
     proposal = _proposal(system, sheet, fibration, level, values)
     law, density = _density(system, sheet, level, proposal, values)
-    conditions = [sheet.term_of(to_components(relation)) for relation in system.relations]
+    conditions = [sheet.term_of(relation) for relation in system.scalar.relations]
     integrals = {
         law.name: sheet.term_of(law.value) for law in system.integrals if law.name in level
     }
@@ -309,7 +308,7 @@ def _density(
     proposal: Proposal,
     values: FloatArray,
 ) -> tuple[Measure | None, CompiledTerms | None]:
-    """The invariant measure that has one sign on the level, and its density."""
+    """The invariant measure that has constant sign on the level, and its density."""
     states = proposal.weighted_points(
         counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     ).states
@@ -328,7 +327,7 @@ def _proposal(
     level: Mapping[str, float],
     values: FloatArray,
 ) -> Proposal:
-    """The proposal of points on the level; refuse a level that is empty."""
+    """The proposal distribution on the level; raises an error if the level is empty."""
 
     def excess(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
         places = fibration.uniform_points(gauss)
@@ -397,6 +396,6 @@ def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
     share = height(trial)[1].sum() / (_TRIAL * bound)
     if not np.isfinite(share):
         raise level._too_far()
-    # half of the attempts that a point takes on average, so that few are superfluous
+    # Half of the average number of attempts per point, so that few are superfluous.
     tries = int(np.clip(0.5 / max(share, 1 / _BATCH), 1, _BATCH))
     return replace(level, _density_bound=bound, _tries=tries)

@@ -1,4 +1,4 @@
-"""Level sets as ellipsoids over a product of spheres and angles, for sampling."""
+"""Level sets as ellipsoids over a product of spheres and circles, for sampling."""
 
 from __future__ import annotations
 
@@ -13,17 +13,16 @@ from ...formulas.compiled import CompiledTerms, SystemFormulas
 from ...formulas.graph import Term
 from ...system.arrays import FloatArray
 from ...system.system import System
-from ...system.vectors import to_components
 from .counter_rng import counter_normals
 from .fibration import Fibration, LevelCondition
 
-#: Integrals that are tried first as the ones that bound the fibre.
+#: Integrals that are tried first as bounds of the fibre.
 _BOUNDING = ("energy", "hamiltonian")
-#: Base points at which boundedness is tested.
+#: Number of base points at which boundedness is tested.
 _SAMPLE = 256
-#: Changes below this count as none.
+#: Changes below this count as zero.
 _SAME = 1e-10
-#: Least ratio of the axes of an ellipsoid, squared.
+#: Smallest squared ratio of the axes of an ellipsoid.
 _DEFINITE = 1e-12
 
 
@@ -93,7 +92,7 @@ def _fibration_bounded_by(
     if degree[id(bound)] != 2 or any(degree[id(relation)] != 1 for relation in relations):
         return None
     linear = [*relations, *(c for c in others if degree[id(c)] == 1)]
-    # a fibre needs two rays at least: two points at its ends would have no bounded density
+    # A fibre needs at least two ray dimensions: two end points alone have no bounded density.
     linear = linear[: max(len(relations), len(fibre) - 2)]
     further = [c for c in others if c not in linear]
     if len(fibre) - len(linear) < 2:
@@ -123,7 +122,7 @@ def _fibration_bounded_by(
 def _second_derivatives(
     sheet: SystemFormulas, terms: Sequence[Term], places: Sequence[int]
 ) -> list[Term]:
-    """All second derivatives of terms in some variables."""
+    """All second derivatives of terms with respect to some variables."""
     first = [row[i] for row in sheet.slopes(terms) for i in places]
     return [row[i] for row in sheet.slopes(first) for i in places]
 
@@ -139,7 +138,7 @@ def _degree(sheet: SystemFormulas, term: Term, places: Sequence[int]) -> int:
 
 
 def _random_base_states(fibration: Fibration) -> FloatArray:
-    """States over random points of the base, their fibre zero."""
+    """States over random base points, with zero fibre."""
     gauss = counter_normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), fibration.numbers)
     states = np.zeros((fibration.size, _SAMPLE))
     states[list(fibration.base)] = fibration.base_states(fibration.uniform_points(gauss))
@@ -147,7 +146,7 @@ def _random_base_states(fibration: Fibration) -> FloatArray:
 
 
 def _periodic(fibration: Fibration, states: FloatArray, values: FloatArray) -> bool:
-    """Whether nothing changes when an angle of the base grows by a turn."""
+    """Whether everything is periodic in the angles of the base."""
     turned = states.copy()
     turned[list(fibration.angles)] += 2 * np.pi
     here, there = (fibration.coefficients(s, values) for s in (states, turned))
@@ -170,7 +169,7 @@ def _is_bounded(fibration: Fibration, values: FloatArray) -> bool:
 def _ellipsoids(
     system: System, values: FloatArray
 ) -> tuple[dict[tuple[int, ...], tuple[float, ...]], list[sp.Expr]]:
-    """The variables on ellipsoids with their half axes, and the other relations.
+    """The variables on ellipsoids with their semi-axes, and the remaining relations.
 
     δ(∑ xᵢ²/aᵢ² − 1) dx is the uniform measure of the unit vectors xᵢ/aᵢ, up to a constant.
     """
@@ -178,8 +177,7 @@ def _ellipsoids(
     numbers = dict(zip((p.symbol for p in system.parameters), map(float, values), strict=True))
     ellipsoids: dict[tuple[int, ...], tuple[float, ...]] = {}
     others: list[sp.Expr] = []
-    for relation in system.relations:
-        formula = to_components(relation)
+    for formula in system.scalar.relations:
         free = sorted(formula.free_symbols & set(places), key=places.__getitem__)
         axes = _half_axes(formula, free, numbers)
         if axes is None or {places[s] for s in free} & {i for own in ellipsoids for i in own}:
@@ -192,7 +190,7 @@ def _ellipsoids(
 def _half_axes(
     formula: sp.Expr, free: Sequence[sp.Symbol], numbers: Mapping[sp.Symbol, float]
 ) -> tuple[float, ...] | None:
-    """The half axes of an ellipsoid in principal axes; None for any other formula."""
+    """The semi-axes of an ellipsoid in principal axes; None for any other formula."""
     if not free or not formula.is_polynomial(*free):
         return None
     terms = sp.Poly(formula, *free).as_dict()

@@ -1,4 +1,4 @@
-"""Random points of a level with the volume that each stands for, and the largest of a quantity."""
+"""Random points of a level with the volume each represents, and the maximum of a quantity."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from ...system.arrays import FloatArray, IntArray
 from .counter_rng import counter_normals
 from .fibration import Fibration
 
-#: The seed of trials: any number that users will not choose.
+#: Seed of the trials, a number that users are unlikely to choose.
 _SEED = 0x9E3779B97F4A7C15
-#: Trials to begin with; then the best are followed for some rounds, each in some directions.
+#: Number of initial trials; the best ones are refined for some rounds, each in some directions.
 _PILOT = 1 << 12
 _BEST = 64
 _ROUNDS = 24
@@ -23,7 +23,7 @@ _AROUND = 4
 
 @dataclass(frozen=True)
 class WeightedPoints:
-    """Points of a level.
+    """Points of a level with weights.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class WeightedPoints:
 
 
 class Proposal(Protocol):
-    """A map from normal numbers to weighted points of a level."""
+    """A map from normal random numbers to weighted points of a level."""
 
     @property
     def fibration(self) -> Fibration:
@@ -51,29 +51,29 @@ class Proposal(Protocol):
 
     @property
     def numbers(self) -> int:
-        """The number of normal numbers of a proposal."""
+        """The number of normal random numbers per proposal."""
 
     @property
     def most(self) -> float:
-        """The number of points of the greatest density in a proposal, roughly."""
+        """Rough number of points of largest density in a proposal."""
 
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
         """The points of proposals (numbers, k)."""
 
     def nearby_proposals(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
-        """Proposals near the points of `gauss` (y, k), with fresh numbers (numbers, k)."""
+        """Proposals near the points of `gauss` (y, k), from new random numbers (numbers, k)."""
 
 
 @dataclass(frozen=True)
 class RayProposal:
-    """The ends of random rays over random base points, if nothing further is held."""
+    """The ends of random rays over random base points, if there is no additional condition."""
 
     fibration: Fibration
     parameters: FloatArray
 
     @property
     def numbers(self) -> int:
-        """The number of normal numbers of a proposal."""
+        """The number of normal random numbers per proposal."""
         return self.fibration.numbers
 
     @property
@@ -90,7 +90,7 @@ class RayProposal:
         return WeightedPoints(real, places[:, real], states, rays.volume[real])
 
     def nearby_proposals(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
-        """The normal numbers themselves, unchanged."""
+        """The normal random numbers themselves, unchanged."""
         return gauss
 
 
@@ -101,7 +101,7 @@ def maximise(
     many: int,
     first: FloatArray | None = None,
 ) -> tuple[float, FloatArray]:
-    """The largest value met of a quantity, and the place.
+    """The largest value found of a quantity, and its location.
 
     Parameters
     ----------

@@ -15,23 +15,23 @@ from ...errors import InputError
 from ...formulas.array_evaluation import parameter_rows
 from ...formulas.array_formulas import Formulas
 from ...system.arrays import FloatArray
-from ...system.vectors import Vector, to_components
+from ...system.vectors import Vector
 from ..ensemble.task import Coordinate, Task, Variable
 from ..kernel.outcomes import STATUS_MESSAGES
 from ..trajectory import by_name
 from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
 from .poincare_map import PoincareMap
 
-#: Bytes of a block, about, and points at which formulas are computed at once: what is in memory
-#: at a time.
+#: Approximate block size in bytes, and the number of points evaluated at once; together they bound
+#: memory use.
 BLOCK, PIECE = 2**26, 2**15
-#: Bytes of one motion, about, at most.
+#: Approximate largest size of one motion in bytes.
 MOST = 2**29
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """A function on the section, worth recording at every point.
+    """A function on the section that is recorded at every point.
 
     Attributes
     ----------
@@ -52,14 +52,14 @@ class Quantity:
 
 
 class Columns(Protocol):
-    """Functions on the section without a formula, such as coordinates by cases.
+    """Functions on the section without a formula, such as coordinates defined by cases.
 
-    A frozen dataclass with ``__call__``, so that it can be pickled and named.
+    A frozen dataclass with ``__call__``, so that it can be pickled and identified by name.
     """
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
-        """Names, meanings and units; their formulas are ignored."""
+        """Names, meanings and units; the formulas are ignored."""
 
     def __call__(self, states: FloatArray) -> FloatArray:
         """The columns (n, quantities) at states (n, size)."""
@@ -109,7 +109,7 @@ class Returns:
         for quantities, columns in groups:
             for item in quantities:
                 arrays[item.name] = np.empty(crossed.times.shape)
-            # piece by piece, since every operation of a formula leaves an array behind
+            # Piece by piece, since every operation of a formula allocates an array.
             for place in range(0, len(flat), PIECE):
                 values = columns(flat[place : place + PIECE])
                 for item, column in zip(quantities, values.T, strict=True):
@@ -162,8 +162,8 @@ def section_task(
         raise InputError("a section has the same parameters for all its motions")
     system = returns.system
     laws = [
-        Quantity(f"law_{law.name}", to_components(law.value), law.meaning, law.unit or "1")
-        for law in system.integrals
+        Quantity(f"law_{law.name}", law.value, law.meaning, law.unit or "1")
+        for law in system.scalar.integrals
         if not law.on
     ]
     recorded = (*laws, *quantities)
@@ -218,7 +218,7 @@ def _variable(count: int, meaning: str, unit: str) -> Variable:
 
 
 def _outcome(returns: PoincareMap) -> dict[str, object]:
-    """Attributes of the codes with which a run ends, by the CF conventions."""
+    """Attributes of the outcome codes of a run, by the CF conventions."""
     reasons = {0: "all its points"}
     reasons |= {
         code: returns.status_message(code)

@@ -26,9 +26,9 @@ from ...errors import InputError
 from ...formulas.array_evaluation import formula
 from ...formulas.array_formulas import Formulas
 from ...system.arrays import FloatArray
+from ...system.named_formulas import scalars
 from ...system.parameters import parameters_by_symbol
 from ...system.system import System
-from ...system.vectors import to_components
 from ..batch import BatchIntegrator, batch_integrator
 from ..devices.graphics import Device
 from ..kernel.equations import Section
@@ -113,7 +113,7 @@ class PoincareMap:
 
     @property
     def inverse(self) -> PoincareMap:
-        """The map that leads back."""
+        """The inverse map."""
         return replace(self, backward=not self.backward)
 
     @property
@@ -158,9 +158,9 @@ class PoincareMap:
 
     @arguments_checked
     def iterate(self, points: npt.ArrayLike, count: int) -> FloatArray:
-        """The map applied `count` times: array of the shape of `points`.
+        """Apply the map `count` times; array of the shape of `points`.
 
-        The motion is followed in one piece, without stopping at the section.
+        The motion is integrated in one piece, without stopping at the section.
         """
         rows = np.asarray(points, dtype=float)
         if count == 0:
@@ -172,7 +172,7 @@ class PoincareMap:
 
     @arguments_checked
     def derivative(self, points: npt.ArrayLike, count: int = 1) -> Derivative:
-        """The map applied `count` times, with its derivative.
+        """Apply the map `count` times, with its derivative.
 
         Parameters
         ----------
@@ -192,7 +192,7 @@ class PoincareMap:
             starts, count, self.parameters, until=self.until, deviations=frame.copy()
         )
         images, times = crossed.states[:, -1], crossed.times[:, -1]
-        # deviations are rows there, columns here
+        # Deviations are rows there, columns here.
         flow = np.swapaxes(np.asarray(crossed.deviations)[:, -1], 1, 2)
         rates = self._rates(images, self.parameters)
         normals = self._value.slopes(images, self.parameters)[:, 0]
@@ -203,12 +203,12 @@ class PoincareMap:
 
     @arguments_checked
     def status_message(self, code: int) -> str:
-        """The reason why a motion of `returns` ended, in words; empty for 0."""
+        """Why a motion of `returns` ended; empty for code 0."""
         return self._integrator(0).status_message(code)
 
     @arguments_checked
     def residual(self, points: npt.ArrayLike) -> FloatArray:
-        """The section's value at points (..., size): zero on it."""
+        """The section function at points (..., size): zero on the section."""
         result: FloatArray = self._value(points, self.parameters)[..., 0]
         return result
 
@@ -229,7 +229,7 @@ class PoincareMap:
         if integrals:
             fixed += [law.value for law in self.system.integrals if not law.on]
         values = _mapping_at(self.parameters, 0)
-        formulas = Formulas(self.system, [to_components(f) for f in fixed])
+        formulas = Formulas(self.system, fixed)
         slopes = formulas.slopes(point, values)
         if not np.all(np.isfinite(slopes)):
             raise InputError("point: the derivatives of the integrals are not finite there")
@@ -239,12 +239,11 @@ class PoincareMap:
 
     @arguments_checked
     def within(self, quantity: Quantity, width: float) -> PoincareMap:
-        """A section of the section: its returns to a slab ``|quantity| < width``.
+        """A section of the section: the returns to a slab ``|quantity| < width``.
 
-        Points of a map jump, so that they do not cross a second surface; what they do is come near
-        to it.  The returns to a thin slab about it ("double section", after F. C. Moon and
-        W. T. Holmes, 1985) form again a map, smooth as long as the number of returns between does
-        not change.
+        The points of a map jump, so they do not cross a second surface but come close to it.  The
+        returns to a thin slab around it ("double section", after F. C. Moon and W. T. Holmes, 1985)
+        form again a map, smooth as long as the number of intermediate returns does not change.
 
         Parameters
         ----------
@@ -287,7 +286,7 @@ def slab(section: Section, quantity: sp.Expr, width: float) -> Section:
     """
     if not width > 0:
         raise InputError(f"a slab of half width {width}: it must be positive")
-    inside = sp.Float(width) - sp.Abs(to_components(sp.sympify(quantity)))
+    inside = sp.Float(width) - sp.Abs(scalars(quantity)[0])
     if section.where is None:
         return replace(section, where=inside)
     return replace(section, where=_least(section.where, inside))

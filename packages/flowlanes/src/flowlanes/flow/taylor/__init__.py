@@ -1,1 +1,1 @@
-"""Motions by Taylor series: recurrences, steps, events, and heyoka's for 34 digits."""
+"""Integration by Taylor series: recurrences, steps, events; with 34 digits through heyoka."""

@@ -15,37 +15,36 @@ from ...errors import InputError
 from ...formulas.graph import Graph, Reader, Term, topological_order
 from ...system.formula_text import exact_text
 from ...system.system import System
-from ...system.vectors import to_components
 from ..machine_code import code_cache as cache, jit
-from ..machine_code.native_formulas import SIGNATURE, FormulaShape, NativeFormulas, formulas_text
+from ..machine_code.native_formulas import SIGNATURE, FormulaShape, NativeFormulas, emit_formulas
 from .projection import Block
-from .recurrences import SERIES_SIGNATURES, series_text
+from .recurrences import SERIES_SIGNATURES, emit_series
 from .state_series import SeriesLayout, Step, TaylorSeries, series_order
 from .working_numbers import Direction, Precision, WorkingArray, WorkingNumber
 
-#: Formulas that vanish, by name, with the columns of the state that they move.
+#: Residuals by name, with the columns of the state that they move.
 Residuals: TypeAlias = dict[str, tuple[list[sp.Expr], slice]]
-#: Of the functions of formulas, by name.
+#: Argument types of the formula functions, by name.
 Shapes: TypeAlias = dict[str, FormulaShape]
 
-#: Tolerances finer than this are beyond the working precision.
+#: Finest tolerance that the working precision allows.
 FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
 
 
 class StateSeries(Protocol):
-    """A state that moves by steps of its Taylor series; see :class:`TaylorSeries`."""
+    """A state that advances by steps of its Taylor series; see :class:`TaylorSeries`."""
 
     order: int
     time: WorkingNumber
 
     @property
     def state(self) -> WorkingArray:
-        """The state (size,), to be changed in place."""
+        """The state (size,); may be changed in place."""
         ...
 
     @property
     def parameters(self) -> WorkingArray:
-        """The parameters, to be changed in place."""
+        """The parameters; may be changed in place."""
         ...
 
     @property
@@ -54,25 +53,25 @@ class StateSeries(Protocol):
         ...
 
     def reset(self) -> None:
-        """Reset the events of the last step and the rounding errors carried along."""
+        """Reset the events of the last step and the carried rounding errors."""
         ...
 
     def copy(self) -> StateSeries:
-        """Another state that moves by the same code."""
+        """A copy that advances independently with the same code."""
         ...
 
     def step(self, limit: WorkingNumber) -> Step:
-        """One step, no longer than to a limit."""
+        """Make one step, no longer than `limit`."""
         ...
 
     def state_at(self, time: WorkingNumber) -> WorkingArray:
-        """The state at a time of the last step."""
+        """The state at a time within the last step."""
         ...
 
 
 @dataclass(frozen=True)
 class SignedOutputs:
-    """The compiled outputs of a system without corners, of which the last are its σu.
+    """The compiled outputs of a system without corners; the last outputs are its σu.
 
     Attributes
     ----------
@@ -156,21 +155,21 @@ class _Plan:
     @cached_property
     def name(self) -> str:
         system = self.system_in_space
-        # each part in a list of its own: an observable is compiled otherwise than a guard
+        # Each part has a list of its own: an observable is compiled differently from a guard.
         shape = [
             self.system.symbols,
-            self.system.relations,
+            self.system.scalar.relations,
             system.symbols,
             [p.symbol for p in system.parameters],
             [item for step in system.scalar_definitions for item in step],
             system.rates,
-            system.relations,
-            [law.value for law in system.integrals],
-            [observable.value for observable in system.observables],
-            [guard.value for guard in system.guards],
+            system.scalar.relations,
+            [law.value for law in system.scalar.integrals],
+            [observable.value for observable in system.scalar.observables],
+            [guard.value for guard in system.scalar.guards],
         ]
-        # the exact text keeps every digit of a decimal number, which str does not
-        formulas = (exact_text([to_components(item) for item in part]) for part in shape)
+        # The exact text keeps every digit of a decimal number, which str does not.
+        formulas = (exact_text(list(part)) for part in shape)
         return cache.code_name(*formulas, repr(self.tolerance), self.precision, self.direction)
 
     @cached_property
@@ -182,7 +181,7 @@ class _Plan:
 
     @cached_property
     def _blocks(self) -> Residuals:
-        """Residuals with the columns that they move."""
+        """The relations with the columns that they move."""
         core = slice(0, len(self.system.symbols))
         lift = self.system.reconstruction
         blocks = {
@@ -193,12 +192,12 @@ class _Plan:
 
     @cached_property
     def _law_blocks(self) -> Residuals:
-        """The integrals, which the reduced state moves."""
+        """The integrals, which move the reduced state."""
         laws = [law.value for law in self.system_in_space.integrals]
         return {"laws": (laws, slice(0, len(self.system.symbols)))} if laws else {}
 
     def code(self) -> tuple[bytes, _Layout]:
-        """The machine code, and its layout."""
+        """The machine code and its layout."""
         system = self.system_in_space
         graph = Graph()
         reader = Reader(system, graph)
@@ -206,14 +205,14 @@ class _Plan:
         guards = reader.components([guard.value for guard in system.guards])
         variable = tuple(i for i, guard in enumerate(guards) if _depends_on_state(guard))
         first = len(system.parameters)
-        # the steps are chosen by the events as well as by the state: a guard that is large beside
-        # the state would change them, and is therefore divided by its size at the start
+        # Step sizes depend on events as well as on the state: a guard that is large beside the
+        # state would change them, and is therefore divided by its initial size.
         events = [
             graph.mul(graph.parameter(first + place), guards[i]) for place, i in enumerate(variable)
         ]
         size = len(rates)
         order = series_order(max(self.tolerance, FINEST["double"]))
-        series = series_text(rates, events, size, order)
+        series = emit_series(rates, events, size, order)
         outputs = {"outputs": reader.components(self._output_formulas)}
         text, shapes = _with_slopes(graph, reader, size, self._blocks, outputs)
         layout = SeriesLayout(
@@ -245,7 +244,7 @@ class _Plan:
         return (Block(values, slopes, values.shape.count),)
 
     def compile(self) -> CompiledSystem:
-        """The system in doubles."""
+        """The system compiled in doubles."""
         name = jit.code_name(self.name)
         (code, layout), from_cache = cache.cached_entry(name, self.code)
         native = _functions_of(name, code, tuple(layout.formulas))
@@ -267,7 +266,7 @@ class _Plan:
         )
 
     def compile_wide(self) -> CompiledSystem:
-        """The system with 34 digits, by heyoka; derivatives of relations in doubles."""
+        """The system with 34 digits, compiled by heyoka; derivatives of relations in doubles."""
         from .heyoka_series import HeyokaFormulas, HeyokaSeries, heyoka_code
 
         double = replace(self, precision="double", tolerance=1e-15).compile()
@@ -305,7 +304,7 @@ class _Plan:
 def _with_slopes(
     graph: Graph, reader: Reader, size: int, blocks: Residuals, more: Mapping[str, list[Term]]
 ) -> tuple[str, Shapes]:
-    """Residuals and their derivatives, with further formulas, in LLVM's assembly language."""
+    """Emit residuals and their derivatives, with additional formulas, as LLVM assembly text."""
     formulas = dict(more)
     for name, (residuals, columns) in blocks.items():
         formulas[name] = reader.components(residuals)
@@ -314,14 +313,14 @@ def _with_slopes(
         formulas[f"{name}_slopes"] = [slope for row in rows for slope in row]
     texts, shapes = [], {}
     for name, terms in formulas.items():
-        text, shapes[name] = formulas_text(name, terms, size)
+        text, shapes[name] = emit_formulas(name, terms, size)
         texts.append(text)
     return "\n".join(texts), shapes
 
 
 @lru_cache(maxsize=64)
 def _functions_of(name: str, code: bytes, formulas: tuple[str, ...]) -> jit.Native:
-    """The functions of a system, linked once however often the system is integrated."""
+    """The functions of a system, linked once, however often the system is integrated."""
     signatures = {**dict.fromkeys(formulas, SIGNATURE), **SERIES_SIGNATURES}
     return jit.Native(*jit.link(name, code, signatures), from_cache=True)
 
@@ -367,5 +366,5 @@ def compile_system(
 
 @lru_cache(maxsize=32)
 def _plan(system: System, tolerance: float, precision: Precision, direction: Direction) -> _Plan:
-    """The plan of a system, cached because its name takes long to compute."""
+    """The plan of a system, cached because computing its name is slow."""
     return _Plan(system, tolerance, precision, direction)

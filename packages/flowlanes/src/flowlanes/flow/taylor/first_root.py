@@ -9,13 +9,13 @@ import numpy as np
 
 from ...system.arrays import FloatArray
 
-#: Length of an interval of which all that is left counts as one point.
+#: Interval length below which the interval counts as a single point.
 _SHORTEST = 2.0**-50
 
 
 @lru_cache
 def _to_bernstein(degree: int) -> FloatArray:
-    """The matrix from the coefficients of powers to those of Bernstein's polynomials."""
+    """The matrix that maps power coefficients to Bernstein coefficients."""
     matrix = np.zeros((degree + 1, degree + 1))
     for j in range(degree + 1):
         for k in range(j + 1):
@@ -24,10 +24,11 @@ def _to_bernstein(degree: int) -> FloatArray:
 
 
 def first_falling_root(coefficients: FloatArray, after: float = 0.0) -> float | None:
-    """The first place in (after, 1] where a polynomial falls from above zero to zero or below.
+    """The first point in (after, 1] where a polynomial falls from positive values to zero.
 
-    By Descartes' rule of signs an interval has no more roots than the Bernstein coefficients have
-    changes of sign; where that leaves open what happens, the interval is halved.
+    A polynomial has no more roots in an interval than its Bernstein coefficients have sign changes
+    (Descartes' rule of signs).  Intervals with several sign changes are bisected (de Casteljau),
+    which isolates simple roots; a multiple root is found when the interval has shrunk to a point.
 
     Parameters
     ----------
@@ -48,7 +49,7 @@ def first_falling_root(coefficients: FloatArray, after: float = 0.0) -> float | 
         signs = np.sign(b[b != 0])
         changes = int(np.count_nonzero(signs[1:] != signs[:-1]))
         if changes == 0:
-            # a root at the very end counts, one at the very beginning does not
+            # A root at the end counts, one at the start does not.
             if b[-1] == 0 and np.any(signs > 0):
                 return last
         elif (changes == 1 and b[0] != 0) or last - first < _SHORTEST:
@@ -62,7 +63,7 @@ def first_falling_root(coefficients: FloatArray, after: float = 0.0) -> float | 
 
 
 def _parts(b: FloatArray, x: float) -> tuple[FloatArray, FloatArray]:
-    """The Bernstein coefficients on both sides of a place in the interval (de Casteljau)."""
+    """The Bernstein coefficients on both sides of a point of the interval (de Casteljau)."""
     degree = len(b) - 1
     left, right = np.empty_like(b), np.empty_like(b)
     for k in range(degree + 1):
@@ -72,8 +73,8 @@ def _parts(b: FloatArray, x: float) -> tuple[FloatArray, FloatArray]:
 
 
 def _root(coefficients: FloatArray, first: float, last: float) -> float:
-    """The root between two places at which the signs differ, or the nearer one in rounding."""
-    # imported where an event happens, since it takes longer than most motions
+    """The root between two points of opposite sign, or the nearer one if rounding hides it."""
+    # Imported when an event occurs, since the import takes longer than most motions.
     from scipy.optimize import brentq
 
     numbers = coefficients[::-1].tolist()

@@ -1,4 +1,4 @@
-"""SymPy formulas of a System as heyoka expressions, sharing every named quantity."""
+"""Translate the SymPy formulas of a System to heyoka, sharing every named quantity."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import sympy as sp
 
 from ...errors import InputError
 from ...formulas.evaluation import Evaluation, numerator_and_denominator
+from ...system.named_formulas import scalars
 from ...system.system import System
-from ...system.vectors import to_components
 
 _FUNCTIONS: Mapping[type[sp.Function], Callable[..., hy.expression]] = {
     sp.sin: hy.sin,
@@ -28,12 +28,12 @@ _FUNCTIONS: Mapping[type[sp.Function], Callable[..., hy.expression]] = {
     sp.Abs: lambda x: hy.sqrt(x * x),
 }
 
-# the widest number heyoka was built with, so that 1/3 is exact to the working precision
+# The widest number type of this heyoka build, so that 1/3 is exact to working precision.
 _WIDE = getattr(hy, "real128", float)
 
 
 class Translator(Evaluation[hy.expression]):
-    """Turns the formulas of one system into heyoka expressions.
+    """Translates the formulas of one system to heyoka expressions.
 
     The flat state becomes heyoka variables of the same name, the parameters ``par[i]`` in the
     order of ``system.parameters``.  Definitions are translated when first needed, so that
@@ -50,15 +50,11 @@ class Translator(Evaluation[hy.expression]):
 
     def __call__(self, formula: sp.Expr) -> hy.expression:
         """The heyoka expression of a scalar formula."""
-        return self._visit(to_components(formula))
+        return self._visit(*scalars(formula))
 
     def all(self, formulas: Iterable[sp.Expr]) -> list[hy.expression]:
         """Several at once; vectors are flattened."""
-        flat: list[hy.expression] = []
-        for formula in formulas:
-            value = to_components(formula)
-            flat.extend(map(self._visit, value if isinstance(value, sp.MatrixBase) else [value]))
-        return flat
+        return list(map(self._visit, scalars(tuple(formulas))))
 
     def _constant(self, number: sp.Expr) -> hy.expression:
         if number.is_Rational:
@@ -87,7 +83,7 @@ class Translator(Evaluation[hy.expression]):
         if exponent == sp.Rational(-1, 2):
             return hy.expression(1.0) / hy.sqrt(base)
         if exponent.is_Integer:
-            # short products differentiate faster than the general power
+            # Short products differentiate faster than a general power.
             return hy.prod([base] * int(exponent)) if exponent <= 4 else base ** float(exponent)
         return base ** self._visit(exponent)
 

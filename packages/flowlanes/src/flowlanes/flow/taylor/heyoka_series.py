@@ -15,10 +15,10 @@ from .heyoka_expressions import Translator
 from .state_series import Step
 from .working_numbers import Direction, WorkingArray, WorkingNumber
 
-# warnings of heyoka bypass Python on their way to the terminal; errors say the same here
+# heyoka prints warnings to the terminal directly, bypassing Python; its errors say the same.
 hy.set_logger_level_error()
 
-# outcomes of a step: failures are below these, events above
+# Outcomes of a step: failures are below these values, events above.
 _SUCCESS, _LIMIT = -4294967297, -4294967299
 
 
@@ -36,7 +36,7 @@ class HeyokaFormulas:
 
     def __call__(self, states: WorkingArray, parameters: WorkingArray) -> WorkingArray:
         """Values (m,) or (m, n) at states (size,) or (size, n)."""
-        # heyoka counts the parameters up to the last one that occurs in the formulas
+        # heyoka expects the parameters up to the last one that occurs in the formulas.
         values = parameters[: self.function.nparams]
         if states.ndim == 2:
             values = np.repeat(values[:, None], states.shape[1], axis=1)
@@ -45,7 +45,7 @@ class HeyokaFormulas:
 
 
 class HeyokaSeries:
-    """A state that moves by steps of its Taylor series.
+    """A state that advances by steps of its Taylor series.
 
     As :class:`~flowlanes.flow.taylor.state_series.TaylorSeries`, with 34 digits.
 
@@ -55,19 +55,19 @@ class HeyokaSeries:
     """
 
     def __init__(self, integrator: hy.taylor_adaptive) -> None:
-        # a copy, since stepping changes it and the code is shared
+        # A copy, since stepping changes it and the code is shared.
         self._integrator = copy.copy(integrator)
         self.order: int = integrator.order
 
     @property
     def state(self) -> WorkingArray:
-        """The state (size,), to be changed in place."""
+        """The state (size,); may be changed in place."""
         state: WorkingArray = self._integrator.state
         return state
 
     @property
     def parameters(self) -> WorkingArray:
-        """The parameters that occur, to be changed in place."""
+        """The parameters that occur; may be changed in place."""
         parameters: WorkingArray = self._integrator.pars
         return parameters
 
@@ -87,15 +87,15 @@ class HeyokaSeries:
         self._integrator.time = value
 
     def copy(self) -> HeyokaSeries:
-        """Another state that moves by the same code."""
+        """A copy that advances independently with the same code."""
         return HeyokaSeries(self._integrator)
 
     def reset(self) -> None:
-        """Forget the events that have just happened."""
+        """Reset the events of the last step."""
         self._integrator.reset_cooldowns()
 
     def step(self, limit: WorkingNumber) -> Step:
-        """One step, no longer than to a limit."""
+        """Make one step, no longer than `limit`."""
         outcome, length = self._integrator.step(max_delta_t=limit, write_tc=True)
         code = int(outcome)
         if code > _SUCCESS:
@@ -103,7 +103,7 @@ class HeyokaSeries:
         return Step(float(length), is_failure=code not in (_SUCCESS, _LIMIT))
 
     def state_at(self, time: WorkingNumber) -> WorkingArray:
-        """The state at a time of the last step."""
+        """The state at a time within the last step."""
         self._integrator.update_d_output(time)
         state: WorkingArray = self._integrator.d_output
         return state
@@ -130,7 +130,7 @@ def heyoka_code(
     tolerance: float,
     direction: Direction,
 ) -> HeyokaCode:
-    """A system compiled with 34 digits.
+    """Compile a system with 34 digits.
 
     Parameters
     ----------
@@ -148,7 +148,7 @@ def heyoka_code(
     translate = Translator(system)
     variables = translate.variables
     guards = translate.all([guard.value for guard in system.guards])
-    # heyoka looks at the derivative in time, whichever way it runs
+    # heyoka tests the derivative in time, whatever the direction of integration.
     falling = {
         "forward": hy.event_direction.negative,
         "backward": hy.event_direction.positive,
@@ -165,7 +165,7 @@ def heyoka_code(
         ],
         compact_mode=True,
     )
-    # a variable makes every list non-empty
+    # A variable makes every list non-empty.
     functions = {
         name: hy.cfunc([*translate.all(items), variables[0]], variables, fp_type=kind)
         for name, items in formulas.items()

@@ -1,9 +1,9 @@
 """Projection of a state back onto its phase space.
 
-The relations (γ² = 1, (ω, γ) = 0, …) are left alone while their residual is at rounding level and
-restored by Newton's method, along the shortest way, once it is not.  The lift to space is moved
-onto the reduced state, never the other way round, so that an error of the attitude cannot spoil
-the dynamics.
+The relations (γ² = 1, (ω, γ) = 0, …) are left alone while their residuals are at rounding level,
+and otherwise restored by Newton's method with steps of minimal norm.  The lift to space is
+projected onto the reduced state, never the reverse, so an error of the attitude cannot affect the
+dynamics.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from .working_numbers import WorkingArray
 
 @dataclass(frozen=True)
 class Block:
-    """Some residuals, compiled.
+    """Compiled residuals.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Block:
 
 @dataclass(frozen=True)
 class Projector:
-    """Moves some columns of a state until residuals have their target values.
+    """Projects some columns of a state until residuals have their target values.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Projector:
         return np.concatenate([b.residual(state, self.parameters) for b in self.blocks])
 
     def defect(self, state: WorkingArray) -> WorkingArray:
-        """The residuals less their targets."""
+        """The residuals minus their targets."""
         values = self.values(state)
         return values if self.target is None else values - self.target
 
@@ -79,7 +79,7 @@ class Projector:
         for _ in range(3):
             point = state.astype(float)
             slope = np.concatenate([b.slope(point, pars).reshape(b.count, -1) for b in self.blocks])
-            # redundant relations (an attitude tied to a unit vector) make the rows dependent
+            # Redundant relations (an attitude tied to a unit vector) make the rows dependent.
             state[self.columns] -= np.linalg.pinv(slope, rcond=1e-9) @ defect
             defect = self.defect(state).astype(float)
             if np.abs(defect).max() <= self.threshold:

@@ -1,9 +1,9 @@
 """Taylor coefficients of solutions: the recurrences of automatic differentiation as machine code.
 
-With x = Σ xₙ tⁿ the coefficients of every term follow those of its operands: of a product by
-Cauchy's formula, of a quotient, a root and a function f(u) by that of f′ (Moore 1966; Jorba, Zou
-2005).  Sums of products, Σ a_j b_{n−j} for 0 < j < n, are scalar products of one series with
-another in reversed order, in vectors of eight; both lie in memory padded with zeros.
+With x = Σ xₙ tⁿ the coefficients of every term follow from those of its operands: of a product by
+Cauchy's formula, of a quotient, a root and a function f(u) from its derivative f′ (Moore 1966;
+Jorba, Zou 2005). Sums of products, Σ a_j b_{n−j} for 0 < j < n, are scalar products of one series
+with another in reversed order, in vectors of eight; both are stored in memory padded with zeros.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from ...formulas.graph import Graph, Term, topological_order
 from ..machine_code.arithmetic import Double
 from ..machine_code.codegen import evaluate, parameter_only_terms
 from ..machine_code.ir_writer import IRWriter
-from .scalar_product import WIDTH, scalar_product_text
-from .step_code import step_text, sums_text
+from .scalar_product import WIDTH, emit_scalar_product
+from .step_code import emit_step, emit_sums
 
 _ONE = "<1 x double>"
 _ATTRIBUTES = "#1"
 
 _P = ctypes.c_void_p
-#: Of the functions.
+#: Argument types of the functions.
 SERIES_SIGNATURES: Mapping[str, tuple[type, ...]] = {
     "prepare_series": (_P,) * 2,
     "series": (_P,) * 2,
@@ -36,7 +36,7 @@ SERIES_SIGNATURES: Mapping[str, tuple[type, ...]] = {
 
 @dataclass(frozen=True)
 class SeriesText:
-    """The text of the functions for the series of a system, and the layout of their memory.
+    """The code of the functions for the series of a system, and their memory layout.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class _Integral:
 
 
 def _derivative(graph: Graph, node: Term) -> _Integral:
-    """The derivative of a function of terms."""
+    """The derivative of a function, as such a term."""
     if node.kind == "atan2":
         y, x = node.args
         inverse = graph.recip(graph.add(graph.mul(x, x), graph.mul(y, y)))
@@ -76,13 +76,13 @@ def _derivative(graph: Graph, node: Term) -> _Integral:
     return _Integral(((graph.slope(node), u),))
 
 
-#: Terms with recurrences of their own; those of other functions follow from their derivatives.
+#: Functions with recurrences of their own; other functions follow from their derivatives.
 _DIRECT = frozenset(("add", "sub", "neg", "mul", "recip", "sqrt", "abs", "sign", "positive"))
 _LEAVES = frozenset(("state", "parameter", "number"))
 
 
-def series_text(rates: Sequence[Term], events: Sequence[Term], size: int, order: int) -> SeriesText:
-    """Functions that compute the Taylor series of a motion.
+def emit_series(rates: Sequence[Term], events: Sequence[Term], size: int, order: int) -> SeriesText:
+    """Emit functions that compute the Taylor series of a motion.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def series_text(rates: Sequence[Term], events: Sequence[Term], size: int, order:
 
 
 class _Writer:
-    """The terms of one system, in order, and where their series lie."""
+    """The terms of one system, in order, and the addresses of their series."""
 
     def __init__(
         self, rates: Sequence[Term], events: Sequence[Term], size: int, order: int
@@ -108,7 +108,7 @@ class _Writer:
         self.rates, self.events, self.size, self.order = rates, events, size, order
         self.integrals: dict[int, _Integral] = {}
         terms = [*rates, *events]
-        # the derivative of a function is a term as well, with derivatives of its own
+        # The derivative of a function is a term as well, with derivatives of its own.
         while True:
             nodes = topological_order(terms)
             new = [
@@ -131,10 +131,10 @@ class _Writer:
         self._place_series()
 
     def _place_series(self) -> None:
-        """Give every series that is needed later a place in memory."""
+        """Allocate memory for every series that is needed later."""
         groups = math.ceil((self.order - 1) / WIDTH)
         self.groups = groups
-        # beyond the coefficients, a vector may reach over the end of either
+        # A vector may extend beyond the coefficients at either end.
         self.stride = WIDTH * (groups + 1)
         reversed_size = WIDTH * math.ceil(self.order / WIDTH + groups)
         self.forward: dict[int, int] = {}
@@ -146,7 +146,7 @@ class _Writer:
         for i in range(self.size):
             self.forward[id(graph.state(i))] = next_free
             next_free += self.stride
-        # one term may be the value of two events, or a variable
+        # One term may be the value of two events, or a variable.
         self.event_places = [next_free + i * self.stride for i in range(len(self.events))]
         next_free += len(self.events) * self.stride
         lengths = {"forward": self.stride, "slopes": self.stride, "backward": reversed_size}
@@ -162,7 +162,7 @@ class _Writer:
         self.doubles = next_free + len(self.constants)
 
     def _needs(self) -> dict[str, dict[int, None]]:
-        """Which terms need their series forward, of their derivatives, backward, or its first."""
+        """Terms whose series is needed forward, as a derivative, reversed, or only at order 0."""
         needs: dict[str, dict[int, None]] = {
             "forward": {},
             "slopes": {},
@@ -197,13 +197,13 @@ class _Writer:
     # --- text --------------------------------------------------------------------------------
 
     def text(self) -> SeriesText:
-        """All functions."""
+        """The code of all functions."""
         functions = [
-            scalar_product_text(self.groups),
+            emit_scalar_product(self.groups),
             self._prepare(),
             self._series(),
-            sums_text(self.size, self.stride, self.order),
-            step_text(self.size, len(self.events), self.stride, self.order),
+            emit_sums(self.size, self.stride, self.order),
+            emit_step(self.size, len(self.events), self.stride, self.order),
         ]
         return SeriesText("\n".join(functions), self.doubles, self.stride)
 
@@ -235,7 +235,7 @@ class _Writer:
             self._keep(number, node, values[id(node)], "0")
         graph = self.rates[0].graph
         for i in range(self.size):
-            # a variable on which nothing depends is no node of any formula
+            # A variable on which nothing depends is not a node of any formula.
             state = number.load("%state", i)
             number.store(state, "%memory", self.forward[id(graph.state(i))])
         rest = numbers[len(self.nodes) :]
@@ -249,7 +249,7 @@ class _Writer:
         return w.text(head, _ATTRIBUTES)
 
     def _one_order(self, number: Double, n: str) -> None:
-        """The coefficients of order n of all terms."""
+        """Emit the coefficients of order n of all terms."""
         w = number.writer
         graph = self.rates[0].graph
         order = w.emit(
@@ -352,13 +352,17 @@ class _Writer:
                 mask = w.compare("ogt", self._first(number, args[0]), zero)
                 return number.choose(mask, values[1], values[2])
             case _:
-                # a sign is constant along a series
+                # A sign is constant along a series.
                 return zero
 
     def _function(
         self, number: Double, node: Term, coefficients: Mapping[int, str], n: str, order: str
     ) -> str:
-        """The coefficient of a term of which the derivative is known."""
+        """The coefficient of a term with known derivative.
+
+        y′ = Σ q u′ gives n y_n = Σ_{j=1}^n j u_j q_{n−j} for each pair (q, u); the q have lower
+        order than y, so their coefficients are known.
+        """
         w = number.writer
         total: str | None = None
         exact: str | None = None
@@ -374,7 +378,7 @@ class _Writer:
             part = number.fma(w.op("fmul", order, coefficients[id(u)]), first, part)
             total = part if total is None else number.add(total, part)
         if total is None:
-            # a term that depends on the state has an operand that does
+            # A term that depends on the state has an operand that does.
             return exact or number.number(Fraction(0))
         total = w.op("fdiv", total, order)
         return total if exact is None else number.add(total, exact)

@@ -1,13 +1,13 @@
-"""Scalar products of short vectors, added in an order that does not depend on the processor."""
+"""Scalar products of short vectors, summed in an order independent of the processor."""
 
 from __future__ import annotations
 
-#: Doubles in a vector.
+#: Number of doubles in a vector.
 WIDTH = 8
 _VECTOR, _ONE = f"<{WIDTH} x double>", "<1 x double>"
 _HALF, _QUARTER = f"<{WIDTH // 2} x double>", f"<{WIDTH // 4} x double>"
 
-# one copy of it, so that the code of large systems stays small; halves are added in a fixed order
+# A single copy, so that the code of large systems stays small; halves are added in a fixed order.
 _TEXT = f"""
 define internal {_ONE} @scalar_product(ptr %a, ptr %b) #1 {{
 entry:
@@ -26,8 +26,8 @@ BODY
 """
 
 
-def scalar_product_text(groups: int) -> str:
-    """A function of two addresses: the scalar product of what lies there.
+def emit_scalar_product(groups: int) -> str:
+    """Emit a function of two addresses: the scalar product of the vectors stored there.
 
     Parameters
     ----------

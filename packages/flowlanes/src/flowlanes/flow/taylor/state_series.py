@@ -11,7 +11,7 @@ from ...system.arrays import FloatArray
 from ..machine_code.jit import Native, aligned_zeros
 from .first_root import first_falling_root
 
-#: A zero of an event so many roundings after the event itself is the same one.
+#: Number of roundings within which another zero of an event counts as the same zero.
 _ROUNDINGS = 100.0
 _EPS = float(np.finfo(float).eps)
 
@@ -38,7 +38,7 @@ class SeriesLayout:
 
 @dataclass(frozen=True)
 class Step:
-    """The outcome of a step.
+    """The result of a step.
 
     Attributes
     ----------
@@ -55,14 +55,14 @@ class Step:
 
 
 def series_order(tolerance: float) -> int:
-    """The order at which the fewest operations give a tolerance (Jorba, Zou 2005)."""
+    """The order that reaches a tolerance with the fewest operations (Jorba, Zou 2005)."""
     return max(2, math.ceil(1 - math.log(tolerance) / 2))
 
 
 class TaylorSeries:
-    """A state that moves by steps of its Taylor series.
+    """A state that advances by steps of its Taylor series.
 
-    An event happens where its formula falls to zero along the motion; it ends the step.
+    An event occurs where its formula falls to zero along the motion; it ends the step.
 
     Parameters
     ----------
@@ -91,19 +91,19 @@ class TaylorSeries:
         rows = rows.reshape(-1, layout.stride)[:, : layout.order + 1]
         self.series, self._event_series = rows[: layout.size], rows[layout.size :]
         self._powers = np.arange(layout.order + 1)
-        # limit and length of a step, and the number of events that may happen in it
+        # Limit and length of a step, and the number of possible events within it.
         self._control = np.zeros(3)
-        # what rounding has taken from the state before and after the last step
+        # Rounding errors of the state before and after the last step.
         self._rest_before, self._rest = np.zeros(layout.size), np.zeros(layout.size)
         self._result = np.zeros(layout.size)
-        # of the events: values at the end of the last step, times at which they have happened,
-        # and for how long they do not count after that
+        # For each event: value at the end of the last step, time of its last occurrence, and the
+        # interval during which it is then ignored.
         self._ends, self._moments, self._quiet = (np.zeros(layout.events) for _ in range(3))
         self._time, self._time_rest, self._begin = 0.0, 0.0, 0.0
         self._parameter_bytes = b""
         arrays = self._memory, self.state, self._rest_before, self._rest, self._ends, self._result
         self._step_arguments = tuple(a.ctypes.data for a in (*arrays, self._control))
-        # a time since the last step began, and what rounding has taken from the state then
+        # A time since the start of the last step, and the rounding error of the state there.
         self._moment, self._rounding = np.zeros(1), np.zeros(layout.size)
         sum_arrays = self._memory, self._rest_before, self._moment, self._result, self._rounding
         self._sum_arguments = tuple(a.ctypes.data for a in sum_arrays)
@@ -118,19 +118,19 @@ class TaylorSeries:
         self._time, self._time_rest = value, 0.0
 
     def copy(self) -> TaylorSeries:
-        """Another state that moves by the same code."""
+        """A copy that advances independently with the same code."""
         other = TaylorSeries(self._code, self._layout)
         other.parameters[:], other.state[:] = self.parameters, self.state
         other.time = self.time
         return other
 
     def reset(self) -> None:
-        """Forget the events that have just happened, and what rounding has taken."""
+        """Reset the recent events and the rounding errors."""
         for array in (self._rest, self._quiet, self._ends):
             array[:] = 0.0
 
     def step(self, limit: float) -> Step:
-        """One step, no longer than to a limit.
+        """Make one step, no longer than `limit`.
 
         Parameters
         ----------
@@ -145,7 +145,7 @@ class TaylorSeries:
         if suspects and math.isfinite(length):
             length, event = self._step_to_event(length)
         if not math.isfinite(length) or (length == 0 and event is None):
-            # numbers that are not finite would stay in the memory
+            # Numbers that are not finite would remain in the memory.
             self._parameter_bytes = b""
             self._rest[:] = self._rest_before
             return Step(0.0, is_failure=True)
@@ -158,13 +158,13 @@ class TaylorSeries:
         return Step(length, event)
 
     def state_at(self, time: float) -> FloatArray:
-        """The state at a time of the last step."""
+        """The state at a time within the last step."""
         self._sum(time - self._begin)
         return self._result.copy()
 
     def _prepare(self) -> None:
-        """Compute what depends on the parameters alone, if they have changed."""
-        # without parameters as well, the memory is prepared before the first step
+        """Compute everything that depends only on the parameters, if they have changed."""
+        # Even without parameters, the memory is prepared before the first step.
         values = b"." + self.parameters.tobytes()
         if values != self._parameter_bytes:
             self._parameter_bytes = values
@@ -174,14 +174,14 @@ class TaylorSeries:
             )
 
     def _sum(self, length: float) -> None:
-        """Compute the state a time after the last step began, and what rounding takes from it."""
+        """Compute the state at a time since the start of the last step, and its rounding error."""
         self._moment[0] = length
         self._code.functions["sums"](*self._sum_arguments)
 
     def _step_to_event(self, length: float) -> tuple[float, int | None]:
-        """A step to the first event within a length, and that event, if there is one.
+        """Make a step that ends at the first event within a length; return the event, if any.
 
-        The length is not-a-number if the state is.
+        The length is NaN if the state is.
         """
         terms = self._event_series * length**self._powers
         event, fraction = self._first_event(terms, abs(length))
@@ -200,7 +200,7 @@ class TaylorSeries:
         return fraction * length, event
 
     def _first_event(self, terms: FloatArray, length: float) -> tuple[int | None, float]:
-        """The first event of a step, if there is one, and the fraction of the step until then.
+        """The first event within a step, if any, and the fraction of the step until then.
 
         Parameters
         ----------
@@ -209,7 +209,7 @@ class TaylorSeries:
         length : float
             Of the step.
         """
-        # a zero can hide in the rounding between two steps
+        # A zero can be hidden by rounding between two steps.
         hidden = (self._ends > 0) & (terms[:, 0] <= 0)
         if hidden.any():
             return int(np.argmax(hidden)), 0.0

@@ -1,4 +1,4 @@
-"""Steps of a motion along its Taylor series, as machine code."""
+"""Machine code for steps of a motion along its Taylor series."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ _ONE = "<1 x double>"
 _ATTRIBUTES = "#1"
 
 
-def sums_text(size: int, stride: int, order: int) -> str:
-    """The state after a time, with what rounding takes from it."""
+def emit_sums(size: int, stride: int, order: int) -> str:
+    """Emit the evaluation of the series at a time, with the rounding error of the result."""
     w = IRWriter(1)
     number = Double(w)
     t = number.load("%time", 0)
@@ -34,12 +34,23 @@ def sums_text(size: int, stride: int, order: int) -> str:
     return w.text(head, _ATTRIBUTES)
 
 
-def step_text(size: int, events: int, stride: int, order: int) -> str:
-    """A step of the length that the last two coefficients allow (Jorba, Zou 2005).
+def emit_step(size: int, events: int, stride: int, order: int) -> str:
+    """Emit a step whose length follows from the last two coefficients (Jorba, Zou 2005).
 
-    ``control`` has the limit of the length, then the length, not-a-number if there is none,
-    and the number of events that may happen; the step is made if there are none of these.
-    ``ends`` has the values of the events at the end of the step before.
+    With the coefficients x_k of the series (of the state and of the events), M_0 = max(1, |x_0|)
+    and M_k = max|x_k|, the radius of convergence is estimated by (M_0/M_k)^{1/k} for k = p − 1 and
+    k = p, the last two orders.  The step is the smaller of both times exp(−2 − 0.7/(p − 1)): at
+    1/e² of the radius the remainder of order p = 1 − ½ ln(tolerance) has the size of the tolerance
+    (A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99–117).  This is an estimate, not a
+    bound.
+
+    An event with series e_k cannot occur within the step h if |e_0| > Σ_{k≥1} |e_k| hᵏ.  All
+    others, and those whose sign has changed by rounding since the last step, are counted in
+    ``control``; if there are any, the step is left to the caller, who isolates their roots.
+
+    ``control`` holds the limit of the length, then the chosen length (NaN if there is none), and
+    the number of events that may occur; the step is made if this number is zero.  ``ends`` holds
+    the event values at the end of the previous step.
     """
     w = IRWriter(1)
     number = Double(w)
@@ -57,7 +68,7 @@ def step_text(size: int, events: int, stride: int, order: int) -> str:
             largest_yet = w.load(_ONE, place)
             greater = w.compare("ogt", value, largest_yet)
             w.store(_ONE, number.choose(greater, value, largest_yet), place)
-            # zero unless the value is not finite
+            # Zero unless the value is not finite.
             value = number.sub(value, value)
             w.store(_ONE, number.add(w.load(_ONE, doubt), value), doubt)
     largest_now, last_but_one, last = (w.load(_ONE, place) for place in largest)
@@ -116,6 +127,6 @@ def step_text(size: int, events: int, stride: int, order: int) -> str:
 
 
 def _size_at(number: Double, row: str, k: int) -> str:
-    """The size of a coefficient."""
+    """The magnitude of a coefficient."""
     w = number.writer
     return w.call("fabs", number.load("%memory", w.emit(f"add i64 {row}, {k}")))

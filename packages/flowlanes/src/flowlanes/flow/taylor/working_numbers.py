@@ -1,4 +1,4 @@
-"""Numbers of a working precision: doubles, or numbers with 34 digits."""
+"""Number types of a working precision: doubles, or numbers with 34 digits."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from ...errors import InputError
 Precision = Literal["double", "quad"]
 Direction = Literal["forward", "backward"]
 
-#: A number of the working precision: a double, or one of heyoka's with 34 digits; and arrays.
+#: A number of the working precision: a double, or a 34-digit number of heyoka; and arrays.
 WorkingNumber: TypeAlias = Any
 WorkingArray: TypeAlias = npt.NDArray[Any]
 
 
 class PrecisionError(InputError):
-    """Numbers of a precision that are not available here."""
+    """The number type of a precision is not available here."""
 
 
 def number_type(precision: Precision) -> type[WorkingNumber]:
-    """The type of numbers of a precision: float, or 34 digits.
+    """The number type of a precision: float, or 34 digits.
 
     Raises
     ------

@@ -79,14 +79,15 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
     >>> verdict.decision, verdict.certificate is not None
     ('proven', True)
     """
+    theorem = theorem_of(system, law)
     verdict = prove(system, law, effort=effort)
     if verdict.decision == "undecided":
         return verdict
+    law = law.basic(system)
     ranges = ranges_of_parameters(system)
     if len(ranges) > 1:
         each = [judgement_of(prove_with_certificate, part, law, effort) for part in ranges]
         return _in_ranges(verdict, each)
-    theorem = theorem_of(system, law)
     try:
         if isinstance(theorem, PowerTheorem):
             certificate = _by_power(system, law, theorem, verdict, effort)

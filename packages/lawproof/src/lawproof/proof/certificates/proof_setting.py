@@ -11,7 +11,7 @@ from certificate_checker.claim.claim import Claim as CheckedClaim
 from certificate_checker.claim.formulas import Formula
 from flowlanes.formulas.errors import NeedMoreGeneratorsError, NoRealValueError
 from flowlanes.system.formula_text import short_text
-from flowlanes.system.laws import Law, Reduction, Separation
+from flowlanes.system.laws import Law
 
 from ..claim_text import Terms, powers_text, terms_text
 from ..domain import divisors, sympy_formula
@@ -82,7 +82,7 @@ class ProofSetting:
         field.signs = level.signs_with(field, polys)
         self.residuals = [
             (in_words(name), cast(Element, value))
-            for name, value in all_residuals(_formulas(law), level, field)
+            for name, value in all_residuals(law.by_formulas, level, field)
         ]
         self.divisors = list(divisors(claim, law, level, field))
 
@@ -121,10 +121,3 @@ class ProofSetting:
         for number, power in parts:
             total[number] = total.get(number, 0) + power
         return content, [(self.field.factors[n], p) for n, p in total.items() if p]
-
-
-def _formulas(law: Law) -> Law:
-    """The part of a law that is a matter of formulas; the check separates by itself."""
-    if not isinstance(law, Separation):
-        return law
-    return Reduction(law.name, law.quantities, law.equations, on=law.on)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol, Self
+from collections.abc import Sequence
+from typing import Any, Protocol, Self, TypeVar
 
 
 class FieldElement(Protocol):
@@ -35,3 +36,14 @@ class Field(Protocol):
 
     def vanishes(self, element: Any) -> bool:
         """Whether an element is zero; of a ball, whether it may be."""
+
+
+E = TypeVar("E", bound=FieldElement)
+
+
+def dot(zero: E, first: Sequence[E], second: Sequence[E]) -> E:
+    """The sum of products of elements, beginning with the zero of their field."""
+    total = zero
+    for a, b in zip(first, second, strict=True):
+        total = total + a * b
+    return total

@@ -16,17 +16,13 @@ from itertools import islice, product
 import sympy as sp
 
 from flowlanes.formulas.errors import OutOfReachError
-from flowlanes.system.laws import Identity, Integral, Law, Measure
-from flowlanes.system.named_formulas import expand
+from flowlanes.system.laws import Law
+from flowlanes.system.named_formulas import Pairs, expand
 from flowlanes.system.parameters import conjuncts
 from flowlanes.system.system import Parameter, System
-from flowlanes.system.vectors import to_components
 
 from ..fields.signs import Sign
 from .level_set import LevelSet
-
-#: Laws that say of the points of a level alone what holds there, not of the conditions.
-POINTWISE = (Identity, Integral)
 
 ONE_TO_ONE = (sp.exp, sp.log, sp.sinh, sp.tanh, sp.asin, sp.acos, sp.atan)
 
@@ -116,26 +112,25 @@ def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
 
 def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
     steps = dict(system.scalar_definitions)
-    conditions = [_in_sight(to_components(c), steps) for c in (*system.relations, *law.on)]
+    conditions = [_in_sight(c, steps) for c in (*system.scalar.relations, *law.scalar.on)]
     factors = [_factors(condition) for condition in conditions]
     changed = False
-    if isinstance(law, POINTWISE):
+    if law.pointwise:
         arguments = [tuple(map(_of_equal_arguments, choices)) for choices in factors]
         changed = arguments != factors
         factors = arguments
-    if isinstance(law, Measure):
+    if law.of_volume:
         # a factor without zeros, such as an exponential, goes into the density
         changed = any(len(f) == 1 and f != (c,) for f, c in zip(factors, conditions, strict=True))
     if not changed and all(len(choices) == 1 for choices in factors):
         return (Alternative(system, law),)
-    if isinstance(law, POINTWISE):
+    if law.pointwise:
         factors = [_that_may_vanish(system, choices) for choices in factors]
     split = len(system.relations)
     parts = []
     for choice in _few(product(*factors)):
         there = replace(law, on=choice[split:], as_printed=None)
-        if isinstance(there, Measure):
-            there = _among(there, conditions, choice)
+        there = there.weighted(_shares_of_volume(conditions, choice))
         parts.append(
             Alternative(
                 replace(system, relations=choice[:split], laws=()),
@@ -146,14 +141,13 @@ def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
     return tuple(parts)
 
 
-def _among(law: Measure, conditions: list[sp.Expr], choice: tuple[sp.Expr, ...]) -> Measure:
-    """A measure for the volume that factors cut out in place of the conditions.
+def _shares_of_volume(conditions: list[sp.Expr], choice: tuple[sp.Expr, ...]) -> Pairs:
+    """The volume that conditions cut out in units of that of their factors, as powers.
 
     Where f = 0 is a part of f g = 0, the volume that f g cuts out is 1/|g| times that of f.
     """
     ratios = [sp.cancel(c / factor) for c, factor in zip(conditions, choice, strict=True)]
-    more = tuple((g**2, -sp.Rational(1, 2)) for g in ratios if g.free_symbols)
-    return replace(law, density=(*law.density, *more))
+    return tuple((g**2, -sp.Rational(1, 2)) for g in ratios if g.free_symbols)
 
 
 def _of_equal_arguments(condition: sp.Expr) -> sp.Expr:

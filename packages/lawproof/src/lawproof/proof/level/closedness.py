@@ -16,7 +16,6 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Rate, Reduction
 from flowlanes.system.named_formulas import expand
-from flowlanes.system.vectors import to_components
 
 from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
@@ -111,7 +110,7 @@ def _rates(law: Reduction, level: LevelSet) -> _Rates:
             formula = formula.xreplace({r: rate_of(r.args[0]) for r in rates})
         return formula
 
-    equations = tuple(with_symbols(level.expand(to_components(e))) for e in law.equations)
+    equations = tuple(with_symbols(level.expand(e)) for e in law.scalar.equations)
     seen = {s for e in equations for s in e.free_symbols}
     moving = {s for s in seen if s in variables}
     # a rate that occurs alone stands for its variable

@@ -10,26 +10,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from itertools import islice, permutations
-from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from flowlanes.formulas.errors import NeedMoreGeneratorsError, OutOfReachError
 from flowlanes.formulas.jets import Evaluator, Jet
-from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.laws import Identity, Integral, Law, Measure, Rate, Reduction
-from flowlanes.system.named_formulas import expand
+from flowlanes.system.laws import Identity, Law, Rate
+from flowlanes.system.named_formulas import expand, scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components
 
 from ..fields.function_field import FunctionField
 from ..fields.signs import Signs
 from .components import Decomposition
 from .triangular_set import numerator
-
-#: Laws that speak of functions on the phase space alone, or of its volume.
-KINDS = (Identity, Integral, Isomorphism, Measure, Reduction)
 
 MOST_ORDERS = 24
 """Orders in which conditions are tried."""
@@ -62,7 +56,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     tame : tuple of type
         Functions that are no obstacle in a condition.
     """
-    if not isinstance(law, KINDS):
+    if law.by_components:
         return None
     steps = dict(system.scalar_definitions)
     gone, factors, left = _choices(system, law, steps, tame)
@@ -79,14 +73,13 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
         reconstruction=None,
         start=(),
     )
-    changed: dict[str, Any] = {"on": (), "as_printed": None}
-    if isinstance(law, Measure):
-        # the volume d^n x divided by the differentials of the conditions
-        changed["density"] = (*law.density, *((factor, -sp.S.One) for factor in factors))
     agreement = tuple(Rate(s) - rates[s] for s in gone)
     consistency = Identity("the conditions are kept", agreement)
     excluded = _excluded_factors(system, (*system.relations, *law.on), factors)
-    return Graph(reduced, replace(law, **changed), consistency, excluded)
+    # the volume is d^n x divided by the differentials of the conditions
+    there = replace(law, on=(), as_printed=None)
+    there = there.weighted(tuple((factor, -sp.S.One) for factor in factors))
+    return Graph(reduced, there, consistency, excluded)
 
 
 def _choices(
@@ -97,7 +90,7 @@ def _choices(
     One condition may take a variable that another needs: where the order of the file leaves
     conditions with functions, other orders are tried.
     """
-    conditions = [to_components(c) for c in (*system.relations, *law.on)]
+    conditions = [*system.scalar.relations, *law.scalar.on]
     wild = [i for i, c in enumerate(conditions) if not _polynomial(expand(c, steps), tame)]
     best: tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr], set[int]] | None = None
     for order in islice(permutations(wild), MOST_ORDERS):
@@ -145,7 +138,7 @@ def _thin(system: System, conditions: tuple[sp.Expr, ...], factor: sp.Expr, spar
     draft = FunctionField([str(s) for s in symbols], spare)
     seeds = {s: Jet(draft.generator(str(s)), {}) for s in symbols}
     evaluate = Evaluator(draft, seeds.get, dict(system.scalar_definitions))
-    equations = [numerator(draft, evaluate.value(to_components(c))) for c in conditions]
+    equations = [numerator(draft, evaluate.value(c)) for c in scalars(tuple(conditions))]
     lead = numerator(draft, evaluate.value(factor))
     equations += [poly for _, poly, _ in draft.relations]
     decomposition = Decomposition(

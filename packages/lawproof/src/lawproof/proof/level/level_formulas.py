@@ -14,9 +14,9 @@ from flowlanes.errors import InputError
 from flowlanes.formulas.jets import Evaluator, GeneratorSwap, Inversion, Jet
 from flowlanes.formulas.number_fields import Balls, Rationals
 from flowlanes.system.laws import Rate
-from flowlanes.system.named_formulas import expand
+from flowlanes.system.named_formulas import expand, scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import Symmetric, to_components
+from flowlanes.system.vectors import Symmetric
 
 from ..fields.field import Field, FieldElement
 
@@ -155,7 +155,12 @@ class LevelFormulas:
         """The relations of the system and the level, or the equations of a component."""
         if self.equations is not None:
             return self.equations
-        return tuple(self._in_sight(to_components(c)) for c in (*self.system.relations, *self.on))
+        return tuple(map(self._in_sight, self._written))
+
+    @cached_property
+    def _written(self) -> tuple[sp.Expr, ...]:
+        """The relations and the level, by components."""
+        return (*self.system.scalar.relations, *scalars(self.on))
 
     def _in_sight(self, condition: sp.Expr) -> sp.Expr:
         """A condition that is a mere name, as the formula that the name stands for."""
@@ -180,8 +185,7 @@ class LevelFormulas:
         of a component stays: it cuts out no volume there.
         """
         state = set(self.system.symbols)
-        written = [to_components(c) for c in (*self.system.relations, *self.on)]
-        moving = [c for c in written if expand(c, self._definitions).free_symbols & state]
+        moving = [c for c in self._written if expand(c, self._definitions).free_symbols & state]
         return tuple(map(self.expand, moving))
 
     @cached_property

@@ -18,7 +18,6 @@ from flowlanes.formulas.errors import (
 )
 from flowlanes.formulas.jets import Evaluator
 from flowlanes.system.parameters import conjuncts
-from flowlanes.system.vectors import to_components
 
 from ..fields.budget import Budget
 from ..fields.function_field import FunctionField
@@ -37,18 +36,14 @@ class LevelFractions(LevelFormulas):
     @cached_property
     def requirements(self) -> tuple[sp.Expr, ...]:
         """The relations that are known to hold on the domain."""
-        relations = [
-            to_components(guard.value) > 0 for guard in self.system.guards if not guard.lift_off
-        ]
+        relations = [guard.value > 0 for guard in self.system.scalar.guards if not guard.lift_off]
         for parameter in self.system.parameters:
             for condition in parameter.admissible:
                 relations += conjuncts(condition)
         for symbol in self.symbols:
             relations += assumed_relations(symbol)
         if sp.false in relations:
-            guards = (
-                g.name for g in self.system.guards if (to_components(g.value) > 0) == sp.false
-            )
+            guards = (g.name for g in self.system.scalar.guards if (g.value > 0) == sp.false)
             what = next((f"the guard {name!r} is positive" for name in guards), "")
             raise InputError(
                 f"{self.system.name}: {what or 'what is asked of the parameters holds'} nowhere"

@@ -7,19 +7,11 @@ from collections.abc import Sequence
 import sympy as sp
 
 from flowlanes.errors import InputError
-from flowlanes.system.laws import Identity, Reduction
-from flowlanes.system.system import flat
-from flowlanes.system.vectors import Vector, to_components
+from flowlanes.system.laws import Law
+from flowlanes.system.named_formulas import flat, scalars
+from flowlanes.system.vectors import Vector
 
 from .level_set import LevelSet
-
-
-def scalars(value: object) -> list[sp.Expr]:
-    """The scalar formulas of a scalar, vector, matrix or tuple of these."""
-    if isinstance(value, (tuple, list)):
-        return [scalar for part in value for scalar in scalars(part)]
-    components = to_components(sp.sympify(value))
-    return list(components) if isinstance(components, sp.MatrixBase) else [components]
 
 
 def components(
@@ -33,15 +25,15 @@ def components(
     return formulas_by_symbol
 
 
-def quantities_in_order(law: Reduction | Identity, level: LevelSet) -> dict[sp.Symbol, sp.Expr]:
-    """The quantities of a law, each in terms of the system and of earlier ones.
+def quantities_in_order(law: Law, level: LevelSet) -> dict[sp.Symbol, sp.Expr]:
+    """The quantities that a law names, each in terms of the system and of earlier ones.
 
     Raises
     ------
     InputError
         If a quantity has the name of something else, or uses itself or a later one.
     """
-    quantities = components(law.quantities, level)
+    quantities = components(getattr(law, "quantities", ()), level)
     system = level.system
     kinds = {
         "a state variable": set(system.symbols),

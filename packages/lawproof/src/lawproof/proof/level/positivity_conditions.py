@@ -7,14 +7,13 @@ denominators.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import sympy as sp
 
 from flowlanes.printing.formula import text
-from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.laws import Law, Measure
-from flowlanes.system.vectors import to_components
+from flowlanes.system.laws import Law
+from flowlanes.system.named_formulas import scalars
 
 from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
@@ -35,18 +34,8 @@ def positive_formulas(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
         that is a number is negative or zero.
         Where all of them are positive the law makes sense, provided that its formulas are real.
     """
-    bases: list[NamedFormula] = []
-    match law:
-        case Isomorphism():
-            bases = [("dτ/dt", _without_rates(law.time, level))]
-        case Measure():
-            bases = [
-                (f"the base {text(base)} of the density", formula)
-                for base, formula, power in _density_bases(law, level)
-                if not power.is_Integer
-            ]
-    settled = ((what, _factors_of_open_sign(formula, level)) for what, formula in bases)
-    return tuple((what, formula) for what, formula in settled if formula != 1)
+    bases = _bases(law, level, lambda power: not power.is_Integer)
+    return tuple((what, formula) for what, formula in bases if formula != 1)
 
 
 def sign_determining_bases(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
@@ -55,13 +44,7 @@ def sign_determining_bases(law: Law, level: LevelSet) -> tuple[NamedFormula, ...
     Where the product of all of them has one sign, the density or its negative is positive; where it
     has either sign, the measure is a signed one.
     """
-    if not isinstance(law, Measure):
-        return ()
-    bases = (
-        (f"the base {text(base)} of the density", _factors_of_open_sign(formula, level))
-        for base, formula, power in _density_bases(law, level)
-        if power.is_Integer and power % 2
-    )
+    bases = _bases(law, level, lambda power: power.is_Integer and power % 2 == 1)
     return tuple((what, formula) for what, formula in bases if not formula.is_number)
 
 
@@ -89,16 +72,20 @@ def unmet_conditions(
     return tuple(failures)
 
 
-def _density_bases(law: Measure, level: LevelSet) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
-    """Base as given, base without rates, and exponent on the level; none of exponent zero."""
-    for base, exponent in law.density:
+def _bases(law: Law, level: LevelSet, meets: Callable[[sp.Expr], bool]) -> Iterator[NamedFormula]:
+    """The bases in a law whose exponents, as they are on the level, meet a condition.
+
+    Each in words, and by its factors of unknown sign; a base with exponent zero is left out.
+    """
+    for words, base, exponent in law.powers:
         power = level.expand(sp.sympify(exponent))
-        if power != 0:
-            yield base, _without_rates(base, level), power
+        if power != 0 and meets(power):
+            formula = _factors_of_open_sign(_without_rates(base, level), level)
+            yield words.format(text(base)) if "{}" in words else words, formula
 
 
 def _without_rates(formula: sp.Expr, level: LevelSet) -> sp.Expr:
-    return level.without_rates(to_components(sp.sympify(formula)))
+    return level.without_rates(*scalars(formula))
 
 
 def _factors_of_open_sign(formula: sp.Expr, level: LevelSet) -> sp.Expr:

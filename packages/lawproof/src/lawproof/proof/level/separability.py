@@ -15,7 +15,6 @@ import sympy as sp
 
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Rate, Separation
-from flowlanes.system.vectors import to_components
 
 from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
@@ -74,8 +73,8 @@ def _parts(law: Separation, level: LevelSet) -> _Parts:
     variables = {*level.system.symbols, *quantities_in_order(law, level)}
     squares: dict[sp.Symbol, sp.Expr] = {}
     constants = set()
-    for number, raw in enumerate(law.equations, 1):
-        equation = level.expand(to_components(raw))
+    for number, raw in enumerate(law.scalar.equations, 1):
+        equation = level.expand(raw)
         rates = equation.atoms(Rate)
         symbols = {rate.args[0] for rate in rates}
         if len(rates) != 1 or not symbols <= variables:

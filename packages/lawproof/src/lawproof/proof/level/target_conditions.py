@@ -7,6 +7,8 @@ backward.
 
 from __future__ import annotations
 
+from typing import TypeGuard
+
 import sympy as sp
 
 from flowlanes.system.isomorphism import Isomorphism
@@ -19,12 +21,17 @@ from .level_set import LevelSet, certain
 from .named_formulas import components
 
 
+def has_target(law: Law) -> TypeGuard[Isomorphism]:
+    """Whether a law leads to another system, of which more is asked than formulas that vanish."""
+    return isinstance(law, Isomorphism)
+
+
 def target_conditions(law: Law, level: LevelSet) -> tuple[sp.Basic, ...]:
     """The conditions on the parameters of the target, in terms of this system.
 
     One that is true already is left out; one that is false stays.
     """
-    if not isinstance(law, Isomorphism):
+    if not has_target(law):
         return ()
     values = components(law.constants, level)
     asked: list[sp.Basic] = []

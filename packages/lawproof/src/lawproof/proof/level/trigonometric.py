@@ -17,10 +17,10 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from flowlanes.formulas.errors import OutOfReachError
 from flowlanes.formulas.jets import MOST_MULTIPLES, angle_terms
-from flowlanes.system.laws import ConformallyHamiltonian, Law, PoissonStructure, Symmetry
-from flowlanes.system.named_formulas import expand
-from flowlanes.system.system import Parameter, System, flat_pairs
-from flowlanes.system.vectors import real_symbol, to_components
+from flowlanes.system.laws import Law
+from flowlanes.system.named_formulas import expand, in_components, scalars
+from flowlanes.system.system import Parameter, System
+from flowlanes.system.vectors import real_symbol
 
 
 @dataclass(frozen=True)
@@ -47,36 +47,25 @@ class Circles:
 
     def law(self, law: Law) -> Law:
         """A law of the system in the new variables."""
-        changed = {
-            f.name: self._formula(getattr(law, f.name))
-            for f in fields(law)
-            if f.name
-            not in ("name", "source", "misprint", "meaning", "as_printed", "target", "onto")
-        }
-        if isinstance(law, Symmetry):
-            changed["field"] = self._pushed_forward(dict(flat_pairs(law.field)))
-        if isinstance(law, PoissonStructure):
-            changed["matrix"] = self._bracket(to_components(law.matrix))
-        if isinstance(law, ConformallyHamiltonian):
-            changed["structure"] = self.law(law.structure)
-        return replace(law, as_printed=None, **changed)
+        return law.under(self)
 
-    def _formula(self, value: Any) -> Any:
+    def formula(self, value: Any) -> Any:
+        """The formulas in a value in the new variables."""
         if isinstance(value, tuple):
-            return tuple(self._formula(part) for part in value)
+            return tuple(self.formula(part) for part in value)
         if isinstance(value, sp.Basic) and not isinstance(value, sp.Symbol):
-            return to_components(value).xreplace(dict(self.table))
+            return in_components(value).xreplace(dict(self.table))
         if isinstance(value, Law):
             return self.law(value)
         return value
 
-    def _pushed_forward(
-        self, field: Mapping[sp.Symbol, sp.Expr]
+    def vector_field(
+        self, field: Iterable[tuple[sp.Symbol, sp.Expr]]
     ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """A vector field in the new variables."""
         components: dict[sp.Symbol, sp.Expr] = {}
-        for symbol, value in field.items():
-            rate = to_components(value).xreplace(dict(self.table))
+        for symbol, value in field:
+            rate = value.xreplace(dict(self.table))
             components |= (
                 dict(_rates_on_circle(self.replaced_angles[symbol], rate))
                 if symbol in self.replaced_angles
@@ -86,7 +75,7 @@ class Circles:
                 components[symbol] = rate
         return tuple(components.items())
 
-    def _bracket(self, matrix: sp.MatrixBase) -> sp.ImmutableDenseMatrix:
+    def bracket(self, matrix: sp.MatrixBase) -> sp.ImmutableDenseMatrix:
         """A bracket in the new variables: {s, x} = c {φ, x}, {c, x} = −s {φ, x}."""
         old = self._old
         rows = [[(old.index(s), factor) for s, factor in self._old_of(n)] for n in self.new]
@@ -146,13 +135,13 @@ def circles(
         If an angle occurs otherwise than in sines and cosines, or beside something else.
     """
     steps = dict(system.scalar_definitions)
-    conditions = [expand(to_components(c), steps) for c in (*system.relations, *on)]
+    conditions = [expand(c, steps) for c in (*system.scalar.relations, *scalars(tuple(on)))]
     nodes = {n for c in conditions for n in c.atoms(TrigonometricFunction)}
     angles = _angles(system, nodes)
     if not angles:
         return None
-    formulas = [*system.rates, *steps.values(), *conditions, *map(to_components, also)]
-    formulas += [to_components(g.value) for g in system.guards]
+    formulas = [*system.rates, *steps.values(), *conditions, *scalars(tuple(also))]
+    formulas += [g.value for g in system.scalar.guards]
     functions = {n for f in formulas for n in f.atoms(TrigonometricFunction)}
     table, lost = _replacements(functions, angles, steps)
     names = {*system.symbols, *steps, *(p.symbol for p in system.parameters)}
@@ -202,14 +191,12 @@ def formulas_of(value: object) -> list[sp.Expr]:
     if isinstance(value, tuple):
         return [f for part in value for f in formulas_of(part)]
     if isinstance(value, Law):
-        skip = {"target", "as_printed", "onto"}
-        pushed: list[sp.Expr] = []
-        if isinstance(value, Symmetry):
+        if value.by_components:
             # an angle that is moved does not stand there by itself
-            skip |= {"field"}
-            pushed = [rate for _, rate in flat_pairs(value.field)]
+            return list(value.scalar.formulas)
+        skip = {"target", "as_printed", "onto"}
         parts = [getattr(value, f.name) for f in fields(value) if f.name not in skip]
-        return [*pushed, *(f for part in parts for f in formulas_of(part))]
+        return [f for part in parts for f in formulas_of(part)]
     return []
 
 
@@ -221,8 +208,8 @@ def angle_parts(system: System, law: Law) -> dict[sp.Expr, int]:
     formulas = [*system.rates, *(value for _, value in system.scalar_definitions)]
     formulas += [*system.relations, *law.on, *formulas_of(law)]
     parts: dict[sp.Expr, int] = {}
-    for formula in formulas:
-        for node in to_components(formula).atoms(TrigonometricFunction):
+    for formula in scalars(formulas):
+        for node in formula.atoms(TrigonometricFunction):
             for number, angle in angle_terms(node):
                 if number.is_Rational:
                     parts[angle] = int(sp.ilcm(parts.get(angle, 1), number.q))
@@ -317,13 +304,11 @@ def _with_circles(
         field=field,
         definitions=tuple((s, v.xreplace(dict(table))) for s, v in system.scalar_definitions),
         relations=(
-            *(to_components(c).xreplace(dict(table)) for c in system.relations),
+            *(c.xreplace(dict(table)) for c in system.scalar.relations),
             *(s**2 + c**2 - 1 for s, c, _ in circles.values()),
         ),
         parameters=tuple(parameters),
-        guards=tuple(
-            replace(g, value=to_components(g.value).xreplace(dict(table))) for g in system.guards
-        ),
+        guards=tuple(replace(g, value=g.value.xreplace(dict(table))) for g in system.scalar.guards),
         laws=(),
         observables=(),
         reconstruction=None,

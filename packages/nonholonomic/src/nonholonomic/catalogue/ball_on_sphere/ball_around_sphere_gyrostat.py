@@ -11,9 +11,11 @@ from flowlanes.system.vectors import norm_squared, vectors
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Entry, Numbers, Start, bruns_factor, laws_for
+from ..catalogue_entry import Numbers, bruns_factor, laws_for
 from ..chaplygin_ball.chaplygin_ball import BRUNS, MOMENTUM_UNIT, K
 from ..chaplygin_ball.chaplygin_bracket import DET_IQ
+from ..entry_files import entry_file
+from ..file_systems import python_entry
 from . import ball_on_sphere
 from .bruns_field import HALF, SOURCE
 
@@ -54,28 +56,16 @@ MOMENTUM = Integral(
 
 def general() -> System:
     """With the integral of a ball without a field."""
-    system = build(NUMBERS).system("ball-around-sphere-gyrostat-bruns")
+    system = build(entry_file("ball-around-sphere-gyrostat-bruns").parameters).system(
+        "ball-around-sphere-gyrostat-bruns"
+    )
     return replace(system, laws=(MOMENTUM,))
 
 
-NUMBERS = {
-    **ball_on_sphere.ENTRIES[1].defaults,
-    **{"k_1": 0.6, "k_2": 0.4, "k_3": -0.8, "K": 3.0},
-}
-
 ENTRIES = (
-    Entry(
+    python_entry(
         name="ball-around-sphere-gyrostat-bruns",
-        title="Hollow ball with rotors around a sphere in Bruns' field",
-        summary=(
-            "A hollow ball that carries rotors rolls around a sphere in the potential "
-            "U = ½K(γ, Iγ): it has an invariant measure, but of its integrals only the energy is "
-            "left, also for k = −1."
-        ),
-        source=SOURCE,
-        defaults=NUMBERS,
         build=build,
-        start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
         general=general,
     ),

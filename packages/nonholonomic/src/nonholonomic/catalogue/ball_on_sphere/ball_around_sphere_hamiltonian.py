@@ -27,8 +27,9 @@ from flowlanes.system.vectors import (
     zero,
 )
 
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
 from ..e3 import Gamma, M, e3_system
+from ..file_systems import python_entry
 from . import ball_around_sphere_chaplygin as chaplygin, ball_on_sphere_equations as ball
 
 J = Diagonal("J")
@@ -173,21 +174,10 @@ def build(p: Numbers) -> System:
     return replace(system, guards=(forward,)).with_laws(to_ball())
 
 
-_DEFAULTS = {"J_1": 2.0, "J_2": 2.5, "J_3": 3.1, "d": 1.0}
-
 ENTRIES = (
-    Entry(
+    python_entry(
         name=NAME,
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=_DEFAULTS,
         build=build,
-        start=Start(state={"M": (0.9, -0.5, -0.55), "Gamma": (2 / 7, -3 / 7, 6 / 7)}, until=20.0),
         general=chaplygin.reduced_system,
-        variables={
-            "M": ("angular momentum of the point on the sphere, with sign −", "1"),
-            "Gamma": ("normal of the sphere at the contact, body axes", "1"),
-        },
     ),
 )

@@ -22,7 +22,8 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Entry, Numbers, Start, laws_for
+from ..catalogue_entry import Numbers, laws_for
+from ..file_systems import python_entry
 from .ball_around_sphere_coordinates import coordinates_around_sphere
 from .ball_on_sphere_equations import equations_on_sphere
 
@@ -46,12 +47,12 @@ def build_around(p: Numbers) -> Rolling:
 def ratio(rolling: Rolling) -> float | None:
     """k of a free balanced ball on a sphere; None for anything else."""
     body, surface, field = rolling.body, rolling.surface, rolling.field
-    if not isinstance(body.shape, Ball) or not isinstance(surface, Sphere):
+    ball, a = body.shape.signed_radius, surface.signed_radius
+    if ball is None or a is None:
         return None
     if any(body.shape.centre) or field.gravity or field.potential != 0:
         return None
-    signed = -body.shape.radius if body.shape.hollow else body.shape.radius
-    return surface.signed_radius / (surface.signed_radius + signed)
+    return a / (a + ball)
 
 
 @laws_for("marble", Sphere, Ball)
@@ -102,31 +103,16 @@ def _linear(shift: sp.Expr) -> Integral:
     )
 
 
-_INERTIA = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1}
-
 ENTRIES = (
-    Entry(
+    python_entry(
         name="ball-on-sphere",
-        title="Ball on a sphere",
-        summary="A balanced, dynamically asymmetric ball of radius R rolls without slipping on a "
-        "fixed sphere of radius a, outside (a > 0) or inside (a < 0, |a| > R); k = a/(a + R).",
-        source="§8.1, (8.1), (8.2)",
-        defaults={**_INERTIA, "R": 1.0, "a": 2.0},
         build=build,
-        start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
         general=equations_on_sphere,
     ),
-    Entry(
+    python_entry(
         name="ball-around-sphere",
-        title="Hollow ball around a sphere",
-        summary="A hollow ball, dynamically asymmetric and balanced, rolls without slipping with "
-        "its inner surface of radius R around a fixed sphere of radius a < R; k = a/(a − R) is "
-        "negative, and k = −1 for R = 2a.",
-        source="§8.1, (8.1)–(8.3)",
-        defaults={**_INERTIA, "R": 2.0, "a": 1.0},
         build=build_around,
-        start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
         general=coordinates_around_sphere,
     ),

@@ -18,17 +18,17 @@ from flowlanes.system.vectors import Diagonal, dot, norm_squared, vectors
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Entry, Numbers, Start, bruns_factor, laws_for
+from ..catalogue_entry import Numbers, bruns_factor, laws_for
 from ..chaplygin_ball import chaplygin_ball
 from ..chaplygin_ball.chaplygin_ball import BRUNS, MOMENTUM_UNIT, K
 from ..chaplygin_ball.chaplygin_bracket import DET_IQ
+from ..file_systems import python_entry
 from . import ball_on_sphere
 
 M, gamma = vectors("M gamma")
 J, A = Diagonal("J"), Diagonal("A")
 SOURCE = "§12, problem 1"
 HALF = sp.Rational(1, 2)
-_INERTIA = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1}
 
 
 def with_rotors(p: Numbers) -> Rolling:
@@ -67,39 +67,14 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name="chaplygin-ball-gyrostat-bruns",
-        title="Chaplygin ball with rotors in Bruns' field",
-        summary=(
-            "A Chaplygin ball that carries rotors and moves in the potential U = ½K(γ, Iγ): the "
-            "system is still conformally Hamiltonian, but no counterpart of the momentum integral "
-            "is known, so that only the energy and area integrals remain."
-        ),
-        source=SOURCE,
-        defaults={
-            **_INERTIA,
-            "R": 1.0,
-            "K": 0.5,
-            "k_1": 0.3,
-            "k_2": -0.2,
-            "k_3": 0.5,
-        },
         build=with_rotors,
-        start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=chaplygin_ball.laws,
     ),
-    Entry(
+    python_entry(
         name="ball-around-sphere-bruns",
-        title="Hollow ball around a sphere in Bruns' field",
-        summary=(
-            "The hollow ball that rolls around a sphere, in the potential U = ½K(γ, Iγ): the "
-            "momentum integral changes as it does on a plane, and for k = −1 the linear integral "
-            "is preserved; where it is zero the equations separate."
-        ),
-        source=SOURCE,
-        defaults={**_INERTIA, "R": 2.0, "a": 1.0, "K": 0.5},
         build=ball_around_sphere,
-        start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
     ),
 )

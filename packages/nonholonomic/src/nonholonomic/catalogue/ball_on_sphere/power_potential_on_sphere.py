@@ -16,7 +16,8 @@ from flowlanes.system.laws import Integral
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import dot, norm_squared, real_symbol
 
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 from .rubber_ball_on_e3 import DET_J, J, M, gamma, k, on_e3
 
 h = real_symbol("h")
@@ -94,18 +95,9 @@ def integrable() -> System:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name=NAME,
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=DEFAULTS,
         build=build,
-        start=Start(state={"M": (0.9, -0.5, -0.55), "gamma": (2 / 7, -3 / 7, 6 / 7)}, until=20.0),
         general=integrable,
-        variables={
-            "M": ("angular momentum of the point", "kg m^2/s"),
-            "gamma": ("place of the point on the unit sphere", "1"),
-        },
     ),
 )

@@ -28,7 +28,8 @@ from flowlanes.system.vectors import (
 )
 
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 
 M, gamma = vectors("M gamma")
 J = Diagonal("J")
@@ -148,18 +149,9 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name=NAME,
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=DEFAULTS,
         build=build,
-        start=Start(state={"M": (0.9, -0.5, -0.55), "gamma": (2 / 7, -3 / 7, 6 / 7)}, until=60.0),
         general=any_product,
-        variables={
-            "M": ("momentum Ñ J^(1/2) ω", "kg m^2/s"),
-            "gamma": ("unit vector J^(−1/2) n / ρ", "1"),
-        },
     ),
 )

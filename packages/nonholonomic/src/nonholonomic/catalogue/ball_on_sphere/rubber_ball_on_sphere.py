@@ -15,7 +15,8 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Entry, Numbers, Start, laws_for
+from ..catalogue_entry import Numbers, laws_for
+from ..file_systems import python_entry
 from . import ball_on_sphere, rubber_ball_ratio
 
 omega, gamma = vectors("omega gamma")
@@ -89,31 +90,16 @@ def general_system() -> System:
     return system.with_laws(*measure(rolling, system))
 
 
-_START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0)
-_OUTSIDE, _AROUND = ball_on_sphere.ENTRIES
-
 ENTRIES = (
-    Entry(
+    python_entry(
         name="rubber-ball-on-sphere",
-        title="Rubber ball on a sphere",
-        summary="A balanced, dynamically asymmetric ball of radius R rolls with neither slipping "
-        "nor spinning on a fixed sphere of radius a, outside (a > 0) or inside (a < 0, |a| > R).",
-        source="§9.1, (9.2)",
-        defaults=_OUTSIDE.defaults,
         build=build,
-        start=_START,
         laws=laws,
         general=general_system,
     ),
-    Entry(
+    python_entry(
         name="rubber-ball-around-sphere",
-        title="Hollow rubber ball around a sphere",
-        summary="A hollow ball, dynamically asymmetric and balanced, rolls with neither slipping "
-        "nor spinning with its inner surface of radius R around a fixed sphere of radius a < R.",
-        source="§9.1, (9.2), (9.4)",
-        defaults=_AROUND.defaults,
         build=build_around,
-        start=_START,
         laws=laws,
     ),
 )

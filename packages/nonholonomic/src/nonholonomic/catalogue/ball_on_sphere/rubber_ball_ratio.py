@@ -34,7 +34,8 @@ from flowlanes.system.vectors import (
 )
 
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 from . import power_potential_on_sphere, rubber_ball_on_e3
 from .rubber_ball_on_e3 import DEFAULTS, parameters
 
@@ -198,24 +199,9 @@ def velocity_from_normal() -> Identity:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name=NAME,
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=DEFAULTS,
         build=build,
-        start=Start(
-            state={
-                "omega": (0.9, -0.5, -0.55),
-                "n": (2 / 7, -3 / 7, 6 / 7),
-            },
-            until=60.0,
-        ),
         general=general,
-        variables={
-            "omega": ("angular velocity in body axes", "rad/s"),
-            "n": ("normal of the sphere at the contact, body axes", "1"),
-        },
     ),
 )

@@ -18,7 +18,8 @@ from flowlanes.system.system import Guard, System
 from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
 
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 from . import rubber_ball_on_e3, rubber_ball_ratio as ratio
 from .rubber_ball_ratio import DET_J, RHO_SQUARED, A, J, k
 from .rubber_ball_sphero_conical import CANONICAL, cubic
@@ -229,19 +230,8 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name=NAME,
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=DEFAULTS,
         build=build,
-        start=Start(state={"u": 0.7, "v": 1.1, "p_u": 0.9, "p_v": 0.8}, until=0.5),
-        variables={
-            "u": ("smaller separating coordinate of the normal", "kg m^2"),
-            "v": ("larger separating coordinate of the normal", "kg m^2"),
-            "p_u": ("canonical momentum of u", "1/s"),
-            "p_v": ("canonical momentum of v", "1/s"),
-        },
     ),
 )

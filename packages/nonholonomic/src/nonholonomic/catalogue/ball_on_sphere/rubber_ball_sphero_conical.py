@@ -18,7 +18,8 @@ from flowlanes.system.system import Guard, System
 from flowlanes.system.vectors import Components, constant, cross, real_symbol, vectors
 
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 from . import rubber_ball_on_e3, rubber_ball_ratio as ratio
 from .rubber_ball_ratio import DET_J, J, k
 
@@ -247,19 +248,8 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name=NAME,
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=DEFAULTS,
         build=build,
-        start=Start(state={"xi": 0.7, "eta": 1.1, "p_xi": 0.9, "p_eta": 0.8}, until=2.0),
-        variables={
-            "xi": ("smaller sphero-conical coordinate of the normal", "kg m^2"),
-            "eta": ("larger sphero-conical coordinate of the normal", "kg m^2"),
-            "p_xi": ("canonical momentum of ξ", "1/s"),
-            "p_eta": ("canonical momentum of η", "1/s"),
-        },
     ),
 )

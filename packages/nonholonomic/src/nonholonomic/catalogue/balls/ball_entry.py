@@ -9,7 +9,9 @@ from flowlanes.system.laws import Law
 from flowlanes.system.system import System
 
 from ...mechanics.ball.ball import RollingBall
-from ..catalogue_entry import Entry, Numbers, Start, Values
+from ..catalogue_entry import Entry, Numbers
+from ..entry_files import entry_file
+from ..file_systems import python_entry
 from .ball_laws import known_ball_laws
 
 #: Meaning and unit of the variables in which the start of a ball is given.
@@ -27,47 +29,30 @@ def _nothing(ball: RollingBall) -> tuple[Law, ...]:
 def ball_entry(
     *,
     name: str,
-    title: str,
-    summary: str,
-    defaults: Numbers,
     ball: Callable[[Numbers], RollingBall],
-    start: Values,
-    until: float,
     further: Callable[[RollingBall], tuple[Law, ...]] = _nothing,
     general: Callable[[], System] | None = None,
-    source: str = "§2.2, §2.3",
 ) -> Entry:
     """An entry with all laws that are known of the ball.
 
     Parameters
     ----------
-    name, title, summary, defaults, general, source
+    name, general
         As of an Entry.
     ball : callable
         Numbers by symbol name ↦ the ball and its surface.
-    start : mapping
-        R or x, and ω, space axes.
-    until : float
     further : callable
         Laws besides those of :func:`known_ball_laws`.
     """
+    file = entry_file(name)
 
     def build(numbers: Numbers) -> System:
         rolling_ball = ball(numbers)
-        system = rolling_ball.system(name, title).with_laws(
+        system = rolling_ball.system(name, file.title).with_laws(
             *known_ball_laws(rolling_ball), *further(rolling_ball)
         )
-        return replace(system, source=source, summary=summary)
+        return replace(system, source=file.source, summary=file.summary)
 
-    return Entry(
-        name=name,
-        title=title,
-        summary=summary,
-        source=source,
-        defaults=defaults,
-        build=build,
-        start=Start(state=start, until=until),
-        general=general,
-        variables=ball_variables,
-        ball=ball,
+    return replace(
+        python_entry(name, build=build, general=general, ball=ball), variables=ball_variables
     )

@@ -66,45 +66,21 @@ def _area(ball: RollingBall) -> tuple[Law, ...]:
     return (Integral("area", value, meaning, source="Clairaut 1733", unit="m^2/s"),)
 
 
-_DEFAULTS = {"m": 1.0, "mu": 0.036, "b": 0.3, "h": 1.0, "s": 2.0, "g": 9.81}
-
 ENTRIES = (
     ball_entry(
         name="marble-ball-on-surface",
-        title="Marble ball in a cushion",
-        summary="A homogeneous ball rolls without slipping, free of gravity; its centre moves on "
-        "x⁴ + y⁴ + z⁴ = s⁴.",
-        defaults={"m": 1.0, "mu": 0.1, "b": 0.5, "s": 2.0},
         ball=_cushion,
-        start={"R": (2.0, 0.0, 0.0), "omega": (1.0, 3.0, 2.0)},
-        until=30.0,
         general=any_marble,
     ),
     ball_entry(
         name="marble-ball-in-basin",
-        title="Marble ball in a basin",
-        summary=(
-            "A heavy homogeneous ball rolls without slipping in a flat-bottomed basin; its "
-            "position is given by the contact point."
-        ),
-        defaults=_DEFAULTS,
         ball=_basin,
-        start={"x": (2.0, 0.0, 1.0), "omega": (1.0, 6.0, 5.0)},
-        until=10.0,
         further=_meridian,
         general=any_supported_marble,
     ),
     ball_entry(
         name="rubber-ball-in-basin",
-        title="Rubber ball in a basin",
-        summary=(
-            "A heavy homogeneous ball rolls with neither slipping nor spinning in a flat-bottomed "
-            "basin; its position is given by the contact point."
-        ),
-        defaults=_DEFAULTS,
         ball=_rubber_basin,
-        start={"x": (2.0, 0.0, 1.0), "omega": (3.0, 3.0, 6.0)},
-        until=10.0,
         further=_area,
         general=any_supported_rubber,
     ),

@@ -25,11 +25,6 @@ def _ball(numbers: Numbers) -> RollingBall:
 ENTRIES = (
     ball_entry(
         name="marble-ball-on-sphere",
-        title="Homogeneous marble ball in a spherical bowl",
-        summary="A heavy homogeneous ball rolls without slipping inside a sphere.",
-        defaults={"m": 1.0, "mu": 0.1, "b": 0.5, "a": 2.5, "g": 9.81},
         ball=_ball,
-        start={"R": (1.2, 0.0, -1.6), "omega": (-6.0, 2.0, 5.0)},
-        until=10.0,
     ),
 )

@@ -11,8 +11,9 @@ from __future__ import annotations
 import sympy as sp
 
 from flowlanes.system.laws import Identity, Integral, Law, Rate, Reduction
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.vector_operators import unit_vector
-from flowlanes.system.vectors import constant, cross, dot, real_symbol, to_components, vectors
+from flowlanes.system.vectors import constant, cross, dot, real_symbol, vectors
 
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.surface import (
@@ -104,7 +105,7 @@ def _momenta(ball: RollingBall) -> tuple[Law, ...]:
             Integral(
                 f"momentum_{axis}", part, f"momentum along {axis}", source="Routh 1884", unit="kg/s"
             )
-            for axis, part in zip("xyz", to_components(value), strict=True)
+            for axis, part in zip("xyz", scalars(value), strict=True)
         )
     down = constant(ball.force / (m * real_symbol("g")))
     return (

@@ -17,18 +17,10 @@ from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import Identity, Integral, Law, Measure, Rate
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vector_operators import gradient
-from flowlanes.system.vectors import (
-    constant,
-    cross,
-    dot,
-    norm_squared,
-    real_symbol,
-    to_components,
-    vectors,
-    zero,
-)
+from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_symbol, vectors, zero
 
 from ...mechanics.ball.equations import (
     Contact,
@@ -165,7 +157,7 @@ def tangential(system: System) -> System:
     place, field = system.state[0], dict(system.field)
     turn_1, turn_2, turn_3 = omega.symbols
     slope_1, slope_2, slope_3 = df.symbols
-    first, second, _ = to_components(field[omega])
+    first, second, _ = scalars(field[omega])
     index = [name for name, _ in system.definitions].index(n) + 1
     solved = (turn_3, -(slope_1 * turn_1 + slope_2 * turn_2) / slope_3)
     return replace(

@@ -12,9 +12,10 @@ from dataclasses import replace
 import sympy as sp
 
 from flowlanes.system.laws import Integral
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
 from flowlanes.system.vector_operators import gradient
-from flowlanes.system.vectors import dot, norm_squared, to_components, vectors
+from flowlanes.system.vectors import dot, norm_squared, vectors
 
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
@@ -45,7 +46,7 @@ def any_cone() -> System:
     """A marble ball whose centre moves on any cone R₃ = R₁ h(R₂/R₁), drawn to the apex or not."""
     first, second, third = R.symbols
     shape = first * sp.Function("h")(second / first)
-    central = sp.Function("U")(to_components(norm_squared(R)))
+    central = sp.Function("U")(*scalars(norm_squared(R)))
     system = equations_of_motion(
         "marble",
         centre_surface(third - shape),
@@ -73,27 +74,14 @@ def any_cone() -> System:
     )
 
 
-_DEFAULTS = {"m": 1.0, "mu": 0.036, "b": 0.3, "k": 1.0, "g": 9.81}
-
 ENTRIES = (
     ball_entry(
         name="marble-ball-on-cone",
-        title="Marble ball in a funnel",
-        summary="A heavy homogeneous ball rolls without slipping in a funnel; its centre moves on "
-        "a circular cone.",
-        defaults=_DEFAULTS,
         ball=_funnel,
-        start={"R": (2.0, 0.0, 2.0), "omega": (10.0, 1.0, -8.0)},
-        until=10.0,
         general=any_cone,
     ),
     ball_entry(
         name="rubber-ball-on-cone",
-        title="Rubber ball in a funnel",
-        summary="A heavy homogeneous ball rolls in a funnel with neither slipping nor spinning.",
-        defaults=_DEFAULTS,
         ball=_rubber_funnel,
-        start={"R": (2.0, 0.0, 2.0), "omega": (-9.0, 1.0, -9.0)},
-        until=10.0,
     ),
 )

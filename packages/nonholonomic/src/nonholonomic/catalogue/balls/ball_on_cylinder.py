@@ -63,18 +63,10 @@ def any_cylinder() -> System:
     return replace(system, reconstruction=None).with_laws(rotation)
 
 
-_DEFAULTS = {"m": 1.0, "mu": 0.064, "b": 0.4, "a": 2.0, "g": 9.81}
-
 ENTRIES = (
     ball_entry(
         name="marble-ball-on-cylinder",
-        title="Marble ball in an upright pipe",
-        summary="A heavy homogeneous ball rolls inside an upright pipe without slipping: it goes "
-        "round and oscillates up and down instead of falling out.",
-        defaults=_DEFAULTS,
         ball=_pipe,
-        start={"R": (1.6, 0.0, 1.0), "omega": (0.0, 0.0, -16.0)},
-        until=6.0,
         general=any_cylinder,
     ),
 )

@@ -95,35 +95,16 @@ def any_quadric() -> System:
     )
 
 
-_DEFAULTS = {"m": 1.0, "mu": 0.1, "b": 0.5, "a_1": 3.0, "a_2": 2.5, "a_3": 2.0, "kappa": 0.1}
-
 ENTRIES = (
     ball_entry(
         name="marble-ball-on-ellipsoid",
-        title="Marble ball in an ellipsoid",
-        summary=(
-            "A homogeneous ball rolls without slipping; its centre moves on an ellipsoid and is "
-            "pulled towards the centre of the ellipsoid by a spring."
-        ),
-        defaults=_DEFAULTS,
         ball=_ball,
-        start={"R": (1.8, 0.0, 1.6), "omega": (1.0, 5.0, -3.0)},
-        until=30.0,
         further=_integral,
         general=any_quadric,
     ),
     ball_entry(
         name="rubber-ball-on-ellipsoid",
-        title="Rubber ball in an ellipsoid",
-        summary=(
-            "A homogeneous ball rolls with neither slipping nor spinning; its centre moves on an "
-            "ellipsoid like a particle that a spring pulls towards the centre of the ellipsoid "
-            "(Jacobi's problem)."
-        ),
-        defaults=_DEFAULTS,
         ball=_rubber_ball,
-        start={"R": (1.8, 0.0, 1.6), "omega": (2.0, 5.0, -1.0)},
-        until=30.0,
         further=_particle,
         general=any_rubber,
     ),

@@ -24,27 +24,13 @@ def _ball(numbers: Numbers) -> RollingBall:
     )
 
 
-_DEFAULTS = {"m": 1.0, "mu": 0.4, "b": 1.0, "p": 3.0, "q": 4.0, "g": 9.81}
-
 ENTRIES = (
     ball_entry(
         name="marble-ball-on-paraboloid",
-        title="Marble ball in a bowl",
-        summary="A heavy homogeneous ball rolls in a bowl without slipping; its centre moves on an "
-        "elliptic paraboloid.",
-        defaults=_DEFAULTS,
         ball=_ball,
-        start={"R": (3.0, 0.0, 1.5), "omega": (-1.0, 0.5, 2.0)},
-        until=30.0,
     ),
     ball_entry(
         name="marble-ball-on-round-paraboloid",
-        title="Marble ball in a round bowl",
-        summary="A heavy homogeneous ball rolls in a bowl without slipping; its centre moves on a "
-        "paraboloid of revolution.",
-        defaults=_DEFAULTS | {"q": 3.0},
         ball=_ball,
-        start={"R": (3.0, 0.0, 1.5), "omega": (-1.0, 0.5, 2.0)},
-        until=30.0,
     ),
 )

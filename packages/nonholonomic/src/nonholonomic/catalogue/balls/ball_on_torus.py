@@ -55,27 +55,14 @@ def any_revolution() -> System:
     return replace(system, reconstruction=None).with_laws(meridian_law())
 
 
-_DEFAULTS = {"m": 1.0, "mu": 0.036, "b": 0.3, "a": 3.0, "c": 1.0, "g": 9.81}
-
 ENTRIES = (
     ball_entry(
         name="marble-ball-on-torus",
-        title="Marble ball in a ring",
-        summary="A heavy homogeneous ball rolls without slipping inside a ring that lies flat.",
-        defaults=_DEFAULTS,
         ball=_ball,
-        start={"R": (3.0, 0.0, -0.7), "omega": (-12.0, 5.0, 4.0)},
-        until=12.0,
         general=any_revolution,
     ),
     ball_entry(
         name="rubber-ball-on-torus",
-        title="Rubber ball in a ring",
-        summary="A heavy homogeneous ball rolls with neither slipping nor spinning inside a ring "
-        "that lies flat.",
-        defaults=_DEFAULTS,
         ball=_rubber_ball,
-        start={"R": (3.0, 0.0, -0.7), "omega": (-12.0, 5.0, 0.0)},
-        until=12.0,
     ),
 )

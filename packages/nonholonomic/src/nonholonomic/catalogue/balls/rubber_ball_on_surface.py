@@ -37,7 +37,6 @@ x, y, z = R.symbols
 
 NAME = "rubber-ball-on-surface"
 TITLE = "Homogeneous rubber ball on a surface"
-SOURCE = "§2.3, (2.7)–(2.11)"
 
 #: Any surface above the plane, and any force that depends on place and angular velocity.
 GRAPH = z - sp.Function("f_s")(x, y)
@@ -119,14 +118,7 @@ def _as_particle(ball: RollingBall) -> tuple[Law, ...]:
 ENTRIES = (
     ball_entry(
         name=NAME,
-        title=TITLE,
-        summary="A heavy homogeneous ball rolls in a bowl with neither slipping nor spinning; its "
-        "centre moves like a particle on an elliptic paraboloid.",
-        source=SOURCE,
-        defaults={"m": 1.0, "mu": 0.4, "b": 1.0, "p": 3.0, "q": 4.0, "g": 9.81},
         ball=_ball,
-        start={"R": (1.0, 0.0, 1.0 / 6.0), "omega": (-0.6, 0.9, -0.2)},
-        until=60.0,
         further=_as_particle,
         general=general,
     ),

@@ -28,7 +28,8 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import ContactModel, Forces, Rolling
 from ...mechanics.shapes.shapes import Ellipsoid
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers
+from ..file_systems import python_entry
 
 omega, gamma, r, rdot, gammadot = vectors("omega gamma r rdot gammadot")
 M, dh, torque, c = vectors("M dh torque c")
@@ -164,32 +165,16 @@ def kinematics(curvature: sp.Expr) -> Identity:
 
 # --- an example that can be run ------------------------------------------------------------
 
+
 #: An ellipsoid with three different axes and its centre of mass away from its centre.
-ELLIPSOID: Numbers = {
-    "m": 1.0,
-    "I_1": 1.0,
-    "I_2": 1.5,
-    "I_3": 2.1,
-    "b_1": 1.0,
-    "b_2": 0.9,
-    "b_3": 0.8,
-    "c_1": 0.1,
-    "c_2": -0.05,
-    "c_3": 0.1,
-}
-
-
 def ellipsoid(p: Numbers) -> Body:
-    """The body with the numbers of `ELLIPSOID`."""
+    """The body with axes b and the centre c of its ellipsoid."""
     shape = Ellipsoid((p["b_1"], p["b_2"], p["b_3"]), centre=(p["c_1"], p["c_2"], p["c_3"]))
     return Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), shape)
 
 
 def ellipsoid_entries(
-    contact: ContactModel,
-    general: tuple[Callable[[], System], Callable[[], System]],
-    omega: tuple[float, float, float],
-    sources: tuple[str, str],
+    contact: ContactModel, general: tuple[Callable[[], System], Callable[[], System]]
 ) -> tuple[Entry, Entry]:
     """The entries of a body of any shape on a plane and on a sphere, run as an ellipsoid.
 
@@ -199,34 +184,16 @@ def ellipsoid_entries(
         ``"marble"`` or ``"rubber"``.
     general : 2 callables
         The systems with any shape and potential, on a plane and on a sphere.
-    omega : 3 floats
-        Angular velocity of the start.
-    sources : 2 str
     """
-    manner = {"marble": "without slipping", "rubber": "with neither slipping nor spinning"}[contact]
-    about = "; it may spin about the {}." if contact == "marble" else "."
-    start = Start(omega=omega, gamma=(0.2, -0.3, 0.93), until=30.0)
     return (
-        Entry(
-            name=f"{contact}-body",
-            title=f"{contact.capitalize()} body on a plane",
-            summary="A heavy body of any convex shape, here an ellipsoid, rolls on a horizontal "
-            f"plane {manner}{about.format('vertical')}",
-            source=sources[0],
-            defaults={**ELLIPSOID, "g": 9.81},
+        python_entry(
+            f"{contact}-body",
             build=lambda p: Rolling(ellipsoid(p), contact=contact, field=Forces(p["g"])),
-            start=start,
             general=general[0],
         ),
-        Entry(
-            name=f"{contact}-body-on-sphere",
-            title=f"{contact.capitalize()} body on a sphere",
-            summary=f"A body of any convex shape, here an ellipsoid, rolls {manner} on a fixed "
-            f"sphere of radius a, outside (a > 0) or inside (a < 0){about.format('normal')}",
-            source=sources[1],
-            defaults={**ELLIPSOID, "a": 5.0},
+        python_entry(
+            f"{contact}-body-on-sphere",
             build=lambda p: Rolling(ellipsoid(p), Sphere.of_signed_radius(p["a"]), contact),
-            start=start,
             general=general[1],
         ),
     )

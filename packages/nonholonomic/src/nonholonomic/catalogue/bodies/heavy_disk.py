@@ -10,7 +10,8 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Disk
 from ...mechanics.shapes.surfaces import Plane
-from ..catalogue_entry import Entry, Numbers, Start, laws_for
+from ..catalogue_entry import Numbers, laws_for
+from ..file_systems import python_entry
 
 M, gamma = vectors("M gamma")
 m, R, I_1, I_2, I_3 = (real_symbol(name) for name in ("m", "R", "I_1", "I_2", "I_3"))
@@ -67,16 +68,9 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name="heavy-disk",
-        title="Heavy disk",
-        summary="A heavy disk with a sharp edge rolls on a horizontal plane without slipping, as "
-        "a coin does; its two integrals linear in ω are not elementary functions.",
-        source=SOURCE,
-        # a uniform thin disk
-        defaults={"m": 1.0, "I_1": 0.25, "I_3": 0.5, "R": 1.0, "g": 9.81},
         build=build,
-        start=Start(omega=(0.3, 0.4, 3.0), gamma=(0.8, 0.2, 0.5656854249492381), until=12.0),
         laws=laws,
     ),
 )

@@ -60,9 +60,4 @@ def general_on_sphere() -> System:
     return any_marble_body(1 / a).with_laws(kinematics(1 / a))
 
 
-ENTRIES = ellipsoid_entries(
-    "marble",
-    (general, general_on_sphere),
-    (0.7, 0.4, 1.1),
-    ("§1.3, (1.17) with λ₀ = 0", "§1.3, (1.17) with λ₀ = 0; (1.23)"),
-)
+ENTRIES = ellipsoid_entries("marble", (general, general_on_sphere))

@@ -86,9 +86,4 @@ def general_on_sphere() -> System:
     )
 
 
-ENTRIES = ellipsoid_entries(
-    "rubber",
-    (general, general_on_sphere),
-    (0.9, -0.5, -0.35483870967741937),
-    ("§1.3, (1.17)–(1.19)", "§1.4, (1.23)"),
-)
+ENTRIES = ellipsoid_entries("rubber", (general, general_on_sphere))

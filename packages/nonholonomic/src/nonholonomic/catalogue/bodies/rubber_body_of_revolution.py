@@ -14,11 +14,11 @@ from flowlanes.system.vectors import dot, norm_squared, real_symbol, vectors
 
 from ...mechanics.rolling.body import AnyBody, Body
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.shapes.implicit import Implicit
 from ...mechanics.shapes.revolution import Revolution
-from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
+from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid
 from ...mechanics.shapes.surfaces import Plane
-from ..catalogue_entry import Entry, Numbers, Start, laws_for
+from ..catalogue_entry import Numbers, laws_for
+from ..file_systems import python_entry
 from .rubber_profile import HEIGHT, POTENTIAL, from_support, profile_system
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
@@ -52,15 +52,17 @@ def _rubber(p: Numbers, shape: Ball | Disk | Ellipsoid) -> Rolling:
     return Rolling(body, contact="rubber", field=Forces(p["g"]))
 
 
-def _symmetric(body: AnyBody) -> bool:
-    """Whether shape and inertia are those of a body of revolution about body axis 3."""
-    shape = body.shape
-    if isinstance(shape, Implicit) or not body.principal or any(shape.centre[:2]):
-        return False
-    round_shape = isinstance(shape, (Ball, Disk, Torus, Revolution)) or (
-        isinstance(shape, Ellipsoid) and shape.axes[0] == shape.axes[1]
-    )
-    return round_shape and body.inertia[0] == body.inertia[1]
+def _conditions(body: AnyBody) -> tuple[sp.Expr, ...] | None:
+    """Vanish where shape and inertia are of revolution about body axis 3; None if they are not."""
+    symmetry = body.shape.axial_symmetry
+    if symmetry is None or not body.principal or any(body.shape.centre[:2]):
+        return None
+    numbers = {p.symbol: p.default for p in body.shape.parameters}
+    if body.inertia[0] != body.inertia[1] or any(
+        condition.xreplace(numbers) != 0 for condition in symmetry.conditions
+    ):
+        return None
+    return symmetry.conditions
 
 
 @laws_for("rubber", Plane())
@@ -68,22 +70,22 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """(5.1) and (5.2), for every profile and every potential U(γ₃); symmetry and measure."""
     body = rolling.body
     depends = rolling.field.potential.free_symbols & {g_1, g_2}
-    if depends or any(body.gyrostat) or not _symmetric(body):
+    conditions = _conditions(body)
+    if depends or any(body.gyrostat) or conditions is None:
         return ()
     level: tuple[sp.Expr, ...] = (I_1 - I_2,)
     if any(body.shape.centre):
         level += tuple(c.symbols[:2])
-    if isinstance(body.shape, Ellipsoid):
-        level += (real_symbol("b_1") - real_symbol("b_2"),)
+    level += conditions
     reach, height = r + 0 * gamma, dot(r, gamma)
-    if isinstance(body.shape, Ball):
+    if body.shape.is_ball:
         reach = body.shape.offset - R * gamma
         height = dot(body.shape.offset, gamma) - R
     known: tuple[Law, ...] = (
         spin(height, level),
         quadratures(system, reach, height, level),
     )
-    if isinstance(body.shape, (Ball, Disk)):
+    if body.shape.is_ball or body.shape.edge_radius is not None:
         # for other shapes these are proven once for all, in `general`: one by one it takes minutes
         known += (rotation(level), measure(reach, height, level))
     return known
@@ -218,41 +220,21 @@ def general() -> System:
 # --- catalogue -----------------------------------------------------------------------------
 
 
-_INERTIA = {"m": 1.0, "I_1": 0.3, "I_3": 0.2}
-
 ENTRIES = (
-    Entry(
+    python_entry(
         name="rubber-body-of-revolution",
-        title="Heavy rubber body of revolution",
-        summary="A heavy body of revolution, here an ellipsoid with its centre of mass on the "
-        "axis, rolls on a horizontal plane with neither slipping nor spinning.",
-        source="§5, (1.18), (5.1)",
-        defaults={**_INERTIA, "b_1": 0.8, "b_3": 1.1, "c_3": 0.15, "g": 9.81},
         build=build,
-        start=Start(omega=(1.0, 0.8, -1.0), gamma=(0.4, 0.5, 0.8), until=12.0),
         laws=laws,
         general=general,
     ),
-    Entry(
+    python_entry(
         name="rubber-disk",
-        title="Heavy rubber disk",
-        summary="A heavy disk with a sharp edge and its centre of mass on the axis rolls on a "
-        "horizontal plane with neither slipping nor spinning.",
-        source="§5, after Proposition 5",
-        defaults={"m": 1.0, "I_1": 0.3, "I_3": 0.5, "R": 1.0, "c_3": -0.2, "g": 9.81},
         build=build_disk,
-        start=Start(omega=(1.0, 0.8, -1.0), gamma=(0.4, 0.5, 0.8), until=12.0),
         laws=laws,
     ),
-    Entry(
+    python_entry(
         name="rubber-routh-sphere",
-        title="Routh's sphere with rubber contact",
-        summary="A heavy ball with its centre of mass on an axis of dynamical symmetry rolls on "
-        "a horizontal plane with neither slipping nor spinning.",
-        source="§5, after Proposition 5",
-        defaults={**_INERTIA, "R": 1.0, "c_3": -0.2, "g": 9.81},
         build=build_ball,
-        start=Start(omega=(1.0, 0.8, -1.0), gamma=(0.4, 0.5, 0.8), until=12.0),
         laws=laws,
     ),
 )

@@ -20,17 +20,9 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from flowlanes.system.laws import (
-    ConformallyHamiltonian,
-    Integral,
-    Law,
-    Measure,
-    PoissonStructure,
-    Rate,
-    Reduction,
-    Symmetry,
-)
-from flowlanes.system.system import Observable, Parameter, Reconstruction, System
+from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
+from flowlanes.system.named_formulas import scalars
+from flowlanes.system.system import Observable, Parameter, System
 from flowlanes.system.vector_operators import gradient
 from flowlanes.system.vectors import (
     Diagonal,
@@ -39,26 +31,15 @@ from flowlanes.system.vectors import (
     dot,
     norm_squared,
     real_symbol,
-    to_components,
     vectors,
 )
 
-from ...mechanics.rolling.attitude import (
-    attitude,
-    attitude_observable,
-    attitude_relations,
-    quaternion_rate,
-    rotation,
-    unit_length,
-)
-from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import inertia_parameters, lie_poisson
-from .disk_on_ice import AXIS, HALF, INERTIA, MOMENTUM, disk_parameters, lift_off, not_flat
+from .disk_on_ice import HALF, MOMENTUM
 
 M, omega, gamma, b, bdot, X = vectors("M omega gamma b bdot X")
 I, A = Diagonal("I"), Diagonal("A")
 m, g, R, I_1, I_3, h, N = (real_symbol(name) for name in ("m", "g", "R", "I_1", "I_3", "h", "N"))
-M_3, gamma_3 = M.symbols[2], gamma.symbols[2]
 SOURCE = "holonomic counterpart of §11.3"
 AREA = dot(M, gamma)
 
@@ -69,8 +50,8 @@ KINETIC = HALF * (dot(M, A * M) - m * dot(b, A * M) ** 2 / DENOMINATOR)
 
 def _derivative_along(vector: MatrixExpr, velocity: MatrixExpr) -> MatrixExpr:
     """The rate of a function of γ for a rate of γ."""
-    pairs = list(zip(gamma.symbols, to_components(velocity), strict=True))
-    return constant([sp.Add(*(sp.diff(c, s) * u for s, u in pairs)) for c in to_components(vector)])
+    pairs = list(zip(gamma.symbols, scalars(velocity), strict=True))
+    return constant([sp.Add(*(sp.diff(c, s) * u for s, u in pairs)) for c in scalars(vector)])
 
 
 def _hamiltonian_laws() -> tuple[Law, ...]:
@@ -157,87 +138,3 @@ def any_body() -> System:
 
 
 # --- the disk ------------------------------------------------------------------------------
-
-TITLE = "Disk on a smooth plane"
-SUMMARY = (
-    "A heavy disk slides on a horizontal plane without friction: the reaction is vertical, and the "
-    "motion is Hamiltonian and integrable by quadratures."
-)
-S = sp.sqrt(1 - gamma_3**2)
-
-
-def _nutation() -> Reduction:
-    """γ₃ alone, with the values of the integrals."""
-    energy, area = real_symbol("h_0"), real_symbol("c_0")
-    return Reduction(
-        "nutation",
-        {energy: HALF * dot(M, omega) + m * g * h, area: AREA},
-        (
-            (I_1 + m * R**2 * gamma_3**2) * Rate(gamma_3) ** 2
-            - (1 - gamma_3**2) * (2 * energy - M_3**2 / I_3 - 2 * m * g * R * S)
-            + (area - M_3 * gamma_3) ** 2 / I_1,
-            *map(Rate, (energy, area, M_3)),
-        ),
-        "quadrature for γ₃, the cosine of the nutation, with the values of the integrals",
-        source=SOURCE,
-    )
-
-
-def _upright() -> Reconstruction:
-    """The disk in space, its centre on the vertical axis."""
-    centre = constant([0, 0, R * S])
-    reach = rotation() * to_components(-R * (gamma - gamma_3 * AXIS) / S)
-    return Reconstruction(
-        field={attitude: quaternion_rate(omega)},
-        relations=(unit_length(), *attitude_relations(gamma)),
-        observables=(
-            attitude_observable(),
-            Observable("centre", centre, "centre of mass", "m", "space"),
-            Observable("contact", constant([reach[0], reach[1], 0]), "contact point", "m", "space"),
-        ),
-    )
-
-
-def build(p: Numbers) -> System:
-    """A disk with a sharp edge: h = R √(1 − γ₃²)."""
-    return sliding(
-        R * S,
-        INERTIA,
-        disk_parameters(p),
-        (
-            Integral("spin", M_3, "momentum about the axis", source=SOURCE, unit=MOMENTUM),
-            Symmetry(
-                "axis",
-                {M: cross(AXIS, M), gamma: cross(AXIS, gamma)},
-                "rotation of the disk about its axis",
-                source=SOURCE,
-            ),
-            _nutation(),
-        ),
-        name="smooth-disk",
-        title=TITLE,
-        summary=SUMMARY,
-        guards=(not_flat(), lift_off(N)),
-        reconstruction=_upright(),
-    )
-
-
-ENTRIES = (
-    Entry(
-        name="smooth-disk",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        # a uniform thin disk
-        defaults={"m": 1.0, "I_1": 0.25, "I_3": 0.5, "R": 1.0, "g": 9.81},
-        build=build,
-        start=Start(
-            state={"M": (2.0, 0.2, 1.0), "gamma": (0.95, 0.1, 0.29580398915498085)}, until=12.0
-        ),
-        general=any_body,
-        variables={
-            "M": ("momentum that belongs to ω", MOMENTUM),
-            "gamma": ("vertical, body axes", "1"),
-        },
-    ),
-)

@@ -12,7 +12,8 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import ContactModel, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane, Sphere
-from ..catalogue_entry import Entry, Numbers, Start, laws_for
+from ..catalogue_entry import Numbers, laws_for
+from ..file_systems import python_entry
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
 m, R = real_symbol("m"), real_symbol("R")
@@ -51,64 +52,25 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     return (Integral("quadratic", value, "quadratic integral", source=source, unit="kg^2 m^4/s^2"),)
 
 
-_DEFAULTS = {
-    "m": 1.0,
-    "I_1": 1.0,
-    "I_2": 1.5,
-    "I_3": 2.1,
-    "R": 1.0,
-    "c_1": -0.1,
-    "c_2": 0.05,
-    "c_3": 0.2,
-}
-_GAMMA = (0.2, -0.3, 0.93)
-_MARBLE = Start(omega=(0.7, 0.4, 1.1), gamma=_GAMMA, until=100.0)
-_RUBBER = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=_GAMMA, until=100.0)
-
-_BALL = "A dynamically asymmetric ball whose centre of mass is not at its geometric centre rolls"
-
 ENTRIES = (
-    Entry(
+    python_entry(
         name="unbalanced-ball",
-        title="Unbalanced ball",
-        summary=f"{_BALL} on a horizontal plane without slipping, in the absence of gravity.",
-        source="§10.1, (10.1)–(10.3)",
-        defaults=_DEFAULTS,
         build=build,
-        start=_MARBLE,
         laws=laws,
     ),
-    Entry(
+    python_entry(
         name="unbalanced-ball-on-sphere",
-        title="Unbalanced ball on a sphere",
-        summary=f"{_BALL} without slipping on a fixed sphere of radius a, outside (a > 0) or "
-        "inside (a < 0, |a| > R).",
-        source="§10.1, after (10.3)",
-        defaults={**_DEFAULTS, "a": 2.0},
         build=build,
-        start=_MARBLE,
         laws=laws,
     ),
-    Entry(
+    python_entry(
         name="unbalanced-rubber-ball",
-        title="Unbalanced ball with rubber contact",
-        summary=f"{_BALL} on a horizontal plane with neither slipping nor spinning, in the absence "
-        "of gravity.",
-        source="§10.2, (10.4), (10.5)",
-        defaults=_DEFAULTS,
         build=partial(build, contact="rubber"),
-        start=_RUBBER,
         laws=laws,
     ),
-    Entry(
+    python_entry(
         name="unbalanced-rubber-ball-on-sphere",
-        title="Unbalanced rubber ball on a sphere",
-        summary=f"{_BALL} with neither slipping nor spinning on a fixed sphere of radius a; the "
-        "energy is the only integral known.",
-        source="§1.4, (1.23); §10.2",
-        defaults={**_DEFAULTS, "a": 2.0},
         build=partial(build, contact="rubber"),
-        start=_RUBBER,
         laws=laws,
     ),
 )

@@ -39,7 +39,8 @@ from flowlanes.system.vectors import (
 
 from ...mechanics.rolling.inertia import check_inertia
 from ..ball_on_sphere.rubber_ball_sphero_conical import cubic, normal, square
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 
 omega, gamma, kappa, M, X = vectors("omega gamma kappa M X")
 J, K, A = Diagonal("J"), Diagonal("K"), Diagonal("A")
@@ -231,23 +232,8 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name=NAME,
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=DEFAULTS,
         build=build,
-        start=Start(
-            state={
-                "omega": (-1.1470586301178922, 0.30620067761157144, -0.13511889077887354),
-                "gamma": (0.19611613513818402, 0.9031746118518996, 0.38185610122745456),
-            },
-            until=100.0,
-        ),
-        variables={
-            "omega": ("angular velocity in body axes", "rad/s"),
-            "gamma": ("vertical in body axes", "1"),
-        },
     ),
 )

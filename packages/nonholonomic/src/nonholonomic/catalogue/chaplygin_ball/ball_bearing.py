@@ -34,14 +34,13 @@ from flowlanes.system.vectors import (
     identity,
     norm_squared,
     real_symbol,
-    to_components,
     vectors,
 )
 
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
 from ..e3 import inertia_parameters
-from . import chaplygin_ball_unreduced
+from ..file_systems import file_system, python_entry
 
 M, omega, alpha, beta, gamma = vectors("M omega alpha beta gamma")
 I = Diagonal("I")
@@ -58,7 +57,6 @@ SUMMARY = (
     "homogeneous balls whose centres are fixed too; it is integrable by the Euler–Jacobi theorem, "
     "but no conformally Hamiltonian form is known."
 )
-DEFAULTS = {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "D_1": 0.8, "D_2": 0.5, "D_3": 0.3}
 
 
 #: (x, Bx) = (x, Ix) + Σ D |x×n|² on n² = 1, with D ≥ 0.
@@ -105,7 +103,7 @@ def laws(p: Numbers) -> tuple[Law, ...]:
         Measure("measure", {Delta: -HALF}, "invariant measure", source=SOURCE),
         Isomorphism(
             "chaplygin_ball",
-            with_any_parameters(chaplygin_ball_unreduced.build({"m": 1.0, "R": 1.0, **moments})),
+            with_any_parameters(file_system("chaplygin-ball-unreduced", moments)),
             {name: name for name in (M, alpha, beta, gamma)},
             constants={m: D_3, R: sp.S.One},
             meaning="a single supporting ball",
@@ -140,8 +138,8 @@ def build(p: Numbers) -> System:
         ),
         definitions={
             B: tensor(),
-            C: to_components(B).adjugate(),
-            Delta: to_components(B).det(method="berkowitz"),
+            C: B.entries.adjugate(),
+            Delta: B.entries.det(method="berkowitz"),
             omega: C * M / Delta,
         },
         field={
@@ -158,27 +156,8 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name="ball-bearing",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=DEFAULTS,
         build=build,
-        start=Start(
-            state={
-                "M": (1.2, -0.7, 1.9),
-                "alpha": (6 / 7, 2 / 7, -3 / 7),
-                "beta": (3 / 7, -6 / 7, 2 / 7),
-                "gamma": (0.0, 0.6, -0.8),
-            },
-            until=60.0,
-        ),
-        variables={
-            "M": ("momentum of the ball and its supports", MOMENTUM),
-            **{
-                name: ("direction of a supporting ball", "1") for name in ("alpha", "beta", "gamma")
-            },
-        },
     ),
 )

@@ -14,7 +14,9 @@ from flowlanes.system.laws import Integral, Law, Measure
 from flowlanes.system.system import System
 from flowlanes.system.vectors import Diagonal, cross, dot, real_symbol, vectors
 
-from ..catalogue_entry import Entry, Numbers
+from ..catalogue_entry import Numbers
+from ..entry_files import entry_file
+from ..file_systems import python_entry
 from ..parameter_conditions import holding
 from ..rotors_and_field import rotors_and_field
 from . import ball_bearing
@@ -25,12 +27,7 @@ I = Diagonal("I")
 K, Delta = real_symbol("K"), real_symbol("Delta")
 HALF = sp.Rational(1, 2)
 
-TITLE = "Ball with rotors in a ball bearing, in Bruns' field"
-SUMMARY = (
-    "A dynamically asymmetric ball with rotors turns about its fixed centre in the potential "
-    "U = ½K(γ, Iγ), in contact without slipping with homogeneous balls whose centres are fixed "
-    "too; with K = 0 it is integrable by the Euler–Jacobi theorem."
-)
+FILE = entry_file("ball-bearing-gyrostat-bruns")
 SOURCE = "§12, problems 1 and 2"
 
 
@@ -72,8 +69,8 @@ def build(p: Numbers) -> System:
     return replace(
         ball,
         name="ball-bearing-gyrostat-bruns",
-        title=TITLE,
-        summary=SUMMARY,
+        title=FILE.title,
+        summary=FILE.summary,
         source=SOURCE,
         parameters=(*ball.parameters, *rotors_and_field(p)),
         field={**dict(ball.field), M: torque},
@@ -81,25 +78,15 @@ def build(p: Numbers) -> System:
     )
 
 
-_BEARING = ball_bearing.ENTRIES[0]
-NUMBERS = {**_BEARING.defaults, "k_1": 0.6, "k_2": 0.4, "k_3": -0.8, "K": 3.0}
-
-
 def general() -> System:
     """With the laws of a ball without a field."""
-    return replace(build(NUMBERS), laws=tuple(law for law in laws() if law.on))
+    return replace(build(FILE.parameters), laws=tuple(law for law in laws() if law.on))
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name="ball-bearing-gyrostat-bruns",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=NUMBERS,
         build=build,
-        start=_BEARING.start,
-        variables=_BEARING.variables,
         general=general,
     ),
 )

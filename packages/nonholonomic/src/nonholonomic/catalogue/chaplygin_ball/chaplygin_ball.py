@@ -27,8 +27,9 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
-from ..catalogue_entry import Entry, Numbers, Start, bruns_factor, laws_for
+from ..catalogue_entry import Numbers, bruns_factor, laws_for
 from ..e3 import lie_poisson
+from ..file_systems import python_entry
 from .chaplygin_ball_clebsch import onto_clebsch, onto_fedorov
 from .chaplygin_bracket import DET_IQ, D, hamiltonian_form
 
@@ -158,42 +159,23 @@ def unspecified_with_rotors() -> System:
 
 NUMBERS = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0}
 GYROSTAT = {**NUMBERS, "k_1": 0.3, "k_2": -0.2, "k_3": 0.5}
-START = Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0)
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name="chaplygin-ball",
-        title="Chaplygin ball",
-        summary="A balanced, dynamically asymmetric ball rolls on a horizontal plane without "
-        "slipping; it may spin about the vertical.",
-        source="§7.1, (7.1)–(7.4)",
-        defaults=NUMBERS,
         build=build,
-        start=START,
         laws=laws,
         general=general_system,
     ),
-    Entry(
+    python_entry(
         name="chaplygin-ball-gyrostat",
-        title="Chaplygin ball with rotors",
-        summary="A balanced, dynamically asymmetric ball with a constant gyrostatic momentum rolls "
-        "on a horizontal plane without slipping.",
-        source="§7.4",
-        defaults=GYROSTAT,
         build=with_rotors,
-        start=START,
         laws=laws,
         general=unspecified_with_rotors,
     ),
-    Entry(
+    python_entry(
         name="chaplygin-ball-bruns",
-        title="Chaplygin ball in Bruns' field",
-        summary="A balanced, dynamically asymmetric ball rolls without slipping on a horizontal "
-        "plane in the potential U = ½K(γ, Iγ).",
-        source="§7.1, Remark 20",
-        defaults={**NUMBERS, "K": 0.7},
         build=in_bruns_field,
-        start=START,
         laws=laws,
     ),
 )

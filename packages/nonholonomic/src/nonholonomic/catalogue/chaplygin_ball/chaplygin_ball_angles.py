@@ -13,6 +13,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import ConformallyHamiltonian, Identity, Integral, PoissonStructure
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import Guard, Observable, Parameter, System
 from flowlanes.system.vectors import (
     Components,
@@ -25,7 +26,8 @@ from flowlanes.system.vectors import (
     zero,
 )
 
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 from .chaplygin_bracket import (
     DET_IQ,
     DET_J,
@@ -155,7 +157,7 @@ def gyroscopic(rotors: MatrixExpr) -> sp.Expr:
 
 def hamiltonian(rotors: MatrixExpr) -> sp.Expr:
     """The energy in θ, φ, p_θ, p_φ, with nothing left to differentiate but these."""
-    place = dict(zip(gamma.symbols, to_components(VERTICAL), strict=True))
+    place = dict(zip(gamma.symbols, scalars(VERTICAL), strict=True))
     momentum = to_components(MOMENTUM).subs(N, 1 / sp.sqrt(to_components(DET_IQ_ANGLES)))
     motion = dict(zip(L.symbols, momentum, strict=True))
     value: sp.Expr = to_components(energy(rotors)).xreplace(place | motion)
@@ -303,36 +305,14 @@ def general_with_rotors() -> System:
     return ball_in_angles(k).with_laws(reduction(k))
 
 
-NUMBERS = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0}
-
 ENTRIES = (
-    Entry(
+    python_entry(
         name="chaplygin-ball-angles",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=NUMBERS,
         build=build,
-        start=Start(
-            state={
-                "theta": 1.1,
-                "phi": 0.4,
-                "M": (0.9, 0.4, 1.1),
-            },
-            until=20.0,
-        ),
         general=general_with_rotors,
     ),
-    Entry(
+    python_entry(
         name="chaplygin-ball-reduced",
-        title=REDUCED_TITLE,
-        summary=REDUCED_SUMMARY,
-        source="§7.3, (7.12)–(7.14), Theorem 9",
-        defaults={**NUMBERS, "c": 0.8},
         build=build_reduced,
-        start=Start(
-            state={"theta": 1.1, "phi": 0.4, "p_theta": 0.1, "p_phi": 0.2},
-            until=10.0,
-        ),
     ),
 )

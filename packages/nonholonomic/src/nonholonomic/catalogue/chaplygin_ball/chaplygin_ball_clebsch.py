@@ -24,8 +24,9 @@ from flowlanes.system.vectors import (
 )
 
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
 from ..e3 import Gamma, M as CLEBSCH_MOMENTUM, inertia_parameters
+from ..file_systems import file_system
 from ..fixed_point import clebsch, neumann
 from ..fixed_point.neumann import c
 from .chaplygin_bracket import DET_IQ, DET_J, A, D, J, gamma
@@ -111,7 +112,7 @@ def onto_clebsch() -> Isomorphism:
     printed = [p / b for p, b in zip(place, WIDTHS, strict=True)]
     law = Isomorphism(
         "clebsch_case",
-        with_any_parameters(clebsch.build(clebsch.ENTRIES[0].defaults)),
+        with_any_parameters(file_system("clebsch", {})),
         {CLEBSCH_MOMENTUM: momentum, Gamma: constant(place)},
         density * DET_J / D * sp.Mul(*ROOTS),
         constants={
@@ -170,18 +171,3 @@ def _printed_by(right: System) -> System:
 
 
 NUMBERS = {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "beta": 0.6}
-
-ENTRIES = (
-    Entry(
-        name="chaplygin-ball-fedorov",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=NUMBERS,
-        build=fedorov,
-        start=Start(
-            state={"K": (0.9, -0.2, 0.3), "gamma": (2 / 7, -3 / 7, 6 / 7)},
-            until=60.0,
-        ),
-    ),
-)

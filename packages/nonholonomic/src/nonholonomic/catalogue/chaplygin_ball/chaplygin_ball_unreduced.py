@@ -9,8 +9,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vector_operators import gradient
 from flowlanes.system.vectors import cross, dot, norm_squared, vectors, zero
 
-from ..catalogue_entry import Entry, Numbers, Start
-from .chaplygin_bracket import DET_IQ, PARAMETERS, TENSORS, A, D, with_numbers
+from .chaplygin_bracket import DET_IQ, PARAMETERS, TENSORS, A, D
 
 M, alpha, beta, gamma, omega = vectors("M alpha beta gamma omega")
 
@@ -67,33 +66,6 @@ def orientation(potential: sp.Expr) -> System:
     )
 
 
-def build(p: Numbers) -> System:
-    """The ball without a field."""
-    return with_numbers(orientation(sp.S.Zero), p)
-
-
 def general_system() -> System:
     """The ball in an arbitrary potential U(γ)."""
     return orientation(sp.Function("U")(*gamma.symbols))
-
-
-ENTRIES = (
-    Entry(
-        name="chaplygin-ball-unreduced",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults={"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0},
-        build=build,
-        start=Start(
-            state={
-                "M": (0.9, 0.4, 1.1),
-                "alpha": (6 / 7, 2 / 7, -3 / 7),
-                "beta": (3 / 7, -6 / 7, 2 / 7),
-                "gamma": (-2 / 7, -3 / 7, -6 / 7),
-            },
-            until=20.0,
-        ),
-        general=general_system,
-    ),
-)

@@ -32,7 +32,7 @@ from flowlanes.system.vectors import (
 
 from ...mechanics.rolling.body import check_mass
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
 from ..e3 import lie_poisson
 
 L, gamma, k, u = vectors("L gamma k u")
@@ -169,23 +169,6 @@ def with_numbers(system: System, p: Numbers) -> System:
     )
 
 
-def _without_field(rotors: MatrixExpr, p: Numbers) -> System:
-    square = norm_squared(L) * DET_IQ
-    return with_numbers(hamiltonian_form(sp.S.Zero, rotors), p).with_laws(
-        Integral("momentum", square, "square of the momentum", source="(7.4)", unit="kg^2 m^4/s^2")
-    )
-
-
-def build(p: Numbers) -> System:
-    """The ball without a potential."""
-    return _without_field(zero, p)
-
-
-def build_with_rotors(p: Numbers) -> System:
-    """The ball with rotors, without a potential."""
-    return _without_field(k, p)
-
-
 def general_system() -> System:
     """The ball in an arbitrary potential U(γ)."""
     return hamiltonian_form(sp.Function("U")(*gamma.symbols))
@@ -194,33 +177,3 @@ def general_system() -> System:
 def unspecified_with_rotors() -> System:
     """The ball with rotors in an arbitrary potential U(γ)."""
     return hamiltonian_form(sp.Function("U")(*gamma.symbols), k)
-
-
-NUMBERS = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0}
-START = Start(
-    state={"L": (0.35, 0.31, 0.77), "gamma": (2 / 7, -3 / 7, 6 / 7)},
-    until=20.0,
-)
-
-ENTRIES = (
-    Entry(
-        name="chaplygin-bracket",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=NUMBERS,
-        build=build,
-        start=START,
-        general=general_system,
-    ),
-    Entry(
-        name="chaplygin-bracket-gyrostat",
-        title=ROTORS_TITLE,
-        summary=ROTORS_SUMMARY,
-        source="§7.4",
-        defaults={**NUMBERS, "k_1": 0.3, "k_2": -0.2, "k_3": 0.5},
-        build=build_with_rotors,
-        start=START,
-        general=unspecified_with_rotors,
-    ),
-)

@@ -32,8 +32,7 @@ from ...mechanics.rolling.attitude import (
 )
 from ...mechanics.rolling.body import check_mass
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
-from ..vector_rates import rate
+from ..catalogue_entry import Numbers
 
 omega, gamma, e, X, p, q = vectors("omega gamma e X p q")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
@@ -125,55 +124,6 @@ def _volume() -> Measure:
     )
 
 
-def _swerving() -> tuple[Law, ...]:
-    """Without forces Jω̇ − mR²σγ is (Ie, ω) e×ω up to a multiple of e."""
-    swerve = dot(I * e, omega)
-    turned = J * rate(omega) - D * sigma * gamma - (swerve / norm_squared(e)) * cross(e, omega)
-    return (
-        Identity("swerve", cross(e, turned), "equations without the multiplier", source=SOURCE),
-        Measure(
-            "singular",
-            {swerve: -1},
-            "measure that is singular at the permanent rotations",
-            source=SOURCE,
-        ),
-    )
-
-
-def _uniform() -> tuple[Law, ...]:
-    """A free ball whose axis e is a principal axis of inertia turns uniformly."""
-    omega_1, omega_2, _ = omega.symbols
-    parameters = {
-        "omega_1": (omega_1, "body axis 1"),
-        "omega_2": (omega_2, "body axis 2"),
-        "spin": (s, "the vertical"),
-    }
-    return tuple(
-        Integral(
-            name,
-            value,
-            f"angular velocity about {where}, when the axis is the principal axis 3",
-            on=PRINCIPAL,
-            source=SOURCE,
-            unit="rad/s",
-        )
-        for name, (value, where) in parameters.items()
-    )
-
-
-def build(numbers: Numbers) -> System:
-    """Without forces.
-
-    Which laws are claimed depends on whether the axis is a principal axis of inertia.
-    """
-    system = suslov_ball(numbers).with_laws(*_always())
-    axis = [numbers[f"e_{i}"] for i in (1, 2, 3)]
-    if axis == [0, 0, 1]:
-        return system.with_laws(_volume(), *_uniform())
-    moments = {numbers[f"I_{i}"] for i, x in enumerate(axis, 1) if x != 0}
-    return system if len(moments) == 1 else system.with_laws(*_swerving())
-
-
 def general() -> System:
     """In any potential U(γ), with any axis."""
     return suslov_ball(_DEFAULTS, POTENTIAL).with_laws(*_always(POTENTIAL), _volume())
@@ -189,26 +139,3 @@ _DEFAULTS = {
     "e_2": 0.6,
     "e_3": 0.64,
 }
-
-ENTRIES = (
-    Entry(
-        name=NAME,
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=_DEFAULTS,
-        build=build,
-        start=Start(omega=(0.9, -0.5, -0.20625), gamma=(0.2, -0.3, 0.93), until=60.0),
-        general=general,
-        letters={
-            "gamma": "outward normal of the plane at the contact",
-            "I": "inertia tensor about the centre",
-            "J": "I with m R² added to each moment",
-            "e": "axis about which the ball must not turn",
-            "p": "angular acceleration by a unit torque about e",
-            "q": "the same by one about γ",
-            "s": "spin, the component of ω along γ",
-            "sigma": "rate of the spin",
-        },
-    ),
-)

@@ -11,11 +11,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from flowlanes.system.laws import Integral, Law, Symmetry
+from flowlanes.system.laws import Integral, Law
 from flowlanes.system.system import Observable, Parameter, System
 
 from ...mechanics.reduction.reduced_system import N, theorem_6
-from ..catalogue_entry import Entry, Numbers, Start
 
 q_1, q_2, P_1, P_2, S = sp.symbols("q_1 q_2 P_1 P_2 S", real=True)
 STATE = (q_1, q_2, P_1, P_2)
@@ -101,57 +100,3 @@ def general() -> System:
         source=SOURCE,
         summary=SUMMARY,
     )
-
-
-m, c, kappa, b = sp.symbols("m c kappa b", real=True)
-
-
-def build(p: Numbers) -> System:
-    """L = ½m q̇² − ½c q², S = mκ(q₂q̇₁ − q₁q̇₂) + b."""
-    square = q_1**2 + q_2**2
-    H = (P_1**2 + P_2**2) / (2 * m) + c * square / 2
-    return form(
-        "generalised-chaplygin",
-        TITLE,
-        H,
-        kappa * (q_2 * P_1 - q_1 * P_2) + b,
-        (
-            Parameter(m, "mass", p["m"], "kg", (m > 0,)),
-            Parameter(c, "stiffness of the potential", p["c"], "N/m", (c > 0,)),
-            Parameter(kappa, "gyroscopic force by velocity and place", p["kappa"], "1/m^2"),
-            Parameter(b, "gyroscopic force by velocity", p["b"], "kg/s"),
-        ),
-        multiplier=sp.exp(-kappa * square / 2),
-        laws=(
-            Integral(
-                "turning",
-                N * (kappa * (q_1 * P_2 - q_2 * P_1) - b),
-                "momentum of the rotations about the origin",
-                source=SOURCE,
-                unit="kg/s",
-            ),
-            Symmetry(
-                "rotation",
-                {q_1: -q_2, q_2: q_1, P_1: -P_2, P_2: P_1},
-                "rotation about the origin",
-                source=SOURCE,
-            ),
-        ),
-        source=SOURCE,
-        summary=SUMMARY,
-        unit="J",
-    )
-
-
-ENTRIES = (
-    Entry(
-        name="generalised-chaplygin",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults={"m": 1.0, "c": 1.0, "kappa": 0.3, "b": 0.5},
-        build=build,
-        start=Start(state={"q_1": 1.0, "q_2": 0.0, "P_1": 0.2, "P_2": 0.7}, until=60.0),
-        general=general,
-    ),
-)

@@ -10,15 +10,14 @@ from __future__ import annotations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import Identity, Integral, Law
 from flowlanes.system.system import Observable, Parameter, System
 from flowlanes.system.vector_operators import unit_vector
-from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
+from flowlanes.system.vectors import constant, cross, dot, real_symbol, vectors
 
 from ...mechanics.rolling.body import check_mass
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
 from ..vector_rates import rate
 
 R, omega, v, r, N, F = vectors("R omega v r N F")
@@ -34,7 +33,6 @@ SOURCE = "§2.2, (2.5), (2.6)"
 
 #: A force that may depend on place and angular velocity, and thereby on the velocity.
 FORCE = constant([sp.Function(f"F_{i}")(*R.symbols, *omega.symbols) for i in (1, 2, 3)])
-SPRING = constant([-kappa * R.symbols[0], -kappa * R.symbols[1], 0])
 
 
 def ball(numbers: Numbers, force: MatrixExpr, *further: Parameter) -> System:
@@ -94,65 +92,9 @@ def laws() -> tuple[Law, ...]:
     )
 
 
-def _particle(stiffness: Parameter) -> System:
-    """A particle on a spring in a plane, beside a height and a spin that never change."""
-    (x_1, x_2, x_3), (v_1, v_2, _), spin = R.symbols, v.symbols, omega.symbols[2]
-    return System(
-        name="particle-on-a-spring",
-        title="Particle on a spring in a plane",
-        field={
-            x_1: v_1,
-            x_2: v_2,
-            x_3: sp.S.Zero,
-            v_1: -kappa * x_1 / mtilde,
-            v_2: -kappa * x_2 / mtilde,
-            spin: sp.S.Zero,
-        },
-        parameters=(Parameter(mtilde, "mass", 1.4, "kg", (mtilde > 0,)), stiffness),
-        source="Proposition 2",
-    )
-
-
-def build(numbers: Numbers) -> System:
-    """The ball on a spring."""
-    stiffness = Parameter(kappa, "stiffness of the spring", numbers["kappa"], "N/m", (kappa > 0,))
-    half, (x_1, x_2, _), (v_1, v_2, _) = sp.Rational(1, 2), R.symbols, v.symbols
-    kinetic = half * m * norm_squared(v) + half * mu * norm_squared(omega)
-    return ball(numbers, SPRING, stiffness).with_laws(
-        Integral(
-            "energy", kinetic + half * kappa * (x_1**2 + x_2**2), "energy", source="(2.6)", unit="J"
-        ),
-        Integral(
-            "area", x_1 * v_2 - x_2 * v_1, "areal velocity", source="Proposition 2", unit="m^2/s"
-        ),
-        *laws(),
-        Isomorphism(
-            "particle_in_plane",
-            _particle(stiffness),
-            {s: s for s in (*R.symbols, v_1, v_2, omega.symbols[2])},
-            constants={mtilde: m + mu / b**2},
-            meaning="the centre is a particle of mass m + μ/b² in a plane",
-            source="Proposition 2",
-        ),
-    )
-
-
 def general() -> System:
     """Under any force at the centre."""
     return ball(_DEFAULTS, FORCE).with_laws(*laws())
 
 
 _DEFAULTS = {"m": 1.0, "mu": 0.4, "b": 1.0, "kappa": 1.0}
-
-ENTRIES = (
-    Entry(
-        name=NAME,
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=_DEFAULTS,
-        build=build,
-        start=Start(state={"R": (1.0, 0.0, 1.0), "omega": (-0.6, 0.2, 0.5)}, until=60.0),
-        general=general,
-    ),
-)

@@ -14,7 +14,8 @@ from flowlanes.system.vectors import Diagonal, cross, dot, norm_squared, vectors
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
-from ..catalogue_entry import Entry, Numbers, Start, bruns_factor, laws_for
+from ..catalogue_entry import Numbers, bruns_factor, laws_for
+from ..file_systems import file_system, python_entry
 from ..fixed_point import veselova
 from . import chaplygin_ball
 
@@ -44,9 +45,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
         meaning = "square of the horizontal momentum"
         known = (Integral("momentum", value, meaning, source="(6.4)", unit=MOMENTUM_UNIT), *known)
         return (
-            (*known, _onto(veselova.build(veselova.NUMBERS)))
-            if body.principal and total == M
-            else known
+            (*known, _onto(file_system("veselova", {}))) if body.principal and total == M else known
         )
     if body.principal and total == M and (factor := bruns_factor(potential)) is not None:
         value = value - factor * sp.Mul(*J.symbols) * dot(gamma, A * gamma)
@@ -86,15 +85,9 @@ def general_system() -> System:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name="rubber-chaplygin-ball",
-        title="Chaplygin ball with rubber contact",
-        summary="A balanced, dynamically asymmetric ball rolls on a horizontal plane with neither "
-        "slipping nor spinning; its equations are those of the Veselova system with J = I + mR².",
-        source=SOURCE,
-        defaults=chaplygin_ball.NUMBERS,
         build=build,
-        start=Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
         general=general_system,
     ),

@@ -11,7 +11,8 @@ from flowlanes.system.system import System
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
-from ..catalogue_entry import Entry, Numbers, bruns_factor, laws_for
+from ..catalogue_entry import Numbers, bruns_factor, laws_for
+from ..file_systems import file_system, python_entry
 from ..fixed_point import veselova
 from . import chaplygin_ball, rubber_chaplygin_ball
 
@@ -28,27 +29,16 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     known = rubber_chaplygin_ball.laws(rolling, system)
     if not known or bruns_factor(rolling.field.potential) != veselova.K:
         return known
-    target = veselova.in_bruns_field({**veselova.NUMBERS, "K": 2.0})
+    target = file_system("veselova-bruns", {})
     general = rubber_chaplygin_ball.general_system()
-    forms = (law for law in general.laws if isinstance(law, Isomorphism))
+    forms = general.laws_of(Isomorphism)
     return (*known, *(replace(law, target=target) for law in forms))
 
 
-_FREE = rubber_chaplygin_ball.ENTRIES[0]
-
 ENTRIES = (
-    Entry(
+    python_entry(
         name="rubber-chaplygin-ball-bruns",
-        title="Chaplygin ball with rubber contact in Bruns' field",
-        summary=(
-            "A balanced, dynamically asymmetric ball rolls on a horizontal plane with neither "
-            "slipping nor spinning in the potential U = ½K(γ, Iγ); its equations are those of the "
-            "Veselova system in that potential."
-        ),
-        source="§2.4, Remark 15",
-        defaults={**_FREE.defaults, "K": 0.7},
         build=build,
-        start=_FREE.start,
         laws=laws,
     ),
 )

@@ -26,8 +26,9 @@ from flowlanes.system.vectors import Components, Diagonal, cross, dot, real_symb
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from ...mechanics.rolling.body import check_mass
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
 from ..e3 import inertia_parameters
+from ..file_systems import python_entry
 
 omega, alpha, beta, gamma, M, X, q = vectors("omega alpha beta gamma M X q")
 I, A = Diagonal("I"), Diagonal("A")
@@ -46,7 +47,6 @@ SUMMARY = (
     "but no conformally Hamiltonian form is known."
 )
 SOURCE = "§12, problem 2"
-DEFAULTS = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0}
 
 
 SHIFT = Symmetry("shift", {x: sp.S.One}, "shift along the line", source=SOURCE)
@@ -151,8 +151,8 @@ def build(p: Numbers) -> System:
 def _identities(p: Numbers) -> tuple[System, System]:
     """The measure in the momenta, and that these are the same motion."""
     ball, other = build(p), momenta(p)
-    same = tuple(law for law in ball.laws if isinstance(law, Isomorphism))
-    measures = tuple(law for law in other.laws if isinstance(law, Measure))
+    same = ball.laws_of(Isomorphism)
+    measures = other.laws_of(Measure)
     return replace(ball, laws=same, theorems=()), replace(other, laws=measures)
 
 
@@ -196,39 +196,12 @@ def momenta(p: Numbers) -> System:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name="straight-line-ball",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=DEFAULTS,
         build=build,
-        start=Start(
-            state={"omega": (0.0, 1.0, 0.4), "attitude": (1.0, 0.0, 0.0, 0.0), "x": 0.0},
-            until=60.0,
-        ),
-        variables={
-            "omega": ("angular velocity", "rad/s"),
-            "x": ("distance along the line", "m"),
-        },
     ),
-    Entry(
+    python_entry(
         name="straight-line-ball-momenta",
-        title="Chaplygin ball along a straight line, by its momenta",
-        summary=(
-            "The Chaplygin ball along a straight line in the variables of its two constant momenta "
-            "and the attitude; the density of the invariant measure is a Jacobian determinant."
-        ),
-        source=SOURCE,
-        defaults=DEFAULTS,
         build=momenta,
-        start=Start(
-            state={"P": 2.5, "S": 0.84, "attitude": (1.0, 0.0, 0.0, 0.0), "x": 0.0}, until=60.0
-        ),
-        variables={
-            "P": ("momentum about the horizontal normal of the line", MOMENTUM),
-            "S": ("vertical momentum", MOMENTUM),
-            "x": ("distance along the line", "m"),
-        },
     ),
 )

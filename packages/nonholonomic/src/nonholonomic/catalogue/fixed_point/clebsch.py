@@ -9,7 +9,7 @@ from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import dot, norm_squared, real_symbol
 
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
 from ..e3 import Gamma, I, M, e3_system, inertia_parameters
 from .neumann import SECOND, STRENGTH, c
 
@@ -50,19 +50,3 @@ def build(p: Numbers) -> System:
         summary=SUMMARY,
         unit="",
     )
-
-
-ENTRIES = (
-    Entry(
-        name="clebsch",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults={"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "c": 0.8, "alpha": 1.0, "beta": 0.7},
-        build=build,
-        start=Start(
-            state={"M": (0.9, -0.2, 0.3), "Gamma": (2 / 7, -3 / 7, 6 / 7)},
-            until=60.0,
-        ),
-    ),
-)

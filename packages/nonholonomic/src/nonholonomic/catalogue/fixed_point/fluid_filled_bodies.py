@@ -32,7 +32,6 @@ from flowlanes.system.vectors import (
     dot,
     norm_squared,
     real_symbol,
-    to_components,
     vectors,
     zero,
 )
@@ -152,7 +151,7 @@ def _inertia(system: System, cavities: Sequence[Cavity]) -> sp.Matrix:
 
 def _moments(I: Diagonal | Symmetric, tensor: sp.Matrix) -> list[Parameter]:
     """The entries of I, with their numbers."""
-    diagonal = tuple(to_components(I).diagonal())
+    diagonal = tuple(I.entries.diagonal())
     entries = I.independent(np.array(tensor.tolist(), dtype=float))
     return [
         Parameter(
@@ -186,7 +185,7 @@ def _of_constraint(
                 source=SOURCE,
             ),
         ]
-    products = (to_components(I)[0, 2], to_components(I)[1, 2])
+    products = (I.entries[0, 2], I.entries[1, 2])
     return [
         Measure(
             "volume",

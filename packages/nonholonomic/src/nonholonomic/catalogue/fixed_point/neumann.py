@@ -10,7 +10,7 @@ from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import dot, norm_squared, real_symbol
 
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
 from ..e3 import Gamma, H, I, M, e3_system, inertia_parameters
 
 c = real_symbol("c")
@@ -89,19 +89,3 @@ def separation() -> Separation:
         "separated equations in sphero-conical coordinates",
         source="Remark 16",
     )
-
-
-ENTRIES = (
-    Entry(
-        name="neumann",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults={"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "c": 0.8},
-        build=build,
-        start=Start(
-            state={"M": (0.9, -0.2, -0.4), "Gamma": (2 / 7, -3 / 7, 6 / 7)},
-            until=60.0,
-        ),
-    ),
-)

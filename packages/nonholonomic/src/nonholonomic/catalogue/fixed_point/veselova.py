@@ -39,7 +39,7 @@ from ...mechanics.rolling.attitude import (
 )
 from ...mechanics.rolling.inertia import check_inertia
 from .. import e3
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
 from . import neumann
 from .neumann import cubic, sphero_conical_coordinates, u, v
 from .veselova_geodesic import in_potential
@@ -56,8 +56,6 @@ DET_I = I_1 * I_2 * I_3
 KINETIC = HALF * dot(I * omega, omega)
 #: ρ_ω of (6.3).
 DENSITY = sp.sqrt(dot(gamma, I**-1 * gamma))
-#: Bruns' field U = ½K(γ, Iγ); the paper has K = 2.
-BRUNS = to_components(HALF * K * dot(gamma, I * gamma))
 ANY = sp.Function("U")(*gamma.symbols)
 FREE = sp.S.Zero
 
@@ -259,29 +257,6 @@ SUMMARY = (
 )
 
 
-def build(p: Numbers) -> System:
-    """Without a field."""
-    numbers = moments(p)
-    return turning(
-        "veselova",
-        TITLE,
-        SUMMARY,
-        SOURCE,
-        e3.inertia_parameters(numbers),
-        FREE,
-        (dot(omega, gamma),),
-        (
-            energy(FREE),
-            momentum(),
-            measure(),
-            *conformally_hamiltonian(FREE),
-            onto_e3(FREE, numbers),
-            onto_neumann(p),
-            separation(),
-        ),
-    )
-
-
 def general() -> System:
     """In an unspecified potential."""
     numbers = moments(NUMBERS)
@@ -302,57 +277,4 @@ def general() -> System:
     )
 
 
-BRUNS_TITLE = "Veselova system in Bruns' field"
-BRUNS_SUMMARY = (
-    "The Veselova system in the potential U = ½K(γ, Iγ), in which it keeps a second quadratic "
-    "integral."
-)
-
-
-def in_bruns_field(p: Numbers) -> System:
-    """In the potential U = ½K(γ, Iγ)."""
-    numbers = moments(p)
-    return turning(
-        "veselova-bruns",
-        BRUNS_TITLE,
-        BRUNS_SUMMARY,
-        "§6.1, Remark 15",
-        (
-            *e3.inertia_parameters(numbers),
-            Parameter(K, "strength of the Bruns field", p["K"], "1/s^2"),
-        ),
-        BRUNS,
-        (dot(omega, gamma),),
-        (
-            energy(BRUNS),
-            momentum_in_bruns_field(),
-            measure(),
-            *conformally_hamiltonian(BRUNS),
-        ),
-    )
-
-
 NUMBERS = {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1}
-START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0)
-
-ENTRIES = (
-    Entry(
-        name="veselova",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=NUMBERS,
-        build=build,
-        start=START,
-        general=general,
-    ),
-    Entry(
-        name="veselova-bruns",
-        title=BRUNS_TITLE,
-        summary=BRUNS_SUMMARY,
-        source="§6.1, Remark 15",
-        defaults={**NUMBERS, "K": 2.0},
-        build=in_bruns_field,
-        start=START,
-    ),
-)

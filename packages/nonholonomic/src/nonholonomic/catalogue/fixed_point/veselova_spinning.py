@@ -9,7 +9,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import dot
 
 from .. import e3
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
 from .veselova import (
     ANY,
     FREE,
@@ -77,17 +77,3 @@ def _spinning(
         (),
         (spin(), energy_of_spinning(potential), *further, measure()),
     )
-
-
-ENTRIES = (
-    Entry(
-        name="veselova-spinning",
-        title=SPINNING_TITLE,
-        summary=SPINNING_SUMMARY,
-        source="§6.1, Remark 18",
-        defaults=NUMBERS,
-        build=spinning,
-        start=Start(omega=(0.9, -0.5, 0.8), gamma=(0.2, -0.3, 0.93), until=60.0),
-        general=spinning_general,
-    ),
-)

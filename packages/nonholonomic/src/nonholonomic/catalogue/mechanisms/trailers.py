@@ -22,7 +22,8 @@ from flowlanes.system.vectors import real_symbol
 from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 from ..positive_numbers import positive
 
 x, y, theta, u, v, m, J = (real_symbol(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))
@@ -139,27 +140,4 @@ def trailers(p: Numbers) -> System:
     return equations(train(2, p))
 
 
-ENTRIES = (
-    Entry(
-        name="trailers",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
-        defaults=_defaults(2),
-        build=trailers,
-        plan=drawing_of_trailers(2),
-        start=Start(
-            state={"phi_1": 0.3, "phi_2": -0.2, "u": 1.0, "Omega": 0.6},
-            until=20.0,
-        ),
-        variables={
-            "phi_1": ("angle at the hitch of trailer 1", "rad"),
-            "phi_2": ("angle at the hitch of trailer 2", "rad"),
-            "u": ("velocity of the car along itself", "m/s"),
-            "Omega": ("angular velocity of the car", "rad/s"),
-            "x": ("place of the car's axle", "m"),
-            "y": ("place of the car's axle", "m"),
-            "theta": ("heading of the car", "rad"),
-        },
-    ),
-)
+ENTRIES = (python_entry(name="trailers", build=trailers, plan=drawing_of_trailers(2)),)

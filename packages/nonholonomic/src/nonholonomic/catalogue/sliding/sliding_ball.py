@@ -7,7 +7,8 @@ from dataclasses import replace
 from flowlanes.system.system import System
 
 from ...contact.invariants import sliding_ball as ball
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 from ..positive_numbers import positive
 
 TITLE = "Homogeneous ball that slides"
@@ -46,26 +47,9 @@ def under_any_friction() -> System:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name="sliding-ball",
-        title=TITLE,
-        summary=SUMMARY,
-        source=ball.SOURCE,
-        defaults={"m": 1.0, "I": 0.4, "R": 1.0, "g": 9.81, "mu": 0.005},
         build=build,
-        start=Start(
-            state={
-                "place": (0.0, 0.0, 0.0),
-                "V": (24.0, 0.0, 0.0),
-                "omega": (5.0, 3.0, 2.0),
-            },
-            until=60.0,
-        ),
         general=under_any_friction,
-        variables={
-            "place": ("centre, space axes", "m"),
-            "V": ("velocity of the centre, space axes", "m/s"),
-            "omega": ("angular velocity, space axes", "rad/s"),
-        },
     ),
 )

@@ -10,7 +10,8 @@ from ...contact.invariants import sliding_top as top
 from ...contact.invariants.free_contact import free_contact, jellett
 from ...mechanics.rolling.body import Body, check_mass
 from ...mechanics.shapes.shapes import Ball
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 from ..positive_numbers import positive
 
 TITLE = "Tippe top that slides"
@@ -66,26 +67,9 @@ def under_any_force() -> System:
 
 
 ENTRIES = (
-    Entry(
+    python_entry(
         name="sliding-top",
-        title=TITLE,
-        summary=SUMMARY,
-        source=top.SOURCE,
-        defaults=DEFAULTS,
         build=build,
-        start=Start(
-            state={
-                "v": (0.0, 0.0, 0.0),
-                "omega": (0.0, 0.0, 180.0),
-                "gamma": (0.09983341664682815, 0.0, 0.9950041652780258),
-            },
-            until=3.0,
-        ),
         general=under_any_force,
-        variables={
-            "v": ("velocity of the centre of mass, body axes", "m/s"),
-            "omega": ("angular velocity, body axes", "rad/s"),
-            "gamma": ("vertical, body axes", "1"),
-        },
     ),
 )

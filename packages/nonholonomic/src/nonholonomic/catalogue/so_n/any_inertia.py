@@ -47,7 +47,7 @@ import sympy as sp
 from flowlanes.system.laws import Identity, Rate
 from flowlanes.system.matrices import Column, Skew, SymmetricMatrix, wedge
 from flowlanes.system.system import Parameter, System
-from flowlanes.system.vectors import Components, dot, norm_squared, real_symbol, to_components
+from flowlanes.system.vectors import Components, dot, norm_squared, real_symbol
 
 from .entry_of_dimension import SOURCE, D, R, m
 from .inertia import pairs
@@ -109,7 +109,7 @@ def chaplygin_ball(n: int, exponent: sp.Rational = -HALF) -> System:
     places = pairs(n)
     k, omega, gamma = Skew("k", n), Skew("omega", n), Column("gamma", n)
     S = named_operator("S", len(places))
-    K, W = (sp.Matrix(to_components(name)) for name in (k, omega))
+    K, W = (sp.Matrix(name.entries) for name in (k, omega))
     residual = _of_the_normal(omega, gamma, S, exponent)
     # ∂/∂k of [k, ω], with ∂ω/∂k = S
     for row, place in enumerate(places):
@@ -149,7 +149,7 @@ def chaplygin_ball_on_level(n: int, exponent: sp.Rational = -HALF) -> System:
     """
     p, omega, gamma = Column("p", n), Skew("omega", n), Column("gamma", n)
     S = named_operator("S", len(pairs(n)))
-    x, y = (sp.Matrix(to_components(name)) for name in (p, gamma))
+    x, y = (sp.Matrix(name.entries) for name in (p, gamma))
     residual = _of_the_normal(omega, gamma, S, exponent)
     # ∂/∂p of −ωp and ∂/∂γ of −ωγ, as far as ω = S(p∧γ) moves with k
     for a in range(n):
@@ -190,7 +190,7 @@ def _measure_of_ball(
 def _of_the_normal(omega: Skew, gamma: Column, S: sp.Matrix, exponent: sp.Rational) -> sp.Expr:
     """The terms that ∂ω/∂γ at fixed k and the rate of (det ∂k/∂ω)^exponent add for a ball."""
     n = int(gamma.shape[0])
-    W, y = (sp.Matrix(to_components(name)) for name in (omega, gamma))
+    W, y = (sp.Matrix(name.entries) for name in (omega, gamma))
     slopes = []
     for i in range(n):
         around = (y * y.T).diff(y[i])
@@ -242,7 +242,7 @@ def veselova(n: int, exponent: sp.Expr = -HALF, ratio: sp.Expr = sp.S.One) -> Sy
     places = pairs(n)
     u, gamma, S = Column("u", n), Column("gamma", n), SymmetricMatrix("S", n)
     inertia = named_operator("I", len(places))
-    x, y, inverse = (sp.Matrix(to_components(name)) for name in (u, gamma, S))
+    x, y, inverse = (sp.Matrix(name.entries) for name in (u, gamma, S))
     B = operator_of_planes(inertia, y)
     slopes = [B.diff(s) for s in y]
     weight = sp.expand(ratio * exponent)
@@ -288,7 +288,7 @@ def energy_of_ball(n: int) -> System:
         The dimension of space.
     """
     k, omega, gamma = Skew("k", n), Skew("omega", n), Column("gamma", n)
-    K, W, y = (sp.Matrix(to_components(name)) for name in (k, omega, gamma))
+    K, W, y = (sp.Matrix(name.entries) for name in (k, omega, gamma))
     turning = -W * y
     change = turning * y.T + y * turning.T
     terms = zip(above(K * W - W * K), above(W), strict=True)
@@ -318,7 +318,7 @@ def energy_of_veselova(n: int) -> System:
     """
     u, gamma = Column("u", n), Column("gamma", n)
     inertia = named_operator("I", len(pairs(n)))
-    x, y = (sp.Matrix(to_components(name)) for name in (u, gamma))
+    x, y = (sp.Matrix(name.entries) for name in (u, gamma))
     B = operator_of_planes(inertia, y)
     rate = HALF * sp.Add(*(x[i] * (x.T * B.diff(y[i]) * x)[0] for i in range(n)))
     vanishing = (x.T * x)[0] * (x.T * y)[0]

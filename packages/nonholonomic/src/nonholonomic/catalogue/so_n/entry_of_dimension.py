@@ -15,6 +15,7 @@ from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import real_symbol
 
 from ..catalogue_entry import Entry, Numbers, Start, Values
+from ..entry_files import entry_file
 from .inertia import (
     LARGEST,
     SMALLEST,
@@ -43,8 +44,7 @@ class Family(ABC):
 
     Attributes
     ----------
-    name, title, summary : str
-        The title without the number of dimensions.
+    name : str
     rolls : bool
         Whether it is a ball with a mass and a radius.
     tensor_by_default : bool
@@ -52,10 +52,18 @@ class Family(ABC):
     """
 
     name: str
-    title: str
-    summary: str
     rolls: bool = False
     tensor_by_default: bool = False
+
+    @property
+    def title(self) -> str:
+        """The title without the number of dimensions."""
+        return entry_file(self.name).title
+
+    @property
+    def summary(self) -> str:
+        """What moves."""
+        return entry_file(self.name).summary
 
     @property
     def upright(self) -> bool:

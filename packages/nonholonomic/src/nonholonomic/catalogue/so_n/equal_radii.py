@@ -22,7 +22,7 @@ import sympy as sp
 from flowlanes.system.laws import ConformallyHamiltonian, Identity, PoissonStructure
 from flowlanes.system.matrices import Column
 from flowlanes.system.system import Parameter, System
-from flowlanes.system.vectors import Components, dot, norm_squared, real_symbol, to_components
+from flowlanes.system.vectors import Components, dot, norm_squared, real_symbol
 
 from .any_inertia import above, named_operator, operator_of_planes, parameters_of, skew
 from .entry_of_dimension import SOURCE, R
@@ -78,7 +78,7 @@ def identities(n: int) -> tuple[System, System]:
     """
     u, p, gamma = Column("u", n), Column("p", n), gamma_of(n)
     inertia = named_operator("I", len(pairs(n)))
-    x, y = (sp.Matrix(to_components(name)) for name in (u, gamma))
+    x, y = (sp.Matrix(name.entries) for name in (u, gamma))
     k = skew(n, inertia * sp.Matrix(above(x * y.T - y * x.T)))
     momentum = k * y
     B = operator_of_planes(inertia, y)

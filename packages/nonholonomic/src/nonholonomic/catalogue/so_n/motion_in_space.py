@@ -7,7 +7,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.system.matrices import Column, Skew, SquareMatrix
 from flowlanes.system.system import Observable, Reconstruction
-from flowlanes.system.vectors import Components, Vector, to_components
+from flowlanes.system.vectors import Components, Vector
 
 Field = dict[MatrixExpr, MatrixExpr]
 
@@ -56,11 +56,11 @@ def motion_in_space(dimension: int, radius: sp.Expr | None = None) -> Reconstruc
     g, omega, gamma = attitude_of(n), omega_of(n), gamma_of(n)
     turning: Field = {g: g * omega}
     if radius is not None:
-        velocity = to_components(g) * (to_components(omega) * to_components(gamma))
+        velocity = g.entries * (omega.entries * gamma.entries)
         turning[contact_of(n)] = Components(radius * velocity[: n - 1, 0])
-    rows = [to_components(g).row(i) for i in range(n)]
+    rows = [g.entries.row(i) for i in range(n)]
     orthonormal = [
         (rows[i] * rows[j].T)[0] - int(i == j) for i in range(n - 1) for j in range(i, n)
     ]
-    tied = [a - b for a, b in zip(rows[-1], to_components(gamma), strict=True)]
+    tied = [a - b for a, b in zip(rows[-1], gamma.entries, strict=True)]
     return Reconstruction(field=turning, relations=(*orthonormal, *tied), observables=())

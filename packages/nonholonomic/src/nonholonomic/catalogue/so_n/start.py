@@ -9,8 +9,9 @@ import mpmath
 import sympy as sp
 
 from flowlanes.errors import InputError
+from flowlanes.system.named_formulas import flat_pairs
 from flowlanes.system.rotations import Matrix, finite_numbers, rotation_near, upright_matrix
-from flowlanes.system.system import System, flat_pairs
+from flowlanes.system.system import System
 
 from ...mechanics.rolling.initial_state import SLACK, evaluate
 from ..catalogue_entry import Family

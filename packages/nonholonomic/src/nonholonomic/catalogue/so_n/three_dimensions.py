@@ -13,14 +13,12 @@ import sympy as sp
 
 from flowlanes.system.isomorphism import Isomorphism, with_any_parameters
 from flowlanes.system.matrices import Skew
-from flowlanes.system.system import System, flat_pairs
-from flowlanes.system.vectors import Components, Vector, to_components, vectors
+from flowlanes.system.named_formulas import flat_pairs
+from flowlanes.system.system import System
+from flowlanes.system.vectors import Components, Vector, vectors
 
 from ...mechanics.rolling.attitude import rotation
-from ..ball_on_sphere import ball_on_sphere, rubber_ball_on_sphere
-from ..catalogue_entry import Entry
-from ..chaplygin_ball import chaplygin_ball, rubber_chaplygin_ball
-from ..fixed_point import veselova
+from ..file_systems import catalogue_system
 from .entry_of_dimension import SOURCE
 from .inertia import Inertia, Moments
 from .motion_in_space import attitude_of, contact_of, gamma_of, omega_of
@@ -29,12 +27,13 @@ NAME = "three_dimensions"
 SIZE = 3
 MOMENTS = ("I_23", "I_13", "I_12")
 
-TARGETS: Mapping[str, tuple[Entry, ...]] = {
-    "veselova-nd": veselova.ENTRIES,
-    "chaplygin-ball-nd": chaplygin_ball.ENTRIES,
-    "rubber-chaplygin-ball-nd": rubber_chaplygin_ball.ENTRIES,
-    "chaplygin-ball-on-sphere-nd": ball_on_sphere.ENTRIES,
-    "rubber-ball-on-sphere-nd": rubber_ball_on_sphere.ENTRIES,
+#: The systems of three dimensions by the names of those of n dimensions.
+TARGETS: Mapping[str, str] = {
+    "veselova-nd": "veselova",
+    "chaplygin-ball-nd": "chaplygin-ball",
+    "rubber-chaplygin-ball-nd": "rubber-chaplygin-ball",
+    "chaplygin-ball-on-sphere-nd": "ball-on-sphere",
+    "rubber-ball-on-sphere-nd": "rubber-ball-on-sphere",
 }
 
 omega, gamma, M = vectors("omega gamma M")
@@ -67,7 +66,7 @@ def onto_three_dimensions(
     """
     if inertia.dimension != SIZE or not isinstance(inertia, Moments) or name not in TARGETS:
         return ()
-    whole = TARGETS[name][0].system()
+    whole = catalogue_system(TARGETS[name], {})
     # one step is enough: further systems are found at the target
     laws = tuple(law for law in whole.laws if not isinstance(law, Isomorphism))
     target = replace(with_any_parameters(whole), laws=laws)
@@ -105,7 +104,7 @@ def state_in_three_dimensions(system: System) -> dict[sp.Symbol, sp.Expr]:
         back = dict(zip(named.symbols, entries_of(M), strict=True))
     else:
         spin = dict(zip(omega_of(SIZE).symbols, entries_of(omega), strict=True))
-        back = {s: to_components(f).xreplace(spin | known) for s, f in flat_pairs(system.start)}
+        back = {s: f.xreplace(spin | known) for s, f in flat_pairs(system.start)}
     back |= known
     if system.reconstruction is not None:
         back |= dict(zip(attitude_of(SIZE).symbols, rotation(), strict=True))

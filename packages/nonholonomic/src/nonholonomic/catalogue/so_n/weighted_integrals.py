@@ -17,7 +17,7 @@ from flowlanes.parsing.exact_decimals import exact_number
 from flowlanes.system.laws import Identity, Integral
 from flowlanes.system.matrices import Column, Skew
 from flowlanes.system.system import System
-from flowlanes.system.vectors import Components, to_components
+from flowlanes.system.vectors import Components
 
 from .inertia import Moments, pairs
 from .quadratic_pencil import conserved_weights
@@ -66,7 +66,7 @@ def weighted_integrals(inertia: Moments, omega: Skew, k: sp.MatrixBase) -> tuple
     k : sympy matrix (n, n)
         p∧γ.
     """
-    n, spin = inertia.dimension, to_components(omega)
+    n, spin = inertia.dimension, omega.entries
     return tuple(
         Integral(
             f"quadratic{number}",

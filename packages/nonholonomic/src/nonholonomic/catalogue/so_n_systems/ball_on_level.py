@@ -98,13 +98,6 @@ class BallOnLevel(Family):
         )
 
 
-BALL = BallOnLevel(
-    name="chaplygin-ball-on-level-nd",
-    title="Chaplygin ball in n dimensions on the level k = p∧γ",
-    summary="A balanced, dynamically asymmetric ball in n-dimensional space rolls on a hyperplane "
-    "without slipping, and without momentum in planes across γ.",
-    rolls=True,
-    tensor_by_default=True,
-)
+BALL = BallOnLevel(name="chaplygin-ball-on-level-nd", rolls=True, tensor_by_default=True)
 
 ENTRIES = (BALL.entry(),)

@@ -23,10 +23,10 @@ import sympy as sp
 
 from flowlanes.errors import InputError
 from flowlanes.system.isomorphism import Isomorphism
-from flowlanes.system.laws import Integral, Measure
+from flowlanes.system.laws import Integral, Measure, of_kind
 from flowlanes.system.matrices import Column, Skew
 from flowlanes.system.system import Observable, Parameter, Reconstruction, System
-from flowlanes.system.vectors import Components, dot, real_symbol, to_components
+from flowlanes.system.vectors import Components, dot, real_symbol
 
 from ..catalogue_entry import Numbers
 from ..so_n.entry_of_dimension import SOURCE, D, Family, R
@@ -87,8 +87,8 @@ def lift(n: int) -> Reconstruction:
         The dimension of space.
     """
     g = attitude_of(n)
-    point = Components(a * to_components(g) * to_components(gamma_of(n)))
-    rows = [to_components(g).row(i) for i in range(n)]
+    point = Components(a * g.entries * gamma_of(n).entries)
+    rows = [g.entries.row(i) for i in range(n)]
     return Reconstruction(
         field={g: g * omega_of(n)},
         relations=tuple(
@@ -121,7 +121,7 @@ class BallOnSphere(OnSphere, ChaplyginBall):
         plain = super().equations(inertia, tuple(ball))
         k, omega, gamma = momentum_of(n), omega_of(n), gamma_of(n)
         laws = tuple(law for law in plain.laws if not law.name.startswith("lever"))
-        kept = tuple(x.name for x in laws if isinstance(x, Integral) and x.name != "energy")
+        kept = tuple(x.name for x in of_kind(laws, Integral) if x.name != "energy")
         # kγ, k²γ, … are not constant in space
         levers = {name for name, _ in plain.definitions if isinstance(name, Column)} - {
             Column("u", n)
@@ -181,26 +181,17 @@ class RubberBallOnSphere(OnSphere, Veselova):
                 Measure("measure", density, DENSITY, source=SOURCE),
                 bracket(p),
                 hamiltonian(p, energy.value),
-                *(law for law in plain.laws if isinstance(law, Isomorphism)),
+                *plain.laws_of(Isomorphism),
             ),
             reconstruction=lift(n),
             theorems=of_rubber_ball_on_sphere(n, Delta),
         )
 
 
-BALL = BallOnSphere(
-    name="chaplygin-ball-on-sphere-nd",
-    title="Chaplygin ball on a sphere in n dimensions",
-    summary="A balanced, dynamically asymmetric ball in n-dimensional space rolls on or in a "
-    "sphere without slipping.",
-    rolls=True,
-)
-RUBBER_BALL = RubberBallOnSphere(
-    name="rubber-ball-on-sphere-nd",
-    title="Rubber ball on a sphere in n dimensions",
-    summary="A balanced, dynamically asymmetric ball in n-dimensional space rolls on or in a "
-    "sphere with neither slipping nor twisting.",
-    rolls=True,
-)
+BALL = BallOnSphere(name="chaplygin-ball-on-sphere-nd", rolls=True)
+RUBBER_BALL = RubberBallOnSphere(name="rubber-ball-on-sphere-nd", rolls=True)
 
-ENTRIES = (BALL.entry(), RUBBER_BALL.entry())
+ENTRIES = (
+    BALL.entry(),
+    RUBBER_BALL.entry(),
+)

@@ -25,7 +25,7 @@ from flowlanes.system.matrices import Column, Jacobian, MatrixProduct, Skew, Sym
 from flowlanes.system.named_formulas import Pairs
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vector_operators import outer
-from flowlanes.system.vectors import real_symbol, to_components
+from flowlanes.system.vectors import real_symbol
 
 from ..catalogue_entry import Values
 from ..so_n.elimination import solution
@@ -63,11 +63,11 @@ def by_moments(inertia: Moments) -> tuple[Pairs, Pairs]:
         matrix[i, i] += share * y[j] ** 2
         matrix[j, j] += share * y[i] ** 2
         matrix[i, j] = matrix[j, i] = -share * y[i] * y[j]
-    entries = to_components(k)
+    entries = k.entries
     free = sp.Matrix(
         n, n, lambda i, j: entries[i, j] / inertia.moment(i, j) if i != j else sp.S.Zero
     )
-    steps = solution(B.entries, list(free * to_components(gamma)), list(u.symbols), Delta)
+    steps = solution(B.entries, list(free * gamma.entries), list(u.symbols), Delta)
     turned = wedge(u, gamma)
     spin = sp.Matrix(
         n,
@@ -170,12 +170,6 @@ class ChaplyginBall(Family):
         )
 
 
-BALL = ChaplyginBall(
-    name="chaplygin-ball-nd",
-    title="Chaplygin ball in n dimensions",
-    summary="A balanced, dynamically asymmetric ball in n-dimensional space rolls on a hyperplane "
-    "without slipping. Without momentum in planes across γ it is chaplygin-ball-on-level-nd.",
-    rolls=True,
-)
+BALL = ChaplyginBall(name="chaplygin-ball-nd", rolls=True)
 
 ENTRIES = (BALL.entry(),)

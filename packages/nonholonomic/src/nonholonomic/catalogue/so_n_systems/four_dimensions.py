@@ -27,7 +27,8 @@ from flowlanes.system.system import Parameter, System, Theorem
 from flowlanes.system.vectors import real_symbol
 
 from ...mechanics.rolling.body import check_mass
-from ..catalogue_entry import Entry, Numbers, Start
+from ..catalogue_entry import Numbers
+from ..file_systems import python_entry
 
 PAIRS = tuple(combinations(range(4), 2))
 gamma, u, p, f = (
@@ -37,7 +38,6 @@ gamma, u, p, f = (
 m, R, Delta = (real_symbol(name) for name in ("m", "R", "Delta"))
 HALF = sp.Rational(1, 2)
 SOURCE = "§12, problem 3"
-MOMENTUM = "kg m^2/s"
 UNIT = (gamma.T * gamma)[0] - 1
 
 
@@ -218,50 +218,13 @@ def veselova(numbers: Numbers) -> System:
     )
 
 
-_MOMENTS = {"I_12": 1.0, "I_13": 1.3, "I_14": 1.6, "I_23": 1.5, "I_24": 1.8, "I_34": 2.1}
-_DIRECTION = {"gamma_1": 0.2, "gamma_2": -0.4, "gamma_3": 0.8, "gamma_4": -0.4}
-
 ENTRIES = (
-    Entry(
+    python_entry(
         name="chaplygin-ball-4d",
-        title=BALL,
-        summary=BALL_SUMMARY,
-        source=SOURCE,
-        defaults={**_MOMENTS, "m": 1.0, "R": 1.0},
         build=ball,
-        start=Start(
-            state={
-                "k_12": 1.0,
-                "k_13": -0.6,
-                "k_14": 0.3,
-                "k_23": 0.8,
-                "k_24": -0.2,
-                "k_34": 1.4,
-                **_DIRECTION,
-            },
-            until=60.0,
-        ),
-        variables={
-            **{
-                f"k_{i + 1}{j + 1}": ("momentum about the contact point", MOMENTUM)
-                for i, j in PAIRS
-            },
-            **{name: ("normal of the hyperplane, body axes", "1") for name in _DIRECTION},
-        },
     ),
-    Entry(
+    python_entry(
         name="veselova-4d",
-        title=VESELOVA,
-        summary=VESELOVA_SUMMARY,
-        source=SOURCE,
-        defaults=_MOMENTS,
         build=veselova,
-        start=Start(
-            state={"p_1": 1.0, "p_2": 0.7, "p_3": 0.2, "p_4": 0.2, **_DIRECTION}, until=60.0
-        ),
-        variables={
-            **{f"p_{i}": ("momentum in planes through γ", MOMENTUM) for i in range(1, 5)},
-            **{name: ("direction fixed in space, body axes", "1") for name in _DIRECTION},
-        },
     ),
 )

@@ -32,7 +32,7 @@ from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Measure
 from flowlanes.system.matrices import Column
 from flowlanes.system.named_formulas import Pairs
 from flowlanes.system.system import Parameter, System
-from flowlanes.system.vectors import dot, norm_squared, to_components
+from flowlanes.system.vectors import dot, norm_squared
 
 from ..so_n.entry_of_dimension import SOURCE, SQUARE, R
 from ..so_n.inertia import Inertia, ProductMoments
@@ -93,7 +93,7 @@ class SpecialRubberBallOnSphere(OnSphere, SpecialVeselova):
 def _quadratic_integrals(inertia: ProductMoments, energy: sp.Expr) -> tuple[Integral, ...]:
     """F_i of a ball that surrounds a sphere of half its radius."""
     n, factors = inertia.dimension, inertia.factors
-    omega, y = to_components(omega_of(n)), gamma_of(n).symbols
+    omega, y = omega_of(n).entries, gamma_of(n).symbols
     found = []
     for i, own in enumerate(factors):
         turns = (
@@ -160,12 +160,6 @@ def _hamiltonian(inertia: ProductMoments, p: Column, energy: sp.Expr) -> tuple[L
     )
 
 
-BALL = SpecialRubberBallOnSphere(
-    name="special-rubber-ball-on-sphere-nd",
-    title="Special rubber ball on a sphere in n dimensions",
-    summary="The rubber ball on or in a sphere with the special operator of inertia: Hamiltonian "
-    "after a change of time, and integrable around a sphere of half its radius, a = −R/2.",
-    rolls=True,
-)
+BALL = SpecialRubberBallOnSphere(name="special-rubber-ball-on-sphere-nd", rolls=True)
 
 ENTRIES = (BALL.entry(),)

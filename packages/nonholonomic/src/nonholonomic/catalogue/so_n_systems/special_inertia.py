@@ -352,25 +352,12 @@ def _hamiltonian(
     )
 
 
-VESELOVA = SpecialVeselova(
-    name="special-veselova-nd",
-    title="Integrable Veselova system in n dimensions",
-    summary="The Veselova system with the special operator of inertia, integrable after a change "
-    "of time.",
-)
-RUBBER_BALL = SpecialVeselova(
-    name="special-rubber-ball-nd",
-    title="Integrable rubber ball in n dimensions",
-    summary="The rubber Chaplygin ball with the special operator of inertia, integrable after a "
-    "change of time.",
-    rolls=True,
-)
-BALL = SpecialBall(
-    name="special-chaplygin-ball-nd",
-    title="Integrable Chaplygin ball in n dimensions",
-    summary="The Chaplygin ball with the special operator of inertia and without momentum in "
-    "planes across γ, k = p∧γ: integrable after a change of time.",
-    rolls=True,
-)
+VESELOVA = SpecialVeselova(name="special-veselova-nd")
+RUBBER_BALL = SpecialVeselova(name="special-rubber-ball-nd", rolls=True)
+BALL = SpecialBall(name="special-chaplygin-ball-nd", rolls=True)
 
-ENTRIES = (VESELOVA.entry(), RUBBER_BALL.entry(), BALL.entry())
+ENTRIES = (
+    VESELOVA.entry(),
+    RUBBER_BALL.entry(),
+    BALL.entry(),
+)

@@ -25,9 +25,9 @@ import sympy as sp
 
 from flowlanes.system.laws import Identity, Integral, Law, Measure, Rate
 from flowlanes.system.matrices import Blocks, Column, SymmetricMatrix
-from flowlanes.system.named_formulas import Pairs
+from flowlanes.system.named_formulas import Pairs, scalars
 from flowlanes.system.system import Parameter, System
-from flowlanes.system.vectors import Components, dot, norm_squared, to_components
+from flowlanes.system.vectors import Components, dot, norm_squared
 
 from ..catalogue_entry import Values
 from ..so_n.elimination import elimination
@@ -128,12 +128,12 @@ def _by_mass_tensor(
 ) -> tuple[Pairs, Pairs, sp.MatrixExpr, tuple[Law, ...]]:
     """Definitions, what a page shows of them, the rate of w, and the laws."""
     n = inertia.dimension
-    entries = to_components(inertia.matrix)
+    entries = inertia.matrix.entries
     j, acceleration = Column("j", n - 1), Column("wdot", n - 1)
     B, M = SymmetricMatrix("B", n - 1), Column("M", n - 1)
     block = Components(entries[: n - 1, : n - 1] + entries[n - 1, n - 1] * sp.eye(n - 1))
     torque = dot(j, w) * w - norm_squared(w) * j
-    steps, _ = elimination(B.entries, list(to_components(torque)), list(acceleration.symbols))
+    steps, _ = elimination(B.entries, scalars(torque), list(acceleration.symbols))
     first = (
         (j, Components(entries[: n - 1, n - 1])),
         (B, block),
@@ -169,12 +169,6 @@ def _principal(inertia: Inertia, w: Column) -> tuple[Pairs, Pairs, sp.MatrixExpr
     return inertia.definitions, inertia.definitions, still, (_energy(energy), _volume(()))
 
 
-SUSLOV = Suslov(
-    name="suslov-nd",
-    title="Suslov's problem in n dimensions",
-    summary="A rigid body in n-dimensional space turns about a fixed point, only in planes that "
-    "contain its last axis.",
-    tensor_by_default=True,
-)
+SUSLOV = Suslov(name="suslov-nd", tensor_by_default=True)
 
 ENTRIES = (SUSLOV.entry(),)

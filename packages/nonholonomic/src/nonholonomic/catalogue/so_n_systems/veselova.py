@@ -25,7 +25,7 @@ from flowlanes.system.laws import Integral, Law, Measure
 from flowlanes.system.matrices import Column, Jacobian, SymmetricMatrix, wedge
 from flowlanes.system.named_formulas import Pairs
 from flowlanes.system.system import Parameter, System
-from flowlanes.system.vectors import dot, norm_squared, real_symbol, to_components
+from flowlanes.system.vectors import dot, norm_squared, real_symbol
 
 from ..catalogue_entry import Values
 from ..so_n.elimination import solution
@@ -61,9 +61,9 @@ Delta = real_symbol("Delta")
 def operator(inertia: Inertia, shift: sp.Expr) -> sp.Matrix:
     """B with B e = (I(e∧γ) + added e∧γ) γ for e orthogonal to γ, and γγᵀ added."""
     n = inertia.dimension
-    gamma = to_components(gamma_of(n))
+    gamma = gamma_of(n).entries
     if isinstance(inertia, MassTensor):
-        J = to_components(inertia.matrix) + shift / 2 * sp.eye(n)
+        J = inertia.matrix.entries + shift / 2 * sp.eye(n)
         image = J * gamma
         return (
             J * (gamma.T * gamma)[0]
@@ -187,18 +187,10 @@ class Veselova(WithoutTwist):
         )
 
 
-VESELOVA = Veselova(
-    name="veselova-nd",
-    title="Veselova system in n dimensions",
-    summary="A rigid body in n-dimensional space turns about a fixed point, only in planes that "
-    "contain a direction fixed in space.",
-)
-RUBBER_BALL = Veselova(
-    name="rubber-chaplygin-ball-nd",
-    title="Rubber Chaplygin ball in n dimensions",
-    summary="A balanced, dynamically asymmetric ball in n-dimensional space rolls on a hyperplane "
-    "with neither slipping nor twisting.",
-    rolls=True,
-)
+VESELOVA = Veselova(name="veselova-nd")
+RUBBER_BALL = Veselova(name="rubber-chaplygin-ball-nd", rolls=True)
 
-ENTRIES = (VESELOVA.entry(), RUBBER_BALL.entry())
+ENTRIES = (
+    VESELOVA.entry(),
+    RUBBER_BALL.entry(),
+)

@@ -1,1 +1,1 @@
-"""The base of all closed forms: the problem, the solution, the refusal."""
+"""Base classes for closed forms: the problem, the solution, the refusal."""

@@ -1,4 +1,4 @@
-"""Motions known by the closed form of another motion."""
+"""Motions derived from the closed form of another motion."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .solution import ClosedForm, Solution
 
 @dataclass(frozen=True, repr=False)
 class DerivedSolution(Solution):
-    """A motion whose states are functions of those of another one, at the same times.
+    """A motion whose states are functions of the states of another motion at the same times.
 
     Attributes
     ----------
@@ -31,15 +31,15 @@ class DerivedSolution(Solution):
 
     @property
     def form(self) -> ClosedForm:
-        """That of the other motion."""
+        """The closed form of the other motion."""
         return self.inner.form
 
     @property
     def pace(self) -> float:
-        """That of the other motion."""
+        """The phase rate of the other motion."""
         return self.inner.pace
 
     @property
     def left_open(self) -> str:
-        """That of the other motion."""
+        """The sentence of the other motion."""
         return self.inner.left_open

@@ -1,4 +1,4 @@
-"""A start given in doubles, put on the phase space to many digits."""
+"""Project a start given in doubles onto the phase space, to many digits."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ def on_phase_space(
     start: Sequence[NumberOrText],
     values: Mapping[sp.Symbol, arb],
 ) -> tuple[arb, ...]:
-    """The nearest state at which all relations, and the expressions of the level, vanish.
+    """The nearest state at which all relations, and the given level expressions, vanish.
 
-    The numbers are taken as exact ones; what they miss by rounding is made up along the gradients
-    (Newton's method of least change, each vector's change being measured by its length, so that
-    the state that is found does not depend on the units).
+    The numbers count as exact; their rounding errors are corrected along the gradients (Newton's
+    method with steps of minimal norm, where the change of each vector is measured relative to its
+    length, so that the result does not depend on the units).
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def _check(
     state: Mapping[sp.Symbol, SizedNumber],
     values: Mapping[sp.Symbol, arb],
 ) -> None:
-    """Refuse a start that misses a condition by more than rounding."""
+    """Raise an error if a start violates a condition by more than rounding."""
     conditions, _ = _moving(system, tuple(level))
     numbers = {s: exact(x) for s, x in values.items()}
     known = {**{s: SizedNumber(x, abs(x)) for s, x in numbers.items()}, **state}
@@ -112,9 +112,9 @@ def _conditions(
 def _moving(
     system: System, level: tuple[sp.Expr, ...]
 ) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
-    """The conditions on the state, and their gradients."""
+    """The conditions that involve the state, and their gradients."""
     plain = map(system.expand, (*system.relations, *level))
-    # what depends on parameters alone is no condition on the state
+    # An expression in the parameters alone is not a condition on the state.
     conditions = tuple(formula for formula in plain if formula.free_symbols & set(system.symbols))
     gradients = tuple(sp.diff(f, x) for f in conditions for x in system.symbols)
     return conditions, gradients

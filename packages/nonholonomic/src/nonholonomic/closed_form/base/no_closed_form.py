@@ -1,4 +1,4 @@
-"""Motions that are not solved in closed form: what stands in the way, and what is known."""
+"""Motions without a closed form: the obstacle, and what is known instead."""
 
 from __future__ import annotations
 
@@ -10,29 +10,27 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.formulas.relative_zero import ROUNDING
 from flowlanes.printing.formula import text
-from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Measure
+from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Measure, of_kind
 
 from ...catalogue.ball_on_sphere import rubber_ball_ratio
 from ...catalogue.ball_on_sphere.ball_on_sphere import ratio
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.shapes.shapes import Ball
-from ...mechanics.shapes.surfaces import Sphere
 from .problem import Problem
 
-#: Names of circulation vectors, of one cavity and of several.
+#: Names of circulation vectors, for one cavity and for several.
 CIRCULATIONS = ("N", *(f"N{i}" for i in range(1, 100)))
 
-#: A condition so short is written out.
+#: Number of operations up to which a condition is written out as a formula.
 SHORT = 30
 
 
 class NoClosedFormError(InputError):
-    """A motion that is not solved in closed form; the message says what is known of it."""
+    """The motion is not solved in closed form; the message says what is known about it."""
 
 
 @dataclass(frozen=True)
 class _Obstacle:
-    """A property that keeps a rolling body from being solved.
+    """A property that prevents a rolling body from being solved.
 
     Attributes
     ----------
@@ -48,7 +46,7 @@ class _Obstacle:
 
 @dataclass(frozen=True)
 class Condition:
-    """A level that a motion is not on.
+    """A level condition that a motion violates.
 
     Attributes
     ----------
@@ -63,7 +61,7 @@ class Condition:
 
 
 def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormError:
-    """Why a motion cannot be solved, in one sentence that says what is known of it.
+    """Explain in one sentence why a motion cannot be solved, and what is known about it.
 
     Parameters
     ----------
@@ -81,7 +79,7 @@ def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormEr
 
 
 def not_among(problem: Problem, solvable: str) -> NoClosedFormError:
-    """A motion of a system of which others are solvable: those on, or with, what the words say."""
+    """The error for a motion of a partly solvable system; the text names the solvable motions."""
     return NoClosedFormError(
         f"this motion of {_title_in_sentence(problem.system.title)} is not solved in closed form "
         f"here: {_known_laws(problem)}; solvable are its motions {solvable}"
@@ -89,7 +87,7 @@ def not_among(problem: Problem, solvable: str) -> NoClosedFormError:
 
 
 def degenerate(problem: Problem) -> NoClosedFormError:
-    """A motion of a solvable system whose curve has double roots of a kind that is not solved."""
+    """The error for a solvable system whose curve has double roots of an unsolved kind."""
     return NoClosedFormError(
         f"this motion of {_title_in_sentence(problem.system.title)} is not solved, since roots "
         f"of its curve coincide, as they do for equal moments: {_known_laws(problem)}"
@@ -97,9 +95,9 @@ def degenerate(problem: Problem) -> NoClosedFormError:
 
 
 def _known_laws(problem: Problem) -> str:
-    """The laws that hold at the start, in words."""
+    """The laws that hold at the start, as text."""
     laws = [law for law in problem.system.laws if problem.vanish(law.on, ROUNDING)]
-    words = [law.meaning or law.name for law in laws if isinstance(law, Integral)]
+    words = [law.meaning or law.name for law in of_kind(laws, Integral)]
     words += [phrase for kind, phrase in _FORMS.items() if any(isinstance(x, kind) for x in laws)]
     if not words:
         return "nothing but its equations is known"
@@ -115,7 +113,7 @@ _FORMS: dict[type[Law], str] = {
 
 
 def _off_level(problem: Problem, level: Sequence[Condition]) -> _Obstacle:
-    """A start off the level on which the system is solvable."""
+    """The error for a start off the level on which the system is solvable."""
     conditions = " and ".join(f"{_condition_text(problem, condition)}" for condition in level)
     return _Obstacle(
         f"this motion of {_title_in_sentence(problem.system.title)}",
@@ -124,7 +122,7 @@ def _off_level(problem: Problem, level: Sequence[Condition]) -> _Obstacle:
 
 
 def _condition_text(problem: Problem, condition: Condition) -> str:
-    """A condition by its formula, or by the integral that it is where the formula is long."""
+    """A condition by its formula, or by the name of the integral if the formula is long."""
     written = text(condition.paper_formula)
     if len(written) <= SHORT:
         return f"{written} = 0"
@@ -150,7 +148,7 @@ def _family(problem: Problem) -> str:
 
 _ON_SPHERE = " around a sphere of half its radius, a = −R/2"
 _TWO_BLOCKS = ", and those with the symmetry SO(r)×SO(n − r)"
-#: What is solvable of families of systems, by their names.
+#: What is solvable in each family of systems, by name.
 _SOLVABLE: Mapping[str, str] = {
     rubber_ball_ratio.NAME: "are k = 1 and k = −1",
     "veselova-nd": f"are moments I_ij that are products a_i a_j{_TWO_BLOCKS}",
@@ -165,7 +163,7 @@ _SOLVABLE: Mapping[str, str] = {
 
 
 def _title_in_sentence(title: str) -> str:
-    """A title inside a sentence, with its article; names of people keep their capital."""
+    """A title within a sentence, with its article; proper names keep their capital."""
     first, space, remainder = title.partition(" ")
     names = (
         "Chaplygin",
@@ -208,10 +206,10 @@ def _potential(problem: Problem, rolling: Rolling) -> _Obstacle | None:
 
 def _shape(problem: Problem, rolling: Rolling) -> _Obstacle | None:
     shape = rolling.body.shape
-    if isinstance(shape, Ball) and not any(shape.centre):
+    if shape.is_balanced_ball:
         return None
     force = " under gravity" if rolling.field.gravity else ""
-    body = "unbalanced ball" if isinstance(shape, Ball) else f"{type(shape).__name__.lower()}"
+    body = "unbalanced ball" if shape.is_ball else shape.kind
     return _Obstacle(
         f"the {body} {_place(rolling)}{force}, {_contact(rolling)},",
         "are a balanced ball, and a body of revolution with rubber contact on a plane",
@@ -219,10 +217,10 @@ def _shape(problem: Problem, rolling: Rolling) -> _Obstacle | None:
 
 
 def _gravity_on_sphere(problem: Problem, rolling: Rolling) -> _Obstacle | None:
-    if not (rolling.field.gravity and isinstance(rolling.surface, Sphere)):
+    if not rolling.field.gravity or rolling.surface.is_flat:
         return None
     return _Obstacle(
-        f"the ball on a sphere under gravity, {_contact(rolling)},",
+        f"the ball {_place(rolling)} under gravity, {_contact(rolling)},",
         "is a ball on a sphere without gravity",
     )
 
@@ -246,7 +244,7 @@ def _body(rolling: Rolling) -> str:
 
 
 def _place(rolling: Rolling) -> str:
-    return "on a sphere" if isinstance(rolling.surface, Sphere) else "on a plane"
+    return f"on a {rolling.surface.kind}"
 
 
 def _contact(rolling: Rolling) -> str:

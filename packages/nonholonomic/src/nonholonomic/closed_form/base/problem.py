@@ -1,4 +1,4 @@
-"""A motion to be solved, and fields of systems compared in exact numbers."""
+"""The motion to be solved, and exact comparison of vector fields."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from flowlanes.formulas.errors import NotExactError, OutOfReachError, UnknownSym
 from flowlanes.formulas.jets import Evaluator, Jet
 from flowlanes.formulas.number_fields import Rationals
 from flowlanes.formulas.relative_zero import RESOLUTION, SizedNumber, state_sizes, values_with_sizes
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.parameters import require_admissible
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components
 
 from ...mechanics.rolling.equations import Rolling
 
-#: Points at which two fields are compared.
+#: Number of points at which two fields are compared.
 POINTS = 3
-#: Components of each of the two vectors of a state.
+#: Number of components of each of the two vectors of a state.
 SIZE = 3
 
 Numbers = Mapping[sp.Symbol, Fraction]
@@ -36,7 +36,7 @@ Numbers = Mapping[sp.Symbol, Fraction]
 
 @dataclass(frozen=True)
 class Problem:
-    """A motion that is asked for in closed form.
+    """A motion whose closed form is requested.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Problem:
     rolling: Rolling | None = None
 
     def well_posed(self) -> Problem:
-        """The problem with numbers that make sense; of a reduced start, without lift.
+        """The problem with validated numbers, for a reduced start without lift.
 
         Raises
         ------
@@ -86,7 +86,7 @@ class Problem:
 
     @property
     def numbers(self) -> dict[str, Fraction]:
-        """The parameters by name, decimals taken at their word."""
+        """The parameters by name; decimals count exactly as written."""
         return {str(symbol): exact(value) for symbol, value in self.parameters.items()}
 
     def values(self, formulas: Sequence[sp.Expr]) -> list[Any]:
@@ -98,7 +98,7 @@ class Problem:
         lifted = self.system.lifted() if self.system.reconstruction else self.system
         known = {s: exact(value) for s, value in self.parameters.items()}
         start = state_sizes(lifted.state, lifted.symbols, [exact(x) for x in self.start])
-        wanted = [to_components(formula) for formula in formulas]
+        wanted = scalars(tuple(formulas))
         return values_with_sizes(
             wanted,
             {**{s: SizedNumber(x, abs(x)) for s, x in known.items()}, **start},
@@ -106,18 +106,18 @@ class Problem:
         )
 
     def vanish(self, formulas: Sequence[sp.Expr], part: fmpq = RESOLUTION) -> bool:
-        """Whether scalar formulas vanish at the start, or leave but a part of their terms."""
+        """Whether scalar formulas vanish at the start, up to a small fraction of their terms."""
         return all(value.vanishes(part) for value in self.sized_values(formulas))
 
 
 def same_field(
     first: System, first_numbers: Numbers, second: System, second_numbers: Numbers
 ) -> bool:
-    """Whether two systems with these parameters have one field, their states taken in order.
+    """Whether two systems with these parameters have the same field, variables in order.
 
-    Both fields are computed in rational numbers at random points on the relations of the second;
-    rational functions that differ agree at all of them by an accident that can be left out of
-    account, and nothing is rounded.
+    Both fields are evaluated in rational arithmetic at random points on the relations of the second
+    system. Different rational functions agree at all of them with negligible probability, and
+    nothing is rounded.
 
     Parameters
     ----------
@@ -136,15 +136,15 @@ def same_field(
             if any(value(own) != rate for own, rate in zip(first.rates, rates, strict=True)):
                 return False
     except (NotExactError, OutOfReachError, UnknownSymbolError, ZeroDivisionError):
-        # a field with roots or functions, or singular elsewhere, is none of those that are known
+        # A field with roots or functions, or singular elsewhere, differs from all known ones.
         return False
     return compared
 
 
 def rational(system: System, numbers: Numbers) -> bool:
-    """Whether a field may have exact values at rational states (u, n) with n² = 1.
+    """Whether a field can have exact values at rational states (u, n) with n² = 1.
 
-    Without them `same_field` holds with no system.
+    Without such values `same_field` is false for every system.
     """
     if len(system.symbols) != 2 * SIZE:
         return False
@@ -166,20 +166,20 @@ def _evaluator(system: System, point: Sequence[fmpq], numbers: Numbers) -> Evalu
 
 
 def rates_at(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[fmpq]:
-    """The rates of a system at a rational state, exact."""
+    """The rates of a system at a rational state, exactly."""
     evaluate = _evaluator(system, point, numbers)
     return [evaluate.value(rate) for rate in system.rates]
 
 
 def rational_points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
-    """Rational points of a phase space of two vectors u and n, n² = 1, and perhaps (u, n) = 0."""
+    """Rational points (u, n) of a phase space with n² = 1, and possibly (u, n) = 0."""
     return (point for point, _ in _points_with_rates(system, numbers))
 
 
 def _points_with_rates(system: System, numbers: Numbers) -> Iterator[tuple[list[fmpq], list[fmpq]]]:
     if len(system.symbols) != 2 * SIZE:
         return
-    relations = [to_components(relation) for relation in system.relations]
+    relations = system.scalar.relations
     count = 0
     generator = random.Random(system.name)
     for _ in range(20 * POINTS):
@@ -198,7 +198,7 @@ def _points_with_rates(system: System, numbers: Numbers) -> Iterator[tuple[list[
 
 
 def _candidates(generator: random.Random) -> tuple[list[fmpq], list[fmpq]]:
-    """Rational (u, n) with n² = 1, and such ones with (u, n) = 0 too."""
+    """Rational (u, n) with n² = 1, and also such pairs with (u, n) = 0."""
     p, q = (fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in range(2))
     square = 1 + p * p + q * q
     n = [2 * p / square, 2 * q / square, (square - 2) / square]

@@ -1,4 +1,4 @@
-"""Base classes of closed-form solutions: motions that are known at every time."""
+"""Base classes of closed-form solutions: motions known at every time."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from flowlanes.system.arrays import FloatArray
 from flowlanes.system.overview import Overview, WithOverview, WithShortRepr
 from flowlanes.system.system import System
 
-#: The largest phase Ωt in double precision; its digits are lost beyond 1e15.
+#: Largest phase Ωt in double precision: beyond 1e15 its digits are lost.
 LATEST = 1e13
 
 
 @dataclass(frozen=True)
 class NamedConstant:
-    """A number that belongs to a closed form.
+    """A constant of a closed form, with its value.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class NamedConstant:
     unit: str = ""
 
     def text(self) -> str:
-        """Value to ten digits, unit and meaning."""
+        """The value to ten digits, with unit and meaning."""
         number = f"{float(self.value):.10g} {self.unit}".rstrip()
         return f"{number}, {self.meaning}" if self.meaning else number
 
@@ -156,7 +156,7 @@ def finite_times(times: npt.ArrayLike) -> FloatArray:
 
 
 def times_in_range(times: npt.ArrayLike, pace: float) -> FloatArray:
-    """Times (n,) at which states in double precision have a meaning.
+    """Times (n,) at which states in double precision are meaningful.
 
     Parameters
     ----------
@@ -212,16 +212,16 @@ class Solution(WithOverview):
     @property
     @abstractmethod
     def pace(self) -> float:
-        """The rate at which the phases of the motion grow, about; 0 at rest."""
+        """Approximate rate at which the phases of the motion grow; 0 at rest."""
 
     @property
     def left_open(self) -> str:
-        """A sentence on the part of the state that :meth:`rigorous` leaves open; or ""."""
+        """A sentence on the part of the state for which :meth:`rigorous` has no bounds; or ""."""
         return ""
 
     @abstractmethod
     def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
-        """The lifted state at one time as balls (``flint.arb``) that contain the exact one.
+        """The lifted state at one time as balls (``flint.arb``) that contain the exact state.
 
         Parameters
         ----------
@@ -237,7 +237,7 @@ class Solution(WithOverview):
         """
 
     def overview(self) -> Overview:
-        """The overview of the closed form, and what it leaves open."""
+        """The overview of the closed form, and of the quantities without rigorous bounds."""
         form = self.form.overview()
         return Overview(form.heading, (*form.rows, ("left open", self.left_open)))
 

@@ -1,7 +1,7 @@
-"""Bifurcation diagrams: which motions lie over each point of the plane of two integrals.
+"""Bifurcation diagrams: the kinds of motion over the plane of two integrals.
 
-The roots of the curve y² = P(z) over a point decide the motions there (:mod:`.tori`); they
-change only where roots meet: on the discriminant of P.  Its factors are computed exactly, the plane
+The roots of the curve y² = P(z) over a point determine the motions there (:mod:`.tori`).  They
+change only where roots meet, on the discriminant of P.  Its factors are computed exactly, the plane
 is cut along them (:mod:`.arrangement`), every cell is examined at a rational point and every arc at
 an algebraic one (:mod:`.critical_motions`).
 """
@@ -20,9 +20,8 @@ from flowlanes.errors import InputError
 from flowlanes.formulas.balls import exact
 from flowlanes.formulas.relative_zero import ROUNDING, SizedNumber, state_sizes, values_with_sizes
 from flowlanes.printing.formula import text
-from flowlanes.system.named_formulas import by_dependence, definition_values
+from flowlanes.system.named_formulas import by_dependence, definition_values, scalars
 from flowlanes.system.overview import Overview, WithOverview
-from flowlanes.system.vectors import to_components
 
 from ...mechanics.rolling.inertia import check_inertia
 from ..genus_two.separation import SeparatedSystem
@@ -91,7 +90,7 @@ class Diagram(WithOverview):
         point = rational(Fraction(x)), rational(Fraction(y))
         cell = self.arrangement.cell(*point)
         if cell is None:
-            # some pieces of the curves are no boundaries
+            # Some pieces of the curves are not boundaries.
             cell = self.arrangement.arc(*point)
             if any(cell in boundary.arcs for boundary in self.boundaries):
                 return None
@@ -100,7 +99,7 @@ class Diagram(WithOverview):
 
 @arguments_checked
 def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, NumberOrText]) -> tuple[float, float]:
-    """The point of a diagram that a motion belongs to.
+    """The point of a diagram that a motion corresponds to.
 
     Parameters
     ----------
@@ -138,7 +137,7 @@ def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, NumberOrText]) -> t
     known = state_sizes(system.state, system.symbols, numbers)
     known |= {s: SizedNumber(exact(x), abs(exact(x))) for s, x in diagram.parameters.items()}
     conditions = [*system.relations, *plane.level]
-    formulas = [to_components(f) for f in (*conditions, *(axis.value for axis in plane.axes))]
+    formulas = scalars((*conditions, *(axis.value for axis in plane.axes)))
     *level, x, y = values_with_sizes(formulas, known, system.required_definitions(formulas))
     for condition, value in zip(conditions, level, strict=True):
         if not value.vanishes(ROUNDING):
@@ -237,7 +236,7 @@ def _poles(
 def _number(
     plane: IntegralPlane, formula: sp.Expr, values: Mapping[sp.Symbol, Fraction]
 ) -> sp.Expr:
-    """A formula with the definitions and parameters filled in."""
+    """A formula with definitions and parameter values inserted."""
     known = {s: sp.Rational(x.numerator, x.denominator) for s, x in values.items()}
     constants, _ = by_dependence(plane.system.scalar_definitions, plane.system.symbols)
     return sp.sympify(formula).xreplace(definition_values(constants, known))

@@ -1,10 +1,10 @@
-"""The plane cut into cells by algebraic curves, exactly: a cylindrical decomposition.
+"""Exact subdivision of the plane by algebraic curves: a cylindrical decomposition.
 
 The curves are polynomials with rational coefficients in two variables x and y.  Over the open
-intervals (columns) between the critical values of x they do not meet and have no vertical
-tangents, so that they lie above each other in a fixed order: arcs, and between them cells.  A cell
-is known by a rational point.  Cells that touch along an open piece of a critical vertical are
-joined.  Curves that are themselves vertical only divide columns.
+intervals (columns) between the critical values of x they do not intersect and have no vertical
+tangents, so they lie above each other in a fixed order: arcs, with cells between them.  A cell is
+represented by a rational point.  Cells that share an open piece of a critical vertical line are
+joined.  Vertical curves only separate columns.
 """
 
 from __future__ import annotations
@@ -26,15 +26,15 @@ X, Y, _Z = RING.gens()
 
 Cell: TypeAlias = tuple[int, int]
 
-#: Binary digits with which roots are isolated at first; doubled until they are apart.
+#: Initial precision, in bits, for isolating roots; it is doubled until they are separated.
 FIRST_PRECISION = 64
-#: Digits beyond which roots are taken to be equal, against the promise that they are not.
+#: Precision beyond which roots count as equal, contrary to the assumption.
 MOST_PRECISION = 1 << 16
 
 
 @dataclass(frozen=True)
 class Arrangement:
-    """Curves in the plane, and the cells into which they cut it.
+    """Curves in the plane, and the cells between them.
 
     Attributes
     ----------
@@ -74,7 +74,7 @@ class Arrangement:
                 yield column, rank
 
     def ordinates(self, column: int, x: fmpq) -> list[arb]:
-        """The heights y (balls) of the arcs over an x of that column."""
+        """The heights y (balls) of the arcs over an x of a column."""
         return [y for y, _ in stack(self.curves, x)]
 
     def sample(self, cell: Cell) -> tuple[fmpq, fmpq]:
@@ -84,7 +84,7 @@ class Arrangement:
         return x, _gaps([y for y, _ in stack(self.curves, x)])[rank]
 
     def cell(self, x: fmpq, y: fmpq) -> Cell | None:
-        """The cell of a point; on a critical vertical the one to the right; None on a curve."""
+        """The cell of a point; on a critical vertical the one to its right; None on a curve."""
         crossings = [on_horizontal(curve, y) for curve in self.curves]
         if any(polynomial(x) == 0 for polynomial in crossings):
             return None
@@ -95,7 +95,7 @@ class Arrangement:
             factors.append(line)
         roots = ordered_roots(factors)
         here = next(n for n, (_, number) in enumerate(roots) if factors[number] == line)
-        # to the right of the point, before any curve and any other critical vertical
+        # Just right of the point, before any curve and any other critical vertical.
         beside = _gaps([root for root, _ in roots])[here + 1]
         column = sum(number < len(self.critical) for _, number in roots[: here + 1])
         return column, _rank(self.curves, beside, y)
@@ -116,7 +116,7 @@ class Arrangement:
 
 
 def arrangement(curves: Iterable[fmpq_mpoly]) -> Arrangement:
-    """Cut the plane along curves.
+    """Subdivide the plane by curves.
 
     Parameters
     ----------
@@ -162,7 +162,7 @@ def _coefficient(curve: fmpq_mpoly, power: int) -> fmpq_mpoly:
 
 
 def _univariate(polynomial: fmpq_mpoly) -> fmpq_poly:
-    """A polynomial in x alone."""
+    """Convert a polynomial that involves only x to one variable."""
     restriction = fmpq_poly()
     for (power, _, _), value in polynomial.to_dict().items():
         restriction[power] = value
@@ -170,7 +170,7 @@ def _univariate(polynomial: fmpq_mpoly) -> fmpq_poly:
 
 
 def on_vertical(curve: fmpq_mpoly, x: fmpq) -> fmpq_poly:
-    """A curve over one x, as a polynomial in y."""
+    """The restriction of a curve to one x, as a polynomial in y."""
     restriction = fmpq_poly()
     for (i, j, _), value in curve.to_dict().items():
         restriction[j] = restriction[j] + value * x**i
@@ -178,7 +178,7 @@ def on_vertical(curve: fmpq_mpoly, x: fmpq) -> fmpq_poly:
 
 
 def on_horizontal(curve: fmpq_mpoly, y: fmpq) -> fmpq_poly:
-    """A curve at one height y, as a polynomial in x."""
+    """The restriction of a curve to one y, as a polynomial in x."""
     restriction = fmpq_poly()
     for (i, j, _), value in curve.to_dict().items():
         restriction[i] = restriction[i] + value * y**j
@@ -186,7 +186,7 @@ def on_horizontal(curve: fmpq_mpoly, y: fmpq) -> fmpq_poly:
 
 
 def real_roots(polynomial: fmpq_poly) -> list[arb]:
-    """The real roots of a polynomial, as balls apart from each other, in no order."""
+    """The real roots of a polynomial, as disjoint balls, unordered."""
     if polynomial.degree() < 1:
         return []
     roots: Any = polynomial.complex_roots()
@@ -194,7 +194,7 @@ def real_roots(polynomial: fmpq_poly) -> list[arb]:
 
 
 def ordered_roots(polynomials: Sequence[fmpq_poly]) -> list[tuple[arb, int]]:
-    """The real roots of coprime polynomials, increasing, each with its polynomial's number."""
+    """The real roots of coprime polynomials, increasing, each with the index of its polynomial."""
     precision = FIRST_PRECISION
     while precision <= MOST_PRECISION:
         with ctx.workprec(precision):
@@ -207,12 +207,12 @@ def ordered_roots(polynomials: Sequence[fmpq_poly]) -> list[tuple[arb, int]]:
 
 
 def stack(curves: Sequence[fmpq_mpoly], x: fmpq) -> list[tuple[arb, int]]:
-    """The heights of the curves over an x that is not critical, each with its curve's number."""
+    """The heights of the curves over a noncritical x, each with the index of its curve."""
     return ordered_roots([on_vertical(curve, x) for curve in curves])
 
 
 def _rank(curves: Sequence[fmpq_mpoly], x: fmpq, y: fmpq) -> int:
-    """The number of arcs below a point over an x that is not critical."""
+    """The number of arcs below a point over a noncritical x."""
     line = fmpq_poly([-y, 1])
     roots = ordered_roots([*(on_vertical(curve, x) for curve in curves), line])
     return [number for _, number in roots].index(len(curves))
@@ -233,7 +233,7 @@ def _heights(curves: Sequence[fmpq_mpoly], critical: fmpq_poly) -> list[fmpq]:
 def _neighbouring_abscissae(
     curves: Sequence[fmpq_mpoly], critical: Sequence[fmpq_poly], place: int, y: fmpq
 ) -> tuple[fmpq, fmpq]:
-    """An x left and one right of a critical one, with no curve on the horizontal in between."""
+    """One x on either side of a critical one, with no curve on the horizontal line in between."""
     crossings = irreducible(on_horizontal(curve, y) for curve in curves)
     known = {str(factor) for factor in critical}
     others = [factor for factor in crossings if str(factor) not in known]
@@ -263,7 +263,7 @@ def _gaps(roots: Sequence[arb]) -> list[fmpq]:
 
 
 def short_rational(low: Fraction, high: Fraction) -> Fraction:
-    """A rational number strictly between two others, of small denominator, near the middle."""
+    """A rational number of small denominator strictly between two others, near the middle."""
     middle = (low + high) / 2
     limit = 1
     while not low < middle.limit_denominator(limit) < high:
@@ -282,11 +282,11 @@ def highest(ball: arb) -> Fraction:
 
 
 def fraction(number: fmpq) -> Fraction:
-    """A rational number of FLINT as one of Python."""
+    """Convert a rational number from FLINT to Python."""
     return Fraction(int(number.p), int(number.q))
 
 
 def rational(number: Fraction | int) -> fmpq:
-    """A rational number for FLINT."""
+    """Convert a rational number to FLINT."""
     value = Fraction(number)
     return fmpq(value.numerator, value.denominator)

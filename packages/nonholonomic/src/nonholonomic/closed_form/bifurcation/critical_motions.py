@@ -1,7 +1,7 @@
-"""The motions over a curve of a bifurcation diagram: circles, and whether they are stable.
+"""The motions over a curve of a bifurcation diagram: circles and their stability.
 
-On an arc, over a rational x, the height y is an algebraic number; signs of formulas in it are
-decided by balls, with as many digits as it takes.
+Over a rational x, the height y of an arc is an algebraic number.  Signs of formulas in it are
+decided in ball arithmetic, with as many digits as necessary.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ from flowlanes.formulas.balls import exact
 from .arrangement import FIRST_PRECISION, stack
 from .tori import SHEETS, Oval, group, ovals
 
-#: Binary digits beyond which a sign is given up.
+#: Precision in bits at which a sign counts as undecidable.
 LAST_PRECISION = 4096
 
 
 class UndecidedError(ArithmeticError):
-    """A ball is too wide for a sign; more digits may do."""
+    """A ball is too wide to decide a sign; more digits may suffice."""
 
 
 @dataclass(frozen=True, order=True)
 class Circles:
-    """Periodic motions on which one separated coordinate rests at a double root of the curve.
+    """Periodic motions along which one separated coordinate rests at a double root of the curve.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Circles:
 
 @dataclass(frozen=True)
 class Arc:
-    """A place on an arc, to any precision.
+    """A point of an arc, available to any precision.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class Arc:
     rank: int
 
     def restriction(self, polynomial: fmpq_mpoly) -> arb_poly:
-        """A polynomial in x, y, z as one in z with balls for coefficients."""
+        """A polynomial in x, y, z as a polynomial in z with ball coefficients."""
         y, _ = stack(self.curves, self.x)[self.rank]
         coefficients: dict[int, arb] = {}
         for (i, j, power), value in polynomial.to_dict().items():
@@ -80,7 +80,7 @@ T = TypeVar("T")
 
 
 def with_enough_digits(question: Callable[[], T]) -> T:
-    """The answer to a question about balls, asked with more and more digits until it has one."""
+    """Evaluate a question about balls with more and more digits until it is decided."""
     precision = FIRST_PRECISION
     while True:
         with ctx.workprec(precision):
@@ -105,7 +105,8 @@ def circles_at_a_pole(
         curvature = left
         for other in others:
             curvature = curvature * arb_poly([-arb(other), 1])
-        # at the second pole the whole interval between the others, which it does not interrupt
+        # At the second pole: the whole interval between the others, which this pole does not
+        # interrupt.
         intervals = _allowed_ovals(curvature, left, poles, (first, last), omitted_pole=number)
         stable = not _positive(curvature(arb(pole)))
         coordinate = {1: 1, 2: 0, 3: 2}[number]
@@ -120,7 +121,7 @@ def circles_at_a_pole(
 def circles_at_a_double_root(
     arc: Arc, poles: Sequence[fmpq], cofactor: fmpq_mpoly
 ) -> tuple[Circles, ...]:
-    """The motions on which a coordinate rests at a double root apart from the poles."""
+    """The motions along which a coordinate rests at a double root other than a pole."""
 
     def answer() -> tuple[Circles, ...]:
         whole = arc.restriction(cofactor)
@@ -147,7 +148,7 @@ def circles_at_a_double_root(
 
 
 def _positive(ball: arb) -> bool:
-    """Whether a number is positive; it is known not to vanish."""
+    """The sign of a number known not to be zero: whether it is positive."""
     if ball > 0:
         return True
     if ball < 0:
@@ -156,7 +157,7 @@ def _positive(ball: arb) -> bool:
 
 
 def _quotient(polynomial: arb_poly, root: arb) -> arb_poly:
-    """A polynomial by z − root, which divides it, by Horner's scheme."""
+    """Divide a polynomial by a linear factor z − root, by Horner's scheme."""
     quotient, carried = [], arb(0)
     for coefficient in reversed(polynomial.coeffs()):
         carried = carried * root + coefficient
@@ -165,7 +166,7 @@ def _quotient(polynomial: arb_poly, root: arb) -> arb_poly:
 
 
 def _double(polynomial: arb_poly) -> arb | None:
-    """The real double root of a polynomial that has just one double root or pair of them.
+    """The real double root of a polynomial with one double root, or one complex pair of them.
 
     Returns
     -------
@@ -179,7 +180,7 @@ def _double(polynomial: arb_poly) -> arb | None:
         return None
     if len(candidates) != 1:
         raise UndecidedError
-    # a complex root would bring its conjugate
+    # A complex root would occur together with its conjugate.
     double: arb = candidates[0].real
     return double
 
@@ -191,7 +192,7 @@ def _real_roots(polynomial: arb_poly) -> list[arb]:
     for number, root in enumerate(roots):
         if not root.imag.contains(0):
             continue
-        # the conjugate is a root as well; if it can be no other one, it is the same
+        # The conjugate is a root as well; if it cannot be a different one, the root is real.
         mirrored = root.conjugate()
         if any(mirrored.overlaps(other) for other in roots[:number] + roots[number + 1 :]):
             raise UndecidedError

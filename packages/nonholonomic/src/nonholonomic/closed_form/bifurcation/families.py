@@ -1,6 +1,6 @@
-"""Planes of two integrals, and over each point the curve of genus two of that level.
+"""Planes of two integrals, with the curve of genus two over each point.
 
-Most come from a `SeparatedSystem`; the Chaplygin ball with any area constant has
+Most planes come from a `SeparatedSystem`.  The Chaplygin ball with arbitrary area constant has
 three integrals, of which the plane shows two.
 """
 
@@ -15,9 +15,10 @@ import sympy as sp
 from flowlanes.arguments import NumberOrText
 from flowlanes.errors import InputError
 from flowlanes.formulas.balls import exact
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.parameters import require_parameters
 from flowlanes.system.system import System
-from flowlanes.system.vectors import dot, norm_squared, real_symbol, to_components, vectors
+from flowlanes.system.vectors import dot, norm_squared, real_symbol, vectors
 
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I
@@ -37,7 +38,7 @@ from ..separations.veselova import veselova
 Z = real_symbol("z")
 M, gamma, omega = vectors("M gamma omega")
 
-#: Words for a motion with ν_i = 0, {} being the number i.
+#: Description of a motion with ν_i = 0, where {} stands for the index i.
 UNSAID = "motion in the plane ν_{} = 0"
 ROTATION = "permanent rotation about axis {}"
 PENDULUM = "turning or swinging about axis {} alone"
@@ -81,9 +82,9 @@ class Axis:
 
 @dataclass(frozen=True)
 class Bound:
-    """A formula that is positive on the level of every motion but those that `words` describe.
+    """A formula that is positive on the level of every motion except those described by `words`.
 
-    On these it vanishes; they are periodic and tori surround them.
+    It vanishes on these; they are periodic and surrounded by tori.
     """
 
     formula: sp.Expr
@@ -130,7 +131,7 @@ def plane_of(separable: SeparatedSystem) -> IntegralPlane:
         If it has another number of constants.
     """
     known = {symbol for symbol, _ in separable.constants} | set(separable.system.defaults)
-    # some constants only abbreviate what is made of others
+    # Some constants only abbreviate combinations of others.
     abbreviations = [(s, value) for s, value in separable.constants if _symbols(value) <= known]
     own = [pair for pair in separable.constants if pair not in abbreviations]
     if len(own) != 2:
@@ -153,17 +154,17 @@ def plane_of(separable: SeparatedSystem) -> IntegralPlane:
 
 
 def _axis(symbol: sp.Symbol, value: sp.Expr, system: System) -> Axis:
-    """An axis with the meaning that the system gives to this integral."""
+    """An axis with the meaning that the system states for this integral."""
     steps = dict(system.scalar_definitions)
-    for law in system.integrals:
-        text = to_components(law.value)
-        if sp.expand(steps.get(text, text) - to_components(value)) == 0:
+    (wanted,) = scalars(value)
+    for law in system.scalar.integrals:
+        if sp.expand(steps.get(law.value, law.value) - wanted) == 0:
             return Axis(symbol, value, law.meaning, law.unit)
     return Axis(symbol, value)
 
 
 def _symbols(formula: sp.Expr) -> set[sp.Symbol]:
-    return set(to_components(sp.sympify(formula)).free_symbols)
+    return {s for part in scalars(formula) for s in part.free_symbols}
 
 
 def chaplygin_ball_with_area() -> IntegralPlane:
@@ -225,7 +226,7 @@ PLANES: Mapping[str, Callable[[], IntegralPlane]] = {
 
 
 def plane_named(name: str) -> IntegralPlane:
-    """The plane of that name.
+    """The plane with a given name.
 
     Raises
     ------
@@ -243,7 +244,7 @@ def plane_named(name: str) -> IntegralPlane:
 def numbers(
     plane: IntegralPlane, replacements: Mapping[sp.Symbol | str, NumberOrText]
 ) -> dict[sp.Symbol, Fraction]:
-    """All parameters and held constants, the given ones replacing the defaults; exact.
+    """All parameters and fixed constants, defaults replaced by given values; exact.
 
     Raises
     ------

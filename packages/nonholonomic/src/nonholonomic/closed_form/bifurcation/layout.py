@@ -1,4 +1,4 @@
-"""The layout of a bifurcation diagram: window, lines, room for labels."""
+"""The layout of a bifurcation diagram: window, lines, positions of labels."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from flowlanes.system.arrays import BoolArray, FloatArray
 from . import Diagram, Region
 from .arrangement import rational
 
-#: Abscissae (n,) in a column and the heights of its arcs there (n, arcs).
+#: Maps abscissae (n,) in a column to the heights of its arcs there (n, arcs).
 Heights: TypeAlias = tuple[FloatArray, FloatArray]
 DrawnPoint: TypeAlias = tuple[float, float]
 
-#: Points of a line in each column, and of the grid for labels.
+#: Number of points of a line in each column, and size of the grid for labels.
 POINTS, GRID = 33, (180, 126)
-#: Half the width and half the height of a label, as parts of the window.
+#: Half the width and half the height of a label, relative to the window.
 LABEL = (0.055, 0.026)
 
 
 @dataclass(frozen=True)
 class Window:
-    """The drawn part of the plane, with the line from which ordinates are taken.
+    """The drawn part of the plane, with the line from which ordinates are measured.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class Window:
     offset: Fraction
 
     def drawn_position(self, place: Sequence[Fraction | float]) -> DrawnPoint:
-        """The drawn position of a point of the plane."""
+        """The position of a point of the plane in the drawing."""
         x, y = map(float, place)
         return x, y - float(self.slope) * x - float(self.offset)
 
@@ -52,8 +52,8 @@ class Window:
 def _base(diagram: Diagram) -> tuple[Fraction, Fraction]:
     """Slope and offset of the line of the middle axis.
 
-    In a field the boundaries run close to each other along this line.  Without one they are rays
-    that need no such help.
+    In a field the boundaries are close together along this line.  Without a field they are rays,
+    and no line is needed.
     """
     terms = diagram.cofactor.subs({"z": diagram.poles[1]}).to_dict()
     if not diagram.equilibria or terms.get((0, 1, 0), 0) == 0:
@@ -63,7 +63,7 @@ def _base(diagram: Diagram) -> tuple[Fraction, Fraction]:
 
 
 def window(diagram: Diagram, mark: tuple[float, float] | None) -> Window:
-    """A window on all corners of the diagram, and on a marked point."""
+    """A window that contains all corners of the diagram and a marked point."""
     base = _base(diagram)
     orders: dict[int, list[tuple[int, int]]] = {}
     for number, boundary in enumerate(diagram.boundaries):
@@ -92,7 +92,7 @@ def window(diagram: Diagram, mark: tuple[float, float] | None) -> Window:
 
 
 def heights(diagram: Diagram, frame: Window) -> Mapping[int, Heights]:
-    """The arcs over every column that the window shows, as they are drawn."""
+    """The arcs over every visible column, in drawing coordinates."""
     return _levels(diagram, frame.across, (frame.slope, frame.offset))
 
 
@@ -106,7 +106,7 @@ def _levels(
         low, high = max(start, across[0]), min(end, across[1])
         if high <= low:
             continue
-        # closer together at the ends, where arcs may rise steeply
+        # Denser at the ends, where arcs may be steep.
         turns = np.linspace(1e-4, np.pi - 1e-4, POINTS)
         xs = low + (high - low) * (1 - np.cos(turns)) / 2
         rows = [diagram.arrangement.ordinates(column, rational(Fraction(float(x)))) for x in xs]
@@ -116,7 +116,7 @@ def _levels(
 
 
 class Grid:
-    """A raster of the window: which region each of its points belongs to.
+    """A raster of the window that records the region of each of its points.
 
     Attributes
     ----------
@@ -155,12 +155,12 @@ class Grid:
             self.members[np.outer(wide, tall)] = -1
 
     def in_regions(self, regions: Sequence[Region]) -> BoolArray:
-        """The points of the raster in some regions."""
+        """The raster points in some regions."""
         wanted = [n for n, region in enumerate(self.regions) if region in regions]
         return np.asarray(np.isin(self.members, wanted))
 
     def label_scale(self, inside: BoolArray) -> FloatArray:
-        """The size of the label that fits at each point; 1 just fits."""
+        """Size of the label that fits at each point; 1 fits exactly."""
         from scipy.ndimage import distance_transform_edt
 
         framed = np.pad(inside, 1)
@@ -169,7 +169,7 @@ class Grid:
         return np.asarray(distance_transform_edt(framed, sampling=steps)[1:-1, 1:-1])
 
     def place(self, index: tuple[int, int]) -> DrawnPoint:
-        """A point of the grid in the plane."""
+        """The point of the plane at a raster point."""
         return float(self.xs[index[0]]), float(self.ys[index[1]])
 
 

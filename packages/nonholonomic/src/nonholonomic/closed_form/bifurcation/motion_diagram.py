@@ -1,4 +1,4 @@
-"""The bifurcation diagram that a given motion belongs to, and its place there."""
+"""The bifurcation diagram of a given motion, and its point in the diagram."""
 
 from __future__ import annotations
 
@@ -47,6 +47,6 @@ def _with_area(
     known = {s: sp.Rational(str(x)) for s, x in problem.numbers.items()}
     numbers = {s: known[str(s)] for s in problem.parameters}
     inertia = {f"I_{i}": moment.subs(numbers) for i, moment in enumerate(moments, 1)}
-    # m R² = D, whatever m and R
+    # m R² = D, for any m and R
     ball = {**inertia, "m": -root.subs(numbers), "R": 1, "f": f}
     return bifurcation_diagram("chaplygin-ball-area", ball), (h, g)

@@ -1,4 +1,4 @@
-"""Regions, boundaries and corners of a bifurcation diagram, from the curve over its plane."""
+"""Regions, boundaries and corners of a bifurcation diagram."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Region:
 
 @dataclass(frozen=True)
 class Boundary:
-    """A curve of the plane over which there are motions on circles.
+    """A curve of the plane with periodic motions over it.
 
     Attributes
     ----------
@@ -104,7 +104,7 @@ class Equilibrium:
 
     @property
     def words(self) -> str:
-        """The kind of equilibrium, in words."""
+        """The kind of equilibrium, as text."""
         return ("saddle–saddle", "saddle–centre", "centre–centre")[self.centres]
 
 
@@ -145,19 +145,19 @@ class Kinds:
 
     @cached_property
     def motions(self) -> dict[Cell, frozenset[tuple[str, int, bool, int]]]:
-        """The motions on circles over every arc: words, number, stability and axis."""
+        """The periodic motions over every arc: description, number, stability and axis."""
         return {arc: frozenset(self._motions(arc)) for arc in self.cells.arcs}
 
     def _motions(self, arc: Cell) -> set[tuple[str, int, bool, int]]:
         column, rank = arc
         beside = (self.tori[column, rank], self.tori[column, rank + 1])
         if not any(beside):
-            # beyond a bound; elsewhere a circle has tori beside it
+            # Tori surround these circles only on one side of a bound.
             return set()
         curve = self.cells.curves[self.cells.orders[column][rank]]
         for bound, text in zip(self.bounds, self.plane.bounds, strict=True):
             if _divides(curve, bound):
-                # every torus shrinks to one circle
+                # Every torus shrinks to one circle.
                 count = sum(family.tori for families in beside for family in families)
                 return {(text.words, count, True, 0)}
         counts: dict[tuple[str, bool, int], int] = {}
@@ -184,7 +184,7 @@ class Kinds:
         return circles
 
     def regions(self) -> tuple[Region, ...]:
-        """Cells put together wherever no motion changes its kind in between.
+        """Unions of cells between which no motion changes its kind.
 
         Raises
         ------
@@ -218,7 +218,7 @@ class Kinds:
         return tuple(regions)
 
     def boundaries(self) -> tuple[Boundary, ...]:
-        """Arcs put together that lie on one curve and have the same motions."""
+        """Unions of arcs on one curve with the same motions."""
         arcs_by_kind: dict[tuple[int, tuple[str, int, bool, int]], list[Cell]] = {}
         for (column, rank), motions in self.motions.items():
             for kind in motions:
@@ -237,7 +237,7 @@ class Kinds:
         return sp.Add(*(sp.Rational(str(c)) * x**i * y**j for (i, j, _), c in terms))
 
     def equilibria(self) -> tuple[Equilibrium, ...]:
-        """Levels on which the curve has double roots at two poles, both of them straight lines."""
+        """Levels on which the curve has double roots at two poles, both along straight lines."""
         return tuple(
             equilibrium
             for pair in combinations(range(3), 2)
@@ -261,7 +261,7 @@ class Kinds:
 
 
 def _value_at(polynomial: fmpq_mpoly, z: fmpq) -> fmpq_mpoly:
-    """A polynomial at a value of z."""
+    """The value of a polynomial at z."""
     value: fmpq_mpoly = polynomial.subs({"z": z})
     return value
 
@@ -275,12 +275,12 @@ def _over_point(polynomial: fmpq_mpoly, x: fmpq, y: fmpq) -> fmpq_poly:
 
 
 def _divides(factor: fmpq_mpoly, polynomial: fmpq_mpoly) -> bool:
-    """Whether an irreducible polynomial is a factor of another one."""
+    """Whether an irreducible polynomial divides another one."""
     return bool(factor.gcd(polynomial).total_degree() == factor.total_degree())
 
 
 def _crossing(one: fmpq_mpoly, other: fmpq_mpoly) -> tuple[fmpq, fmpq] | None:
-    """The point where two straight lines cross; None for parallel or curved ones."""
+    """The intersection of two straight lines; None if they are parallel or curved."""
     if one.total_degree() != 1 or other.total_degree() != 1:
         return None
     (a, b, c), (d, e, f) = (

@@ -1,4 +1,4 @@
-"""Tori over the ovals of a curve of genus two, and what happens at their ends.
+"""Tori over the ovals of a curve of genus two, and the motions at their ends.
 
 On a level of the integrals z₁ lies between the first and the second pole of y² = P(z), z₂ between
 the second and the third, each where P ≥ 0: in ovals.  A pair of ovals is a torus of the points
@@ -43,12 +43,12 @@ class Oval:
 
     @property
     def flips(self) -> int:
-        """Components of ν that change sign in one round, as bits."""
+        """Components of ν that change sign during one revolution, as bits."""
         return _bit(self.low) ^ _bit(self.high)
 
     @property
     def text(self) -> str:
-        """The interval in writing, e for poles and r for other roots."""
+        """The interval as text, with e for poles and r for other roots."""
         low, high = (f"e{end}" if end else "r" for end in (self.low, self.high))
         return f"[{low}, {high}]"
 
@@ -81,7 +81,7 @@ def _bit(pole: int) -> int:
 
 
 def group(flips: Iterable[int]) -> set[int]:
-    """All that compositions of flips do to the signs of ν."""
+    """All sign changes of ν that are compositions of flips."""
     elements = {0}
     for flip in flips:
         elements |= {flip ^ other for other in elements}
@@ -92,8 +92,8 @@ def family(first: Oval, second: Oval) -> Family:
     """The tori over a pair of ovals."""
     reached = group((first.flips, second.flips))
     nonvanishing = tuple(i for i in (1, 2, 3) if not any(flips & _bit(i) for flips in reached))
-    # At the lower ends y₁ = y₂ = 0: reversing the motion changes there the sign of ν_i′ alone,
-    # i a pole at which a coordinate turns, and by a sheet is meant the sign of that ν_i′.
+    # At the lower ends y₁ = y₂ = 0.  Reversing the motion there changes only the sign of ν_i′,
+    # where i is a pole at which a coordinate turns; a sheet is identified by the sign of that ν_i′.
     reversal = _bit(first.low) ^ _bit(second.low)
     return Family(first, second, SHEETS // len(reached), nonvanishing, reversal in reached)
 

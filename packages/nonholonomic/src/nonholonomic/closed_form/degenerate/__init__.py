@@ -1,16 +1,16 @@
-"""Degenerate curves: two roots have collided, and a motion needs elliptic functions alone.
+"""Degenerate curves: two roots coincide, and elliptic functions suffice for the motion.
 
-The curve y² = leading ∏ (z − root) with a double root e leaves w = y/(z − e), an elliptic curve.
-Either one of the variables z₁, z₂ stays at e and the other one runs around an oval of w (permanent
-rotations), or e has closed the gap between the two variables and the motion runs from one such
-motion to another (separatrices).
+The curve y² = leading ∏ (z − root) with a double root e reduces to w = y/(z − e), an elliptic
+curve. Either one of the variables z₁, z₂ stays at e while the other one runs around an oval of w
+(permanent rotations), or e has closed the gap between the two variables, and the motion runs from
+one such motion to another (separatrices).
 
-The numbers of a start are taken exactly (a float as the decimal that it is written as, a fraction
-as it stands), moved onto the phase space in many digits, and a collision is recognised when it is
-exact to within 1e-40 of the largest root: nothing is rounded off towards a degenerate motion.  A
-start that is merely near to one belongs to the generic case, whose roots are as many digits apart
-as they are.  Every collision between the two variables, or of one of them with the end of its oval,
-is covered; where two pairs of roots have collided at once the answer is None.
+The numbers of a start count as exact (a float as the decimal that it is written as, a fraction as
+it is) and are projected onto the phase space in many digits.  A collision is recognised if it is
+exact to within 1e-40 of the largest root; nothing is rounded towards a degenerate motion.  A start
+merely close to one is a generic case whose roots are separated by as many digits as they are.  All
+collisions between the two variables, or of one of them with the end of its oval, are covered; if
+two pairs of roots have collided at once, the result is None.
 """
 
 from __future__ import annotations

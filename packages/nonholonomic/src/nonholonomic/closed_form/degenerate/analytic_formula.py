@@ -1,4 +1,4 @@
-"""Formulas on complex balls: a value where they are analytic, NaN where a branch cut may be met."""
+"""Formulas on complex balls: the value where they are analytic, NaN near a branch cut."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from typing import Any
 import sympy as sp
 
 from flowlanes.formulas.straight_line_program import ANALYTIC, Steps, StraightLineProgram
+from flowlanes.system.tuple_vectors import cross
 
 from ...mechanics.rolling.attitude import attitude
-from ..one_degree.vectors import cross
 
 root = ANALYTIC.root
 
@@ -34,7 +34,7 @@ def analytic(
 
 
 def triad(first: Sequence[Any], second: Sequence[Any], sizes: tuple[Any, Any]) -> list[list[Any]]:
-    """Orthonormal vectors: along the first one, across it, and across both.
+    """Orthonormal vectors: along the first one, across it in their plane, normal to both.
 
     `sizes` are the lengths of the first and of the vector product, constants of the motion.
     """
@@ -44,10 +44,10 @@ def triad(first: Sequence[Any], second: Sequence[Any], sizes: tuple[Any, Any]) -
 
 
 def velocity(rates: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
-    """The velocity in body axes, of which the rates of the place are two space components.
+    """The velocity in body axes, two of whose space components are the rates of the position.
 
-    Read off at two attitudes: upright, and one that takes the third body axis to the first one of
-    space.  Empty where there are no rates.
+    It is evaluated at two attitudes: upright, and one that takes the third body axis to the first
+    space axis.  Empty if there are no rates.
     """
     upright = dict(zip(attitude.symbols, (sp.S.One, *[sp.S.Zero] * 3), strict=True))
     turned = dict.fromkeys(attitude.symbols, sp.S.Half)

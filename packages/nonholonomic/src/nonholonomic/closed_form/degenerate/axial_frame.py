@@ -1,14 +1,14 @@
-"""States of a body with an axis of symmetry at any time: its Euler angles, and its position.
+"""States of a body with an axis of symmetry: its Euler angles and its position.
 
-The angles are counted from k_r, one of the vectors that stand still in space, taken such that the
-axis e stays away from it:
+The angles are measured from k_r, one of the vectors fixed in space, chosen such that the axis e
+stays away from it:
 
     φ̇ = ((e, ω) − e_r ω_r)/(1 − e_r²),        ψ̇ = (ω_r − e_r (e, ω))/(1 − e_r²).
 
-u always oscillates.  For the Veselova system u̇² is a quadratic in u.  For the Chaplygin ball e is
-on the unit sphere and, by the formula of M₃, on a conic cylinder about its centre whose quadratic
-form has an eigenvalue below 1: so if a vertex of the conic touches the sphere from within, no other
-point of the conic is inside, and e rests there.
+u always oscillates.  For the Veselova system u̇² is quadratic in u.  For the Chaplygin ball e lies
+on the unit sphere and, by the formula for M₃, on a conic cylinder about its centre whose quadratic
+form has an eigenvalue below 1.  So if a vertex of the conic touches the sphere from inside, no
+other point of the conic is inside, and e rests there.
 """
 
 from __future__ import annotations
@@ -20,7 +20,9 @@ import numpy as np
 import sympy as sp
 from flint import acb, arb
 
+from flowlanes.system.rotations import quaternion_product
 from flowlanes.system.system import System
+from flowlanes.system.tuple_vectors import cross, dot
 
 from ..base.solution import ClosedForm, NamedConstant
 from ..one_degree import FAST, MotionSample, QuadratureMotion
@@ -28,10 +30,10 @@ from ..one_degree.frames import BodyFrame, Inclination, euler_quaternion
 from ..one_degree.functions import BALLS, Count, Functions, T
 from ..one_degree.solution import QuadratureSolution
 from ..one_degree.uniformisation import Oscillating
-from ..one_degree.vectors import conjugate, cross, dot, product, times
+from ..one_degree.vectors import conjugate, product
 from .axisymmetric import Axial
 
-#: Points of a period at which e is compared with the vectors that stand still.
+#: Number of points of a period at which e is compared with the fixed vectors.
 POINTS = 65
 
 
@@ -62,19 +64,19 @@ class AxialStart:
     position: Sequence[arb]
 
     def with_axis_last(self, vector: Sequence[arb]) -> list[arb]:
-        """Components in the order in which e is the last one."""
+        """Components permuted such that e is the last axis."""
         i = self.symmetry
         return [vector[(i + 1) % 3], vector[(i + 2) % 3], vector[i]]
 
     def in_body_order(self, vector: Sequence[arb]) -> list[arb]:
-        """Components in the order of the body axes, from the one in which e is the last."""
+        """Components in the order of the body axes, from the order in which e is last."""
         i = self.symmetry
         return [vector[(k - i - 1) % 3] for k in range(3)]
 
 
 @dataclass(frozen=True)
 class AxialFrame(BodyFrame):
-    """The lifted state of a body with an axis of symmetry from u and u̇.
+    """The lifted state of a body with an axis of symmetry as a function of u and u̇.
 
     Attributes
     ----------
@@ -94,7 +96,7 @@ class AxialFrame(BodyFrame):
     attitude: Sequence[arb] = ()
 
     def _half_angles(self, F: Functions[T], e: Sequence[T]) -> tuple[T, T]:
-        """sin θ/2 and cos θ/2, neither of which vanishes."""
+        """sin θ/2 and cos θ/2, both nonzero."""
         cosine = e[self.reference]
         return F.sqrt((1 - cosine) / 2), F.sqrt((1 + cosine) / 2)
 
@@ -125,7 +127,7 @@ class AxialFrame(BodyFrame):
 
 
 def _reference(axial: Axial, chart: Oscillating) -> int:
-    """The number of the vector that stands still from which e keeps the largest distance."""
+    """The index of the fixed vector from which e keeps the largest distance."""
     largest = [0.0] * 3
     for sigma in np.linspace(-np.pi, np.pi, POINTS):
         u = chart.coordinate(BALLS, arb(sigma))
@@ -138,9 +140,9 @@ def _reference(axial: Axial, chart: Oscillating) -> int:
 def axial_solution(
     start: AxialStart, axial: Axial, chart: Oscillating, u: arb, rate: arb
 ) -> QuadratureSolution:
-    """The motion on which u changes, from u and u̇ at time 0."""
+    """The motion with varying u, from u and u̇ at time 0."""
     r = _reference(axial, chart)
-    # the vectors that stand still, in space axes
+    # The fixed vectors in space axes.
     still = [product(start.attitude, start.in_body_order(k)) for k in axial.frame()]
 
     def rates(u: acb, rate: acb) -> list[acb]:
@@ -157,7 +159,7 @@ def axial_solution(
     frame = AxialFrame(axial, r, start.symmetry, start.position)
     first, *vector = frame.start_quaternion(motion)
     inverse = conjugate([first, *start.in_body_order(vector)])
-    frame = replace(frame, attitude=times(start.attitude, inverse))
+    frame = replace(frame, attitude=quaternion_product(start.attitude, inverse))
     return QuadratureSolution(
         start.system, start.parameters, motion, frame, lambda: _form(start, axial, motion)
     )

@@ -1,6 +1,6 @@
-"""Bodies with two equal moments: one equation for u = (γ, e), e the axis of symmetry.
+"""Bodies with two equal moments: a single equation for u = (γ, e), e the axis of symmetry.
 
-Both systems have two vectors that stand still in space, and e is known in the frame k they span:
+Both systems have two vectors fixed in space, and e is known in the frame k spanned by them:
 
     Veselova, I = (A, A, C), G = C + (A − C)u², L = Iω×γ, ω₃√G = c:
         A u̇² = 2h(1 − u²) − c²,
@@ -11,7 +11,7 @@ Both systems have two vectors that stand still in space, and e is known in the f
         k₃ = γ, k₁ ∥ M − gγ, m² = f − g²,      e = ((M₃ − gu)/m, a u̇/m, u),
         ω = (M + Dsγ)/a + ε(M₃ + Dsu)e,      s = (ω, γ) = (g/a + εM₃u)/W.
 
-c and K are constants of the motion that only these bodies have.  That they are constant, and the
+c and K are constants of the motion that exist only for these bodies.  Their constancy, and the
 equations of u, are proven in ``tests/explicit/degenerate``.
 """
 
@@ -25,10 +25,11 @@ from typing import TypeAlias
 import sympy as sp
 from flint import arb
 
+from flowlanes.system.tuple_vectors import cross, dot
+
 from ..one_degree.divided_differences import Argument, analytic_root
 from ..one_degree.functions import Functions, N
 from ..one_degree.uniformisation import Equation
-from ..one_degree.vectors import cross, dot
 
 Vector: TypeAlias = Sequence[arb]
 
@@ -37,17 +38,17 @@ Vector: TypeAlias = Sequence[arb]
 class Axial(ABC):
     """A motion of a body with the axis e.
 
-    Components are those in the frame k, which stands still in space.
+    Components refer to the frame k, which is fixed in space.
     """
 
     @property
     @abstractmethod
     def equation(self) -> Equation:
-        """That of u."""
+        """The equation of u."""
 
     @abstractmethod
     def axis(self, F: Functions[N], u: N, rate: N) -> list[N]:
-        """e at u, u̇."""
+        """e at given u, u̇."""
 
     @abstractmethod
     def omega(self, F: Functions[N], u: N, rate: N) -> list[N]:
@@ -59,22 +60,22 @@ class Axial(ABC):
 
     @abstractmethod
     def velocity(self, F: Functions[N], u: N, rate: N) -> list[N] | None:
-        """Rate of the place, three components; None for a body with a fixed point."""
+        """The rate of the position, three components; None for a body with a fixed point."""
 
     @property
     @abstractmethod
     def length(self) -> arb:
-        """A length of the body, with which paths are compared; 1 for a body with a fixed point."""
+        """A length of the body as scale for paths; 1 for a body with a fixed point."""
 
     @property
     @abstractmethod
     def equations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
-        """The equations, for a reader."""
+        """The equations as printed for a reader."""
 
     @property
     @abstractmethod
     def constants(self) -> tuple[tuple[str, arb, str], ...]:
-        """Symbol, value and meaning of the constants in them."""
+        """Symbol, value and meaning of the constants in the equations."""
 
     @property
     @abstractmethod
@@ -128,7 +129,7 @@ class VeselovaAxial(Axial):
         def denominator(u: Argument) -> Argument:
             return 0 * u + self.A
 
-        # beyond ±1 the square is negative: the edges are no roots
+        # Beyond ±1 the square is negative: the edges are not roots.
         return Equation(numerator, denominator, arb(-1.5), arb(1.5))
 
     @property
@@ -172,7 +173,7 @@ class VeselovaAxial(Axial):
 
     @property
     def length(self) -> arb:
-        """Nothing is compared with it."""
+        """No path exists that could be compared."""
         return arb(1)
 
     @property
@@ -253,7 +254,7 @@ class ChaplyginAxial(Axial):
 
         high = arb(1.5)
         if self._epsilon > 0:
-            # between 1 and where W vanishes
+            # between 1 and the zero of W
             end = ((1 - self.D / self.a) / (self.D * self._epsilon)).sqrt()
             high = high.min((1 + end) / 2)
         return Equation(numerator, denominator, -high, high)

@@ -1,4 +1,4 @@
-"""The closed form of a degenerate motion, as it is printed."""
+"""The closed form of a degenerate motion, for printing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Motions at a double root of the curve, with their constants determined by the start."""
+"""Motions at a double root of the curve, with constants determined by the start."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def motion_at_double_root(
 def _stays(start: ExactStart, e: arb) -> bool:
     """Whether one of the variables stays at the double root.
 
-    At a pole it does where the component and its rate vanish: both variables may pass it together.
+    At a pole this holds if the component and its rate vanish: both variables may pass it together.
     """
     parts = zip(start.poles, start.nu, start.nuprime, strict=True)
     speed = sum((abs(x.mid()) for x in start.nuprime), arb(0))
@@ -68,7 +68,7 @@ def _periodic_motion(start: ExactStart, e: arb, z: arb, oval: Oval) -> Periodic:
             continue
         size = abs(weight * (pole - e) * oval.factor(pole)).sqrt()
         value, slope = oval.thetas.pair(index, phase)
-        # the sign is read off the component, or off its rate where the component is small
+        # The sign follows from the component, or from its rate where the component is small.
         seen = nu * value if abs(nu) > abs(rate / turn) else rate * slope * turn
         indices.append(index)
         amplitudes.append(size if seen > 0 else -size)
@@ -103,7 +103,7 @@ def _asymptotic_motion(start: ExactStart, e: arb, oval: Oval) -> Asymptotic:
 
 
 def _through(motion: Asymptotic, start: ExactStart) -> Asymptotic:
-    """The motion through the start: with its phases U, κ and its reflections."""
+    """The motion through the start, with its phases U, κ and its reflections."""
     target = np.array([[float(x) for x in start.nu], [float(x) for x in start.nuprime]])
     rate = max(abs(float(x)) for x in motion.turn)
     unit = np.array([[1.0], [rate]]) * np.ones((2, 3))
@@ -137,7 +137,7 @@ def _through(motion: Asymptotic, start: ExactStart) -> Asymptotic:
 
 
 def _gauss_newton(motion: Asymptotic, goals: list[arb], weights: list[arb]) -> list[arb]:
-    """The step in U and κ that brings the motion at τ = 0 nearest to the start."""
+    """The Gauss–Newton step in U and κ that brings the motion at τ = 0 closest to the start."""
 
     def weighted_components(phase: arb, offset: arb) -> list[arb]:
         nu, rate = direction(BALLS, *motion.with_start(phase, offset).balls(arb(0)))

@@ -1,4 +1,4 @@
-"""The curve that is left when two branch points collide, in theta functions.
+"""The curve that remains when two branch points collide, in theta functions.
 
 Without its double root e the curve y² = R(z) of genus two is w² = R(z)/(z − e)², elliptic.  On the
 oval w² ≥ 0 between the roots a < b, let c and d be the next roots above b, counted through infinity
@@ -57,7 +57,7 @@ class Oval:
         return value
 
     def index(self, root: arb) -> int | None:
-        """The number of the theta function that vanishes with z − root, None for no root."""
+        """The index of the theta function that vanishes with z − root, None if root is infinity."""
         for number, own in zip((1, 2, 3, 4), (*self.ends, *self.outer), strict=True):
             if own is not None and own.overlaps(root):
                 return number
@@ -69,7 +69,7 @@ class Oval:
         return (z - a) / (b - a) * (1 if d is None else (b - d) / (z - d))
 
     def phase(self, z: arb, rate: arb) -> arb:
-        """v at a point of the oval, of a motion that passes it with dz/dv of the sign of `rate`.
+        """v at a point of the oval, for a motion that passes it with dz/dv of the sign of `rate`.
 
         Parameters
         ----------
@@ -77,7 +77,8 @@ class Oval:
             A point and dz/dv there; at a turning point both decide by their middles.
         """
         x = self.portion(z)
-        # of sine and cosine the smaller one is taken from the rate, where nothing cancels
+        # The smaller of sine and cosine follows from the rate, which does not suffer from
+        # cancellation.
         slope = self._portion_rate(z) * rate * arb.pi() / (2 * self.quarter)
         delta = (1 - self.modulus * x).sqrt()
         if x.mid() < 0.5:
@@ -95,7 +96,7 @@ class Oval:
         return 1 / (b - a) if d is None else (b - d) * (a - d) / ((b - a) * (z - d) ** 2)
 
     def factor(self, root: arb) -> arb:
-        """κ in z − root = κ θ²(v)/D(v), for a root; D is common to all of them."""
+        """κ in z − root = κ θ²(v)/D(v), for a root; D is common to all roots."""
         index = self.index(root)
         a, b = self.ends
         d = self.outer[1]
@@ -115,7 +116,7 @@ class Oval:
 
 
 def oval_around(leading: arb, roots: Sequence[arb], z: arb) -> Oval | None:
-    """The bounded oval on which z lies, of w² = leading ∏ (z − root).
+    """The bounded oval that contains z, of w² = leading ∏ (z − root).
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""The start of a motion of a separated system, in numbers of high precision.
+"""The start of a motion of a separated system, in high precision.
 
-A start is a row of numbers that are taken exactly and moved onto the phase space (and onto the
-level of the separation) to far more digits than are asked of the motion.
+The numbers of a start count as exact.  They are projected onto the phase space (and onto the level
+of the separation) with far more digits than are requested for the motion.
 """
 
 from __future__ import annotations
@@ -17,19 +17,20 @@ from flint import arb
 from flowlanes.arguments import NumberOrText
 from flowlanes.formulas.balls import ball, ball_values, components
 from flowlanes.formulas.relative_zero import vanishes
+from flowlanes.system.tuple_vectors import dot
 
 from ..base.exact_start import on_phase_space, with_definitions
 from ..genus_two.separation import SeparatedSystem
 
 Balls: TypeAlias = tuple[arb, ...]
 
-#: Bits in which starts are worked out.
+#: Precision in bits of a start.
 PRECISION = 420
 
 
 @dataclass(frozen=True)
 class ExactStart:
-    """The numbers of a separable system at the start of a motion.
+    """The quantities of a separable system at the start of a motion.
 
     Attributes
     ----------
@@ -71,9 +72,10 @@ class ExactStart:
 
     @property
     def double_roots(self) -> list[tuple[arb, list[arb]]]:
-        """The double roots of the curve, each with the roots that are left without it.
+        """The double roots of the curve, each with the roots that remain without it.
 
-        Poles come first in the list of roots, so that a collision with a pole is put at the pole.
+        Poles come first in the list of roots, so a collision with a pole counts as located at the
+        pole.
         """
         return [
             (one, [*self.roots[:i], *self.roots[i + 1 : j], *self.roots[j + 1 :]])
@@ -87,7 +89,7 @@ def exact_start(
     values: Mapping[sp.Symbol, NumberOrText],
     start: Sequence[NumberOrText],
 ) -> ExactStart:
-    """The numbers of a separable system at a start; the working precision must suffice.
+    """The quantities of a separable system at a start; requires sufficient working precision.
 
     Parameters
     ----------
@@ -146,12 +148,8 @@ def _symmetric(
     products = [poles[1] * poles[2], poles[2] * poles[0], poles[0] * poles[1]]
 
     def quotient(factors: list[arb]) -> tuple[arb, arb]:
-        above, below = _weighted_sum(shares, factors), sum(shares, arb(0))
+        above, below = dot(shares, factors), sum(shares, arb(0))
         value = above / below
-        return value, (_weighted_sum(rates, factors) - value * sum(rates, arb(0))) / below
+        return value, (dot(rates, factors) - value * sum(rates, arb(0))) / below
 
     return quotient(sums), quotient(products)
-
-
-def _weighted_sum(numbers: list[arb], factors: list[arb]) -> arb:
-    return sum((x * f for x, f in zip(numbers, factors, strict=True)), arb(0))

@@ -1,4 +1,4 @@
-"""Jacobi's four theta functions with their derivatives, for a real nome: balls and arrays.
+"""Jacobi's four theta functions with derivatives, for a real nome: balls and arrays.
 
 With q = exp(−πy), y > 0,
 
@@ -23,18 +23,18 @@ from flowlanes.system.arrays import FloatArray
 
 from ..one_degree.functions import B, N
 
-#: A function and its derivative.
+#: A function value and its derivative.
 Pair: TypeAlias = tuple[N, N]
 
-#: For each function: multiples of ½π by which its centres are moved, and whether signs alternate.
+#: For each function: shift of its centres in multiples of ½π, and whether signs alternate.
 _CENTRES = {1: (1, True), 2: (0, True), 3: (0, False), 4: (1, False)}
-#: Terms to either side that double precision needs, y ≥ 1 or y < 1 and |ζ| ≤ ½π.
+#: Number of terms on either side for double precision, for y ≥ 1 or y < 1 and |ζ| ≤ ½π.
 _TERMS = 5
 
 
 @dataclass(frozen=True)
 class Thetas:
-    """The theta functions of one nome, all times √y when y < 1.
+    """The theta functions of one nome, all times √y if y < 1.
 
     Attributes
     ----------
@@ -94,7 +94,7 @@ class Thetas:
         value, slope = 0 * zeta, 0 * zeta
         n = 0
         while True:
-            # the two centres number n and −n−1 (moved), or n and −n
+            # the two centres with numbers n and −n−1 (shifted), or n and −n
             for k in {n, -n - moved}:
                 from_centre = zeta - (2 * k + moved) * pi / 2
                 sign = -1 if alternating and k % 2 else 1
@@ -113,7 +113,7 @@ class Thetas:
             )
             ratio = (-(2 * distance + pi) / self.y).exp() * (reach + pi) / reach
             if ratio < 0.5 and bound < arb(2) ** (-ctx.prec - 8):
-                # two terms a step, and the terms left out at most double the first ones
+                # Two terms per step; the omitted terms at most double the first ones.
                 return _with_error(value, 4 * bound), _with_error(slope, 4 * bound)
 
     @cached_property
@@ -144,7 +144,7 @@ class Thetas:
 
 
 def _nearest(ball: arb | acb) -> int:
-    """An integer near the real part."""
+    """An integer close to the real part."""
     return round(float(ball.real.mid()))
 
 

@@ -30,10 +30,10 @@ from .theta_motion import Asymptotic, Pair, Periodic, direction
 
 #: ν or ν′.
 Arrays: TypeAlias = Sequence[FloatArray]
-#: ν and ν′, and further arrays ↦ the values (m, n) of formulas.
+#: Maps ν and ν′, and further arrays, to the values (m, n) of formulas.
 ArrayFunction: TypeAlias = Callable[..., FloatArray]
 
-#: Bits in which the gain of the clock in a period is computed, and what it may miss.
+#: Precision in bits of the gain of the clock in a period, and its tolerance.
 BITS = 160
 MISS = arb(2) ** (-125)
 
@@ -81,12 +81,12 @@ class DegenerateMotion:
 
     @property
     def in_space(self) -> bool:
-        """Whether the motion in space is part of the states."""
+        """Whether the states include the motion in space."""
         return len(self.system.symbols) > len(self.separable.system.symbols)
 
     @cached_property
     def _integrands(self) -> ArrayFunction:
-        """The rate of the clock, then the velocity in space, all in τ."""
+        """The rate of the clock, then the velocity in space, all with respect to τ."""
         clock = on_arrays(self, components(self.separable.clock))
         rates = place_rates(self.separable.system)
         if not (rates and self.in_space):
@@ -122,8 +122,8 @@ class DegenerateMotion:
     def turn(self) -> arb:
         """The gain of the clock in a period, of the motion or of its limits.
 
-        By the trapezoid rule, whose error falls off exponentially: the number of points is
-        doubled until it does not change any more.
+        By the trapezoidal rule, whose error decreases exponentially: the number of points is
+        doubled until the result no longer changes.
         """
         motion = self.motion
         clock = on_balls(self, components(self.separable.clock))
@@ -136,7 +136,7 @@ class DegenerateMotion:
                 return sum((clock(*directions(tau))[0] for tau in points), arb(0))
 
             def directions(tau: arb) -> list[arb]:
-                # exact numbers: a ball around zero has no even power in python-flint
+                # Use exact midpoints: python-flint has no even powers of balls that contain zero.
                 nu, nuprime = direction(BALLS, *periodic.balls(tau))
                 return [x.mid() for x in (*nu, *nuprime)]
 
@@ -151,7 +151,7 @@ class DegenerateMotion:
 
     @cached_property
     def clock(self) -> Quadratures:
-        """t as a function of τ and back, and the quadratures of the position."""
+        """t as a function of τ and its inverse, and the quadratures of the position."""
         with ctx.workprec(BITS):
             return quadratures_along(self.motion, self._integrands, self.turn)
 
@@ -173,7 +173,7 @@ class DegenerateMotion:
 
     @property
     def pace(self) -> float:
-        """Periods in a unit of time."""
+        """Periods per unit of time."""
         return 1 / float(self.turn.mid())
 
     @arguments_checked

@@ -1,8 +1,8 @@
-"""Quadratures along a degenerate motion, in double precision: the clock, and whatever else grows.
+"""Quadratures along a degenerate motion in double precision: the clock, and other integrals.
 
-Along a periodic motion ∫ f dτ is its mean times τ and a Fourier series.  Along an asymptotic one it
-is that of the limit on either side of a window outside of which the difference has died out, and a
-polynomial on each of many panels within.
+Along a periodic motion ∫ f dτ is its mean times τ plus a Fourier series.  Along an asymptotic one
+it is that of the limit on either side of a window, outside of which the difference is negligible,
+and a polynomial on each of many panels inside.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ from .theta_motion import Asymptotic, Periodic, direction
 #: The integrands at ν, ν′ (3, n): an array (m, n), the clock first.
 Integrands: TypeAlias = Callable[[Sequence[FloatArray], Sequence[FloatArray]], FloatArray]
 
-#: |κ| beyond which e^{−|κ|} is lost in a double.
+#: |κ| beyond which e^{−|κ|} is negligible in doubles.
 LARGEST_KAPPA = 38.0
-#: A velocity so much smaller than the largest one vanishes but for rounding.
+#: Relative size below which a velocity counts as zero.
 TINY = 1e-6
-#: Nodes on a panel, and the phases (U, κ) that it may cover.
+#: Number of nodes per panel, and the largest change of the phases (U, κ) within one.
 NODES = 24
 SPAN = 0.4
 
 
 class Moment(NamedTuple):
-    """τ = remainder + turns · period at some times, and the other quadratures up to there."""
+    """τ = remainder + turns · period at given times, and the other quadratures up to there."""
 
     remainder: FloatArray
     turns: FloatArray
@@ -75,7 +75,7 @@ class PeriodicQuadratures:
 
     @cached_property
     def _antiderivative(self) -> ComplexArray:
-        """Fourier coefficients of the quadratures, less their means."""
+        """Fourier coefficients of the quadratures without their mean growth."""
         order = np.arange(1, self.waves.shape[-1] + 1)
         return self.waves / (2j * np.pi / self.period * order)
 
@@ -92,7 +92,7 @@ class PeriodicQuadratures:
         return tau, self.up_to(tau)[0]
 
     def inverse_clock(self, times: FloatArray) -> FloatArray:
-        """τ at `times`, between 0 and the gain of the clock in a period."""
+        """τ at `times` between 0 and the gain of the clock in a period."""
         grid, grid_times = self._table
         tau: FloatArray = np.interp(times, grid_times, grid)
         for _ in range(4):
@@ -134,7 +134,7 @@ def _periodic(motion: Periodic, integrands: Integrands, turn: arb) -> PeriodicQu
         nu, rate = direction(DOUBLES, *motion.doubles(tau, 0.0))
         waves = np.fft.rfft(integrands(nu, rate)) / count
         size = np.abs(waves).max(-1, keepdims=True)
-        # the clock and the velocities have different units
+        # The clock and the velocities have different units.
         size[1:] = np.maximum(size[1:], TINY * size[1:].max(initial=0.0))
         size[size == 0] = 1.0
         last = (np.abs(waves[:, -(count // 8) :]) / size).max()
@@ -213,7 +213,7 @@ class AsymptoticQuadratures:
         side: PeriodicQuadratures,
         edge: int,
     ) -> None:
-        """Replace the moments beyond an edge by those of the limit, within a period of the edge."""
+        """Replace the moments beyond an edge by those of the limit motion."""
         start = float(self.edges[edge])
         first = np.floor(start / side.period)
         reached = side.up_to(np.array([start - first * side.period]))[:, 0]
@@ -256,7 +256,7 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: arb) -> Asympt
     coefficients = np.einsum("kn,mnp->kmp", inverse, values)
     panels = np.polynomial.legendre.legint(coefficients, lbnd=-1) * half
     gains = panels.sum(0)
-    # summed up outwards from τ = 0, where they vanish
+    # Summed outwards from τ = 0, where they vanish.
     left = -np.cumsum(gains[:, :before][:, ::-1], axis=1)[:, ::-1]
     right = np.cumsum(gains[:, before:], axis=1)
     sums = np.concatenate([left, np.zeros((len(gains), 1)), right], axis=1)

@@ -1,4 +1,4 @@
-"""Continuous signs of quaternions along a motion that is periodic, at least in both limits."""
+"""Continuous signs of quaternions along a motion that is at least asymptotically periodic."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from flowlanes.system.arrays import FloatArray
 
 from ..genus_two.attitude import continuous_signs as agreeing_signs
 
-#: Points of a period in the table of quaternions.
+#: Number of points per period in the table of quaternions.
 POINTS = 512
 
 
@@ -51,7 +51,7 @@ def continuous_signs(
     period: float,
     start: FloatArray,
 ) -> Signs:
-    """The signs that make the quaternion of a motion continuous.
+    """Choose the signs that make the quaternion of a motion continuous.
 
     Parameters
     ----------

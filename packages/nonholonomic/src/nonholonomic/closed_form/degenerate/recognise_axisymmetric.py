@@ -1,7 +1,7 @@
-"""Bodies with two equal moments, of the Veselova system and of the Chaplygin ball.
+"""Recognise bodies with two equal moments, for the Veselova system and the Chaplygin ball.
 
-Any two of the three may be the equal ones; they count as equal when they agree to within 1e-40.
-The Chaplygin ball is solved for every (M, γ).
+Any two of the three moments may be the equal ones; they count as equal if they agree to within
+1e-40. The Chaplygin ball is solved for every (M, γ).
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ Vector = Sequence[arb]
 
 
 def equal_pair(moments: Vector) -> int | None:
-    """The number, from 0, of the axis whose moment is not in a pair of equal ones.
+    """The index, from 0, of the axis whose moment differs from two equal ones.
 
-    None when all three differ; the last axis when all are equal.
+    None if all three differ; the last axis if all are equal.
     """
     size = max(abs(moment) for moment in moments)
     for axis in (2, 1, 0):
@@ -84,7 +84,7 @@ def _solution(
 def veselova_of_revolution(
     system: System, values: Numbers, start: Sequence[NumberOrText], moments: Vector
 ) -> Solution | None:
-    """The Veselova system with two equal moments, or turning uniformly.
+    """Solve the Veselova system with two equal moments, or in uniform rotation.
 
     Parameters
     ----------
@@ -113,7 +113,7 @@ def chaplygin_of_revolution(
     D: arb,
     R: arb,
 ) -> Solution | None:
-    """The Chaplygin ball with two equal moments, or turning uniformly, for every (M, γ).
+    """Solve the Chaplygin ball with two equal moments, or in uniform rotation, for every (M, γ).
 
     Parameters
     ----------

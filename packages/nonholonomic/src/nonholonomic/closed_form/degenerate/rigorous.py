@@ -1,9 +1,9 @@
 """States of a degenerate motion in balls, with proven bounds of all errors.
 
-The clock and the position are integrated in the phase σ = |dU/dτ| τ, over one period of a periodic
-motion, or over the part needed of the window outside which an asymptotic one agrees with its limits
-to the digits wanted.  Beyond it the numerators are those of the limit with balls
-for the remaining difference, so that one period of them bounds every period to come.
+The clock and the position are integrated in the phase σ = |dU/dτ| τ: over one period of a periodic
+motion, or over the required part of the window outside which an asymptotic motion agrees with its
+limits to the requested digits.  Beyond it the numerators are those of the limit with balls for the
+remaining difference, so one period of them bounds every later period.
 """
 
 from __future__ import annotations
@@ -19,32 +19,33 @@ from flint import acb, arb, ctx
 
 from flowlanes.arguments import NumberOrText
 from flowlanes.formulas.balls import ball, components
+from flowlanes.system.tuple_vectors import cross, dot
 
 from ...mechanics.rolling.attitude import place_rates
 from ..genus_two.separated_motion import steps_from_torus
 from ..one_degree.chebyshev_integrals import Integrals, integrals, working_bits
 from ..one_degree.functions import BALLS, B
 from ..one_degree.inverse import enclosed_root
-from ..one_degree.vectors import cross, dot, product, quaternion_near
+from ..one_degree.vectors import product, quaternion_near
 from ..one_degree.working_precision import exact_time, working_digits
 from .analytic_formula import analytic, root, triad, velocity
 from .motion import DegenerateMotion
 from .theta_motion import Asymptotic, direction
 
-#: σ ↦ N and N′ in complex balls.
+#: Maps σ to N and N′ in complex balls.
 Numerators: TypeAlias = Callable[[acb], tuple[list[acb], list[acb]]]
-#: The distance, in σ, to which boxes reach from a panel in which functions are bounded.
+#: Distance in σ to which boxes extend from a panel on which functions are bounded.
 REACH = 4
-#: Balls smaller than this are points; larger ones are boxes, on which only bounds are wanted.
+#: Balls smaller than this count as points; larger ones are boxes, where only bounds are needed.
 POINTLIKE, BOX_BITS = 1e-6, 64
-#: Boxes smaller than this are not divided any further.
+#: Boxes smaller than this are not divided further.
 SMALLEST = 0.02
-#: Points of a turn at which the integrands are compared.
+#: Number of points of a period at which the integrands are compared.
 POINTS = 8
 
 
 def rigorous_state(solution: DegenerateMotion, time: NumberOrText, digits: int) -> tuple[arb, ...]:
-    """The lifted state at one time as balls that contain the exact one.
+    """The lifted state at one time as balls that contain the exact state.
 
     Parameters
     ----------
@@ -82,7 +83,7 @@ class Tail:
     side: int
 
     def value(self, index: int, sigma: arb) -> arb:
-        """An integral from the edge to σ beyond it."""
+        """An integral from the edge to a σ beyond it."""
         turns = self.turns(sigma)
         remainder = sigma - self.edge - turns * 2 * arb.pi()
         whole = self.integrals.value(index, self.side * 2 * arb.pi())
@@ -144,7 +145,7 @@ class Rigorous:
 
     @cached_property
     def _still_triad(self) -> list[list[arb]]:
-        """The triad in space axes."""
+        """The fixed triad in space axes."""
         start = self.solution.exact
         size = len(start.state)
         turn = [ball(x) for x in self.solution.start[size : size + 4]]
@@ -160,7 +161,7 @@ class Rigorous:
         return abs(self.solution.motion.speed)
 
     def _integrands(self, numerators: Numerators) -> Callable[[acb], list[acb]]:
-        """Derivatives by σ of the clock and the position."""
+        """Derivatives of the clock and the position with respect to σ."""
 
         def rates(sigma: acb) -> list[acb]:
             size = max(float(sigma.real.rad()), float(sigma.imag.rad()))
@@ -170,7 +171,7 @@ class Rigorous:
                 return on_quarters(sigma, size)
 
         def on_quarters(sigma: acb, size: float) -> list[acb]:
-            """On a box that is too large for its dependent terms: the union over its quarters."""
+            """Evaluate a box as the union over its quarters, which reduces overestimation."""
             values = on_box(sigma)
             if size < SMALLEST or all(f.is_finite() for f in values):
                 return values
@@ -190,7 +191,7 @@ class Rigorous:
 
     @cached_property
     def _units(self) -> tuple[float, ...]:
-        """The rate of the clock, and the largest velocity, at some places of a turn."""
+        """The rate of the clock, and the largest velocity, at some points of a period."""
         rates = self._integrands(self._numerators)
         seen = [rates(acb(2 * arb.pi() * k / POINTS)) for k in range(POINTS)]
         sizes = [[float(abs(f.real).mid()) for f in row] for row in seen]
@@ -255,7 +256,7 @@ class Rigorous:
         return {}
 
     def _tail_at(self, sigma: arb) -> Tail | None:
-        """The tail in which σ lies."""
+        """The tail that contains σ."""
         low, high = self._edges
         if not isinstance(self.solution.motion, Asymptotic) or low <= sigma <= high:
             return None
@@ -274,7 +275,7 @@ class Rigorous:
     # --- answers ---------------------------------------------------------------------------
 
     def _phase(self, time: arb) -> tuple[arb, int]:
-        """σ at a time, less whole periods of a periodic motion, and their number."""
+        """σ at a time, modulo whole periods of a periodic motion, and their number."""
         rough = self.solution.clock.moment(np.array([float(time.mid())]))
         turns = 0
         sigma = (arb(float(rough.remainder[0])) * self._speed).mid()
@@ -323,7 +324,7 @@ def _quarters(box: acb) -> list[acb]:
 
 
 def quaternion(rows: Sequence[Sequence[arb]], near: Sequence[float]) -> list[arb]:
-    """The unit quaternion of a rotation matrix, the one of two that is nearer to `near`.
+    """The unit quaternion of a rotation matrix, with the sign closer to `near`.
 
     Parameters
     ----------

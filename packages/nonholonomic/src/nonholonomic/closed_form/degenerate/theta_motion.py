@@ -1,4 +1,4 @@
-"""The unit vector of a motion whose curve is elliptic, as ratios of theta functions.
+"""The unit vector of a motion on an elliptic curve, as ratios of theta functions.
 
 Both kinds of motion have ν = N/|N|.  When one variable stays at the double root e, the other gives
 
@@ -10,8 +10,8 @@ two variables, with e = z(s) and U = v₁ + v₂,
     N_i = c_i (e^{−κ} θ_i(U − s) ± e^{κ} θ_i(U + s)),       N_e = c_e θ₁(U),
 
 U and κ linear in τ (the minus sign belongs to θ₁): this runs from one periodic motion to another.
-It follows from σ(v − v₁)σ(v − v₂) being a combination of σ(v − s)σ(v + s − U) and
-σ(v + s)σ(v − s − U), taken at v = ±s and at the half-periods.
+It holds because σ(v − v₁)σ(v − v₂) is a combination of σ(v − s)σ(v + s − U) and σ(v + s)σ(v − s −
+U), evaluated at v = ±s and at the half-periods.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ import numpy as np
 from flint import arb
 
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.tuple_vectors import dot
 
 from ..one_degree.functions import BALLS, DOUBLES, B, Functions, N
-from ..one_degree.vectors import dot
 from .jacobi_theta import Thetas
 
 #: N and N′, or ν and ν′.
@@ -37,13 +37,13 @@ Pair: TypeAlias = tuple[list[N], list[N]]
 class Numerators(ABC):
     """N and N′ as functions of τ, both up to one common factor.
 
-    N′ is the derivative along the flow that makes ν′, which may be another one than that of τ.
+    N′ is the derivative along the flow that defines ν′, which may differ from that of τ.
     """
 
     @property
     @abstractmethod
     def period(self) -> arb:
-        """The time τ after which all theta functions return."""
+        """The period in τ of all theta functions."""
 
     @abstractmethod
     def balls(self, tau: B) -> Pair[B]:
@@ -56,7 +56,7 @@ class Numerators(ABC):
 
 @dataclass(frozen=True)
 class Periodic(Numerators):
-    """A motion of one frequency.
+    """A motion with one frequency.
 
     Attributes
     ----------
@@ -140,7 +140,7 @@ class Asymptotic(Numerators):
     def balls(self, tau: B) -> Pair[B]:
         """N and N′ at τ."""
         U, kappa = self.phase + self.speed * tau, self.offset + self.growth * tau
-        # the common factor keeps the larger exponential at one
+        # The common factor keeps the larger exponential at one.
         after = kappa.real.mid() > 0
         small = (-2 * kappa if after else 2 * kappa).exp()
         middle = (-kappa if after else kappa).exp()
@@ -148,7 +148,7 @@ class Asymptotic(Numerators):
         return self.combination(BALLS, U, *((small, one) if after else (one, small)), middle)
 
     def combination(self, F: Functions[N], U: N, down: N, up: N, middle: N) -> Pair[N]:
-        """N and N′ with the factors of θ(U − s), θ(U + s) and of the component that dies out."""
+        """N and N′ with given factors of θ(U − s), θ(U + s) and of the decaying component."""
         pair, s = self.thetas.pair, F.number(self.shift)
         speed, growth = (F.number(x) for x in self.turn)
         values, slopes = [], []
@@ -180,7 +180,7 @@ class Asymptotic(Numerators):
         return self.combination(DOUBLES, U, down, up, middle)
 
     def limit(self, side: int) -> Periodic:
-        """The periodic motion that is approached as κ → ∞ (`side` 1) or −∞ (−1)."""
+        """The periodic motion approached as κ → ∞ (`side` 1) or −∞ (−1)."""
         amplitudes = tuple(
             arb(0) if index == 0 else (-c if index == 1 and side > 0 else c)
             for c, index in zip(self.amplitudes, self.indices, strict=True)
@@ -190,13 +190,13 @@ class Asymptotic(Numerators):
         return Periodic(self.thetas, indices, amplitudes, phase, self.speed, self.turn[0])
 
     def with_start(self, phase: arb, offset: arb, signs: Sequence[int] = (1, 1, 1)) -> Asymptotic:
-        """The motion with other phases at τ = 0 and with components reflected."""
+        """The motion with other phases at τ = 0 and with reflected components."""
         reflected = tuple(sign * c for sign, c in zip(signs, self.amplitudes, strict=True))
         return replace(self, phase=phase, offset=offset, amplitudes=reflected)
 
 
 def direction(F: Functions[N], values: Sequence[N], slopes: Sequence[N]) -> Pair[N]:
-    """ν and ν′ from N and N′; in balls not finite where the square root of N² may be cut."""
+    """ν and ν′ from N and N′; as balls not finite where the square root of N² may meet its cut."""
     length = F.sqrt(dot(values, values))
     nu = [n / length for n in values]
     along = dot(nu, slopes)

@@ -1,10 +1,10 @@
-"""The recognition of uniform motions: rest, permanent rotation, steady precession.
+"""Recognise uniform motions: rest, permanent rotation, steady precession.
 
-The vectors of the reduced state turn rigidly in the body, x(t) = e^{−tΩ×} x(0), with a constant Ω:
-zero for an equilibrium of the reduced system, along the axis of symmetry of a body of revolution, ω
-itself for a permanent rotation (about a principal axis, or about any axis when all moments are
-equal).  The first two follow from the rates at the start by symmetry; the third is checked along
-the turn.
+The vectors of the reduced state rotate rigidly in the body, x(t) = e^{−tΩ×} x(0), with a constant
+Ω: zero for an equilibrium of the reduced system, along the axis of symmetry for a body of
+revolution, ω itself for a permanent rotation (about a principal axis, or about any axis if all
+moments are equal). The first two follow from the rates at the start by symmetry; the third is
+checked along the rotation.
 """
 
 from __future__ import annotations
@@ -18,17 +18,18 @@ from flowlanes.arguments import NumberOrText
 from flowlanes.formulas.balls import ball, ball_values, exact
 from flowlanes.formulas.relative_zero import SizedNumber, state_sizes, values_with_sizes, vanishes
 from flowlanes.system.system import System
-from flowlanes.system.vectors import Vector, to_components
+from flowlanes.system.tuple_vectors import cross, dot
+from flowlanes.system.vectors import Vector
 
 from ...mechanics.rolling.attitude import place_rates
 from ..base.exact_start import on_phase_space, with_definitions
 from ..base.solution import ClosedForm, NamedConstant
 from ..one_degree.uniform import Rotation, UniformSolution
-from ..one_degree.vectors import cross, dot, product
+from ..one_degree.vectors import product
 from .analytic_formula import velocity
 from .exact_start import PRECISION
 
-#: Angles of a turn about ω at which the field is compared with that turn.
+#: Angles of rotation about ω at which the field is compared with a rigid rotation.
 ANGLES = 7
 
 _OMEGA = Vector("omega").symbols
@@ -43,7 +44,7 @@ def uniform_solution(
     start: Balls,
     moments: Balls,
 ) -> UniformSolution | None:
-    """The uniform motion through a start, if it is one.
+    """The uniform motion through a start, or None.
 
     Parameters
     ----------
@@ -77,7 +78,7 @@ def uniform_solution(
 def equilibrium_solution(
     system: System, values: Mapping[sp.Symbol, NumberOrText], start: Sequence[NumberOrText]
 ) -> UniformSolution | None:
-    """The motion on which the reduced state rests, if the start is an equilibrium of it.
+    """The motion at rest in the reduced state, if the start is an equilibrium.
 
     Parameters
     ----------
@@ -100,7 +101,7 @@ def equilibrium_solution(
         state = on_phase_space(system, (), lifted[:size], known)
         numbers = state_sizes(system.state, system.symbols, [exact(x) for x in state])
         fixed = {s: SizedNumber(exact(x), abs(exact(x))) for s, x in known.items()}
-        rates = [to_components(rate) for rate in system.rates]
+        rates = system.rates
         if not all(
             x.vanishes()
             for x in values_with_sizes(rates, {**fixed, **numbers}, system.scalar_definitions)
@@ -114,7 +115,7 @@ def equilibrium_solution(
 
 
 def _turned_vectors(vectors: Sequence[Balls], turning: Balls, angle: arb) -> Sequence[Balls]:
-    """The reduced state after a turn by e^{−angle·Ω×/|Ω|}."""
+    """The reduced state rotated by e^{−angle·Ω×/|Ω|}."""
     length = dot(turning, turning).sqrt()
     if angle == 0:
         return vectors
@@ -159,7 +160,7 @@ def _axes_of_symmetry(
     for i in (i for i in range(3) if equal[i]):
         axis = [arb(int(k == i)) for k in range(3)]
         for vector, change in zip(vectors, changes, strict=True):
-            # every vector across the axis turns at the same rate, if the motion is uniform
+            # In a uniform motion every vector perpendicular to the axis turns at the same rate.
             side = cross(axis, vector)
             if not vanishes(_length(side).mid(), _length(vector)):
                 share = dot(change, side) / dot(side, side)
@@ -180,7 +181,7 @@ def _solution(
     known = with_definitions(system, values, start)
     in_space = system.reconstruction is not None
     length = sum((q * q for q in start[size : size + 4]), arb(0)).sqrt()
-    # exact numbers: their radii, near 1e-120, would hide that a difference is zero
+    # Use exact midpoints: radii near 1e-120 would hide that a difference is zero.
     own, whole = [x.mid() for x in turning], [x.mid() for x in omega]
     spin = Rotation.from_vector(own)
     precession = Rotation.from_vector([w - x for w, x in zip(whole, own, strict=True)])

@@ -1,4 +1,4 @@
-"""The closed form of the free rigid body, as it is printed."""
+"""The closed form of the free rigid body, for printing."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ dn = sp.Function("dn")
 def steady_form(
     moments: Vector, momentum: Vector, spin: Rotation, precession: Rotation
 ) -> ClosedForm:
-    """The form of rest, of a permanent rotation or of a regular precession."""
+    """The closed form of rest, of a permanent rotation or of a regular precession."""
     energy = sum((x * x / (2 * I) for x, I in zip(momentum, moments, strict=True)), arb(0))
     size = sum((x * x for x in momentum), arb(0)).sqrt()
     constants = [*_integrals(energy, size)]
@@ -43,7 +43,7 @@ def steady_form(
 
 
 def _stability(moments: Vector, axis: Vector) -> str:
-    """Whether a rotation of a body with three different moments is stable, in words."""
+    """Describe the stability of a rotation of a body with three different moments."""
     order = sorted(range(AXES), key=lambda i: moments[i].mid())
     equal = any(vanishes(moments[i - 1] - moments[i], moments[i]) for i in range(AXES))
     if equal:
@@ -54,7 +54,7 @@ def _stability(moments: Vector, axis: Vector) -> str:
 
 
 def form_of(top: Top, motion: QuadratureMotion) -> ClosedForm:
-    """The form of a motion on which M moves in the body; the working precision must suffice."""
+    """The closed form of a motion with varying M; requires sufficient working precision."""
     axis = top.axis + 1
     inertia, component = real_symbol(f"I_{axis}"), sp.Function(f"M_{axis}")(t)
     modulus, pace = top.elliptic_parameters

@@ -15,7 +15,9 @@ from flint import arb, ctx
 from flowlanes.arguments import NumberOrText
 from flowlanes.errors import InputError
 from flowlanes.formulas.relative_zero import START_TOLERANCE, vanishes
+from flowlanes.system.rotations import quaternion_product
 from flowlanes.system.system import System
+from flowlanes.system.tuple_vectors import dot
 
 from ..base.solution import Solution
 from ..one_degree import Equilibrium, MotionSample, QuadratureMotion, motion_chart
@@ -23,13 +25,13 @@ from ..one_degree.frames import BodyFrame, Inclination, euler_quaternion, intrin
 from ..one_degree.functions import BALLS, Count, Functions, T
 from ..one_degree.solution import QuadratureSolution
 from ..one_degree.uniform import Rotation, UniformSolution
-from ..one_degree.vectors import conjugate, dot, product, times
+from ..one_degree.vectors import conjugate, product
 from ..one_degree.working_precision import exact_time
 from ..revolution.body import BITS
 from .closed_form import form_of, steady_form
 from .top import AXES, Top, Vector, top_of
 
-#: The quaternion of no rotation.
+#: The identity quaternion.
 IDENTITY = (1, 0, 0, 0)
 
 
@@ -39,7 +41,7 @@ def solve_free_body(
     parameters: Mapping[sp.Symbol, NumberOrText],
     moments: Sequence[NumberOrText],
 ) -> Solution:
-    """The motion of a free rigid body.
+    """Solve the motion of a free rigid body.
 
     Parameters
     ----------
@@ -92,8 +94,8 @@ def solve_free_body(
 
 
 def _on_phase_space(vertical: Vector, attitude: Vector, in_space: bool) -> tuple[Vector, Vector]:
-    """A unit vector γ and a unit quaternion, γ being the vertical of the attitude."""
-    length, size = (square(x).sqrt() for x in (vertical, attitude))
+    """A unit vector γ and a unit quaternion such that γ is the vertical of the attitude."""
+    length, size = (dot(x, x).sqrt() for x in (vertical, attitude))
     w, x, y, z = attitude
     row = (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y))
     apart = sum((abs(a - b) for a, b in zip(row, vertical, strict=True)), arb(0))
@@ -112,13 +114,8 @@ def _on_phase_space(vertical: Vector, attitude: Vector, in_space: bool) -> tuple
     return [x / length for x in vertical], attitude
 
 
-def square(vector: Vector) -> arb:
-    """The square of the length of a vector with any number of components."""
-    return sum((x * x for x in vector), arb(0))
-
-
 def _uniform_rotations(moments: Vector, momentum: Vector) -> tuple[Rotation, Rotation] | None:
-    """The own rotation and the precession of rest, permanent rotations and equal moments."""
+    """The spin and the precession for rest, permanent rotations and equal moments."""
     size = max((abs(x) for x in momentum), key=float)
     equal = [vanishes(moments[i - 2] - moments[i - 1], moments[i - 2]) for i in range(AXES)]
     if not any(equal):
@@ -130,7 +127,7 @@ def _uniform_rotations(moments: Vector, momentum: Vector) -> tuple[Rotation, Rot
     axis = equal.index(True)
     across = moments[axis - 1]
     unit = [arb(int(i == axis)) for i in range(AXES)]
-    # the difference of the moments is exactly zero for three equal ones
+    # For three equal moments their difference is exactly zero.
     rate = arb(0) if all(equal) else (1 / moments[axis] - 1 / across) * momentum[axis]
     return Rotation(unit, rate), Rotation.from_vector([x / across for x in momentum])
 
@@ -138,7 +135,7 @@ def _uniform_rotations(moments: Vector, momentum: Vector) -> tuple[Rotation, Rot
 def _with_fixed_direction(
     F: Functions[T], state: Sequence[T], fixed: Vector, in_space: bool
 ) -> list[T]:
-    """M, the direction that is fixed in space, and the attitude, from M and the attitude."""
+    """M, the direction fixed in space, and the attitude, from M and the attitude."""
     momentum, attitude = list(state[:AXES]), list(state[AXES:])
     vertical = product(conjugate(attitude), [F.number(x) for x in fixed])
     return momentum + vertical + (attitude if in_space else [])
@@ -194,7 +191,7 @@ class PrecessionFrame(BodyFrame):
         euler = euler_quaternion(BALLS, *halves[:2], self._phi, arb(0))
         order = [(k - top.axis - 1) % AXES for k in range(AXES)]
         turn = [euler[0]] + [euler[k + 1] for k in order]
-        self.attitude = times(attitude, conjugate(turn))
+        self.attitude = quaternion_product(attitude, conjugate(turn))
 
     def state(
         self,
@@ -208,7 +205,7 @@ class PrecessionFrame(BodyFrame):
         return _with_fixed_direction(F, state, self.fixed, self.in_space)
 
     def start_angles(self, motion: QuadratureMotion) -> list[arb]:
-        """φ at time 0, and ψ counted from there."""
+        """φ at time 0, and ψ measured from there."""
         return [self._phi, arb(0)]
 
     def inclination(

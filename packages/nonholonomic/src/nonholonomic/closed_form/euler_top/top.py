@@ -30,7 +30,7 @@ AXES = 3
 
 @dataclass(frozen=True)
 class Top:
-    """A body with the values of its integrals, its axes in cyclic order; balls.
+    """A body with the values of its integrals, axes in cyclic order; balls.
 
     Attributes
     ----------
@@ -66,17 +66,17 @@ class Top:
 
     @property
     def levels(self) -> tuple[arb, arb]:
-        """α₁ and α₂; on a separatrix exactly zero for the moment in the middle."""
+        """α₁ and α₂; on a separatrix exactly zero for the middle moment."""
         first, second = (excess(self.direction, self.moments, i) for i in (0, 1))
         if self.separatrix:
-            # the moment in the middle is nearer to that of the axis
+            # The middle moment is the one closer to that of the axis.
             a, b = self.slopes
             return (arb(0), second) if abs(a) < abs(b) else (first, arb(0))
         return first, second
 
     @property
     def squares(self) -> tuple[arb, arb]:
-        """The least and the greatest value of u²."""
+        """The smallest and the largest value of u²."""
         first, second = (
             -level / slope for level, slope in zip(self.levels, self.slopes, strict=True)
         )
@@ -98,7 +98,7 @@ class Top:
 
     @property
     def elliptic_parameters(self) -> tuple[arb, arb]:
-        """k² and w of u = u₂ dn(wt, k), or of u = u₂ sech wt on a separatrix."""
+        """k² and w in u = u₂ dn(wt, k), or in u = u₂ sech wt on a separatrix."""
         low, high = self.squares
         a, b = self.slopes
         return (high - low) / high, self.G * (a * b * high).sqrt()
@@ -111,13 +111,13 @@ class Top:
 
 
 def excess(direction: Vector, moments: Vector, i: int) -> arb:
-    """αᵢ = 2h/G² − 1/Iᵢ, summed up without cancellation where m is near the axis i."""
+    """αᵢ = 2h/G² − 1/Iᵢ, summed without cancellation if m is close to the axis i."""
     terms = (x * x * (1 / I - 1 / moments[i]) for x, I in zip(direction, moments, strict=True))
     return sum(terms, arb(0))
 
 
 def top_of(moments: Vector, momentum: Vector, G: arb) -> Top:
-    """The top with three different moments, in body axes, through a state that is no rotation."""
+    """The top with three different moments through a state that is not a rotation."""
     direction = [x / G for x in momentum]
     order = sorted(range(AXES), key=lambda i: moments[i].mid())
     middle = excess(direction, moments, order[1])

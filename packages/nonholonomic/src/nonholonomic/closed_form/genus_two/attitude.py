@@ -1,4 +1,4 @@
-"""Attitude from two directions that are constant in space, and its sign as a quaternion."""
+"""Attitude from two directions fixed in space, and its sign as a quaternion."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from flowlanes.system.arrays import FloatArray
 
 @dataclass(frozen=True)
 class Triad:
-    """An orthonormal triad that stands still in space.
+    """An orthonormal triad fixed in space.
 
     Attributes
     ----------
@@ -27,7 +27,7 @@ class Triad:
     def through(
         cls, first: FloatArray, second: FloatArray, quaternion: Sequence[float] | FloatArray
     ) -> Triad:
-        """The triad of two vectors (body axes) when the attitude is known.
+        """The triad of two vectors (body axes) for a known attitude.
 
         Parameters
         ----------
@@ -40,7 +40,10 @@ class Triad:
         return cls(turn.apply(body))
 
     def attitude(self, first: FloatArray, second: FloatArray) -> FloatArray:
-        """Quaternions (n, 4) from the two vectors in body axes, each (3, n); sign left open."""
+        """Quaternions (n, 4) from two vectors in body axes, each (3, n).
+
+        Their signs are arbitrary.
+        """
         matrices = np.einsum("ks,nkb->nsb", self.axes, _triad(first, second))
         return np.roll(Rotation.from_matrix(matrices).as_quat(), 1, axis=-1)
 
@@ -69,7 +72,7 @@ class Cover:
     turns: tuple[float, float]
 
     def with_signs(self, v: FloatArray, attitude: FloatArray) -> FloatArray:
-        """The given quaternions (n, 4) at the phases v (n, 2), modulo 4, with the right signs."""
+        """The given quaternions (n, 4) at phases v (n, 2), modulo 4, with the correct signs."""
         sizes = np.array(self.table.shape[:2])
         places = np.floor(v * (sizes / 2) + 0.5).astype(int)
         wraps, cells = np.divmod(places, sizes)
@@ -81,7 +84,7 @@ class Cover:
 
 
 def cover(attitude: Callable[[FloatArray], FloatArray], grid: Sequence[int]) -> Cover:
-    """Follow quaternions over the torus.
+    """Follow quaternions continuously over the torus.
 
     Parameters
     ----------

@@ -1,14 +1,14 @@
-"""Attitude where one direction alone is known to stay in space: the turn about it.
+"""Attitude if a single direction fixed in space is known: the rotation about it.
 
-Let κ be the unit vector that is fixed in space and e another vector, not parallel to it, both in
-body axes.  Seen from the body, e has in space the velocity w = ė + ω×e, and the part of e that is
-orthogonal to κ turns about κ at the rate
+Let κ be the unit vector fixed in space and e another vector, not parallel to it, both in body axes.
+In space e has the velocity w = ė + ω×e (in body components), and its component orthogonal to κ
+turns about κ at the rate
 
     ψ̇ = (κ, e×w)/(e² − (e, κ)²),
 
-a function of the state.  ψ follows by one quadrature, and the attitude from κ, e and ψ.
+which is a function of the state.  ψ follows by one quadrature, and the attitude from κ, e and ψ.
 
-A vector is a sequence of three, a triad one of three vectors.
+A vector is a sequence of three numbers, a triad a sequence of three vectors.
 """
 
 from __future__ import annotations
@@ -20,18 +20,16 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
+from flowlanes.system import tuple_vectors
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.laws import Identity, Rate
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.vector_operators import unit_vector
-from flowlanes.system.vectors import constant, cross, dot, norm_squared, to_components, vectors
+from flowlanes.system.vectors import constant, cross, dot, norm_squared, vectors
 
 from .separation import SeparatedSystem, nu, nuprime
 
 omega, kappa, level, a = vectors("omega spin_kappa spin_level spin_a")
-
-
-def _dot(u: Sequence[sp.Expr], v: Sequence[sp.Expr]) -> sp.Expr:
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 
 
 def rate(
@@ -48,16 +46,16 @@ def rate(
     velocity : vector
         w = ė + ω×e, body axes.
     """
-    across = _dot(reference, reference) - _dot(reference, fixed) * _dot(reference, fixed)
-    e, w = reference, velocity
-    product = (e[1] * w[2] - e[2] * w[1], e[2] * w[0] - e[0] * w[2], e[0] * w[1] - e[1] * w[0])
-    return _dot(fixed, product) / across
+    along = tuple_vectors.dot(reference, fixed)
+    across = tuple_vectors.dot(reference, reference) - along * along
+    product = tuple_vectors.cross(reference, velocity)
+    return tuple_vectors.dot(fixed, product) / across
 
 
 def rotated_triad(
     axes: Sequence[Sequence[arb]], cosine: arb, sine: arb
 ) -> tuple[Sequence[arb], Sequence[arb], Sequence[arb]]:
-    """A triad in space after a turn about its first vector by an angle ψ.
+    """A triad in space after a rotation about its first vector by an angle ψ.
 
     Parameters
     ----------
@@ -103,7 +101,7 @@ def farthest_from_axis(fixed: FloatArray, candidates: Sequence[FloatArray]) -> i
 
 @dataclass(frozen=True)
 class Reference:
-    """A vector by which the turn about κ is measured, in ν, ν′ and the state.
+    """A vector that measures the rotation about κ, in ν, ν′ and the state.
 
     Attributes
     ----------
@@ -118,7 +116,7 @@ class Reference:
 
 
 def references(of: SeparatedSystem) -> tuple[Reference, ...]:
-    """ν and the body axes, to choose from.
+    """ν and the body axes, as candidates.
 
     Parameters
     ----------
@@ -131,13 +129,13 @@ def references(of: SeparatedSystem) -> tuple[Reference, ...]:
 
 
 def spin_rate(of: SeparatedSystem, reference: Reference) -> sp.Expr:
-    """ψ̇ about the first vector that `of` says is fixed, in ν, ν′ and the system's symbols."""
-    fixed = to_components(of.fixed[0])
-    length = sp.sqrt(to_components(norm_squared(of.fixed[0])))
+    """ψ̇ about the first fixed vector of `of`, in ν, ν′ and the system's symbols."""
+    fixed = of.fixed[0]
+    (length,) = scalars(sp.sqrt(norm_squared(fixed)))
     return rate(
-        [component / length for component in fixed],
-        to_components(reference.vector),
-        to_components(reference.velocity),
+        [component / length for component in scalars(fixed)],
+        scalars(reference.vector),
+        scalars(reference.velocity),
     )
 
 
@@ -153,8 +151,8 @@ def spin_identity(of: SeparatedSystem, reference: Reference) -> Identity:
     return Identity(
         "spin",
         (
-            *to_components(still),
-            to_components(dot(velocity, cross(kappa, a))) - spin_rate(of, reference),
+            still,
+            dot(velocity, cross(kappa, a)) - spin_rate(of, reference),
         ),
         "the rate of turning about a direction that stays in space",
         {

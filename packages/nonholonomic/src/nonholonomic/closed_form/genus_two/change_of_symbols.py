@@ -8,8 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from flowlanes.system.named_formulas import definition_values
-from flowlanes.system.system import System, flat_pairs
+from flowlanes.system.named_formulas import definition_values, flat_pairs
+from flowlanes.system.system import System
 from flowlanes.system.vectors import constant, real_symbol, to_components
 
 from .separation import SeparatedSystem
@@ -18,7 +18,7 @@ from .separation import SeparatedSystem
 def in_symbols_of(
     separable: SeparatedSystem, system: System, parameters: Mapping[sp.Symbol, sp.Expr]
 ) -> SeparatedSystem:
-    """The separation of a system whose field is that of ``separable.system``.
+    """Translate the separation to a system with the field of ``separable.system``.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def translation(
 
 
 def _constants(separable: SeparatedSystem, system: System) -> dict[sp.Symbol, sp.Symbol]:
-    """New names for constants whose letters mean something else in a system."""
+    """New names for constants whose symbols are already used in a system."""
     names = {
         *system.symbols,
         *system.defaults,

@@ -1,8 +1,8 @@
-"""Real hyperelliptic curves of genus two whose branch points are all real.
+"""Real hyperelliptic curves of genus two with real branch points.
 
-The curve is y² = R(z) = leading ∏ (z − root) with five or six roots.  They cut the real line,
-closed at infinity, into six intervals on which R is positive (*ovals*) and negative (*gaps*) in
-turn.
+The curve is y² = R(z) = leading ∏ (z − root) with five or six roots.  They divide the real line,
+closed at infinity, into six intervals on which R is alternately positive (*ovals*) and negative
+(*gaps*).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from flint import arb
 
 
 class DegenerateError(ValueError):
-    """Two branch points coincide as far as is known: the curve has a smaller genus."""
+    """Two branch points cannot be separated: the curve may have a smaller genus."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Curve:
 
     @classmethod
     def of(cls, leading: arb, roots: Sequence[arb]) -> Curve:
-        """The curve with these roots in any order.
+        """The curve with given roots in any order.
 
         Raises
         ------
@@ -56,10 +56,10 @@ class Curve:
         return value
 
     def cofactor(self, left: int, s: Any) -> Any:
-        """|R| / ((z − l)(r − z)) at the place s of the interval from root number `left` = l to r.
+        """|R| / ((z − l)(r − z)) at the angle s of the interval from root number `left` = l to r.
 
-        There z = ½(l + r) − ½(r − l) cos s.  It is positive on the closed interval and
-        analytic around it, a product of positive sums: nothing cancels near other roots.
+        There z = ½(l + r) − ½(r − l) cos s.  It is positive on the closed interval and analytic
+        around it, and a product of positive sums: nothing cancels near other roots.
 
         Parameters
         ----------
@@ -79,18 +79,18 @@ class Curve:
 
     @cached_property
     def first_oval(self) -> int:
-        """0 or 1: the parity of the numbers `left` of those intervals on which R > 0."""
-        # to the right of all roots R has the sign of its leading coefficient
+        """0 or 1: the parity of the indices `left` of the intervals on which R > 0."""
+        # To the right of all roots R has the sign of its leading coefficient.
         last = len(self.roots) - 1
         return last % 2 if self.leading > 0 else (last + 1) % 2
 
     @property
     def ovals(self) -> tuple[int, ...]:
-        """Numbers of the left ends of the bounded ovals."""
+        """Indices of the left ends of the bounded ovals."""
         return tuple(range(self.first_oval, len(self.roots) - 1, 2))
 
     def oval_of(self, z: arb) -> int:
-        """The bounded oval nearest to z, as the number of its left end."""
+        """The bounded oval nearest to z, as the index of its left end."""
         middle = z.mid()
 
         def distance(left: int) -> arb:

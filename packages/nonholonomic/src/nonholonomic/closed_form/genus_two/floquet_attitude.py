@@ -1,19 +1,19 @@
 """Attitude along a winding of the torus, reduced to a uniform rotation.
 
 Let the angular velocity be a function Ω(v) on the torus (body axes, per unit of τ) while the phases
-grow as v = v₀ + Vτ.  The attitude obeys the linear equation Q′ = Q[Ω], with quasi-periodic
-coefficients.  Here it is brought to
+grow as v = v₀ + Vτ.  The attitude satisfies the linear equation Q′ = Q[Ω] with quasi-periodic
+coefficients. Here it is brought to the form
 
     Q = S R(λτ) F(v),
 
 with a constant S, the rotation R about the first axis and a triad F(v) on the torus.  The first row
-of F is a vector that stays in space: it need not be a formula in the state.
+of F is a vector fixed in space; it need not be a formula in the state.
 
-After one turn of one phase the attitude is Q A(θ), θ the place in the other phase, which has grown
-by α.  A vector K of the body with A(θ)ᵀK(θ) = K(θ + α) stays in space; its Fourier coefficients
-are the null vector of a matrix.  In a frame whose first vector is K, what is left is an
-angle φ(θ) = λT + χ(θ + α) − χ(θ), T the time of the turn.  All this is done in double precision:
-the accuracy is observed, not proven; :attr:`FloquetReduction.residual` measures it.
+After one turn of one phase the attitude is Q A(θ), where θ is the other phase, which has grown by
+α.  A vector K of the body with A(θ)ᵀK(θ) = K(θ + α) is fixed in space; its Fourier coefficients are
+the null vector of a matrix.  In a frame whose first vector is K, an angle φ(θ) = λT + χ(θ + α) −
+χ(θ) remains, where T is the time of the turn.  All this is done in double precision: the accuracy
+is observed, not proven; :attr:`FloquetReduction.residual` measures it.
 """
 
 from __future__ import annotations
@@ -31,19 +31,19 @@ from ..base.no_closed_form import NoClosedFormError
 from .attitude import continuous_signs
 from .quadrature import Series, series
 
-#: Places in the phase that is not turned: at first and at most.
+#: Initial and maximum number of grid points in the phase that is not turned.
 _PLACES = (64, 512)
-#: Steps of one turn: at first and at most.
+#: Initial and maximum number of steps of one turn.
 _STEPS = (128, 2048)
-#: Steps from one kept plane to the next.
+#: Number of steps from one stored plane to the next.
 _STRIDE = 4
-#: Change of an attitude, at most, when the steps are halved.
+#: Largest accepted change of an attitude when the steps are halved.
 _CONVERGENCE = 4e-14
-#: Size of the Fourier coefficients of the highest waves, at most.
+#: Largest accepted size of the Fourier coefficients of the highest waves.
 _LEVEL = 1e-14
-#: A null vector is one whose residual is below this.
+#: Largest residual of a null vector.
 _NULL = 3e-13
-#: Gauss's three places on a step.
+#: The three Gauss points of a step.
 _GAUSS = 0.5 + np.sqrt(15) / 10 * np.array([-1.0, 0.0, 1.0])
 
 
@@ -83,7 +83,7 @@ class FloquetReduction:
         return _product(_product(self.start, turn), self._triad(v))
 
     def fixed_vector(self, v: FloatArray) -> FloatArray:
-        """The unit vector that stays in space, body axes, (3, n), at phases v (n, 2)."""
+        """The unit vector fixed in space, body axes, (3, n), at phases v (n, 2)."""
         triads: FloatArray = Rotation.from_quat(np.roll(self._triad(v), -1, axis=-1)).as_matrix()
         return triads[:, 0].T
 
@@ -120,7 +120,7 @@ def reduction(
     """
     first = int(abs(V[1]) > abs(V[0]))
     speeds = (float(V[first]), float(V[1 - first]))
-    # the phase that makes the turn comes first
+    # The phase that makes the turn comes first.
     waves = [f if first == 0 else f.transpose() for f in series(turning)]
     places = _PLACES[0]
     while True:
@@ -160,7 +160,7 @@ def _values_along(
 def _turn_attitudes(
     waves: Sequence[Series], speeds: tuple[float, float], places: int
 ) -> FloatArray:
-    """A(θ) after parts of a turn of the first phase: (planes + 1, places, 3, 3)."""
+    """A(θ) after fractions of a turn of the first phase: (planes + 1, places, 3, 3)."""
     steps = max(_STEPS[0], 2 * places)
     planes = _magnus_attitudes(waves, speeds, places, steps)
     while True:
@@ -176,12 +176,12 @@ def _turn_attitudes(
 def _magnus_attitudes(
     waves: Sequence[Series], speeds: tuple[float, float], places: int, steps: int
 ) -> FloatArray:
-    """A(θ) along a turn, by so many steps of Magnus' method of sixth order."""
+    """A(θ) along a turn, by the sixth-order Magnus method with a given number of steps."""
     theta = 2.0 * np.arange(places) / places
     h = 2.0 / abs(speeds[0]) / steps
     tau = h * np.add.outer(np.arange(steps), _GAUSS).ravel()
     turning = np.array([_values_along(f, tau, speeds, theta) for f in waves])
-    # of Q′ = Q[Ω], whose commutators are those of Q′ = [Ω]Q turned over
+    # Commutators for Q′ = Q[Ω] are those for Q′ = [Ω]Q in reversed order.
     early, middle, late = (turning[:, place::3] for place in range(3))
     one = h * middle
     two = np.sqrt(15) * h / 3 * (late - early)
@@ -207,11 +207,11 @@ def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
 
 
 def _fixed_vector(A: FloatArray, alpha: float) -> tuple[FloatArray, float]:
-    """K (places, 3) with A(θ)ᵀK(θ) = K(θ + α), and what is left of that equation."""
+    """K (places, 3) with A(θ)ᵀK(θ) = K(θ + α), and the residual of that equation."""
     places = len(A)
     k = np.arange(-(places // 4), places // 4 + 1)
     waves = np.exp(2j * np.pi * np.outer(np.arange(places) / places, k))
-    # columns: waves k times unit vectors; rows: components at the places
+    # Columns: waves k times unit vectors; rows: components at the grid points.
     matrix = np.einsum("nji,nk->nikj", A, waves)
     moved = waves * np.exp(2j * np.pi * k * alpha)
     for i in range(3):
@@ -224,7 +224,7 @@ def _fixed_vector(A: FloatArray, alpha: float) -> tuple[FloatArray, float]:
 
 
 def _null_vector(matrix: ComplexArray) -> tuple[ComplexArray, float]:
-    """The unit vector that a tall matrix shortens most, and to what: by inverse iteration."""
+    """The unit vector that a tall matrix shortens most, and its image's length."""
     upper = np.linalg.qr(matrix, mode="r")
     diagonal = np.einsum("ii->i", upper)
     diagonal[diagonal == 0] = np.finfo(float).eps
@@ -261,7 +261,7 @@ def _uniform_rotation(
         still = _about_first(np.full(places, -mean * part)) @ steady @ planes[plane]
         grid.append(_translation(still, -part * alpha))
     if speeds[0] < 0:
-        # the planes lie at 0, −2/count, −4/count, …
+        # The planes lie at 0, −2/count, −4/count, ….
         grid = [grid[0], *grid[:0:-1]]
     return mean / time, np.array(grid)
 
@@ -277,7 +277,7 @@ def _frame(K: FloatArray) -> FloatArray:
 
 
 def _spiral_directions(count: int) -> FloatArray:
-    """Directions spread over the sphere (count, 3), on a spiral."""
+    """Directions distributed over the sphere (count, 3), on a spiral."""
     height = (np.arange(count) + 0.5) / count * 2 - 1
     turn = np.arange(count) * np.pi * (3 - np.sqrt(5))
     radius = np.sqrt(1 - height**2)
@@ -285,7 +285,7 @@ def _spiral_directions(count: int) -> FloatArray:
 
 
 def _about_first(angle: FloatArray) -> FloatArray:
-    """Rotations about the first axis by the given angles (n,)."""
+    """Rotations about the first axis by given angles (n,)."""
     one, zero = np.ones_like(angle), np.zeros_like(angle)
     c, s = np.cos(angle), np.sin(angle)
     rows = [[one, zero, zero], [zero, c, -s], [zero, s, c]]
@@ -293,7 +293,7 @@ def _about_first(angle: FloatArray) -> FloatArray:
 
 
 def _translation(values: FloatArray, part: float) -> FloatArray:
-    """A function of θ, given on its grid (places, …), at the places θ + part of a period."""
+    """A function of θ, given on its grid (places, …), at θ plus a fraction of a period."""
     spectrum = np.fft.fft(values, axis=0)
     k = np.fft.fftfreq(len(values), 1 / len(values))
     factor = np.exp(2j * np.pi * k * part)
@@ -304,7 +304,7 @@ def _translation(values: FloatArray, part: float) -> FloatArray:
 
 
 def _is_resolved(grid: FloatArray) -> bool:
-    """Whether the highest quarter of the waves is rounding, in both phases."""
+    """Whether the highest quarter of the waves is at rounding level, in both phases."""
     spectrum = np.abs(np.fft.fft2(grid, axes=(0, 1))) / (grid.shape[0] * grid.shape[1])
     for axis in (0, 1):
         size = grid.shape[axis]
@@ -315,13 +315,13 @@ def _is_resolved(grid: FloatArray) -> bool:
 
 
 def _quaternions(grid: FloatArray) -> tuple[Series, ...]:
-    """Series of the quaternions of triads on a grid (n_1, n_2, 3, 3)."""
+    """Fourier series of the quaternions of triads on a grid (n_1, n_2, 3, 3)."""
     sizes = grid.shape[:2]
     table = Rotation.from_matrix(grid.reshape(-1, 3, 3)).as_quat().reshape(*sizes, 4)
     table = np.roll(table, 1, axis=-1)
     table[:, 0] *= continuous_signs(table[:, 0])[:, None]
     table *= np.array([continuous_signs(row) for row in table])[:, :, None]
-    # a quaternion may return with the other sign: then its waves are half-integers
+    # If a quaternion returns with the opposite sign, its wave numbers are half-integers.
     halves = [
         0.5 if float(last @ table[0, 0]) < 0 else 0.0 for last in (table[-1, 0], table[0, -1])
     ]

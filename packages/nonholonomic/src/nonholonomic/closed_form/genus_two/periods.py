@@ -1,7 +1,8 @@
 """Abelian integrals of the first kind on a real curve, as balls.
 
-On the interval between neighbouring roots l and r, z = ½(l + r) − ½(r − l) cos s turns dz/√|R| into
-ds/√rest, analytic along the path, which ball arithmetic integrates with a guaranteed error.
+On the interval between neighbouring roots l and r, the substitution z = ½(l + r) − ½(r − l) cos s
+turns dz/√|R| into ds/√rest, which is analytic along the path; ball arithmetic integrates it with a
+guaranteed error.
 """
 
 from __future__ import annotations
@@ -16,34 +17,36 @@ from flowlanes.formulas.balls import number
 from .curve import Curve, DegenerateError
 
 Pair = tuple[arb, arb]
-#: Two pairs of whole numbers.
+#: Two pairs of integers.
 Integers = tuple[tuple[int, int], tuple[int, int]]
 
 
 def abelian(curve: Curve, left: int, end: arb | None = None) -> Pair:
-    """∫ dz/√|R| and ∫ z dz/√|R| from the root number `left` to the place s = `end`.
+    """∫ dz/√|R| and ∫ z dz/√|R|; see `abelian_integral`."""
+    return abelian_integral(curve, left, 0, end), abelian_integral(curve, left, 1, end)
+
+
+def abelian_integral(curve: Curve, left: int, power: int, end: arb | None = None) -> arb:
+    """∫ z^power dz/√|R| from the root number `left` to the place s = `end`.
 
     Parameters
     ----------
     left : int
         Number of the left end of a bounded interval.
+    power : int
     end : arb, optional
         In radians, from −½π to ³⁄₂π; π, the other end of the interval, if left out.
     """
     low, high = curve.ends(left)
     middle, half = (low + high) / 2, (high - low) / 2
-    stop = arb.pi() if end is None else end
 
-    def integral(power: int) -> arb:
-        def form(s: acb, analytic: bool) -> acb:
-            z = middle - half * s.cos()
-            integrand: acb = z**power / curve.cofactor(left, s).sqrt(analytic=analytic)
-            return integrand
+    def form(s: acb, analytic: bool) -> acb:
+        z = middle - half * s.cos()
+        integrand: acb = z**power / curve.cofactor(left, s).sqrt(analytic=analytic)
+        return integrand
 
-        # the relative accuracy aimed at is that of the working precision
-        return acb.integral(form, acb(0), acb(stop)).real
-
-    return integral(0), integral(1)
+    # the relative accuracy aimed at is that of the working precision
+    return acb.integral(form, acb(0), acb(arb.pi() if end is None else end)).real
 
 
 @dataclass(frozen=True)
@@ -96,7 +99,7 @@ class Lattice:
 
     @property
     def _constant(self) -> Integers:
-        """Riemann's constant: it makes the images of all six branch points odd half-periods."""
+        """Riemann's constant, which makes the images of all six branch points odd half-periods."""
         for k in product((0, 1), repeat=4):
             k_x, k_y = (k[0], k[1]), (k[2], k[3])
             if all(
@@ -114,11 +117,9 @@ def lattice(curve: Curve, ovals: tuple[int, int]) -> Lattice:
     ovals : (int, int)
         Their left ends; see :attr:`Curve.ovals`.
 
-    Notes
-    -----
     Along the upper side of the real line dz/y is multiplied by i at every root, and the integral
     over the whole line vanishes.  So of the six intervals between branch points four are
-    integrated and two follow.
+    integrated, and the other two follow.
     """
     steps = [_multiple(abelian(curve, left), _sign(left)) for left in range(4)]
     steps.append(_multiple(_sum(steps[0], steps[2]), -1))
@@ -157,12 +158,12 @@ def _reduced_form(Y: arb_mat) -> tuple[Integers, arb_mat]:
 
 
 def _sign(left: int) -> int:
-    """i^left without the factor i that odd numbers have."""
+    """i^left without the factor i of odd indices."""
     return 1 - 2 * ((left // 2) % 2)
 
 
 def _halves(curve: Curve, steps: list[Pair], normal: arb_mat, Y: arb_mat) -> tuple[Integers, ...]:
-    """Images of the branch points: ovals give the real part, gaps the imaginary one."""
+    """Images of the branch points: ovals give the real part, gaps the imaginary part."""
     images = [((0, 0), (0, 0))]
     real: Pair = (arb(0), arb(0))
     imaginary: Pair = (arb(0), arb(0))

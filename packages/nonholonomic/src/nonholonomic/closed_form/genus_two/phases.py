@@ -1,4 +1,4 @@
-"""Phases on the torus: grids, rates of waves, and growth without loss at long times."""
+"""Phases on the torus: grids, wave frequencies, and accurate phases at long times."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def phase_grid(sizes: Sequence[int]) -> FloatArray:
 def wave_rates(
     first: FloatArray | IntArray, second: FloatArray | IntArray, V: Sequence[arb], v_0: FloatArray
 ) -> tuple[FloatArray, ComplexArray]:
-    """π(k, V), the rate of every wave (k₁, k₂) along the flow, and exp(iπ(k, v₀))."""
+    """The rate π(k, V) of every wave (k₁, k₂) along the flow, and exp(iπ(k, v₀))."""
     k_1, k_2 = np.meshgrid(first, second, indexing="ij")
     rates = np.pi * np.array(
         [number(int(k) * V[0] + int(m) * V[1]) for k, m in zip(k_1.flat, k_2.flat, strict=True)]

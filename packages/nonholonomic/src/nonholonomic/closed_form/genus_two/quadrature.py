@@ -1,10 +1,10 @@
-"""∫ f dτ along a linear flow on the torus: a linear drift and a quasi-periodic rest.
+"""∫ f dτ along a linear flow on the torus: a linear drift and a quasi-periodic part.
 
 With f(v) = Σ f_k exp(iπ(k, v)) and v = v₀ + Vτ,
 
     ∫ f dτ = f_0 τ + Σ f_k exp(iπ(k, v₀)) (exp(iπ(k, V)τ) − 1)/(iπ(k, V)).
 
-Terms with small divisors are large and slow; near a resonance they are kept apart and written as
+Terms with small divisors are large and slow; near a resonance they are kept separate and written as
 τ exp(ix/2) sin(x/2)/(x/2), x = π(k, V)τ, which has no divisor.
 """
 
@@ -22,13 +22,14 @@ from flowlanes.system.arrays import ComplexArray, FloatArray, IntArray
 from ..base.no_closed_form import NoClosedFormError
 from .phases import phase_grid, wave_rates
 
-#: Coefficients below this part of the largest one are rounding.
+#: Relative size below which coefficients count as rounding.
 _LEVEL = 2e-16
-#: Grid points per period 2 at first.
+#: Initial number of grid points per period 2.
 _GRID = 32
-#: Points of the grid at most.
+#: Maximum number of grid points.
 _POINTS = 2**18
-#: A term is slow when integration, over a turn of the phases, makes it so much larger than all.
+#: A term counts as slow if integration over a turn of the phases would amplify it by more than
+#: this, relative to all terms.
 _SLOW = 100.0
 
 
@@ -73,7 +74,7 @@ def _wave_sum(waves: tuple[ComplexArray, ComplexArray], coefficients: ComplexArr
 
 
 def series(function: Callable[[FloatArray], FloatArray]) -> tuple[Series, ...]:
-    """Fourier series of smooth functions on the torus, to the rounding of the largest.
+    """Fourier series of smooth functions on the torus, accurate relative to the largest.
 
     Parameters
     ----------
@@ -89,7 +90,7 @@ def series(function: Callable[[FloatArray], FloatArray]) -> tuple[Series, ...]:
     while True:
         values = function(phase_grid(sizes))
         spectra = [np.fft.rfft2(block.reshape(sizes)) / block.size for block in values]
-        # one of them may be rounding altogether: the largest sets the scale
+        # One of them may consist of rounding alone: the largest sets the scale.
         scale = max(float(np.max(np.abs(spectrum))) for spectrum in spectra)
         rough = [not all(_is_resolved(f, axis, scale) for f in spectra) for axis in (0, 1)]
         if not any(rough):
@@ -103,7 +104,7 @@ def series(function: Callable[[FloatArray], FloatArray]) -> tuple[Series, ...]:
 
 
 def _is_resolved(spectrum: ComplexArray, axis: int, scale: float) -> bool:
-    """Whether the highest quarter of the wave numbers along one axis is rounding."""
+    """Whether the highest quarter of the wave numbers along one axis is at rounding level."""
     size = spectrum.shape[0] if axis == 0 else 2 * (spectrum.shape[1] - 1)
     waves = np.abs(np.fft.fftfreq(size, 1 / size)) if axis == 0 else np.arange(size // 2 + 1)
     high = np.abs(np.take(spectrum, np.flatnonzero(waves > 3 * size // 8), axis=axis))
@@ -112,7 +113,7 @@ def _is_resolved(spectrum: ComplexArray, axis: int, scale: float) -> bool:
 
 def _significant_series(spectrum: ComplexArray, sizes: Sequence[int], scale: float) -> Series:
     doubled = spectrum.copy()
-    # the other half of the wave numbers is the complex conjugate
+    # The other half of the wave numbers is the complex conjugate.
     doubled[:, 1:] *= 2
     high = np.abs(doubled) > _LEVEL / 8 * scale
     rows, columns = np.flatnonzero(high.any(axis=1)), np.flatnonzero(high.any(axis=0))
@@ -183,11 +184,11 @@ def quadrature(
     still = (function.first[:, None] == 0) & (function.second == 0)
     own = float(coefficients[still].real.sum())
     coefficients[still] = 0
-    # a bound of the error that dividing by a small number makes
+    # A bound of the error amplified by dividing by a small number.
     turn = max(abs(number(x)) for x in V)
     with np.errstate(divide="ignore", invalid="ignore"):
         divided = np.where(speeds == 0, np.inf, turn * np.abs(coefficients) / np.abs(speeds))
-    # of a function that is rounding altogether nothing is left
+    # A function of rounding size contributes nothing.
     scale = np.max(np.abs(function.coefficients), initial=0.0)
     apart = ~still & (np.abs(coefficients) > 0) & (divided > _SLOW * scale)
     slow = np.array([(coefficients * phases)[apart], speeds[apart].astype(complex)]).T

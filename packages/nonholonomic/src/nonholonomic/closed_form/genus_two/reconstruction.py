@@ -1,4 +1,4 @@
-"""Motion in space over a motion on a torus: attitude, and places by quadrature."""
+"""Motion in space over a motion on a torus: attitude, and positions by quadrature."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .separated_motion import SeparatedMotion, on_arrays
 from .third_frequency import Turning, turning
 from .time_map import TimeMap, TorusPoint
 
-#: Points per phase at which the directions of two vectors are compared.
+#: Number of points per phase at which the directions of two vectors are compared.
 _COARSE = 24
 
 
@@ -61,7 +61,7 @@ class Lift(ABC):
 
     @cached_property
     def _places(self) -> Callable[..., FloatArray]:
-        """Rates, per unit of t, of what the motion has besides the attitude."""
+        """Rates, per unit of t, of the spatial variables other than the attitude."""
         system = self.separated_motion.separable.system
         return on_arrays(self.separated_motion, place_rates(system), attitude.symbols)
 
@@ -71,7 +71,7 @@ class Lift(ABC):
 
 
 def spinning_pair(motion: SeparatedMotion) -> tuple[sp.MatrixExpr, sp.MatrixExpr, sp.Expr]:
-    """The one fixed vector, a reference that stays away from it, and its rate of turning in t."""
+    """The single fixed vector, a reference away from it, and its rate of turning in t."""
     of = motion.separable
     at_grid = motion.torus.values(phase_grid([_COARSE, _COARSE]))
     fixed = on_arrays(motion, components(of.fixed[0]))(*at_grid)
@@ -105,7 +105,7 @@ class _AttitudeFromVectors(Lift):
 
     @cached_property
     def _sign(self) -> float:
-        """The sign that makes the covered quaternion that of the start."""
+        """The sign for which the covered quaternion agrees with that of the start."""
         turns = self._attitude(*self._torus(self._origin))
         at_start = self._cover.with_signs(self._origin, turns)
         return 1.0 if float(at_start[0] @ self.start[:4]) > 0 else -1.0
@@ -146,15 +146,15 @@ class TwoFixedVectors(_AttitudeFromVectors):
 
 @dataclass(frozen=True)
 class OneFixedVector(_AttitudeFromVectors):
-    """The attitude from one vector that is fixed in space and the angle of turning about it.
+    """The attitude from one vector fixed in space and the angle of rotation about it.
 
-    The attitude is a turn by ψ about the fixed vector, after an attitude on the torus; ψ grows
-    linearly but for a quasi-periodic part.  Velocities in space turn with ψ: a third frequency.
+    The attitude is a rotation by ψ about the fixed vector, after an attitude on the torus; ψ grows
+    linearly plus a quasi-periodic part.  Velocities in space turn with ψ: a third frequency.
     """
 
     @cached_property
     def _pair(self) -> tuple[Callable[..., FloatArray], sp.Expr]:
-        """The fixed vector and a reference that stays away from it; the rate of ψ."""
+        """The fixed vector and a reference vector that stays away from it; the rate of ψ."""
         fixed, reference, rate = spinning_pair(self.separated_motion)
         return on_arrays(self.separated_motion, [*components(fixed), *components(reference)]), rate
 
@@ -175,7 +175,7 @@ class OneFixedVector(_AttitudeFromVectors):
 
     @cached_property
     def _flows(self) -> tuple[tuple[Quadrature, Turning], ...]:
-        """The part of each place that does not turn with ψ, and the one that does."""
+        """The part of each position that does not turn with ψ, and the part that does."""
         if len(self.start) == 4:
             return ()
         axis = self._triad.axes[0]
@@ -230,7 +230,7 @@ class OneFixedVector(_AttitudeFromVectors):
 
 @dataclass(frozen=True)
 class NoFixedVector(Lift):
-    """The attitude where no fixed vector is known: reduced to a uniform rotation, in numbers."""
+    """The attitude if no fixed vector is known: reduced numerically to a uniform rotation."""
 
     @cached_property
     def _reduction(self) -> FloquetReduction:
@@ -249,7 +249,7 @@ class NoFixedVector(Lift):
 
 
 def _after_turn(axis: FloatArray, psi: FloatArray, turns: FloatArray) -> FloatArray:
-    """Quaternions (4, n) after a further turn by ψ (n,) about an axis in space."""
+    """Quaternions (4, n) after an additional rotation by ψ (n,) about an axis in space."""
     w, vector = np.cos(psi / 2), np.sin(psi / 2) * np.asarray(axis)[:, None]
     return np.concatenate(
         [
@@ -260,7 +260,7 @@ def _after_turn(axis: FloatArray, psi: FloatArray, turns: FloatArray) -> FloatAr
 
 
 def lift(motion: SeparatedMotion, clock: TimeMap, start: Sequence[NumberOrText]) -> Lift | None:
-    """The motion in space, or None where the system has none.
+    """The motion in space, or None if the system has none.
 
     Raises
     ------

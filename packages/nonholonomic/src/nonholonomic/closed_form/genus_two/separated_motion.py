@@ -22,8 +22,7 @@ from flowlanes.formulas.balls import (
 )
 from flowlanes.formulas.straight_line_program import Steps
 from flowlanes.system.arrays import FloatArray
-from flowlanes.system.named_formulas import by_dependence, needed_steps
-from flowlanes.system.system import flat_pairs
+from flowlanes.system.named_formulas import by_dependence, flat_pairs, needed_steps
 
 from ..base.exact_start import on_phase_space, with_definitions
 from .curve import Curve
@@ -98,7 +97,7 @@ def separate(
 def steps_from_torus(
     separable: SeparatedSystem, formulas: Sequence[sp.Expr]
 ) -> tuple[tuple[sp.Symbol, ...], Steps]:
-    """Arguments and steps by which formulas of the system follow from ν and ν′.
+    """Arguments and steps that compute formulas of the system from ν and ν′.
 
     Parameters
     ----------
@@ -113,7 +112,7 @@ def steps_from_torus(
         The state and those definitions that are needed, in order.
     """
     system = separable.system
-    # quantities of the parameters alone may be used by the formulas of the state
+    # Quantities of the parameters alone may be used by the formulas of the state.
     still, changing = by_dependence(system.scalar_definitions, system.symbols)
     steps = (*still, *flat_pairs(separable.state), *changing)
     parameters = tuple(p.symbol for p in system.parameters)

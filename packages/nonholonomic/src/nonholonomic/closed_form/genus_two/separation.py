@@ -1,7 +1,7 @@
-"""Systems that separate on a hyperelliptic curve of genus two, in formulas.
+"""Systems that separate on a hyperelliptic curve of genus two, as formulas.
 
 On a level of its integrals such a system has a unit vector ν, fixed neither in the body nor in
-space, whose components in body axes are
+space, with body components
 
     ν_i² = κ · weights_i (e_i − z₁)(e_i − z₂),            i = 1, 2, 3,
 
@@ -10,7 +10,7 @@ y² = leading ∏ (z − root), and in the new time τ, dt = clock · dτ,
 
     dz₁/y₁ + dz₂/y₂ = a dτ,        z₁ dz₁/y₁ + z₂ dz₂/y₂ = b dτ.
 
-So ν runs linearly on the Jacobian of the curve, and everything else is a formula in ν and ν′ =
+So ν moves linearly on the Jacobian of the curve, and everything else is a formula in ν and ν′ =
 dν/dτ.
 """
 
@@ -33,8 +33,8 @@ nu, nuprime = vectors("nu nuprime")
 class SeparatedSystem:
     """A system on a level, separated; all formulas, no numbers.
 
-    Vectors are formulas of :mod:`flowlanes.system.vectors`; wherever a formula may use the
-    constants, it names them by their symbols.
+    Vectors are formulas of :mod:`flowlanes.system.vectors`; a formula that may use the constants
+    refers to them by their symbols.
 
     Attributes
     ----------

@@ -6,8 +6,8 @@ derivatives in τ, both separated equations are one statement about polynomials 
 
     (S′z − P′)² ≡ (b − a(S − z))² y²(z)      modulo z² − Sz + P,
 
-because z₁′(z₁ − z₂) = S′z₁ − P′, and Σ dz/y = a dτ, Σ z dz/y = b dτ say z₁′(z₁ − z₂) = (b − az₂)y₁.
-No root has to be taken.
+because z₁′(z₁ − z₂) = S′z₁ − P′, and Σ dz/y = a dτ, Σ z dz/y = b dτ imply z₁′(z₁ − z₂) = (b −
+az₂)y₁.  No root has to be computed.
 """
 
 from __future__ import annotations
@@ -20,14 +20,8 @@ import sympy as sp
 
 from flowlanes.formulas.balls import components
 from flowlanes.system.laws import Identity, Law, Rate, Reduction
-from flowlanes.system.vectors import (
-    Vector,
-    cross,
-    norm_squared,
-    real_symbol,
-    to_components,
-    vectors,
-)
+from flowlanes.system.named_formulas import scalars
+from flowlanes.system.vectors import Vector, cross, norm_squared, real_symbol, vectors
 
 from .separation import SeparatedSystem, gaps, nu, nuprime
 
@@ -58,12 +52,12 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         equations hold, `reconstruction` that the state is what its formulas in ν, ν′ give.
     """
     constants = dict(separable.constants)
-    # those given by parameters and other constants alone need no proof
+    # Constants given by parameters and other constants alone need no proof.
     given_by = {*constants, *(p.symbol for p in separable.system.parameters)}
-    moving = [s for s, value in constants.items() if to_components(value).free_symbols - given_by]
+    moving = [s for s, value in constants.items() if scalars(value)[0].free_symbols - given_by]
     known = {**constants, nu: separable.direction, nuprime: separable.turning}
     common: dict[str, Any] = {"on": separable.level, "source": separable.source}
-    clock = to_components(separable.clock)
+    (clock,) = scalars(separable.clock)
     turned = [
         after - clock * Rate(before)
         for before, after in zip(nu.symbols, nuprime.symbols, strict=True)
@@ -74,7 +68,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
     fixed = [
         Identity(
             f"fixed_{number}",
-            tuple(to_components(cross(_rate(still) + cross(omega, still), still))),
+            tuple(scalars(cross(_rate(still) + cross(omega, still), still))),
             "a direction that stays in space",
             {**constants, still: vector},
             **common,
@@ -94,7 +88,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         *(conservation if moving else ()),
         Identity(
             "direction",
-            (to_components(norm_squared(nu)) - 1, *turned),
+            (norm_squared(nu) - 1, *turned),
             "a unit vector and its derivative in the new time",
             known,
             **common,
@@ -112,7 +106,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
 
 
 def with_laws(separable: SeparatedSystem) -> SeparatedSystem:
-    """The separable system with its laws."""
+    """The separable system together with its laws."""
     return replace(separable, laws=separation_laws(separable))
 
 
@@ -151,7 +145,7 @@ def _separated_equations(separable: SeparatedSystem) -> tuple[sp.Expr, sp.Expr]:
     moving = (totalprime, -productprime)
     other = (a, b - a * total)
     curve: Linear = (sp.S.Zero, separable.leading)
-    # the poles last: roots of a quadratic meet first, and their square root is gone
+    # Multiply the poles last: roots of a quadratic first combine, and their square root disappears.
     for root in reversed(separable.roots):
         curve = _times(curve, (sp.S.One, -root))
     left = _times(moving, moving)

@@ -1,8 +1,9 @@
-"""Riemann's theta function of genus two at real arguments, period matrix iY.
+"""Riemann's theta function of genus two for real arguments and period matrix iY.
 
     θ[a, b](v) = Σ exp(−π (m, Ym)) cos 2π(m, v + b),       m ∈ ℤ² + a,
 
-with half-integer characteristics a, b.  It changes at most its sign when v moves by a whole number.
+with half-integer characteristics a, b.  It changes at most its sign if v moves by an integer
+vector.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from flint import arb, arb_mat, ctx
 from flowlanes.formulas.balls import number
 from flowlanes.system.arrays import FloatArray
 
-#: Points that are computed at once.
+#: Number of points computed at once.
 _BLOCK = 16384
 
 Characteristic = tuple[tuple[int, int], tuple[int, int]]
@@ -47,8 +48,8 @@ class Theta:
         return 2 * det / (trace + (trace**2 - 4 * det).sqrt())
 
     def terms(self, bits: int) -> tuple[tuple[tuple[int, int], arb], ...]:
-        """2m and exp(−π (m, Ym)) for all m that matter at so many bits."""
-        # m and −m share one term with twice the weight
+        """2m and exp(−π (m, Ym)) for all significant m at a given number of bits."""
+        # m and −m share one term with twice the weight.
         reach = (bits + 10) * 0.6931471805599453 / pi
         size = ceil(sqrt(reach / number(self._least.lower()))) + 1
         a = self.characteristic[0]
@@ -68,11 +69,11 @@ class Theta:
         return (p[0] ** 2 * Y[0, 0] + 2 * p[0] * p[1] * Y[0, 1] + p[1] ** 2 * Y[1, 1]) / 4
 
     def tail(self, bits: int) -> arb:
-        """A bound of the sum of |2πm|^j exp(−π (m, Ym)), j = 0 or 1, over all terms left out.
+        """A bound of the sum of |2πm|^j exp(−π (m, Ym)), j = 0 or 1, over all omitted terms.
 
-        The terms left out have (m, Ym) ≥ ρ, with ρ the reach of :meth:`terms`.  There
-        exp(−π (m, Ym)) ≤ exp(−πρ/2) exp(−π (m, Ym)/2), and the sum of the latter over the whole
-        plane lattice is bounded by a product of two geometric-like series.
+        The omitted terms have (m, Ym) ≥ ρ, where ρ is the reach of :meth:`terms`.  There exp(−π (m,
+        Ym)) ≤ exp(−πρ/2) exp(−π (m, Ym)/2), and the sum of the latter over the whole lattice is
+        bounded by a product of two one-dimensional sums.
         """
         reach = arb(bits) * arb(2).log() / arb.pi()
         least = arb(self._least.lower())
@@ -93,7 +94,7 @@ class Theta:
         bits = ctx.prec
         at = [x + arb(half) / 2 for x, half in zip(v, b, strict=True)]
         for p, weight in self.terms(2 * bits):
-            # cos_pi keeps its accuracy for long arguments
+            # cos_pi keeps its accuracy for large arguments.
             phase = p[0] * at[0] + p[1] * at[1]
             value += weight * phase.cos_pi()
             slope -= arb.pi() * (p[0] * V[0] + p[1] * V[1]) * weight * phase.sin_pi()
@@ -102,7 +103,7 @@ class Theta:
         return value + arb(0, tail), slope + arb(0, tail * reach)
 
     def arrays(self) -> tuple[FloatArray, FloatArray]:
-        """2m (terms, 2) and the weights of those terms that matter in double precision."""
+        """2m (terms, 2) and weights of the significant terms in double precision."""
         terms = self.terms(60)
         return np.array([p for p, _ in terms], dtype=float), np.array([number(w) for _, w in terms])
 
@@ -111,7 +112,7 @@ class Theta:
         p, weights = self._arrays
         rates = pi * (p @ np.asarray(V, dtype=float))
         both = np.empty((2, len(v)))
-        # in blocks, so that memory stays bounded
+        # In blocks, which bounds memory use.
         for first in range(0, len(v), _BLOCK):
             block = slice(first, first + _BLOCK)
             phases = pi * (v[block] + np.array(self.characteristic[1]) / 2) @ p.T

@@ -1,4 +1,4 @@
-"""∫ Re (F(v) exp(iΨ)) dτ, Ψ growing linearly beside the phases v: a third frequency."""
+"""∫ Re (F(v) exp(iΨ)) dτ with Ψ linear in τ: a third frequency beside the phases v."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Turning:
 
     def values(self, v: FloatArray, tau: FloatArray) -> FloatArray:
         """Values at phases v (n, 2), modulo 2, and τ (n,)."""
-        # a term with a small divisor is left as it is: τ sin(x)/x
+        # Write a term with a small divisor as τ sin(x)/x.
         slow = np.abs(self.speeds) < 1e-3 * np.max(np.abs(self.speeds), initial=0.0)
         divided = np.where(slow, 0.0, self.coefficients / (1j * np.where(slow, 1.0, self.speeds)))
         waves = [

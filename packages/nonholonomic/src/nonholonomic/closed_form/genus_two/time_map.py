@@ -16,13 +16,13 @@ from .quadrature import Quadrature, quadrature, series
 from .separated_motion import SeparatedMotion, on_arrays, on_balls
 from .torus_average import mean
 
-#: Newton steps for the clock; it takes four or five.
+#: Number of Newton steps for the clock; four or five suffice.
 _STEPS = 40
 
 
 @dataclass(frozen=True)
 class TorusPoint:
-    """Places on the torus.
+    """Points on the torus.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class TorusPoint:
 
 @dataclass(frozen=True)
 class TimeMap:
-    """t as a function of τ and back.
+    """t as a function of τ, and its inverse.
 
     Attributes
     ----------
@@ -62,10 +62,10 @@ class TimeMap:
         mean_clock = self.flow.mean
         ideal = np.stack([phase_at(rate, times, 4.0) for rate in self.Omega], axis=1) + self.v_0
         tau = times / mean_clock
-        # in which the faster phase grows by one
+        # the time in which the faster phase grows by one
         period = 1 / np.max(np.abs(self.V))
         delta = np.zeros_like(tau)
-        # mean δ + p(v) = 0 is the equation of the clock; its left side grows with δ
+        # The clock equation is mean δ + p(v) = 0; its left side increases with δ.
         low, high = np.full_like(tau, -np.inf), np.full_like(tau, np.inf)
         for _ in range(_STEPS):
             v = ideal + delta[:, None] * self.V

@@ -1,4 +1,4 @@
-"""Motion of the unit vector ν on the torus: theta functions of phases that grow linearly.
+"""Motion of the unit vector ν on the torus: theta functions of linearly growing phases.
 
 ν = N/|N| with N_i = c_i θ[δ_i](v), v = v₀ + Vτ, where δ_i belongs to the i-th pole of the curve.
 ν has the period 2 in each of the two phases.
@@ -21,7 +21,7 @@ from .curve import Curve
 from .periods import Lattice, Pair, abelian, lattice
 from .theta import Theta
 
-#: Distance of a motion from its start, relative to ν and ν′: near separatrices digits are lost.
+#: Tolerance of a motion at its start, relative to ν and ν′: near separatrices digits are lost.
 _SHIFT = fmpq(1, 2**30)
 
 Triple = tuple[arb, arb, arb]
@@ -42,9 +42,9 @@ def divisor_of(
     weights: Sequence[arb],
     speeds: Sequence[arb],
 ) -> Divisor:
-    """The two points of the curve at which ν and ν′ stand.
+    """The two points of the curve that correspond to ν and ν′.
 
-    κ(x − z₁)(x − z₂) is the quadratic that takes the value ν_i²/weights_i at each pole x = e_i.
+    κ(x − z₁)(x − z₂) is the quadratic that has the value ν_i²/weights_i at each pole x = e_i.
     """
     heights = [x * x / w for x, w in zip(nu, weights, strict=True)]
     rates = [2 * x * p / w for x, p, w in zip(nu, nuprime, weights, strict=True)]
@@ -62,7 +62,7 @@ def divisor_of(
 
 
 def _through(places: Sequence[arb], heights: Sequence[arb]) -> Triple:
-    """Coefficients of x², x, 1 of the quadratic with given values at three places."""
+    """Coefficients of x², x, 1 of the quadratic with given values at three points."""
     result = [arb(0), arb(0), arb(0)]
     for i, height in enumerate(heights):
         j, k = (i + 1) % 3, (i + 2) % 3
@@ -116,7 +116,7 @@ class InvariantTorus:
 
     @property
     def turns(self) -> Pair:
-        """The rounds of z₁ and z₂ about their ovals in a unit of τ."""
+        """Revolutions of z₁ and z₂ about their ovals per unit of τ."""
         return self.lattice.around_ovals(self.V)
 
     @cached_property
@@ -181,13 +181,13 @@ def torus(
     )
     places = [_root_number(curve, pole) for pole in poles]
     halves = periods.halves
-    # on the real motion v has the constant imaginary part iYη: it moves the characteristics
+    # On the real motion v has the constant imaginary part iYη, which shifts the characteristics.
     shift = [halves[ovals[0]][1][i] + halves[ovals[1]][1][i] for i in (0, 1)]
     thetas = []
     for place in places:
         a, b = periods.characteristic(place)
         thetas.append(Theta(periods.Y, (((a[0] + shift[0]) % 2, (a[1] + shift[1]) % 2), b)))
-    # in the middle of both ovals, ν_i² is known up to a common factor
+    # At the middle of both ovals ν_i² is known up to a common factor.
     quarter = arb.pi() / 2
     middle = _phases(periods, [quarter, quarter])
     z = [_abscissa(curve, left, quarter) for left in ovals]
@@ -197,7 +197,7 @@ def torus(
         height, _ = theta.ball(middle, turning)
         factor = abs(square).sqrt() / abs(height)
         value, slope = theta.ball(v_0, turning)
-        # a component that vanishes shows its sign in its rate
+        # The sign of a vanishing component follows from its rate.
         agrees = value * own > 0 if abs(own) > arb(2) ** -40 else slope * rate > 0
         factors.append(factor if agrees else -factor)
     motion = InvariantTorus(
@@ -217,7 +217,7 @@ def torus(
 
 
 def _root_number(curve: Curve, pole: arb) -> int:
-    """The number of the root that a pole is."""
+    """The index of the root that is a given pole."""
     (place,) = [i for i, root in enumerate(curve.roots) if root.overlaps(pole)]
     return place
 
@@ -238,7 +238,7 @@ def _oval_angle(curve: Curve, left: int, z: arb, y: arb) -> arb:
             others = others * abs(z - root)
     sine = y / (half * others.sqrt())
     cosine = ((low + high) / 2 - z) / half
-    # the branch is cut where no turning point is
+    # The branch is cut away from turning points.
     return arb.pi() - arb.atan2(sine, -cosine) if cosine < 0 else arb.atan2(sine, cosine)
 
 

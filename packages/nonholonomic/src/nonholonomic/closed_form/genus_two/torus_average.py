@@ -1,4 +1,4 @@
-"""Means over the torus in many digits: the trapezoid rule with theta functions in balls."""
+"""Means over the torus to many digits: the trapezoidal rule with theta functions in balls."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .torus import InvariantTorus
 
 #: Working precision of a mean.
 BITS = 128
-#: Points of the grid beyond which the mean is left to doubles.
+#: Number of grid points beyond which the mean is computed in doubles.
 _MOST = 70_000
 
 

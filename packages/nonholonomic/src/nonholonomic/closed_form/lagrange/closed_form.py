@@ -1,4 +1,4 @@
-"""The closed form of the Lagrange top, as it is printed."""
+"""The closed form of the Lagrange top, for printing."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def _constants(top: Top) -> list[NamedConstant]:
 
 
 def steady_form(top: Top, equilibrium: Equilibrium) -> ClosedForm:
-    """The form of a permanent rotation."""
+    """The closed form of a permanent rotation."""
     nutation = "square of the frequency of nutation"
     constants = [
         *_constants(top),
@@ -54,7 +54,7 @@ def steady_form(top: Top, equilibrium: Equilibrium) -> ClosedForm:
 
 
 def form_of(top: Top, chart: Uniformisation, motion: QuadratureMotion) -> ClosedForm:
-    """The form of a motion on which u changes; the working precision must suffice."""
+    """The closed form of a motion with varying u; requires sufficient working precision."""
     constants = _constants(top)
     low, high = sorted((chart.first.x, chart.second.x), key=float)
     oval = (float(low), float(high))

@@ -1,4 +1,4 @@
-"""The Lagrange top at any time: the holonomic control of the quadratures of §5 (§4.1).
+"""The Lagrange top at any time: a holonomic check of the quadratures of §5 (§4.1).
 
 With u = Γ₃ = cos θ, s = M₃, c = (M, Γ) and the energy h,
 
@@ -39,7 +39,7 @@ def solve_top(
     start: Sequence[NumberOrText],
     parameters: Mapping[sp.Symbol, NumberOrText] | None = None,
 ) -> Solution | None:
-    """The motion of the Lagrange top, or None if the System is another one.
+    """Solve the Lagrange top; None if the System is another one.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def solve_top(
 
 @dataclass(frozen=True)
 class TopFrame(BodyFrame):
-    """M and Γ of a top from cos θ.
+    """M and Γ of a top as a function of cos θ.
 
     Attributes
     ----------

@@ -67,7 +67,7 @@ class Top:
         return Equation(numerator, denominator, arb(-1), arb(1), inner[self.upright], self.upright)
 
     def elliptic_parameters(self, chart: Uniformisation) -> tuple[arb, arb] | None:
-        """k² and w of u = u₁ + (u₂ − u₁) sn²(wt, k); None if u has only two roots above −∞.
+        """k² and w in u = u₁ + (u₂ − u₁) sn²(wt, k); None if u has only two finite roots.
 
         With roots u₁ < u₂ < u₃ and the leading coefficient λ of u̇², w = ½√(λ(u₃ − u₁)) and
         k² = (u₂ − u₁)/(u₃ − u₁).
@@ -75,7 +75,7 @@ class Top:
         s, I = self.s, self.across
         level = 2 * self.h - s * s / self.axial
         first, second = sorted((chart.first.x, chart.second.x), key=float)
-        # the sum of the roots, by the coefficients of u³ and u²
+        # The sum of the roots, from the coefficients of u³ and u².
         third = (level + s * s / I) / (2 * self.weight) - first - second
         if not (self.weight > 0 and third > second):
             return None

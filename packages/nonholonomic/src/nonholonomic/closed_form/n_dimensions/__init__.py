@@ -1,1 +1,1 @@
-"""Systems of more than three dimensions whose motion is known in closed form."""
+"""Systems of more than three dimensions with motions in closed form."""

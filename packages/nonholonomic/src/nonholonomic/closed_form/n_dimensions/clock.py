@@ -1,13 +1,14 @@
-"""The physical time of a separated motion: t as a function of τ, and back.
+"""The physical time of a separated motion: t as a function of τ, and its inverse.
 
-dt/dτ is a product of functions of one coordinate each, or a sum of a few such products, so that its
-Fourier coefficients on the torus of the phases are determinants of integrals in one variable:
+dt/dτ is a product of functions of one coordinate each, or a sum of a few such products.  Its
+Fourier coefficients on the torus of the phases are therefore determinants of one-dimensional
+integrals:
 
     c_m = det ‖(1/2π) ∮ g(z_k) (dψ_ik/ds_k) exp(−i Σ_j m_j ψ_jk(s)) ds‖,
 
-for the volume of the torus is det(dψ_ik/ds_k) ds_1 … ds_{n−1}.  They are real, as g is even in s
-and ψ odd.  So t = c_0 τ + Σ c_m (sin(m, φ) − sin(m, φ_0))/(m, dφ/dτ), and τ follows by Newton's
-method.
+because the volume element of the torus is det(dψ_ik/ds_k) ds_1 … ds_{n−1}.  They are real, as g is
+even in s and ψ odd.  So t = c_0 τ + Σ c_m (sin(m, φ) − sin(m, φ_0))/(m, dφ/dτ), and τ follows by
+Newton's method.
 """
 
 from __future__ import annotations
@@ -23,16 +24,16 @@ from flowlanes.errors import InputError
 from flowlanes.formulas.balls import number
 from flowlanes.system.arrays import ComplexArray, FloatArray, IntArray
 
-#: Waves whose coefficient is below this part of the mean are left out.
+#: Waves with coefficients below this fraction of the mean are omitted.
 _LEVEL = 2e-16
-#: Waves at most.
+#: Maximum number of waves.
 MOST = 300_000
-#: Waves slower than this part of the fastest one are near a resonance.
+#: Waves slower than this fraction of the fastest one are near a resonance.
 _SLOW = 1e-2
-#: Numbers in one block.
+#: Number of values in one block.
 _BLOCK = 4_000_000
 
-#: A function of one coordinate, a ball.
+#: A function of one coordinate, in balls.
 Factor = Callable[[arb], arb]
 
 
@@ -120,7 +121,7 @@ class Waves:
         return self.mean + self._sum(phases, self.orders, self.heights).real
 
     def integral(self, start: FloatArray, velocity: Sequence[arb]) -> WaveIntegral:
-        """The integral of the function less its mean along φ = start + velocity τ."""
+        """The integral of the function minus its mean along φ = start + velocity τ."""
         rough = self.orders @ np.array([number(x) for x in velocity])
         slow = np.abs(rough) < _SLOW * np.abs(rough).max(initial=0.0)
         exact = np.array(
@@ -170,11 +171,11 @@ class WaveIntegral:
     heights: FloatArray
 
     def at(self, phases: FloatArray, tau: FloatArray) -> FloatArray:
-        """The integral at the phases (n, g), which belong to the times τ (n,)."""
+        """The integral at phases (n, g) that belong to the times τ (n,)."""
         fast = self.fast
         quick = fast._sum(phases, fast.orders, fast.heights).imag - self.begin
         half = tau[:, None] * self.rates / 2
-        # (sin(x + 2h) − sin x)/rate = τ cos(x + h) sin h/h, also where the rate vanishes
+        # (sin(x + 2h) − sin x)/rate = τ cos(x + h) sin h/h, valid also for rate 0
         slow = np.cos(self.places + half) * np.sinc(half / np.pi) @ self.heights
         total: FloatArray = quick + tau * slow
         return total
@@ -239,10 +240,11 @@ def waves(
 def _noticeable_waves(
     coefficients: Callable[[IntArray], FloatArray], size: int, level: float
 ) -> tuple[IntArray, FloatArray]:
-    """All waves whose coefficients are noticeable, from the longest ones outwards."""
+    """All waves with significant coefficients, starting from the longest."""
     zero = (0,) * size
     seen = {zero}
-    # a coefficient may vanish by accident: one step beyond the noticeable ones is looked at too
+    # A coefficient may vanish by accident, so the search extends one step beyond the significant
+    # ones.
     front: dict[tuple[int, ...], bool] = {zero: True}
     kept = [np.zeros((0, size), dtype=int)]
     heights = [np.zeros(0)]
@@ -276,7 +278,7 @@ def _noticeable_waves(
 
 
 def _neighbours(wave: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
-    """Waves one step away, of each pair ±m the one whose first number is positive."""
+    """Neighbouring waves; of each pair ±m the one whose first number is positive."""
     for k in range(len(wave)):
         for step in (-1, 1):
             near = (*wave[:k], wave[k] + step, *wave[k + 1 :])

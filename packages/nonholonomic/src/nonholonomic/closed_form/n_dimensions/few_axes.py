@@ -1,4 +1,4 @@
-"""Motions of n dimensions that take place on three axes at most: those of three dimensions."""
+"""Motions in n dimensions that involve at most three axes: reduction to three dimensions."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from flowlanes.formulas.balls import ball, exact, number
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.matrices import Skew
 from flowlanes.system.system import System
+from flowlanes.system.tuple_vectors import dot
 
 from ...catalogue import entry
 from ..base.derived_solution import DerivedSolution
@@ -56,7 +57,7 @@ class Axis:
 
 @dataclass(frozen=True, repr=False)
 class FewAxesSolution(DerivedSolution):
-    """A motion by that of three dimensions in the subspace in which it takes place.
+    """A motion given by a three-dimensional one in the subspace in which it takes place.
 
     Attributes
     ----------
@@ -101,7 +102,7 @@ class FewAxesSolution(DerivedSolution):
 
 
 def _vectors(state: Sequence[Any], by_momentum: bool) -> tuple[list[Any], list[Any]]:
-    """p and γ of a state of three dimensions, p = kγ where it has k."""
+    """p and γ of a three-dimensional state; p = kγ if it contains k."""
     first, gamma = list(state[:SIZE]), list(state[SIZE : 2 * SIZE])
     if not by_momentum:
         return first, gamma
@@ -118,7 +119,7 @@ def solve_on_few_axes(
     axes: Sequence[Axis],
     solve: Callable[[Problem], Solution],
 ) -> Solution:
-    """The motion on at most three axes.
+    """Solve a motion that involves at most three axes.
 
     Parameters
     ----------
@@ -147,7 +148,7 @@ def solve_on_few_axes(
     if operator.kind is Kind.BALL:
         first = [p[i] * gamma[j] - p[j] * gamma[i] for i, j in _PLANES]
     if operator.kind is not Kind.SURROUNDING and len(set(moments)) < SIZE:
-        # bodies of revolution are solved with their attitude
+        # Bodies of revolution are solved with their attitude.
         space = _upright(system, gamma)
     else:
         system, space = replace(system, reconstruction=None), []
@@ -158,7 +159,7 @@ def solve_on_few_axes(
 
 
 def spare_indices(operator: InertiaByProducts, axes: Sequence[Axis]) -> list[int]:
-    """Further axes, on which nothing moves, that make three in all."""
+    """Further axes without motion, to make three in all."""
     used = [axis.index for axis in axes]
     return [i for i in range(operator.dimension) if i not in used][: SIZE - len(axes)]
 
@@ -172,12 +173,12 @@ def three_moments(operator: InertiaByProducts, indices: Sequence[int]) -> list[F
 
 
 def of_a_body(moments: Sequence[Fraction]) -> bool:
-    """Whether three moments are those of a rigid body: none exceeds the sum of the others."""
+    """Whether three moments belong to a rigid body: none exceeds the sum of the others."""
     return 2 * max(moments) <= sum(moments)
 
 
 def _upright(system: System, gamma: Sequence[arb]) -> list[arb]:
-    """An attitude whose last row is γ, and the origin as contact point."""
+    """An attitude with last row γ, and the origin as contact point."""
     rows = [_across([gamma], SIZE)]
     rows.append(_across([gamma, *rows], SIZE))
     matrix = [*rows, gamma]
@@ -200,14 +201,10 @@ def _across(directions: Sequence[Sequence[arb]], n: int) -> tuple[arb, ...]:
         for one in directions:
             share = one[i]
             rest = [x - share * y for x, y in zip(rest, one, strict=True)]
-        if not best or _square(rest) > _square(best):
+        if not best or dot(rest, rest) > dot(best, best):
             best = rest
-    length = _square(best).sqrt()
+    length = dot(best, best).sqrt()
     return tuple((x / length).mid() for x in best)
-
-
-def _square(vector: Sequence[arb]) -> arb:
-    return sum((x * x for x in vector), arb(0))
 
 
 @dataclass(frozen=True, repr=False)
@@ -220,7 +217,7 @@ class RestSolution(Solution):
 
     @classmethod
     def of(cls, problem: Problem) -> RestSolution:
-        """Rest in the start of a problem, not lifted."""
+        """Rest at the start of a problem, not lifted."""
         size = len(problem.system.symbols)
         state = tuple(ball(exact(x)) for x in problem.start[:size])
         return cls(problem.system, problem.parameters, state)
@@ -233,7 +230,7 @@ class RestSolution(Solution):
 
     @property
     def pace(self) -> float:
-        """Nothing moves."""
+        """Zero: nothing moves."""
         return 0.0
 
     @arguments_checked

@@ -1,10 +1,10 @@
-"""Linear equations along a known motion: attitude and path of a body of n dimensions.
+"""Linear equations along a known motion: attitude and path of a body in n dimensions.
 
     Y′ = Y A(x),    X′ = Y b(x),    Y = 1 and X = 0 at x = 0,
 
-with a skew A, by collocation at the nodes of Gauss on panels of one length.  It preserves Y Yᵀ = 1,
-and all panels are computed at once, since the solution on one panel does not depend on that on
-others: these are multiplied afterwards.
+with a skew-symmetric A, by Gauss collocation on panels of equal length.  It preserves Y Yᵀ = 1.
+All panels are computed at once, since the solution on one panel does not depend on the others; they
+are multiplied afterwards.
 """
 
 from __future__ import annotations
@@ -20,21 +20,22 @@ from flowlanes.system.arrays import FloatArray
 #: A and b at parameters (N,), as arrays (N, n, n) and (N, n).
 Rates = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
-#: Nodes of a panel.
+#: Number of nodes per panel.
 _NODES = 12
-#: Panels at most, and panels computed at once.
+#: Maximum number of panels, and number of panels computed at once.
 MOST, _BLOCK = 100_000, 512
-#: Panels on which the length is tried, the error allowed on one of them, and halvings at most.
+#: Number of panels on which the length is tested, error allowed on one of them, and maximum number
+#: of halvings.
 _TRIED, _ERROR, _HALVINGS = 64, 2e-15, 12
-#: An error that may be one of rounding.
+#: An error that can be due to rounding.
 _SMALL = 1e-9
 
 
 @cache
 def _gauss() -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Nodes c and weights w on [0, 1], and the integrals a_ij of Lagrange's basis from 0 to c_i."""
+    """Nodes c and weights w on [0, 1], and the integrals a_ij of the Lagrange basis up to c_i."""
     x, w = np.polynomial.legendre.leggauss(_NODES)
-    # ∫ P_k is (P_{k+1} − P_{k−1})/(2k + 1); the basis is Σ_k (k + ½) w_j P_k(x_j) P_k(x)
+    # ∫ P_k is (P_{k+1} − P_{k−1})/(2k + 1); the basis is Σ_k (k + ½) w_j P_k(x_j) P_k(x).
     values = np.polynomial.legendre.legvander(x, _NODES)
     degree = np.arange(_NODES)
     before = np.concatenate([-np.ones((_NODES, 1)), values[:, : _NODES - 1]], axis=1)
@@ -77,7 +78,7 @@ class LinearMotion:
         return turns, paths
 
     def _at_ends(self, sign: float, ends: FloatArray, step: float) -> tuple[FloatArray, FloatArray]:
-        """Y and X at ascending |x|, by panels that are no longer than a step."""
+        """Y and X at ascending |x|, on panels no longer than a step."""
         gaps = np.diff(ends, prepend=0.0)
         counts = np.maximum(np.ceil(gaps / step).astype(int), 1)
         last = np.cumsum(counts) - 1
@@ -105,7 +106,8 @@ class LinearMotion:
         A, b = self.rates((lefts[:, None] + widths[:, None] * c).ravel())
         A = widths[:, None, None, None] * A.reshape(count, _NODES, n, n)
         b = widths[:, None, None] * b.reshape(count, _NODES, n)
-        # the slopes are K_i = (1 + Σ a_ij K_j) A_i: here the equations of their transposes
+        # The slopes satisfy K_i = (1 + Σ a_ij K_j) A_i; these are the equations of their
+        # transposes.
         across = A.transpose(0, 1, 3, 2)
         matrix = np.einsum("ij,piab->piajb", -a, across).reshape(count, _NODES * n, _NODES * n)
         matrix += np.eye(_NODES * n)
@@ -118,7 +120,7 @@ class LinearMotion:
         )
 
     def _panel_length(self, end: float) -> float:
-        """A length with which panels between 0 and `end` are as exact as doubles are."""
+        """A panel length for which panels between 0 and `end` are accurate to rounding."""
         if not end:
             return 1.0
         lefts = end * np.arange(_TRIED) / _TRIED
@@ -141,7 +143,7 @@ class LinearMotion:
             if error < _ERROR:
                 break
             if before < _SMALL and error > before / 8:
-                # halving no longer helps: what is left is rounding
+                # Halving no longer helps: only rounding remains.
                 return 2 * step
             before, step = error, step / 2
         return step

@@ -1,8 +1,8 @@
-"""The motion in space of a body of n dimensions along its closed form.
+"""The motion in space of an n-dimensional body along its closed form.
 
-The attitude has ġ = g ω and the path of a ball on a hyperplane ẋ = R g ω γ.  They are linear
-equations along the known motion, integrated here in double precision; where the closed form has a
-parameter of its own, in which the time need not be inverted, in that parameter.
+The attitude satisfies ġ = g ω and the path of a ball on a hyperplane ẋ = R g ω γ.  These are linear
+equations along the known motion, integrated here in double precision.  If the closed form has a
+parameter of its own, in which the time need not be inverted, they are integrated in that parameter.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from ..base.problem import Problem
 from ..base.solution import Solution, finite_times
 from .linear_motion import MOST, LinearMotion
 
-#: An attitude may miss an orthogonal matrix by this.
+#: Tolerance for the orthogonality of an attitude.
 _SLACK = 1e-9
 
 
 @runtime_checkable
 class WithParameter(Protocol):
-    """A motion with a parameter in which it costs less than in the time."""
+    """A motion with a parameter that is cheaper to evaluate in than time."""
 
     def parameters_at(self, times: FloatArray) -> FloatArray:
         """The parameter x at times (N,)."""
@@ -44,7 +44,7 @@ class WithParameter(Protocol):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class MotionInSpace(DerivedSolution):
-    """A motion with attitude and path, which follow from linear equations along its closed form.
+    """A motion with attitude and path from linear equations along its closed form.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class MotionInSpace(DerivedSolution):
 
     @property
     def left_open(self) -> str:
-        """Quantities that the closed form does not give."""
+        """Quantities without rigorous bounds."""
         inner = self.inner.left_open
         here = (
             "attitude and path have no error bounds: they are integrated along the closed form, "
@@ -110,7 +110,7 @@ class MotionInSpace(DerivedSolution):
 
     @arguments_checked
     def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
-        """The state at one time as balls, infinite ones for attitude and path."""
+        """The state at one time as balls; infinite ones for attitude and path."""
         reduced = self.inner.rigorous(time, digits)
         more = len(self.system.symbols) - len(reduced)
         return (*reduced, *(arb(0, arb("inf")) for _ in range(more)))
@@ -125,7 +125,7 @@ def reduced_problem(problem: Problem) -> Problem:
 
 
 def in_space(problem: Problem, solution: Solution) -> Solution:
-    """The motion of a problem in space, if it is asked for.
+    """The motion of a problem in space, if requested.
 
     Parameters
     ----------

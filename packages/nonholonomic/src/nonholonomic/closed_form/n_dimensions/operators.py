@@ -1,6 +1,6 @@
-"""The special operators of inertia of n dimensions, recognised among given moments.
+"""Recognise the special n-dimensional operators of inertia among given moments.
 
-Of the products K_ij = a_i a_j (i ≠ j) the inertia is
+In terms of products K_ij = a_i a_j (i ≠ j) the inertia is
 
 * K_ij for the Veselova system, K_ij − m R² for the rubber ball;
 * D K_ij/(D − K_ij), D = m R², for the marble ball without momentum in planes across γ.
@@ -29,7 +29,7 @@ from ..base.problem import Problem
 
 
 class Kind(Enum):
-    """The dependence of the momentum of a motion on its angular velocity."""
+    """How the momentum of a motion depends on its angular velocity."""
 
     VESELOVA = "Veselova system or rubber ball"
     BALL = "marble ball on the level k = p∧γ"
@@ -38,7 +38,7 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class InertiaByProducts:
-    """An operator of inertia by its K_ij; a special one where these are products.
+    """An operator of inertia by its K_ij; a special one if these are products.
 
     Attributes
     ----------
@@ -91,7 +91,7 @@ _KINDS: Mapping[str, Kind] = {
 
 
 def operator_of(problem: Problem) -> InertiaByProducts | None:
-    """The moments K_ij of a problem, products or not; None if it is no such system."""
+    """The moments K_ij of a problem, products or not; None for any other system."""
     system = problem.system
     if system.name not in _KINDS:
         return None
@@ -140,7 +140,7 @@ def _are_products(n: int, K: Mapping[tuple[int, int], Fraction]) -> bool:
 
 
 def momentum_and_vector(problem: Problem) -> tuple[list[arb], list[arb]] | None:
-    """p and γ at the start, on the phase space; None where k is not p∧γ."""
+    """p and γ at the start, on the phase space; None if k is not p∧γ."""
     system = problem.system
     size = len(system.symbols)
     values = {s: ball(exact(x)) for s, x in problem.parameters.items()}

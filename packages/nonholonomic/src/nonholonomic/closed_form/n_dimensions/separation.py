@@ -40,17 +40,20 @@ from itertools import combinations
 
 from flint import acb_poly, arb, arb_poly, ctx
 
+from flowlanes.system.tuple_vectors import dot
+
 from ..genus_two.curve import Curve, DegenerateError
 
 Balls = Sequence[arb]
 
-#: Bits of the working precision that roots may lack, and by how much more it may be exceeded.
+#: Allowed loss of precision in the roots, in bits, and the factor by which the working precision
+#: may be exceeded before giving up.
 _MARGIN, _MOST = 40, 4
 
 
 @dataclass(frozen=True)
 class SeparatedVector:
-    """A unit vector that moves by separated variables, at its start.
+    """A unit vector with separated variables, at its start.
 
     Attributes
     ----------
@@ -119,9 +122,10 @@ def wedge(first: Balls, second: Balls) -> dict[tuple[int, int], arb]:
     }
 
 
-def dot(first: Balls, second: Balls) -> arb:
-    """Σ x_i y_i."""
-    return sum((x * y for x, y in zip(first, second, strict=True)), arb(0))
+def unit(vector: Balls) -> list[arb]:
+    """The vector divided by its length."""
+    length = dot(vector, vector).sqrt()
+    return [x / length for x in vector]
 
 
 def of_veselova(a: Balls, p: Balls, gamma: Balls) -> SeparatedVector:
@@ -146,7 +150,7 @@ def of_ball(a: Balls, D: arb, p: Balls, gamma: Balls) -> SeparatedVector:
     G = coordinate_polynomial(a, gamma)
     K = pencil(a, {pair: x * x for pair, x in k.items()})
     whole = (arb_poly([0, 1]) * K - square * G).coeffs()
-    # the highest powers cancel, as p² = Σ k_ij²
+    # The highest powers cancel, since p² = Σ k_ij².
     T = arb_poly([x / W for x in whole[: len(a) - 1]])
     weighted = [x * y for x, y in zip(a, p, strict=True)]
     along = dot(weighted, gamma)
@@ -192,7 +196,7 @@ def _separation(
     speed: arb,
     product: arb,
 ) -> SeparatedVector:
-    """With the curve Y = −4 · integral · ∏(z − more) ∏(z − c_i)."""
+    """The separation with the curve Y = −4 · integral · ∏(z − more) ∏(z − c_i)."""
     roots = [*poles, *more, *real_roots(integral)]
     leading = -4 * integral.coeffs()[integral.degree()]
     curve = Curve.of(leading, roots)
@@ -211,7 +215,7 @@ def _separation(
 
 
 def real_roots(poly: arb_poly) -> list[arb]:
-    """The roots of a polynomial whose roots are all real and simple.
+    """The roots of a polynomial with real simple roots.
 
     Raises
     ------
@@ -221,7 +225,7 @@ def real_roots(poly: arb_poly) -> list[arb]:
     if poly.degree() == 0:
         return []
     try:
-        # the start is one exact state near to the given one: middles alone
+        # The start is one exact state close to the given one: use midpoints.
         middles = acb_poly([x.mid() for x in poly.coeffs()])
         found = middles.roots(tol=arb(2) ** (_MARGIN - ctx.prec), maxprec=_MOST * ctx.prec)
         return [root.real.mid() for root in found]

@@ -1,4 +1,4 @@
-"""Motions of the n-dimensional systems with special operators in closed form."""
+"""Closed-form motions of the n-dimensional systems with special operators."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ BITS = 320
 
 
 class WaveSolution(Solution):
-    """A motion of p and γ by waves that are summed up in double precision."""
+    """A motion of p and γ as a sum of waves in double precision."""
 
     @property
     def left_open(self) -> str:
-        """Quantities that the closed form does not give."""
+        """Quantities without rigorous bounds."""
         return "error bounds: the waves of this motion are summed up in double precision"
 
     @arguments_checked
     def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
-        """Refused: its waves are summed up in double precision."""
+        """Raise an error: the waves are summed in double precision."""
         raise InputError(
             f"{self.system.title}: its closed form is evaluated in double precision alone, without "
             "error bounds"
@@ -103,7 +103,7 @@ class SphereSolution(WaveSolution):
 
 
 def in_state(system: System, p: FloatArray, gamma: FloatArray) -> FloatArray:
-    """States (N, size) from p and γ (n, N), where k is p∧γ."""
+    """States (N, size) from p and γ (n, N), with k = p∧γ."""
     if not any(isinstance(name, Skew) for name in system.state):
         return np.concatenate([p, gamma]).T
     rows, columns = np.triu_indices(len(p), 1)
@@ -130,7 +130,7 @@ def _heavier(a: FloatArray, gamma: FloatArray, u: FloatArray) -> FloatArray:
 def _of_ball(
     a: FloatArray, D: float, y: FloatArray, velocity: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """D W γ̇ = −(W − ΠAΠ/D) p with Π the projection across γ = y."""
+    """D W γ̇ = −(W − ΠAΠ/D) p, where Π is the projection orthogonal to γ = y."""
     W = np.sum(y * y / a[:, None], axis=0)
     gamma = y.T
     across = np.eye(len(a)) - gamma[:, :, None] * gamma[:, None, :]

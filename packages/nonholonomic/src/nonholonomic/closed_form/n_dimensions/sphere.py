@@ -1,9 +1,9 @@
-"""Motions with a special operator of inertia: which axes move, and by what they are solved.
+"""Motions with a special operator of inertia: the axes that move, and the solver for them.
 
-Axes on which p and γ vanish stay out of the motion.  Axes with equal factors a_i may be turned
-among each other, so that p and γ leave at most two of them, one where these are parallel.  On
-what is left, at most three axes belong to a system of three dimensions; on more the motion
-separates on a curve of genus n − 1 (:mod:`.separation`).
+Axes on which p and γ vanish do not take part in the motion.  Axes with equal factors a_i may be
+rotated among each other, so that p and γ involve at most two of them, or one if they are parallel.
+If at most three axes remain, they form a three-dimensional system; otherwise the motion separates
+on a curve of genus n − 1 (:mod:`.separation`).
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from flint import arb, ctx, fmpq
 
 from flowlanes.formulas.balls import ball, number
 from flowlanes.formulas.relative_zero import RESOLUTION, ROUNDING, vanishes
+from flowlanes.system.tuple_vectors import dot
 
 from ..base.no_closed_form import degenerate, not_among
 from ..base.problem import Problem
@@ -43,7 +44,7 @@ Balls = Sequence[arb]
 
 
 def solve_on_sphere(problem: Problem, solve: Callable[[Problem], Solution]) -> Solution | None:
-    """The motion with a special operator of inertia; None where the problem is another.
+    """Solve a motion with a special operator of inertia; None for any other problem.
 
     Parameters
     ----------
@@ -63,7 +64,7 @@ def solve_on_sphere(problem: Problem, solve: Callable[[Problem], Solution]) -> S
         return None
     blocks = None
     if operator.kind is not Kind.BALL:
-        # with one axis in a block the motion on a plane is that of a body of three dimensions
+        # If a block has a single axis, the motion on a plane is that of a three-dimensional body.
         least = 2 if operator.kind is Kind.VESELOVA else 1
         blocks = blocks_of(operator.dimension, operator.products, least)
     if blocks is None and not operator.special:
@@ -116,7 +117,7 @@ def _solve_on_axes(
 
 
 def _belongs_to_a_body(operator: InertiaByProducts, axes: Sequence[Axis]) -> bool:
-    """Whether at most three axes move, with the moments of a body of three dimensions."""
+    """Whether at most three axes move, with the moments of a three-dimensional body."""
     if len(axes) > SIZE:
         return False
     indices = [axis.index for axis in axes] + spare_indices(operator, axes)
@@ -124,7 +125,7 @@ def _belongs_to_a_body(operator: InertiaByProducts, axes: Sequence[Axis]) -> boo
 
 
 def moving_axes(operator: InertiaByProducts, p: Balls, gamma: Balls, part: fmpq) -> list[Axis]:
-    """The axes on which p or γ does not vanish, of equal ones at most two.
+    """The axes on which p or γ does not vanish; at most two of equal ones.
 
     Parameters
     ----------
@@ -146,9 +147,9 @@ def moving_axes(operator: InertiaByProducts, p: Balls, gamma: Balls, part: fmpq)
         for vector, whole in ((gamma, arb(1)), (p, size)):
             rest = [vector[i] if i in group else arb(0) for i in range(n)]
             for one in left:
-                share = _dot(one, rest)
+                share = dot(one, rest)
                 rest = [x - share * y for x, y in zip(rest, one, strict=True)]
-            length = _dot(rest, rest).sqrt()
+            length = dot(rest, rest).sqrt()
             if length.is_zero() or vanishes(length, whole, part):
                 continue
             direction = (
@@ -160,14 +161,10 @@ def moving_axes(operator: InertiaByProducts, p: Balls, gamma: Balls, part: fmpq)
             if len(group) == 1:
                 break
         found += [
-            Axis(group[min(k, len(group) - 1)], tuple(one), _dot(one, p), _dot(one, gamma))
+            Axis(group[min(k, len(group) - 1)], tuple(one), dot(one, p), dot(one, gamma))
             for k, one in enumerate(left)
         ]
     return found
-
-
-def _dot(first: Balls, second: Balls) -> arb:
-    return sum((x * y for x, y in zip(first, second, strict=True)), arb(0))
 
 
 def _on_torus(problem: Problem, operator: InertiaByProducts, axes: Sequence[Axis]) -> Solution:

@@ -32,14 +32,16 @@ from flowlanes.errors import InputError
 from flowlanes.formulas.balls import ball, exact, number
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import System
+from flowlanes.system.tuple_vectors import dot
 
 from ...catalogue import entry
 from ..base.no_closed_form import not_among
 from ..base.problem import Problem
 from ..base.solution import ClosedForm, NamedConstant, Solution, finite_times
+from .separation import unit
 
 NAME = "suslov-nd"
-#: Where λ|t| is so large, doubles see no difference between w and its limit.
+#: λ|t| beyond which w equals its limit in double precision.
 _LIMIT = 42.0
 _TOLERANCE = 3e-14
 #: Working precision of the set-up, in bits.
@@ -50,7 +52,7 @@ _PLANE = 2
 
 @dataclass(frozen=True, repr=False)
 class UniformTurning(Solution):
-    """w is constant: a rotation in the plane of w and the last body axis.
+    """Constant w: a rotation in the plane of w and the last body axis.
 
     Attributes
     ----------
@@ -88,7 +90,7 @@ class UniformTurning(Solution):
 
     @property
     def pace(self) -> float:
-        """Turns in a unit of time."""
+        """Turns per unit of time."""
         return number(self._speed) / (2 * np.pi)
 
     @property
@@ -158,13 +160,13 @@ class PlanarTurning(Solution):
 
     @property
     def pace(self) -> float:
-        """The rate of the approach to the limit."""
+        """The rate of convergence to the limit."""
         _, rate, _, _ = self._angles
         return number(rate) / (2 * np.pi)
 
     @property
     def left_open(self) -> str:
-        """Quantities that the closed form does not give."""
+        """Quantities without rigorous bounds."""
         return "γ and the attitude in formulas: they are integrated along the closed form of ω"
 
     def _velocity(self, times: FloatArray) -> FloatArray:
@@ -229,7 +231,7 @@ class PlanarTurning(Solution):
 
     @arguments_checked
     def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
-        """Refused: γ is integrated in double precision."""
+        """Raise an error: γ is integrated in double precision."""
         raise InputError(
             f"{self.system.title}: γ and the attitude are integrated in double precision, without "
             "error bounds"
@@ -274,10 +276,10 @@ def _turn(w: FloatArray, time: float) -> FloatArray:
 
 
 def _after_turn(row: Sequence[Any], unit: Sequence[Any], cosine: Any, sine: Any) -> list[Any]:
-    """A vector fixed in space, x exp(tω) with ω_in = unit_i Ω, where it was x at t = 0."""
+    """A vector fixed in space, x exp(tω) with ω_in = unit_i Ω, given its value x at t = 0."""
     *first, last = row
     along = sum(x * y for x, y in zip(first, unit, strict=True))
-    # in the plane of the unit vector and the last axis: ẋ_i = −ω_in x_n, ẋ_n = ω_in x_i
+    # In the plane of the unit vector and the last axis: ẋ_i = −ω_in x_n, ẋ_n = ω_in x_i.
     change = along * (cosine - 1) - last * sine
     return [
         *(x + 0 * cosine + change * y for x, y in zip(first, unit, strict=True)),
@@ -286,7 +288,7 @@ def _after_turn(row: Sequence[Any], unit: Sequence[Any], cosine: Any, sine: Any)
 
 
 def solve_suslov(problem: Problem) -> Solution | None:
-    """A motion of Suslov's problem; None where the problem is another.
+    """Solve Suslov's problem; None for any other problem.
 
     Raises
     ------
@@ -337,25 +339,25 @@ def _planar(
         raise not_among(
             problem, "with w and j = (J_1n, J_2n, …) in a plane that B = J′ + J_nn leaves invariant"
         )
-    first = _unit([ball(x) for x in j])
+    first = unit([ball(x) for x in j])
     other = [ball(x) for x in w]
-    share = _dot(first, other)
-    second = _unit([x - share * y for x, y in zip(other, first, strict=True)])
+    share = dot(first, other)
+    second = unit([x - share * y for x, y in zip(other, first, strict=True)])
     matrix = [[ball(x) for x in row] for row in B]
     b, c, off = (
-        _dot(x, [_dot(row, y) for row in matrix]).mid()
+        dot(x, [dot(row, y) for row in matrix]).mid()
         for x, y in ((first, first), (second, second), (first, second))
     )
-    # of the two turns that make B diagonal the smaller one
+    # Of the two rotations that make B diagonal, take the smaller one.
     angle = arb.atan2(2 * off, b - c) / 2 if b > c else arb.atan2(-2 * off, c - b) / 2
     turn, across = angle.cos(), angle.sin()
     axes = (
         tuple((turn * x + across * y).mid() for x, y in zip(first, second, strict=True)),
         tuple((turn * y - across * x).mid() for x, y in zip(first, second, strict=True)),
     )
-    values = [_dot(axis, [_dot(row, axis) for row in matrix]).mid() for axis in axes]
-    along = [_dot(axis, [ball(x) for x in j]).mid() for axis in axes]
-    begin = [_dot(axis, other).mid() for axis in axes]
+    values = [dot(axis, [dot(row, axis) for row in matrix]).mid() for axis in axes]
+    along = [dot(axis, [ball(x) for x in j]).mid() for axis in axes]
+    begin = [dot(axis, other).mid() for axis in axes]
     return PlanarTurning(
         lifted,
         problem.parameters,
@@ -368,18 +370,9 @@ def _planar(
 
 
 def _angle(y: arb, x: arb) -> arb:
-    """The angle of a vector, modulo 2π, with no cut where x < 0."""
+    """The angle of a vector, modulo 2π, without a cut where x < 0."""
     return arb.pi() - arb.atan2(y, -x) if x < 0 else arb.atan2(y, x)
 
 
 def _rank(rows: Sequence[Sequence[Fraction]]) -> int:
     return int(sp.Matrix([[sp.Rational(str(x)) for x in row] for row in rows]).rank())
-
-
-def _dot(first: Sequence[arb], second: Sequence[arb]) -> arb:
-    return sum((x * y for x, y in zip(first, second, strict=True)), arb(0))
-
-
-def _unit(vector: Sequence[arb]) -> list[arb]:
-    length = _dot(vector, vector).sqrt()
-    return [x / length for x in vector]

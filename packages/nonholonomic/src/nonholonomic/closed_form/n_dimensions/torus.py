@@ -5,9 +5,9 @@ an analytic C > 0, the cofactor.  So the phases
 
     φ_i = Σ_k ψ_ik(s_k),    ψ_ik(s) = ∫₀ˢ q_i(z_k)/√C_k ds = δ_ik s + periodic,
 
-grow linearly, where the polynomials q_i of degree n − 2 are chosen so that the means are δ_ik.  The
-Jacobian matrix is that of Vandermonde times a diagonal one, never singular as the intervals are
-apart; Newton's method inverts the map.
+grow linearly, where the polynomials q_i of degree n − 2 are chosen such that the means are δ_ik.
+The Jacobian matrix is a Vandermonde matrix times a diagonal one, never singular since the intervals
+are disjoint; Newton's method inverts the map.
 """
 
 from __future__ import annotations
@@ -17,23 +17,24 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from flint import acb, arb, arb_mat
+from flint import arb, arb_mat
 
 from flowlanes.formulas.balls import number
 from flowlanes.system.arrays import FloatArray
 
-from ..genus_two.curve import Curve, DegenerateError
+from ..genus_two.curve import DegenerateError
+from ..genus_two.periods import abelian_integral
 from .separation import SeparatedVector, coordinate_polynomial, polynomial, real_roots
 
-#: Steps of half a turn: at first and at most.
+#: Initial and maximum number of steps of half a turn.
 _GRID = (64, 4096)
-#: Fourier coefficients below this, relative to the first, are left out.
+#: Relative size below which Fourier coefficients are omitted.
 _LEVEL = 5e-17
-#: Steps of Newton's method, at most, and halvings of one.
+#: Maximum number of Newton steps, and of halvings of a step.
 _STEPS, _HALVINGS = 60, 30
-#: Places of the table for each wave, at least, and the degree of its polynomials.
+#: Minimum number of table points per wave, and degree of the local polynomials.
 _PLACES, _DEGREE = 16, 9
-#: Largest error of phases, in radians, for which an inversion ends.
+#: Largest error of phases, in radians, at which an inversion ends.
 _CLOSE = 4e-15
 
 
@@ -42,23 +43,10 @@ def periods(separation: SeparatedVector) -> arb_mat:
     curve = separation.curve
     size = len(separation.ovals)
     entries = [
-        [_abelian(curve, left, power, arb.pi()) / arb.pi() for left in separation.ovals]
+        [abelian_integral(curve, left, power) / arb.pi() for left in separation.ovals]
         for power in range(size)
     ]
     return arb_mat(entries)
-
-
-def _abelian(curve: Curve, left: int, power: int, end: arb) -> arb:
-    """∫ z^power dz/√|Y| from the root number `left` to the place s = `end`."""
-    low, high = curve.ends(left)
-    middle, half = (low + high) / 2, (high - low) / 2
-
-    def form(s: acb, analytic: bool) -> acb:
-        z = middle - half * s.cos()
-        integrand: acb = z**power / curve.cofactor(left, s).sqrt(analytic=analytic)
-        return integrand
-
-    return acb.integral(form, acb(0), acb(end)).real
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,9 +71,9 @@ class Sines:
 
     @cached_property
     def _table(self) -> FloatArray:
-        """Taylor coefficients of ψ_ik − δ_ik s at the places of a grid, (k, places, i, degree).
+        """Taylor coefficients of ψ_ik − δ_ik s at the grid points, (k, places, i, degree).
 
-        In the distance from the place over half the spacing.
+        In powers of the distance from the grid point over half the spacing.
         """
         order = np.arange(self.waves.shape[2] + 1)
         places = _PLACES * 2 ** int(np.ceil(np.log2(len(order))))
@@ -120,7 +108,7 @@ class Sines:
         return phases, slopes
 
     def own_angles(self, x: FloatArray) -> FloatArray:
-        """The angles s_k (g, N), from 0 to π, at which the growing ψ_kk have the values x (N,)."""
+        """The angles s_k (g, N) in [0, π] at which the increasing ψ_kk have the values x (N,)."""
         own = np.array([self.waves[k, k] for k in range(self.genus)])
         order = np.arange(1, own.shape[1] + 1)
         low, high = np.zeros((self.genus, len(x))), np.full((self.genus, len(x)), np.pi)
@@ -140,9 +128,9 @@ class Sines:
         return s
 
     def angles(self, phases: FloatArray) -> FloatArray:
-        """The angles s (n, g) at which the phases are the given ones (n, g).
+        """The angles s (n, g) at which the phases have given values (n, g).
 
-        Newton's method with halved steps: the residual falls, and no place is singular.
+        Newton's method with step halving: the residual decreases, and no point is singular.
         """
         s = phases.copy()
         reached, slopes = self.phases_and_slopes(s)
@@ -160,7 +148,7 @@ class Sines:
                 reached, turned = self.phases_and_slopes(tried)
                 left = reached - phases[open_]
                 worse = np.abs(left).max(axis=1) > worst[open_] * (1 - share / 4)
-                # at rounding level no step helps
+                # At rounding level no step helps.
                 worse &= worst[open_] > 16 * _CLOSE * scale[open_]
                 if not worse.any():
                     break
@@ -195,7 +183,7 @@ def sines(separation: SeparatedVector, means: arb_mat) -> Sines:
 def densities(
     separation: SeparatedVector, inverse: arb_mat, places: Sequence[Sequence[arb]]
 ) -> FloatArray:
-    """dψ_ik/ds at places s of each z_k, (g, g, N)."""
+    """dψ_ik/ds at given s of each z_k, (g, g, N)."""
     curve, size = separation.curve, len(separation.ovals)
     values = np.empty((size, size, len(places[0])))
     for k, left in enumerate(separation.ovals):
@@ -210,7 +198,7 @@ def densities(
 
 
 def cosine_coefficients(values: FloatArray) -> FloatArray:
-    """c_m of Σ c_m cos ms from values on the grid of half a turn, in the last axis."""
+    """Coefficients c_m of Σ c_m cos ms from values on the grid of half a turn, in the last axis."""
     steps = values.shape[-1] - 1
     whole = np.concatenate([values, values[..., -2:0:-1]], axis=-1)
     coefficients: FloatArray = np.fft.rfft(whole).real / steps
@@ -246,7 +234,7 @@ def start_angles(separation: SeparatedVector) -> tuple[arb, ...]:
 
 def _ordered_roots(separation: SeparatedVector) -> list[arb]:
     poly = coordinate_polynomial(separation.poles, separation.vector)
-    # a coordinate stands at a pole where a component of y vanishes
+    # If a component of y vanishes, a coordinate is at a pole.
     still = [c for c, y in zip(separation.poles, separation.vector, strict=True) if y == 0]
     for c in still:
         poly = poly // polynomial([c])
@@ -273,6 +261,6 @@ def start_phases(separation: SeparatedVector, means: arb_mat, angles: Sequence[a
     total = [arb(0)] * size
     for left, s in zip(separation.ovals, angles, strict=True):
         for power in range(size):
-            total[power] += _abelian(curve, left, power, s)
+            total[power] += abelian_integral(curve, left, power, s)
     column = inverse * arb_mat([[x] for x in total])
     return [column[i, 0] for i in range(size)]

@@ -19,16 +19,16 @@ from .clock import Clock, WaveIntegral, Waves, waves
 from .separation import SeparatedVector
 from .torus import Sines, cosine_coefficients, densities, periods, sines, start_angles, start_phases
 
-#: Steps of half a turn for the integrals of the waves, at first and at most.
+#: Initial and maximum number of steps of half a turn for the integrals of the waves.
 _GRID = (128, 1024)
-#: Fourier coefficients of half the highest waves there, relative to the first: what is left out
-#: is about the fourth power.
+#: Relative size of the Fourier coefficients at half the highest waves; the omitted ones are about
+#: the fourth power of it.
 _LEVEL = 1e-12
-#: How much finer the grid for the mean of dt/dτ is than that of the map.
+#: Refinement of the grid for the mean of dt/dτ, relative to that of the map.
 _FINER = 3
-#: Newton steps for the clock, at most.
+#: Maximum number of Newton steps for the clock.
 _NEWTON = 60
-#: The motion passes through its start but for this.
+#: Tolerance for passing through the start.
 _SHIFT = 1e-9
 
 
@@ -92,7 +92,7 @@ class TorusMotion:
         return motion
 
     def _check(self) -> None:
-        """Refuse a motion that misses its start."""
+        """Raise an error if a motion misses its start."""
         places = self._places(self.start[None])
         for computed, given in (
             (places.vector, self.separation.vector),
@@ -115,7 +115,7 @@ class TorusMotion:
     def waves(self) -> Waves:
         """dt/dτ on the torus.
 
-        On a grid that is even in ψ_kk, in which the integrals have fewer waves than in s.
+        On a grid uniform in ψ_kk, in which the integrals have fewer waves than in s.
 
         Raises
         ------
@@ -145,7 +145,7 @@ class TorusMotion:
 
     @cached_property
     def mean(self) -> arb:
-        """The mean of dt/dτ, by the trapezoidal rule: its error is estimated."""
+        """The mean of dt/dτ by the trapezoidal rule; its error is estimated."""
         curve, ovals = self.separation.curve, self.separation.ovals
         inverse, steps = self.means.inv(), _FINER * self.sines.steps
         weights, factors = self.clock.products(self._ends)
@@ -167,7 +167,7 @@ class TorusMotion:
 
     @cached_property
     def frequencies(self) -> tuple[arb, ...]:
-        """Turns of the phases in a unit of t."""
+        """Turns of the phases per unit of t."""
         return tuple(x / self.mean for x in self.turns)
 
     @cached_property
@@ -175,7 +175,7 @@ class TorusMotion:
         return tuple(pair(x) for x in self.frequencies)
 
     def at(self, times: FloatArray) -> Places:
-        """Its points at the times (N,)."""
+        """The points at the times (N,)."""
         ideal, delta = self._delays(times)
         return self._places(ideal + delta[:, None] * self._velocity)
 
@@ -185,7 +185,7 @@ class TorusMotion:
         return tau
 
     def along(self, tau: FloatArray) -> Places:
-        """Its points at τ (N,)."""
+        """The points at τ (N,)."""
         return self._places(self._phases([pair(x) for x in self.turns], tau))
 
     @property
@@ -193,13 +193,13 @@ class TorusMotion:
         return 2 * np.pi * np.array([number(x) for x in self.turns])
 
     def _phases(self, turns: Sequence[Pair], times: FloatArray) -> FloatArray:
-        """Phases (N, g) that grow uniformly."""
+        """Linearly growing phases (N, g)."""
         grown = np.stack([phase_at(rate, times, 2.0) for rate in turns], axis=1)
         phases: FloatArray = self.start + 2 * np.pi * grown
         return phases
 
     def _delays(self, times: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """The phases that belong to the mean of dt/dτ, and by how much τ is more than there."""
+        """The phases for the mean of dt/dτ, and the excess of τ over its value there."""
         mean, velocity = number(self.mean), self._velocity
         ideal = self._phases(self._pairs, times)
         tau, delta = times / mean, np.zeros_like(times)
@@ -238,11 +238,12 @@ class _Numbers:
     """Differences of roots and ends, each rounded once."""
 
     width: FloatArray
-    #: (g, roots, 2): low − root and root − high, one of them positive, for all but the own ends.
+    #: (g, roots, 2): low − root and root − high, one of them positive, except for the coordinate's
+    #: own ends.
     beyond: list[list[tuple[float, bool]]]
-    #: (n, g): c_i − low or high − c_i in absolute value, and from which end it is counted.
+    #: (n, g): c_i − low or high − c_i in absolute value, and the end from which it is measured.
     poles: list[list[tuple[float, bool]]]
-    #: the coordinate that ends at c_i, whether at its low end; −1 where none does.
+    #: The coordinate that ends at c_i, at its low or high end; −1 if none does.
     touching: list[tuple[int, bool]]
     #: gaps[k][l] for k > l: low of k − high of l.
     gaps: FloatArray
@@ -310,7 +311,7 @@ class _Numbers:
         vector, rate = self.vector(angles, z)
         signs = []
         for i, (own, turning) in enumerate(zip(separation.vector, separation.rate, strict=True)):
-            # a component that vanishes shows its sign in its rate
+            # The sign of a vanishing component follows from its rate.
             agrees = (
                 vector[i, 0] * number(own) > 0
                 if abs(number(own)) > 1e-6
@@ -342,7 +343,7 @@ class _Numbers:
             for k, (distance, above) in enumerate(self.poles[i]):
                 if k == touch:
                     continue
-                # |c − z| grows with z where z lies above c
+                # |c − z| increases with z where z > c.
                 away = distance + (rise[k] if above else fall[k])
                 y = y * np.sqrt(away)
                 logarithmic += (change[k] if above else -change[k]) / (2 * away)

@@ -1,4 +1,4 @@
-"""Bodies with the symmetry SO(r)×SO(n − r) that do not twist: a motion in one degree of freedom.
+"""Bodies with the symmetry SO(r)×SO(n − r) without twist: one degree of freedom.
 
 Let the moments be A for planes of the first r axes, B for those of the last n − r and C between
 (with m R² added for a ball), γ = (γ′, γ″), s = γ′² and γ̇ = −εu; ε = 1 about a fixed point and on a
@@ -50,12 +50,12 @@ class Blocks:
 
 
 def blocks_of(n: int, K: Mapping[tuple[int, int], Fraction], least: int) -> Blocks | None:
-    """Two blocks of at least so many axes, of moments K_ij; None if there are none."""
+    """Two blocks of at least the given sizes with moments K_ij; None if there are none."""
     for size in range(least, n // 2 + 1):
         for first in combinations(range(n), size):
             second = tuple(i for i in range(n) if i not in first)
             between = {K[i, j] for i in first for j in second}
-            # a single axis has no moment of its own
+            # A single axis has no moment of its own.
             own, other = (
                 {K[pair] for pair in combinations(block, 2)} or set(between)
                 for block in (first, second)
@@ -157,7 +157,7 @@ class Level:
         return Equation(numerator, denominator, *edges, inner[first.turns, second.turns], closed)
 
     def rates(self, s: acb, _: acb) -> list[acb]:
-        """The rates of the angles of the parts that turn."""
+        """The rates of the angles of the turning parts."""
         size, found = ball(abs(self.epsilon)), []
         for half, x in zip(self.halves, (s, 1 - s), strict=True):
             if half.turns:

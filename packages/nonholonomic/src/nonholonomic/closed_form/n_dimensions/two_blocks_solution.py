@@ -16,6 +16,7 @@ from flowlanes.formulas.balls import ball, number
 from flowlanes.formulas.relative_zero import ROUNDING, vanishes
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import System
+from flowlanes.system.tuple_vectors import dot
 
 from ..base.problem import Problem
 from ..base.solution import ClosedForm, NamedConstant, Solution, finite_times
@@ -28,12 +29,12 @@ from ..one_degree.functions import BALLS, DOUBLES, Count, Functions, T
 from ..one_degree.solution import QuadratureSolution
 from ..one_degree.uniformisation import Heteroclinic
 from ..one_degree.working_precision import exact_time, working_digits
-from .separation import Balls, dot, wedge
+from .separation import Balls, unit, wedge
 from .two_blocks import Blocks, Half, Level
 
 #: Working precision of the set-up, in bits.
 BITS = 700
-#: The vectors of a part of γ: the first at t = 0, and the one towards which it turns.
+#: Basis of a part of γ: its direction at t = 0, and the direction towards which it turns.
 Basis = tuple[Balls, Balls]
 
 
@@ -97,7 +98,7 @@ class Planes(MotionFrame):
         return p + gamma
 
     def _turn(self, F: Functions[T], half: Half, phi: T) -> T:
-        """The rate of the angle times the square of the length."""
+        """The rate of the angle times the squared length."""
         exponent = -self.level.exponent
         size = F.number(ball(abs(self.level.epsilon)) * half.L)
         if isinstance(phi, np.ndarray):
@@ -108,7 +109,7 @@ class Planes(MotionFrame):
 def lengths_of(
     F: Functions[T], motion: QuadratureMotion, sample: MotionSample[T, Count]
 ) -> tuple[list[T], list[T]]:
-    """|γ′| and |γ″| with their rates; they change their signs where a part passes the origin."""
+    """|γ′| and |γ″| with their rates; they change sign when a part passes the origin."""
     low, high = motion.chart.roots(F, sample.phase)
     speed = motion.chart.arc_slope(F, sample.phase) * sample.rate / 2
     lengths, growths = [low, high], [high * speed, -low * speed]
@@ -148,7 +149,7 @@ class SteadyTurning(Solution):
 
     @property
     def pace(self) -> float:
-        """The fastest turning."""
+        """The fastest rate of turning."""
         return max((number(x) for x in self.rates), default=0.0)
 
     @arguments_checked
@@ -188,7 +189,7 @@ def solve_two_blocks(
     p: Balls,
     gamma: Balls,
 ) -> Solution:
-    """The motion of a body with two blocks of axes.
+    """Solve a body with two blocks of axes.
 
     Parameters
     ----------
@@ -248,7 +249,7 @@ def _bases(
     growths: Balls,
     scale: arb,
 ) -> tuple[Basis, Basis]:
-    """The vectors of both parts, from γ and γ̇ at the start."""
+    """The bases of both parts, from γ and γ̇ at the start."""
     first, second = (
         _plane(y, rate) if half.turns else _line(y, rate, length, growth * scale)
         for half, (y, rate), length, growth in zip(
@@ -260,21 +261,16 @@ def _bases(
 
 def _plane(y: Balls, rate: Balls) -> Basis:
     """γ at t = 0, and the direction in which it turns."""
-    first = _unit(y)
+    first = unit(y)
     share = dot(first, rate)
-    return first, _unit([b - share * a for a, b in zip(first, rate, strict=True)])
+    return first, unit([b - share * a for a, b in zip(first, rate, strict=True)])
 
 
 def _line(y: Balls, rate: Balls, length: arb, growth: arb) -> Basis:
-    """The direction of the line on which a part of γ moves, by a length with a sign."""
+    """The direction of the line on which a part of γ moves, for a signed length."""
     vector = [length * a + growth * b for a, b in zip(y, rate, strict=True)]
     none = [arb(0)] * len(y)
-    return (none if dot(vector, vector).contains(0) else _unit(vector)), none
-
-
-def _unit(vector: Balls) -> list[arb]:
-    length = dot(vector, vector).sqrt()
-    return [x / length for x in vector]
+    return (none if dot(vector, vector).contains(0) else unit(vector)), none
 
 
 # --- words and formulas --------------------------------------------------------------------

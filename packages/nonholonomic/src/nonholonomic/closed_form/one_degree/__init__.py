@@ -1,9 +1,9 @@
 """Motions x′² = N(x)/B(x) at any time, with further quadratures along them.
 
-The roots of N on either side decide the motion: it swings between two simple roots, rests at a
-double one, or approaches double roots for ever.  In the phase σ of its uniformisation the time t(σ)
-and every quadrature q(σ), q′ = g(x, x′), are integrals of analytic functions, and a whole period
-adds a constant to each.
+The roots of N on either side determine the motion: it oscillates between two simple roots, rests at
+a double root, or approaches double roots asymptotically.  In the phase σ of its uniformisation the
+time t(σ) and every quadrature q(σ), q′ = g(x, x′), are integrals of analytic functions, and a whole
+period adds a constant to each.
 """
 
 from __future__ import annotations
@@ -25,17 +25,18 @@ from .divided_differences import slope, value
 from .functions import BALLS, Count, Functions, T
 from .inverse import enclosed_root
 from .phase_reduction import pair, reduced_phase
-from .turning_points import End, next_end
+from .turning_points import End, next_turning_point
 from .uniformisation import Asymptotic, Equation, Heteroclinic, Oscillating, Uniformisation
 
 __all__ = ["FAST", "Equilibrium", "MotionSample", "QuadratureMotion", "motion_chart"]
 
-#: Digits behind the evaluator in double precision, and behind printed constants.
+#: Digits used for the double-precision evaluator, and for printed constants.
 FAST = 19
 
-#: (x, x′) ↦ rates of the quadratures.
+#: Maps (x, x′) to rates of the quadratures.
 Rates = Callable[[acb, acb], Sequence[acb]]
-#: (chart, σ, derivatives of t and of the quadratures by σ, their values) ↦ those of further ones.
+#: Maps (chart, σ, derivatives of t and of the quadratures by σ, their values) to those of further
+#: ones.
 NestedRates = Callable[[Uniformisation, acb, Sequence[acb], Sequence[acb]], Sequence[acb]]
 
 
@@ -54,7 +55,7 @@ class Equilibrium:
 
     @cached_property
     def rigidity(self) -> arb:
-        """−½(N/B)″, the square of the frequency of small oscillations."""
+        """−½(N/B)″, the squared frequency of small oscillations."""
         x = self.x
         bend = slope(self.equation.numerator, x, x, x).real
         return -bend / value(self.equation.denominator, x).real
@@ -67,7 +68,7 @@ class Equilibrium:
         return False if self.rigidity < 0 else None
 
     def description(self, name: str) -> str:
-        """The name of the motion with its stability, in words."""
+        """The name of the motion with its stability."""
         if self.stable is None:
             return f"{name}, on the border of stability"
         return f"{name}, {'stable' if self.stable else 'unstable'}"
@@ -110,7 +111,7 @@ def motion_chart(equation: Equation, x: arb, rate: arb) -> Uniformisation | Equi
         elif still and drift * sign < 0:
             ends.append(End(x))
         else:
-            end = next_end(inner, x, edge, leaving=still, closed=closed)
+            end = next_turning_point(inner, x, edge, leaving=still, closed=closed)
             ends.append(end or End(edge, edge=True))
     left, right = ends
     if left.double and right.double:
@@ -179,11 +180,11 @@ class QuadratureMotion:
 
     @property
     def periodic(self) -> bool:
-        """Whether the motion swings between two turning points."""
+        """Whether the motion oscillates between two turning points."""
         return isinstance(self.chart, Oscillating)
 
     def integrals(self, digits: int) -> Integrals:
-        """The time (first), the quadratures and the nested ones, by σ."""
+        """The time (first), the quadratures and the nested ones, as functions of σ."""
         if digits not in self._by_digits:
             self._by_digits[digits] = self._build(digits)
         return self._by_digits[digits]
@@ -198,7 +199,7 @@ class QuadratureMotion:
         return float(abs(self.chart.clock(acb(0)).real).mid())
 
     def horizon(self, digits: int) -> arb:
-        """σ up to which is integrated: half a period, or the beginning of the tail."""
+        """Limit of integration in σ: half a period, or the beginning of the tail."""
         return arb.pi() if self.periodic else arb(digits) * arb("1.152") + 3
 
     @property
@@ -214,7 +215,7 @@ class QuadratureMotion:
 
     @property
     def passed_edges(self) -> tuple[bool, bool]:
-        """Whether every period passes the lower and the upper edge of the domain."""
+        """Whether every period passes through the lower and the upper edge of the domain."""
         return self.periodic and self.chart.first.edge, self.periodic and self.chart.second.edge
 
     def _forms(self, sigma: acb) -> list[acb]:
@@ -224,7 +225,7 @@ class QuadratureMotion:
         return [clock, *(clock * rate for rate in rates)]
 
     def _build(self, digits: int) -> Integrals:
-        """The integrals, computed anew."""
+        """Compute the integrals."""
         nested = self.nested and partial(self.nested, self.chart)
         with ctx.workprec(working_bits(digits)):
             end = self.horizon(digits)
@@ -232,7 +233,7 @@ class QuadratureMotion:
             return integrals(self._forms, -end, end, digits, units, nested, self.parities)
 
     def advances(self, digits: int) -> tuple[arb, ...]:
-        """The period of a periodic motion, and what every quadrature gains in it."""
+        """The period of a periodic motion, and the gain of every quadrature in it."""
         with ctx.workprec(working_bits(digits)):
             known = self.integrals(digits)
             return tuple(known.right_end(i) - known.left_end(i) for i in range(known.count))
@@ -252,7 +253,7 @@ class QuadratureMotion:
         return past, self.chart.second
 
     def end_of_tail(self, *, future: bool) -> End:
-        """The double root that is approached in the past, or in the future."""
+        """The double root approached in the past, or in the future."""
         return self.tails[1 if future else 0]
 
     # --- coordinates -----------------------------------------------------------------------
@@ -263,7 +264,7 @@ class QuadratureMotion:
         return x, self.chart.slope(F, sample.phase) * sample.rate
 
     def half_angles(self, F: Functions[T], sample: MotionSample[T, Count]) -> tuple[T, T, T]:
-        """sin θ/2, cos θ/2 and θ′ of x = cos θ between −1 and 1, continued through both poles."""
+        """sin θ/2, cos θ/2 and θ′ for x = cos θ in [−1, 1], continued through both poles."""
         low, high = self.chart.roots(F, sample.phase)
         rate = -self.chart.arc_slope(F, sample.phase) * sample.rate
         if isinstance(sample.tail, arb) and sample.tail != 0:
@@ -333,7 +334,7 @@ class FastMotion:
         self._period = pair(motion.advances(FAST)[0]) if motion.periodic else None
 
     def phase(self, moment: arb) -> float:
-        """σ at one moment, counted from σ = 0."""
+        """σ at one time, measured from σ = 0."""
         points = self._table.inverse(np.array([float(moment.mid())]))
         return float(self._table.phase(points)[0])
 

@@ -1,11 +1,11 @@
 """Angles and paths after many periods: Theorem 4's change of variables in the group of motions.
 
-In one period of θ the body turns by Δφ about its axis and Δψ about the vertical, and its place is
-displaced by D.  After n periods it is
+In one period of θ the body over_two_turns by Δφ about its axis and by Δψ about the vertical,
+and its position is displaced by D.  After n periods the displacement is
 
     D (e^{inΔψ} − 1)/(e^{iΔψ} − 1),
 
-a bounded quasi-periodic walk unless Δψ is a multiple of 2π, when it drifts by D each period.
+a bounded quasi-periodic walk unless Δψ is a multiple of 2π; then it drifts by D per period.
 Formulas come in pairs: balls for the rigorous evaluator, arrays for the fast one.
 """
 
@@ -32,13 +32,13 @@ def unit_complex(angle: arb) -> acb:
 
 
 def principal(angle: arb) -> arb:
-    """An angle less a multiple of 2π, near zero."""
+    """An angle modulo 2π, near zero."""
     whole = (angle / (2 * arb.pi()) + arb("0.5")).mid().floor()
     return angle - 2 * arb.pi() * whole
 
 
-def turns(angle: arb) -> Pair:
-    """An angle as a fraction of 4π: half of it still has its sign."""
+def over_two_turns(angle: arb) -> Pair:
+    """An angle as a fraction of 4π, so that the sign of functions of half the angle is kept."""
     return pair(angle / (4 * arb.pi()))
 
 
@@ -61,10 +61,10 @@ class LinearPhase:
     def from_balls(cls, rate: arb, begin: arb = arb(0)) -> LinearPhase:  # noqa: B008  (immutable)
         """The angle `begin` + `rate`·t."""
         full = 4 * arb.pi()
-        return cls(turns(rate), float((begin - full * (begin / full).mid().floor()).mid()))
+        return cls(over_two_turns(rate), float((begin - full * (begin / full).mid().floor()).mid()))
 
     def __call__(self, times: FloatArray) -> FloatArray:
-        """The angle, less a multiple of 4π."""
+        """The angle, modulo 4π."""
         return 4 * np.pi * fraction(times, self.share) + self.begin
 
 
@@ -84,7 +84,7 @@ def displacement_sum(count: int, turn: arb, step: acb) -> acb:
 def displacement_sums(counts: FloatArray, turn: arb, step: acb) -> ComplexArray:
     """Σ step · e^{ij turn} for j from 0 to count − 1, for counts (n,) in double precision."""
     half = principal(turn) / 2
-    angle = 4 * np.pi * fraction(counts, turns(half))
+    angle = 4 * np.pi * fraction(counts, over_two_turns(half))
     sine = float(half.sin().mid())
     resonant = half.sin().contains(0) or sine == 0.0
     ratio = counts if resonant else np.sin(angle) / sine
@@ -101,7 +101,7 @@ def circular_path(time: arb, rate: arb, speed: acb) -> acb:
 def circular_paths(times: FloatArray, rate: arb, speed: acb) -> ComplexArray:
     """∫ speed · e^{i rate t} dt from 0 to times (n,), in double precision."""
     half = rate / 2
-    angle = 4 * np.pi * fraction(times, turns(half))
+    angle = 4 * np.pi * fraction(times, over_two_turns(half))
     slow = abs(float(half.mid())) * np.abs(times) < 0.5
     small = times * np.sinc(float(half.mid()) * times / np.pi)
     ratio = np.where(slow, small, np.sin(angle) / (float(half.mid()) or 1.0))

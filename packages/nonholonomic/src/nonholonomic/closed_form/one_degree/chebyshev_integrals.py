@@ -1,10 +1,16 @@
 """Integrals of analytic functions along the real line, with proven error bounds.
 
-The line is cut into panels.  On each, a function is interpolated at n + 1 Chebyshev points; if it
-is analytic and smaller than M in boxes that cover the ellipse with the ends of the panel as foci
-and with half-axes (ρ ± 1/ρ)/2 half-widths, the interpolant is wrong by 4Mρ⁻ⁿ/(ρ − 1) at most.  A
-panel on which no such M is found, or one too large, is halved: near a singularity panels shrink
-geometrically, so that almost singular integrals cost little more than others.
+The line is divided into panels.  On each, a function f is interpolated by p_n at n + 1 Chebyshev
+points.  If f is analytic and |f| ≤ M in boxes that cover the Bernstein ellipse, which has its foci
+at the ends of the panel and half-axes of (ρ ± 1/ρ)/2 half-widths, then
+
+    |f − p_n| ≤ 4Mρ⁻ⁿ/(ρ − 1)    on the panel
+
+(L. N. Trefethen, Approximation Theory and Approximation Practice, chapter 8).  Ball arithmetic
+encloses f on the boxes, which gives M, and finite values prove that f is analytic there, since
+roots take no value across a branch cut.  A panel on which no M is found, or too large a one, is
+halved: near a singularity panels shrink geometrically, so almost singular integrals cost little
+more than others.
 """
 
 from __future__ import annotations
@@ -20,7 +26,7 @@ from flint import acb, arb, arb_mat, ctx
 from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray, IntArray
 
-#: ρ of the ellipse, and its half-axes.
+#: ρ of the ellipse, and its half-axes (ρ ± 1/ρ)/2.
 RHO = 4
 ALONG, ACROSS = arb("2.125"), arb("1.875")
 
@@ -37,28 +43,28 @@ BOXES = tuple(
     for sign in (-1, 1)
 )
 
-#: Points of a panel at which its table knows the time.
+#: Number of points of a panel at which its table stores the time.
 KNOTS = 24
 
-#: Numbers of panels, and coordinates from −1 to 1 in them.
+#: Indices of panels, and coordinates from −1 to 1 in them.
 PanelPoints = tuple[IntArray, FloatArray]
 
-#: A panel may not become narrower than this.
+#: Smallest width of a panel.
 NARROWEST = 1e-25
 
-#: σ ↦ the functions to be integrated, complex balls to complex balls.
+#: Maps σ to the functions to be integrated, in complex balls.
 Rates = Callable[[acb], Sequence[acb]]
-#: (σ, the first functions, their integrals) ↦ further functions.
+#: Maps (σ, the first functions, their integrals) to further functions.
 NestedRates = Callable[[acb, Sequence[acb], Sequence[acb]], Sequence[acb]]
 
 
 def degree(digits: int) -> int:
-    """n for an accuracy of so many digits, with a reserve of eight factors ρ."""
+    """n for an accuracy of `digits`, with a reserve of eight factors of ρ."""
     return math.ceil(digits * math.log(10) / math.log(RHO)) + 8
 
 
 def working_bits(digits: int) -> int:
-    """Bits to compute with: summing a Chebyshev series in balls costs up to 1.3 bits a term."""
+    """Working precision: summing a Chebyshev series in balls costs up to 1.3 bits per term."""
     return math.ceil(digits * math.log2(10) + 1.3 * degree(digits)) + 64
 
 
@@ -78,8 +84,8 @@ def _transform(n: int, bits: int) -> tuple[tuple[arb, ...], arb_mat]:
 class Series:
     """A Chebyshev series on [−1, 1].
 
-    The coefficients are exact and their errors are summed up in one number, since |T_k| ≤ 1: so
-    errors do not grow with the number of terms when the series is summed in balls.
+    The coefficients are exact, and their errors are collected in one number, which is valid since
+    |T_k| ≤ 1.  So errors do not grow with the number of terms when the series is summed in balls.
 
     Attributes
     ----------
@@ -92,7 +98,7 @@ class Series:
 
     @classmethod
     def from_balls(cls, coefficients: Sequence[arb], error: arb | int = 0) -> Series:
-        """The series of coefficients with errors, and with a further error of the sum."""
+        """The series of coefficients with errors, and with an additional error of the sum."""
         radius = sum((c.rad() for c in coefficients), arb(error))
         return cls([c.mid() for c in coefficients], arb(radius.upper()))
 
@@ -139,7 +145,7 @@ class Panel:
         return self.series[index](x) + arb(0, error.upper())
 
     def reflection(self, parities: Sequence[int]) -> Panel:
-        """The panel on the other side of zero, the integrals being even (1) or odd (−1)."""
+        """The panel on the other side of zero, for even (1) or odd (−1) integrals."""
         series = tuple(s.reflection(sign) for s, sign in zip(self.series, parities, strict=True))
         first = [-c if k % 2 else c for k, c in enumerate(self.first)]
         return Panel(-self.high, -self.low, series, first, self.bounds)
@@ -147,7 +153,7 @@ class Panel:
 
 @dataclass(frozen=True)
 class Integrals:
-    """Integrals from zero of some functions along an interval that contains zero.
+    """Integrals of some functions from zero, along an interval that contains zero.
 
     Attributes
     ----------
@@ -178,7 +184,7 @@ class Integrals:
         return self.panels[-1].value(index, self.panels[-1].high)
 
     def table(self) -> Table:
-        """These integrals in double precision."""
+        """The integrals in double precision."""
         return Table(self)
 
 
@@ -191,7 +197,7 @@ def integrals(
     nested: NestedRates | None = None,
     parities: Sequence[int] = (),
 ) -> Integrals:
-    """Integrals from zero along [low, high].
+    """Compute integrals from zero along [low, high].
 
     Parameters
     ----------
@@ -251,6 +257,17 @@ class _Build:
             totals = [s(arb(1 if start == panel.high else -1)) for s in panel.series]
         return panels
 
+    # The panel between `start` and `stop`; None if it must be halved.
+    #
+    # 1. The rates are evaluated on the boxes around the panel.  Their upper bounds M, one per
+    #    function, fail if a box value is not finite or much larger than the value in the middle
+    #    (`_bounds`): the interpolation error would exceed the requested one.
+    # 2. Values at the Chebyshev points times the matrix of `_transform` give the coefficients c_k.
+    #    ∫T_k = (T_{k+1}/(k + 1) − T_{k−1}/(k − 1))/2 gives those of the integral, whose constant is
+    #    fixed by `totals` at the end where the panel before stopped; the error bound of the
+    #    interpolant times the width is added (`_antiderivatives`).
+    # 3. Nested rates depend on the integrals q too.  On the boxes, q is enclosed by its value in
+    #    the middle and |q(σ) − q(centre)| ≤ M|σ − centre| (`_enclosure`), and the steps repeat.
     def _panel(self, start: arb, stop: arb, totals: Sequence[arb]) -> Panel | None:
         low, high = (start, stop) if start < stop else (stop, start)
         half, centre = (high - low) / 2, (high + low) / 2
@@ -289,7 +306,7 @@ class _Build:
 def _bounds(
     boxes: Iterable[Sequence[acb]], middle: Sequence[acb], units: Sequence[float]
 ) -> list[arb] | None:
-    """Bounds of functions in all boxes, if they are not too large beside those in the middle."""
+    """Bounds of functions over all boxes; None if they are too large compared with the middle."""
     limits = [
         10 * RHO**6 * max(unit, float(f.abs_upper()))
         for f, unit in zip(middle, units, strict=False)
@@ -305,7 +322,7 @@ def _bounds(
 
 
 def _enclosure(series: Series, bound: arb, half: arb) -> acb:
-    """An integral in the boxes."""
+    """Enclosure of an integral over the boxes."""
     across = ACROSS * half * bound
     along = (ALONG + ACROSS) * half * bound
     return acb(series(arb(0)) + arb(0, along.upper()), arb(0, across.upper()))
@@ -314,7 +331,7 @@ def _enclosure(series: Series, bound: arb, half: arb) -> acb:
 def _antiderivatives(
     coefficients: arb_mat, bounds: Sequence[arb], half: arb, anchor: int, totals: Sequence[arb]
 ) -> list[Series]:
-    """The integrals that continue `totals` from the end `anchor`, by coefficients."""
+    """The integrals that continue `totals` from the end `anchor`, as Chebyshev series."""
     n = coefficients.nrows() - 1
     antiderivatives = []
     for index, bound in enumerate(bounds):
@@ -331,8 +348,8 @@ def _antiderivatives(
 class Table:
     """Integrals in double precision, at many points at once.
 
-    A point is the number of its panel and the coordinate in it, from −1 to 1: so it is known to
-    full relative accuracy on the narrowest panel.
+    A point is given by the index of its panel and the coordinate in it, from −1 to 1, which gives
+    full relative accuracy even on the narrowest panel.
     """
 
     def __init__(self, exact: Integrals) -> None:
@@ -375,7 +392,7 @@ class Table:
         return sums
 
     def inverse(self, values: FloatArray) -> PanelPoints:
-        """The points at which the first integral, which increases, has values (n,)."""
+        """The points at which the first integral, which is increasing, has given values (n,)."""
         panel = np.clip(np.searchsorted(self._begins, values, side="right") - 1, 0, None)
         knots = np.interp(values, self._times, np.arange(len(self._times)) / KNOTS)
         x = np.clip(2 * (knots - panel) - 1, -1.0, 1.0)

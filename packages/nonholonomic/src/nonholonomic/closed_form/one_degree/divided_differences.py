@@ -1,13 +1,14 @@
 """Divided differences of analytic functions in ball arithmetic.
 
-A function f at points x₀, …, x_n (any of which may coincide) is the upper triangular matrix of all
-its divided differences f[x_i, …, x_j], which is f of the matrix with the points on the diagonal and
-ones above it (Opitz).  Sums, products, quotients and functions of such matrices are those of the
-functions, so a formula evaluated on them yields f[x₀, …, x_n] without cancellation: with a root of
-f among the points, f divided by its linear factor; with equal points, derivatives.
+A function f at points x₀, …, x_n (any of which may coincide) is represented by the upper triangular
+matrix of all its divided differences f[x_i, …, x_j], which is f applied to the matrix with the
+points on the diagonal and ones above it (Opitz).  Sums, products, quotients and functions of such
+matrices are those of the functions, so a formula evaluated on them yields f[x₀, …, x_n] without
+cancellation: with a root of f among the points, f divided by its linear factor; with equal points,
+derivatives.
 
-Roots take no value where a complex ball meets their branch cut, so that a finite result on a ball
-says that the formula is analytic there.
+Roots have no value where a complex ball meets their branch cut, so a finite result on a ball proves
+that the formula is analytic there.
 """
 
 from __future__ import annotations
@@ -21,9 +22,9 @@ from flint import acb, acb_mat, arb, ctx, fmpq
 Constant: TypeAlias = int | float | fmpq | arb | acb
 
 _NAN = acb(float("nan"), float("nan"))
-#: Roots that are taken of a function before the series of its logarithm.
+#: Number of square roots taken before the series of the logarithm.
 _ROOTS = 16
-#: Powers up to this are products.
+#: Powers up to this are computed as products.
 _PRODUCTS = 16
 
 
@@ -111,15 +112,16 @@ class DividedDifferences:
         return result
 
     def sqrt(self) -> DividedDifferences:
-        """The root with positive real part; not finite where a ball meets the negative axis."""
+        """The root with positive real part; not finite if a ball meets the negative axis."""
         size = self.matrix.nrows()
         values = [self.matrix[i, i].sqrt(analytic=True) for i in range(size)]
         return DividedDifferences(_root(self.matrix, values))
 
     def log(self) -> DividedDifferences:
-        """The logarithm; not finite where a ball meets the negative axis.
+        """The logarithm; not finite if a ball meets the negative axis.
 
-        By repeated roots f^(1/2^k) = 1 + z and the series of log(1 + z), with a bound of its rest.
+        By repeated square roots f^(1/2^k) = 1 + z and the series of log(1 + z), with a bound of its
+        remainder.
         """
         size, terms = self.matrix.nrows(), ctx.prec // _ROOTS + 4
         values = [_logarithm(self.matrix[i, i]) for i in range(size)]
@@ -157,7 +159,7 @@ class DividedDifferences:
 
 
 def _root(matrix: acb_mat, values: Sequence[acb]) -> acb_mat:
-    """The square root of an upper triangular matrix, with the roots of its diagonal."""
+    """The square root of an upper triangular matrix, with given roots of its diagonal."""
     size = matrix.nrows()
     root = acb_mat(size, size)
     for i in range(size):
@@ -171,7 +173,7 @@ def _root(matrix: acb_mat, values: Sequence[acb]) -> acb_mat:
 
 
 def _logarithm(x: acb) -> acb:
-    """The logarithm, not finite where a ball meets the negative axis."""
+    """The logarithm, not finite if a ball meets the negative axis."""
     return x.log() if x.real > 0 or not x.imag.contains(0) else _NAN
 
 
@@ -183,16 +185,16 @@ class Formula(Protocol):
     """A formula in one variable; where it is constant its value may be a ball."""
 
     def __call__(self, x: Argument, /) -> Argument | arb:
-        """The value at a point, or the divided differences at several."""
+        """The value at a point, or the divided differences at several points."""
 
 
 def analytic_root(x: Argument) -> Argument:
-    """A square root, not finite where a complex ball meets the branch cut."""
+    """A square root, not finite if a complex ball meets the branch cut."""
     return x.sqrt(analytic=True) if isinstance(x, acb) else x.sqrt()
 
 
 def power(x: Argument, exponent: fmpq) -> Argument:
-    """A real power, not finite where a complex ball meets the branch cut."""
+    """A real power, not finite if a complex ball meets the branch cut."""
     if abs(exponent) <= _PRODUCTS and exponent.q == 1:
         whole: Argument = x ** int(exponent.p)
         return whole

@@ -1,4 +1,4 @@
-"""Formulas in one variable as functions of balls and of divided differences alike."""
+"""Formulas in one variable, for both balls and divided differences."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from flowlanes.formulas.straight_line_program import ENTIRE, StraightLineProgram
 
 @lru_cache(maxsize=512)
 def program(formula: sp.Expr) -> Callable[[Mapping[sp.Symbol, Any]], Any]:
-    """A formula made of sums, products, powers, roots, cos, sin and exp, ready to be computed.
+    """A formula made of sums, products, powers, roots, cos, sin and exp, compiled for evaluation.
 
     Parameters
     ----------

@@ -1,13 +1,13 @@
 """From x, x′ and the angles of a motion in one degree of freedom to its state.
 
-The axis of a body is inclined by θ to a direction that is fixed in space; φ is the angle about the
-axis and ψ the precession,
+The axis of a body is inclined by θ to a direction fixed in space; φ is the angle about the axis and
+ψ the precession,
 
     Q = Q₀ R₃(ψ) R₁(θ) R₃(φ).
 
 Every vector of the reduced state has components in the nodal frame (along the line of nodes,
-across it, along the axis) that depend on x and x′ alone, so that its components in the body follow
-by φ.
+perpendicular to it, along the axis) that depend only on x and x′, so its components in the body
+follow from φ.
 """
 
 from __future__ import annotations
@@ -19,9 +19,10 @@ from typing import Generic
 
 from flint import acb, arb
 
+from flowlanes.system.rotations import quaternion_product
+
 from . import MotionSample, QuadratureMotion
 from .functions import Count, Functions, T
-from .vectors import times
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ class Inclination(Generic[T]):
 
 
 class MotionFrame(ABC):
-    """The state of a motion as a function of x, x′ and of its angles.
+    """The state of a motion as a function of x, x′ and its angles.
 
     Attributes
     ----------
@@ -66,7 +67,7 @@ class MotionFrame(ABC):
         sample: MotionSample[T, Count],
         angles: Sequence[T],
     ) -> list[T]:
-        """The state but for the position."""
+        """The state without the position."""
 
     @abstractmethod
     def start_angles(self, motion: QuadratureMotion) -> Sequence[arb]:
@@ -75,13 +76,13 @@ class MotionFrame(ABC):
     def path_speed(self, x: acb) -> acb:
         """(ẋ + iẏ) e^{−iψ} of the path in the tail of an asymptotic motion.
 
-        To be defined by a frame whose motions may have a path and be asymptotic.
+        To be overridden by frames whose motions may have a path and be asymptotic.
         """
         raise NotImplementedError
 
 
 class BodyFrame(MotionFrame):
-    """The state of a body in space, by the inclination of its axis.
+    """The state of a body in space, from the inclination of its axis.
 
     Attributes
     ----------
@@ -109,7 +110,7 @@ class BodyFrame(MotionFrame):
     ) -> list[T]:
         """The vectors of the reduced state, and the attitude of a motion in space."""
         inclination = self.inclination(F, motion, sample)
-        # the place of each body axis in the order in which the axis of symmetry is the last
+        # The position of each body axis in the order in which the axis of symmetry is last.
         order = [(k - self.symmetry - 1) % 3 for k in range(3)]
         phi = angles[0]
         sin, cos = F.sin(phi), F.cos(phi)
@@ -121,7 +122,7 @@ class BodyFrame(MotionFrame):
             euler = euler_quaternion(F, inclination.sine, inclination.cosine, phi, angles[1])
             turn = [euler[0]] + [euler[k + 1] for k in order]
             constant = [F.number(q) for q in self.attitude]
-            state += times(constant, turn) if constant else turn
+            state += quaternion_product(constant, turn) if constant else turn
         return state
 
 
@@ -134,7 +135,7 @@ def euler_quaternion(F: Functions[T], sine: T, cosine: T, phi: T, psi: T) -> lis
 def intrinsic_angle(
     sine: arb, cosine: arb, lean: arb, vertical: Sequence[arb], turning: Sequence[arb]
 ) -> arb:
-    """φ at a start, from the vertical or, where the axis is vertical, from the rotation.
+    """φ at a start, from the vertical or, if the axis is vertical, from the rotation.
 
     Parameters
     ----------

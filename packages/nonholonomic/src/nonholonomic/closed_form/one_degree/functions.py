@@ -19,7 +19,7 @@ B = TypeVar("B", arb, acb)
 T = TypeVar("T", arb, FloatArray)
 #: Balls, or arrays in double precision.
 N = TypeVar("N", arb, acb, FloatArray)
-#: A whole number beside a ball, or an array of them.
+#: An integer beside a ball, or an array of integers.
 Count = TypeVar("Count", int, FloatArray)
 
 
@@ -49,7 +49,7 @@ class Functions(Generic[N]):
     alternating: Callable[[Any, N], N]
 
 
-#: Functions of balls, not finite where a complex ball meets a branch cut.
+#: Functions of balls, not finite if a complex ball meets a branch cut.
 BALLS: Functions[Any] = Functions(
     number=lambda x: x,
     sin=lambda x: x.sin(),
@@ -58,7 +58,7 @@ BALLS: Functions[Any] = Functions(
     sech=lambda x: x.sech(),
     step=lambda x: 1 / (1 + (-2 * x).exp()),
     sqrt=analytic_root,
-    # a power of a ball that contains zero has no value
+    # A non-integer power of a ball that contains zero has no value.
     square=lambda x: x * x,
     alternating=lambda count, x: -x if count % 2 else x,
 )

@@ -6,14 +6,14 @@ from collections.abc import Callable
 
 from flint import arb, ctx
 
-#: Steps of Newton's method, and doublings of the radius of its last step.
+#: Number of Newton steps, and of doublings of the radius of the last step.
 STEPS, DOUBLINGS = 8, 60
 
 
 def enclosed_root(
     function: Callable[[arb], arb], slope: Callable[[arb], arb], guess: float | arb
 ) -> arb:
-    """The root of an increasing function: Newton's method, then a step in intervals as a proof.
+    """The root of an increasing function: Newton's method, then an interval step as a proof.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""Large phases brought into one period without losing digits.
+"""Reduction of large phases to one period without losing digits.
 
-A period known to forty digits is kept as the sum of two doubles, and its multiples are subtracted
-in exact products, so that what is left of a time t is as good as t itself: the error of a reduced
+A period known to forty digits is stored as the sum of two doubles, and its multiples are subtracted
+in exact products, so the remainder of a time t is as accurate as t itself.  The error of a reduced
 phase does not grow with the number of periods, until that number times 2⁻¹⁰⁶ is noticeable.
 """
 
@@ -20,7 +20,7 @@ _SPLIT = 134217729.0
 
 
 def pair(ball: arb) -> Pair:
-    """The middle of a ball as two doubles."""
+    """The midpoint of a ball as two doubles."""
     high = float(ball.mid())
     return high, float((ball - high).mid())
 
@@ -35,7 +35,7 @@ def exact_product(a: FloatArray, b: float) -> tuple[FloatArray, FloatArray]:
 
 
 def reduced_phase(times: FloatArray, offset: Pair, period: Pair) -> tuple[FloatArray, FloatArray]:
-    """Whole numbers n and remainders with t + offset = n·period + remainder.
+    """Integers n and remainders with t + offset = n·period + remainder.
 
     Parameters
     ----------
@@ -48,6 +48,6 @@ def reduced_phase(times: FloatArray, offset: Pair, period: Pair) -> tuple[FloatA
 
 
 def fraction(counts: FloatArray, share: Pair) -> FloatArray:
-    """counts·share less the nearest whole number."""
+    """counts·share minus the nearest integer."""
     whole, remainder = exact_product(counts, share[0])
     return (whole - np.rint(whole)) + remainder + counts * share[1]

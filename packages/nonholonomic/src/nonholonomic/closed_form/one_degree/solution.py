@@ -1,7 +1,7 @@
 """Motions in one degree of freedom: state, angles and path from a quadrature.
 
-Angles and the path are quadratures along x(t), assembled by one formula in balls and arrays; a
-:class:`.frames.Frame` makes the state of them.
+Angles and the path are quadratures along x(t), assembled by the same formula in balls and arrays; a
+:class:`.frames.Frame` computes the state from them.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ from .frames import MotionFrame
 from .functions import BALLS, DOUBLES
 from .working_precision import exact_time, working_digits
 
-#: Below this angle of precession, in the time of one unit of the phase, the path in a tail is
-#: computed as that of a slow turn.
+#: Precession angle, per unit of the phase, below which the path in a tail is evaluated in the
+#: slow-rotation limit: dividing by the rate would lose accuracy.
 SLOW = 1e-3
 
 Parameters = Mapping[sp.Symbol, NumberOrText]
@@ -44,7 +44,7 @@ Parameters = Mapping[sp.Symbol, NumberOrText]
 
 @dataclass(frozen=True)
 class Constants:
-    """The constants that join the quadratures of a motion to its start.
+    """The constants that connect the quadratures of a motion to its start.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ class QuadratureSolution(Solution):
 
     @arguments_checked
     def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
-        """The state at one time as balls that contain the exact one.
+        """The state at one time as balls that contain the exact state.
 
         Raises
         ------
@@ -154,7 +154,7 @@ class QuadratureSolution(Solution):
                 end = motion.end_of_tail(future=sample.tail > 0)
                 rates = motion.limits(work, end)
                 if frame.position:
-                    # all values of x between the edge of the integrals and the double root
+                    # All values of x between the edge of the integrals and the double root.
                     x = acb(end.x.union(motion.chart.coordinate(BALLS, sample.phase)))
                     speed = unit_complex(angles[1]) * frame.path_speed(x)
                     path += circular_path(sample.tail, rates[1], speed)
@@ -175,7 +175,7 @@ class QuadratureSolution(Solution):
         """States at `times` (n,), as an array (n, size)."""
         moments = finite_times(times)
         sample = self.motion.fast.sample(moments)
-        # constants are rounded to doubles once
+        # Constants are rounded to doubles once.
         with ctx.workprec(working_bits(FAST)):
             angles, position = self._fast(moments, sample)
             state = [*self.frame.state(DOUBLES, self.motion, sample, angles), *position]
@@ -219,7 +219,7 @@ def _double(number: acb) -> complex:
 
 
 class _Tail:
-    """One end of an asymptotic motion, where x no longer changes, in double precision.
+    """One end of an asymptotic motion, where x is constant in double precision.
 
     Parameters
     ----------
@@ -242,7 +242,7 @@ class _Tail:
             for rate, value in zip(rates, values, strict=False)
         ]
         if frame.position:
-            # a precession so slow that its rate is no good divisor
+            # The precession is too slow to divide by its rate.
             self._slow = abs(float(rates[1])) * motion.time_scale < SLOW
             self._rate, self._heading = rates[1], float(values[1])
             self._speed = acb(frame.path_speed(acb(end.x)))

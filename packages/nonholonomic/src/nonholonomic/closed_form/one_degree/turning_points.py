@@ -1,7 +1,7 @@
-"""The turning points of a motion x′² = N(x)/B(x): roots isolated in ball arithmetic.
+"""The turning points of a motion x′² = N(x)/B(x): root isolation in ball arithmetic.
 
-From its start a motion runs to the nearest root of N on either side.  Every interval on the way
-is shown to contain no root, or exactly one, by the signs of N, N′ and N″ over the whole of it.
+From its start a motion runs to the nearest root of N on either side.  Every interval on the way is
+proven to contain no root, or exactly one, from the signs of N, N′ and N″ over the whole interval.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from flowlanes.formulas.relative_zero import vanishes
 
 from .divided_differences import Argument, Formula, jet, slope
 
-#: Intervals are not halved below this width.
+#: Width below which intervals are not halved.
 NARROWEST = 1e-13
 
-#: Halvings before Newton's method must take over.
+#: Maximum number of bisections before Newton's method must succeed.
 HALVINGS = 400
 
 #: N, N′ and N″/2 over an interval.
@@ -28,7 +28,7 @@ Jet = Callable[[arb], tuple[arb, arb, arb]]
 
 @dataclass(frozen=True)
 class End:
-    """A root at which a motion turns, or which it approaches for ever.
+    """A root at which a motion turns, or which it approaches asymptotically.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class End:
     edge: bool = False
 
 
-def next_end(
+def next_turning_point(
     function: Formula, start: arb, edge: arb, *, leaving: bool, closed: bool
 ) -> End | None:
     """The nearest root between a point and the edge of the domain.
@@ -85,16 +85,16 @@ def next_end(
     if closed:
         last = jets(length)[0]
         if vanishes(last, jets(arb(0))[0]):
-            inner = _first(jets, length * (1 - arb(NARROWEST)))
+            inner = _first_root(jets, length * (1 - arb(NARROWEST)))
             nearest = inner or End(length, double=True, edge=True)
         else:
-            first = _first(jets, length)
+            first = _first_root(jets, length)
             if first is None:
                 return None
             nearest = first
     else:
         regular = all(part.is_finite() for part in jets(length))
-        first = _first(jets, length if regular else _beyond(jets, length))
+        first = _first_root(jets, length if regular else _beyond(jets, length))
         if first is None:
             raise InputError("the motion reaches the edge of its domain")
         nearest = first
@@ -104,7 +104,7 @@ def next_end(
 
 
 def _beyond(jets: Jet, length: arb) -> arb:
-    """A point with a negative value, close enough to the edge."""
+    """A point close to the edge at which the value is negative."""
     remaining = length
     for _ in range(HALVINGS):
         remaining = (remaining / 2).mid()
@@ -114,8 +114,24 @@ def _beyond(jets: Jet, length: arb) -> arb:
     raise InputError("the motion reaches the edge of its domain")
 
 
-def _first(jets: Jet, length: arb) -> End | None:
-    """The first root in (0, length], of a function positive at zero."""
+def _first_root(jets: Jet, length: arb) -> End | None:
+    """The first root in (0, length] of a function that is positive at zero.
+
+    Intervals are examined from left to right; before each, the function f is known to have no root
+    so far, so that f(left) > 0.  Ball arithmetic encloses f, f′ and f″/2 over the interval:
+
+    * f > 0, or f′ > 0 (f increases from a positive value): no root;
+    * f′ < 0 (monotone) or f″ < 0 (concave): at most one root, since a concave function that is
+      positive at both ends has none; f(right) decides between none and one;
+    * f″ > 0 (convex): f′(left) > 0 means that f increases, and f′(right) < 0 that f decreases, so
+      that f(right) decides; if f′ changes its sign, the minimum is located.  A positive minimum
+      means no root, a negative one a first root before it, and one that vanishes to the
+      precision of the computation is reported as a double root.
+
+    Anything else is undecided, and the interval is divided.  This ends for simple and double roots,
+    because f′ or f″ has a sign on small intervals around them; where f″ vanishes too, the width
+    falls below NARROWEST and an error is raised.
+    """
     waiting = [(arb(0), arb(length.mid()))]
     while waiting:
         left, right = waiting.pop()
@@ -149,7 +165,7 @@ def _first(jets: Jet, length: arb) -> End | None:
                 f"the motion comes within {NARROWEST:g} of a place where more than two roots meet: "
                 "such motions are not treated"
             )
-        # not in the middle, so that symmetric roots do not fall on the boundary
+        # Not in the middle, where symmetric functions may have a root.
         middle = (left + (right - left) * arb("0.4871")).mid()
         waiting += [(middle, right), (left, middle)]
     return None
@@ -192,7 +208,11 @@ def _critical(jets: Jet, left: arb, right: arb) -> arb:
 
 
 def _newton(function: Callable[[arb], tuple[arb, arb]], guess: arb, width: arb) -> arb | None:
-    """Interval Newton from a guess; None unless it proves a root within `width` of the guess."""
+    """Interval Newton from a guess; None unless it proves a root within `width` of the guess.
+
+    If the image g − f(g)/f′(B) of the ball B lies inside B, f has exactly one zero in B, and it
+    lies in the image (W. Tucker, Validated Numerics, chapter 5).
+    """
     for _ in range(12):
         value, rate = function(guess)
         step = value / rate
@@ -211,10 +231,10 @@ def _newton(function: Callable[[arb], tuple[arb, arb]], guess: arb, width: arb) 
 
 
 def _contraction(function: Callable[[arb], tuple[arb, arb]], ball: arb) -> arb:
-    """A ball that contains exactly one root, as small as the precision allows."""
+    """A ball with exactly one root, as small as the precision allows."""
     for _ in range(HALVINGS):
         middle = ball.mid()
-        # the derivative over the whole ball, which holds both the middle and the root
+        # The derivative over the whole ball, which contains both the midpoint and the root.
         image = (middle - function(middle)[0] / function(ball)[1]).intersection(ball)
         if not image.rad() < ball.rad() / 2:
             return image if image.rad() < ball.rad() else ball

@@ -1,11 +1,11 @@
 """Uniform motions of a body: rest, permanent rotation, steady precession.
 
-The vectors of the reduced state turn rigidly in the body, x(t) = e^{−tΩ×} x(0), with a constant Ω.
-With ω at the start,
+The vectors of the reduced state rotate rigidly in the body, x(t) = e^{−tΩ×} x(0), with a constant
+Ω.  With ω at the start,
 
     Q(t) = Q(0) e^{t(ω − Ω)×} e^{tΩ×},
 
-and a point of the body that has the velocity V in body axes runs along a helix about ω − Ω.
+and a point of the body with the velocity V in body axes moves along a helix about ω − Ω.
 """
 
 from __future__ import annotations
@@ -20,18 +20,20 @@ from flint import acb, arb, ctx
 
 from flowlanes.arguments import NumberOrText, arguments_checked
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.rotations import quaternion_product
 from flowlanes.system.system import System
+from flowlanes.system.tuple_vectors import cross, dot
 
 from ..base.solution import ClosedForm, Solution, finite_times
 from .angles import LinearPhase, circular_path, circular_paths
 from .chebyshev_integrals import working_bits
 from .functions import BALLS, DOUBLES, Functions, T
-from .vectors import cross, dot, product, times
+from .vectors import product
 from .working_precision import exact_time, working_digits
 
 Vector = Sequence[arb]
 
-#: Digits behind the phases in double precision.
+#: Digits used for the phases in double precision.
 DIGITS = 40
 
 
@@ -95,11 +97,11 @@ class UniformSolution(Solution):
 
     @property
     def pace(self) -> float:
-        """The faster one of the two rotations."""
+        """The faster of the two rotations."""
         return max(abs(float(turn.rate)) for turn in (self.spin, self.precession))
 
     def _state(self, F: Functions[T], time: T, angles: tuple[T, T], sums: tuple[T, T]) -> list[T]:
-        """The state, from the angles of both rotations and ∫ cos, ∫ sin of that of precession."""
+        """The state, from the angles of both rotations and ∫ cos, ∫ sin of the precession angle."""
         own = [F.number(x) for x in self.spin.axis]
         axis = [F.number(x) for x in self.precession.axis]
         state: list[T] = []
@@ -108,10 +110,10 @@ class UniformSolution(Solution):
         if self.attitude:
             attitude = [F.number(x) for x in self.attitude]
             turns = (_quaternion(F, axis, angles[1]), _quaternion(F, own, angles[0]))
-            state += times(attitude, times(*turns))
+            state += quaternion_product(attitude, quaternion_product(*turns))
             if self.velocity:
                 velocity = [F.number(x) for x in self.velocity]
-                # in balls, since in doubles its rounding would grow with the time
+                # In balls, since in doubles the rounding error would grow with time.
                 pitch = F.number(dot(self.precession.axis, self.velocity))
                 along = [a * pitch for a in axis]
                 side = cross(axis, velocity)
@@ -136,7 +138,7 @@ class UniformSolution(Solution):
     def states(self, times: npt.ArrayLike) -> FloatArray:
         """Lifted states at `times` (n,), in double precision."""
         t = finite_times(times)
-        # constants are rounded to doubles once
+        # Constants are rounded to doubles once.
         with ctx.workprec(working_bits(DIGITS)):
             spin, precession = (
                 LinearPhase.from_balls(x.rate) for x in (self.spin, self.precession)
@@ -148,7 +150,7 @@ class UniformSolution(Solution):
 
 
 def _rotated_vector(F: Functions[T], vector: Sequence[T], axis: Sequence[T], angle: T) -> list[T]:
-    """A vector turned about a unit axis, or about none."""
+    """A vector rotated about a unit axis, or not at all."""
     sine, cosine = F.sin(angle), F.cos(angle)
     along = [a * dot(axis, vector) for a in axis]
     side = cross(axis, vector)

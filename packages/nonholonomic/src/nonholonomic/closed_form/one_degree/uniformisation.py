@@ -6,7 +6,7 @@ The phase always increases with time, and dt/dσ is analytic and positive:
     simple root a, double root e   x = a + (e − a) tanh² σ      σ = 0 at the turning point
     double roots a, b              x = m + ρ tanh σ             from a to b
 
-Formulas are written once, for balls and for NumPy arrays; see :mod:`.functions`.
+Formulas are written once, for both balls and NumPy arrays; see :mod:`.functions`.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Equation:
 
 @dataclass(frozen=True)
 class Uniformisation(ABC):
-    """The motion between two ends, in its phase."""
+    """The motion between two ends, as a function of its phase."""
 
     equation: Equation
     first: End
@@ -60,7 +60,7 @@ class Uniformisation(ABC):
 
     @abstractmethod
     def coordinate(self, F: Functions[N], sigma: N) -> N:
-        """x at a phase; in the numbers of `F`."""
+        """x at a phase, in the numbers of `F`."""
 
     @abstractmethod
     def slope(self, F: Functions[N], sigma: N) -> N:
@@ -70,7 +70,7 @@ class Uniformisation(ABC):
     def roots(self, F: Functions[N], sigma: N) -> tuple[N, N]:
         """√(x − low) and √(high − x), to full relative accuracy.
 
-        An edge that is itself the turning point is passed: the root then changes its sign.
+        If the turning point is an edge, the motion passes through it and the root changes its sign.
         """
 
     @abstractmethod
@@ -82,13 +82,13 @@ class Uniformisation(ABC):
         """The phase of a point with the rate x′ (arb)."""
 
     def arc_slope(self, F: Functions[N], sigma: N) -> N:
-        """(dx/dσ)/(√(x − low) √(high − x)), regular where an edge is passed."""
+        """(dx/dσ)/(√(x − low) √(high − x)), regular where the motion passes an edge."""
         low, high = self.roots(F, sigma)
         return self.slope(F, sigma) / (low * high)
 
     @property
     def width(self) -> arb:
-        """The distance of the ends."""
+        """The distance between the ends."""
         return abs(self.second.x - self.first.x)
 
     @property
@@ -109,7 +109,7 @@ class Oscillating(Uniformisation):
         return (self.first.x + self.second.x) / 2
 
     def coordinate(self, F: Functions[N], sigma: N) -> N:
-        """m + ρ cos σ, counted from the nearer end: tight on balls around it."""
+        """m + ρ cos σ, measured from the nearer end: tight on balls around it."""
         if isinstance(sigma, np.ndarray):
             return F.number(self.middle) + F.number(self.width / 2) * F.cos(sigma)
         if abs(sigma.real.mid()) < arb.pi() / 2:
@@ -145,14 +145,14 @@ class Oscillating(Uniformisation):
         """By ρ cos σ = x − m and ρ sin σ = −x′ dt/dσ."""
         across, along = -rate * self._clock(x).real, x - self.middle
         if across.contains(0) and along < 0:
-            # the branch cut of the angle must not pass through the ball
+            # The branch cut of the angle must not pass through the ball.
             return arb.pi() + arb.atan2(-across, -along)
         return arb.atan2(across, along)
 
 
 @dataclass(frozen=True)
 class Asymptotic(Uniformisation):
-    """Away from the double root e, to the simple root a and back: `first` is a, `second` is e."""
+    """From the double root e to the simple root a and back: `first` is a, `second` is e."""
 
     @property
     def reach(self) -> arb:
@@ -244,7 +244,7 @@ class Heteroclinic(Uniformisation):
 
 
 def _root(F: Functions[N], end: End, gap: arb, width: arb, factor: N) -> N:
-    """√(gap + width · factor²), with the sign of the factor where the gap is none."""
+    """√(gap + width · factor²), with the sign of the factor if the gap is zero."""
     if end.edge:
         return F.number(width.sqrt()) * factor
     return F.sqrt(F.number(gap) + F.number(width) * F.square(factor))

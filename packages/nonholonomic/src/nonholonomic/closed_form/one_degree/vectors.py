@@ -1,4 +1,4 @@
-"""Vectors of three components and quaternions (w, x, y, z), of balls or of arrays."""
+"""Three-component vectors and quaternions (w, x, y, z), of balls or arrays."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import sympy as sp
 from flint import arb
 
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.tuple_vectors import cross
 
 from .functions import N
 
@@ -16,29 +17,12 @@ from .functions import N
 Number = TypeVar("Number", arb, sp.Expr)
 
 
-def dot(a: Sequence[N], b: Sequence[N]) -> N:
-    """The scalar product of two vectors."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a: Sequence[N], b: Sequence[N]) -> list[N]:
-    """The vector product of two vectors."""
-    return [a[i] * b[j] - a[j] * b[i] for i, j in ((1, 2), (2, 0), (0, 1))]
-
-
 def product(turn: Sequence[N], vector: Sequence[N]) -> list[N]:
-    """A vector turned by a unit quaternion."""
+    """A vector rotated by a unit quaternion."""
     w, axis = turn[0], turn[1:]
     once = cross(axis, vector)
     twice = cross(axis, once)
     return [vector[k] + 2 * (w * once[k] + twice[k]) for k in range(3)]
-
-
-def times(p: Sequence[N], q: Sequence[N]) -> list[N]:
-    """The product of two quaternions."""
-    side = cross(p[1:], q[1:])
-    scalar = p[0] * q[0] - dot(p[1:], q[1:])
-    return [scalar] + [p[0] * q[k + 1] + q[0] * p[k + 1] + side[k] for k in range(3)]
 
 
 def conjugate(q: Sequence[N]) -> list[N]:
@@ -58,8 +42,8 @@ def quaternion_products(rows: Sequence[Sequence[Number]]) -> list[list[Number]]:
 
 
 def quaternion_near(rows: Sequence[Sequence[arb]], rough: FloatArray) -> list[arb]:
-    """The unit quaternion of a rotation matrix, the one of two that is nearer to a rough one."""
-    # the largest component is safe to divide by
+    """The unit quaternion of a rotation matrix, with the sign closer to an approximate one."""
+    # It is safe to divide by the largest component.
     place = max(range(4), key=lambda i: abs(rough[i]))
     products = [x / 4 for x in quaternion_products(rows)[place]]
     largest = products[place].sqrt() * (1 if rough[place] > 0 else -1)

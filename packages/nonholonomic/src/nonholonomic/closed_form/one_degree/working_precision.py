@@ -1,4 +1,4 @@
-"""The digits that a state far away in time needs, and times as balls."""
+"""The digits needed for a state far away in time, and times as balls."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from flowlanes.arguments import NumberOrText
 from flowlanes.errors import InputError
 from flowlanes.formulas.balls import exact
 
-#: Digits that are carried at most.
+#: Maximum number of digits carried.
 MOST = 100
 
 
@@ -23,7 +23,7 @@ def exact_time(time: NumberOrText) -> arb:
 
 
 def working_digits(time: NumberOrText, digits: int, powers: int, pace: float) -> int:
-    """Digits to work with, so that `digits` remain when errors grow with a power of the time.
+    """Working digits for which `digits` remain when errors grow like a power of the time.
 
     Parameters
     ----------

@@ -48,10 +48,10 @@ def solve_rolling(
     start: Sequence[NumberOrText],
     parameters: Mapping[sp.Symbol, NumberOrText] | None = None,
 ) -> Solution | None:
-    """The motion of a rubber body of revolution on a plane, or None for another body.
+    """Solve a rubber body of revolution on a plane; None for any other body.
 
-    The contact is two-sided, as in the equations: the motion goes on when the normal force would
-    have to pull.
+    The contact is two-sided, as in the equations: the motion continues if the normal force becomes
+    negative.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ def solve_rolling(
         )
         frame = RevolutionFrame(level, state, state.position)
         solution = QuadratureSolution(lifted, values, motion, frame, lambda: form_of(level, motion))
-        # a singular quadrature is refused here
+        # A singular quadrature is rejected here.
         motion.integrals(FAST)
         return solution
 
@@ -112,7 +112,7 @@ def _steady_solution(
     start: StartState,
     equilibrium: Equilibrium,
 ) -> UniformSolution:
-    """A permanent rotation: θ rests, the contact runs along a circle or a line."""
+    """A permanent rotation: θ is constant, and the contact moves along a circle or a line."""
     normal = start.normal
     u = normal[2].max(arb(-1)).min(arb(1))
     sine, cosine = ((1 - u) / 2).sqrt(), ((1 + u) / 2).sqrt()

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property, partial
 
 import sympy as sp
@@ -23,14 +22,12 @@ from flowlanes.formulas.relative_zero import vanishes
 from flowlanes.system.vectors import real_symbol, vectors
 
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.shapes.revolution import Revolution
-from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Shape, Torus
 from ...mechanics.shapes.surfaces import Plane
 from ..one_degree.divided_differences import Argument, value
 from ..one_degree.formula import program
 from ..one_degree.uniformisation import Equation
 
-#: Bits to which constants of the motion and turning points are computed.
+#: Precision in bits of constants of the motion and turning points.
 BITS = 700
 
 gamma, c = vectors("gamma c")
@@ -83,7 +80,7 @@ class AxisymmetricBody:
         return I_1 * u**2 + I_3 * (1 - u**2) + m * self.height**2
 
     def value(self, formula: sp.Expr, x: Argument) -> Argument:
-        """One of these formulas at u = x."""
+        """The value of one of these formulas at u = x."""
         result: Argument = program(formula)({**self.values, u: x})
         return result
 
@@ -96,7 +93,7 @@ class AxisymmetricBody:
         return value(partial(self.value, self.square), x).sqrt(analytic=True)
 
     def require_convex(self, low: arb, high: arb) -> None:
-        """Refuse a motion on which the contact leaves the convex part of the body.
+        """Raise an error if the contact leaves the convex part of the body during a motion.
 
         Raises
         ------
@@ -163,7 +160,7 @@ class Level:
 def body_of(
     rolling: Rolling, parameters: Mapping[sp.Symbol, NumberOrText]
 ) -> AxisymmetricBody | None:
-    """The rubber body of revolution on a plane, or None if it is another body.
+    """The rubber body of revolution on a plane, or None for any other body.
 
     Parameters
     ----------
@@ -184,27 +181,15 @@ def body_of(
         or field.free_symbols & set(gamma.symbols[:2])
     ):
         return None
-    support = _support(rolling.body.shape, numbers)
-    if support is None:
+    shape = rolling.body.shape
+    symmetry = shape.axial_symmetry
+    if symmetry is None or shape.hollow:
+        return None
+    if any(condition.xreplace(numbers) != 0 for condition in symmetry.conditions):
         return None
     with ctx.workprec(BITS):
         values = {s: arb(fmpq(x.numerator, x.denominator)) for s, x in numbers.items()}
-    flat = isinstance(rolling.body.shape, Disk | Torus)
-    return AxisymmetricBody(support, field, values, flat)
-
-
-def _support(shape: Shape, numbers: Mapping[sp.Symbol, Fraction]) -> sp.Expr | None:
-    if isinstance(shape, Ball):
-        return R if not shape.hollow else None
-    if isinstance(shape, Disk):
-        return R * sp.sqrt(1 - u**2)
-    if isinstance(shape, Torus):
-        return rho + R * sp.sqrt(1 - u**2)
-    if isinstance(shape, Revolution):
-        return shape.support
-    if isinstance(shape, Ellipsoid) and numbers[b_1] == numbers[b_2]:
-        return sp.sqrt(b_1**2 * (1 - u**2) + b_3**2 * u**2)
-    return None
+    return AxisymmetricBody(symmetry.support, field, values, shape.has_flat_face)
 
 
 def level_of(body: AxisymmetricBody, omega: Sequence[arb], normal: Sequence[arb]) -> Level:

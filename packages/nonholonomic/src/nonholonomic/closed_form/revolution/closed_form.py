@@ -1,4 +1,4 @@
-"""The closed form of a rubber body of revolution, as it is printed: formulas and numbers of §5."""
+"""The closed form of a rubber body of revolution, for printing: formulas and numbers of §5."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ theta, phi, psi = (sp.Function(name)(t) for name in ("theta", "varphi", "psi"))
 
 
 def _equations(level: Level) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
-    """(5.2) for the given profile."""
+    """Equations (5.2) for the given profile."""
     body, tilted = level.body, {u: sp.cos(theta)}
     rates = [angle.diff(t) for angle in (theta, phi, psi)]
     principal, square = body.principal.subs(tilted), body.square.subs(tilted)
@@ -41,7 +41,7 @@ def _constants(level: Level) -> tuple[NamedConstant, ...]:
 
 
 def kind_of(chart: Uniformisation) -> str:
-    """The kind of a motion on which θ changes, in words."""
+    """A description of the kind of motion if θ varies."""
     if isinstance(chart, Heteroclinic):
         return "asymptotic to one permanent rotation in the past and to another in the future"
     if isinstance(chart, Asymptotic):
@@ -55,7 +55,7 @@ def kind_of(chart: Uniformisation) -> str:
 
 
 def form_of(level: Level, motion: QuadratureMotion) -> ClosedForm:
-    """The form of a motion on which θ changes; the working precision must suffice."""
+    """The closed form of a motion with varying θ; requires sufficient working precision."""
     chart = motion.chart
     ends = sorted((chart.first, chart.second), key=lambda end: float(end.x))
     constants = [
@@ -79,7 +79,7 @@ def form_of(level: Level, motion: QuadratureMotion) -> ClosedForm:
 
 
 def steady_form(level: Level, equilibrium: Equilibrium, rates: tuple[arb, arb]) -> ClosedForm:
-    """The form of a permanent rotation with the given φ̇ and ψ̇."""
+    """The closed form of a permanent rotation with given φ̇ and ψ̇."""
     constants = (
         *_constants(level),
         NamedConstant("theta", equilibrium.x.acos(), "inclination of the axis", "rad"),

@@ -1,13 +1,13 @@
 """The bifurcation diagram of a rubber body of revolution on the plane of its integrals (h, K).
 
-A motion lives where V_K(u) = U(u) + K²/2(1 − u²) ≤ h.  Permanent rotations are the critical points
+A motion exists where V_K(u) = U(u) + K²/2(1 − u²) ≤ h.  Permanent rotations are the critical points
 of V_K, the zeros of
 
     G(u) = (1 − u²)² U′(u) + K²u,
 
-stable where G′ > 0; every one is isolated by the signs of G and G′ in ball arithmetic.  By Morse's
-theory of functions on a line, the number of separate motions with the same (h, K) grows by one
-where h passes the value of a minimum and falls by one where it passes that of a maximum.
+stable if G′ > 0; each one is isolated by the signs of G and G′ in ball arithmetic.  By Morse theory
+on a line, the number of separate motions with the same (h, K) increases by one where h passes the
+value of a minimum, and decreases by one where it passes that of a maximum.
 """
 
 from __future__ import annotations
@@ -31,16 +31,16 @@ from ...mechanics.rolling.equations import Rolling
 from ..one_degree.divided_differences import Argument, Formula, jet
 from .body import AxisymmetricBody, body_of, u
 
-#: Bits to compute with.
+#: Working precision in bits.
 BITS = 120
 
-#: Permanent rotations closer than this to the vertical (in cos θ) are left out.
+#: Permanent rotations closer than this to the vertical (in cos θ) are omitted.
 MARGIN = 2.0**-20
 
 #: Points (h, K, cos θ) of a curve.
 Points = list[tuple[float, float, float]]
 
-#: Intervals are not halved below this width.
+#: Width below which intervals are not halved.
 NARROWEST = 1e-14
 
 
@@ -81,7 +81,7 @@ class Column:
     counts: tuple[int, ...]
 
     def motions_at(self, h: float) -> int | None:
-        """The number of separate motions with the energy h; None where this is not decided."""
+        """The number of separate motions with the energy h; None if this is undecided."""
         with ctx.workprec(BITS):
             value = exact(h)
             energy = arb(fmpq(value.numerator, value.denominator))
@@ -174,7 +174,7 @@ def revolution_diagram(
 
 
 def columns_at(body: AxisymmetricBody, K: float) -> Column:
-    """The permanent rotations at one K > 0, and the number of motions between them.
+    """The permanent rotations at one K > 0, and the numbers of motions between them.
 
     Raises
     ------
@@ -207,12 +207,12 @@ def columns_at(body: AxisymmetricBody, K: float) -> Column:
 
 @lru_cache(maxsize=64)
 def _slope(energy: sp.Expr) -> sp.Expr:
-    """(1 − u²)² U′ as a formula without a denominator that vanishes upright."""
+    """(1 − u²)² U′ as a formula whose denominator does not vanish in the upright position."""
     return sp.expand_mul((1 - u**2) ** 2 * energy.diff(u))
 
 
 def _zeros(G: Formula) -> list[tuple[arb, bool]]:
-    """The zeros of G between the poles, in order, and whether G rises there."""
+    """The zeros of G between the poles, in order, and whether G increases there."""
     zeros: list[tuple[arb, bool]] = []
     waiting = [(arb(-1 + MARGIN), arb(1 - MARGIN))]
     while waiting:
@@ -231,7 +231,7 @@ def _zeros(G: Formula) -> list[tuple[arb, bool]]:
                 f"near cos(theta) = {float(left):.6g} two permanent rotations merge at this K: it "
                 "lies on the border of two regions"
             )
-        # not in the middle, where symmetric bodies have a zero
+        # Not in the middle, where symmetric bodies have a zero.
         middle = (left + (right - left) * arb("0.4871")).mid()
         waiting += [(middle, right), (left, middle)]
     return sorted(zeros, key=lambda pair: float(pair[0]))
@@ -252,10 +252,10 @@ def _zero_between(G: Formula, left: arb, right: arb) -> arb:
 
 
 def _curves(columns: Sequence[Column]) -> list[tuple[FloatArray, bool]]:
-    """Permanent rotations of neighbouring columns joined to curves of one stability.
+    """Connect permanent rotations of neighbouring columns to curves of one stability.
 
-    Each goes on with the nearest rotation of the next column; a curve without a partner ends, as
-    where a stable and an unstable rotation merge.
+    Each curve continues with the nearest rotation of the next column; a curve without a partner
+    ends, as where a stable and an unstable rotation merge.
     """
     running: list[tuple[Points, bool]] = []
     done: list[tuple[Points, bool]] = []

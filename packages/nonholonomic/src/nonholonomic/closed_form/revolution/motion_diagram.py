@@ -1,4 +1,4 @@
-"""The diagram (h, K) that the motion of a rubber body of revolution belongs to, and its place."""
+"""The (h, K) diagram of the motion of a rubber body of revolution, and its point in it."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from .body import BITS, AxisymmetricBody, body_of, u
 from .diagram import Column, Diagram, columns_at, revolution_diagram
 from .state import start_state
 
-#: Values of K in the diagram, and how far they go beyond what is of interest.
+#: Number of values of K in the diagram, and how far they extend beyond the relevant range.
 VALUES, BEYOND = 120, 1.5
 
-#: Inclinations (cos θ) at which permanent rotations are looked for, to see how far K matters.
+#: Inclinations (cos θ) at which permanent rotations are searched, to find the relevant range of K.
 INCLINATIONS = np.linspace(0.25, 0.9, 14)
 
 
 def diagram_of_body_of_revolution(problem: Problem) -> tuple[Diagram, tuple[float, float]] | None:
-    """The diagram of a motion, and its h and K; None unless a rubber body of revolution moves.
+    """The diagram of a motion, and its h and K; None for any other body.
 
     Parameters
     ----------
@@ -48,9 +48,9 @@ def diagram_of_body_of_revolution(problem: Problem) -> tuple[Diagram, tuple[floa
 
 
 def column_of(problem: Problem, K: float) -> Column | None:
-    """The permanent rotations with the K of a motion, and how many motions share it with them.
+    """The permanent rotations with the K of a motion, and the number of motions that share it.
 
-    None at K = 0, where the diagram ends, or unless a rubber body of revolution moves.
+    None at K = 0, where the diagram ends, or for any other body.
 
     Raises
     ------
@@ -63,7 +63,9 @@ def column_of(problem: Problem, K: float) -> Column | None:
 
 
 def _largest(body: AxisymmetricBody) -> float:
-    """About the largest K for which the axis can lean in a permanent rotation; 1 if there is none.
+    """Approximate largest K for which the axis can be inclined in a permanent rotation.
+
+    1 if none can.
 
     By G = 0 that is K² = −(1 − u²)² U′/u.
     """

@@ -1,4 +1,4 @@
-"""The lifted state of a rubber body of revolution from its angles, in balls and in arrays.
+"""The lifted state of a rubber body of revolution from its angles, in balls and arrays.
 
     γ = (sin θ sin φ, sin θ cos φ, cos θ)                  Q = R₃(ψ) R₁(θ) R₃(φ)
     ω = θ̇ (cos φ, −sin φ, 0) + ω₃ (−ctg θ sin φ, −ctg θ cos φ, 1),   (5.2)
@@ -7,8 +7,8 @@ so that (ω, γ) = 0 says ψ̇ = −φ̇ cos θ.  The centre of mass moves with
 
     ẋ + iẏ = −p(K/A + iθ̇ sin θ) e^{iψ}/sin θ.
 
-If the axis passes the vertical (K = 0), sin θ/2 or cos θ/2 changes its sign, and φ and ψ do not
-jump.
+If the axis passes through the vertical (K = 0), sin θ/2 or cos θ/2 changes its sign, while φ and ψ
+do not jump.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ Vector: TypeAlias = Sequence[arb]
 
 @dataclass(frozen=True)
 class StartState:
-    """A state at time 0, brought onto the phase space, in balls.
+    """A state at time 0, projected onto the phase space, in balls.
 
     Attributes
     ----------
@@ -132,7 +132,7 @@ def path_rates(level: Level) -> NestedRates:
 
 
 def path_parities(chart: Uniformisation) -> tuple[int, ...]:
-    """Parities of t, φ, ψ, x and y as functions of σ; none for a motion without a turning point.
+    """Parities of t, φ, ψ, x and y as functions of σ; empty for a motion without a turning point.
 
     At a turning point on the vertical the axis passes to the other side.
     """
@@ -143,7 +143,7 @@ def path_parities(chart: Uniformisation) -> tuple[int, ...]:
 
 
 def path_speed(level: Level, u: acb) -> acb:
-    """(ẋ + iẏ) e^{−iψ}, which is real, of a motion on which θ rests."""
+    """(ẋ + iẏ) e^{−iψ}, which is real, for a motion with constant θ."""
     if level.K == 0:
         return acb(0)
     across = (1 - u * u).sqrt()
@@ -167,7 +167,7 @@ class RevolutionFrame(BodyFrame):
     turning_path = True
 
     def path_speed(self, x: acb) -> acb:
-        """(ẋ + iẏ) e^{−iψ} where θ rests."""
+        """(ẋ + iẏ) e^{−iψ} where θ is constant."""
         return path_speed(self.level, x)
 
     def start_angles(self, motion: QuadratureMotion) -> tuple[arb, arb]:

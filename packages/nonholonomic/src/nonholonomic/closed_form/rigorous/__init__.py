@@ -1,4 +1,4 @@
-"""States of a motion on a torus as balls that contain the exact ones."""
+"""States of a motion on a torus as balls that contain the exact states."""
 
 from __future__ import annotations
 
@@ -23,11 +23,12 @@ from .torus_motion import TorusMotion
 
 __all__ = ["RigorousMotion", "rigorous_motion", "rigorous_state"]
 
-#: Bits lost between the start and the phases, at most on motions that are not nearly degenerate.
+#: Largest loss of bits between the start and the phases, for motions that are not nearly
+#: degenerate.
 _GUARD_BITS = 100
-#: Turns of the phases up to the latest time; those of a later one would need hundreds of digits.
+#: Turns of the phases up to the latest time; later times would need hundreds of digits.
 _LATEST = 1e60
-#: Motions are prepared for turns of the phases up to whole powers of 10 to this.
+#: Motions are prepared for turns of the phases up to powers of 10 with this exponent step.
 _DECADES = 6
 
 
@@ -77,12 +78,12 @@ class RigorousMotion:
             return None
         with ctx.workprec(self.clock.bits):
             rate = self._pair.turning(self.separated_motion)
-        # an angle may grow by some whole turns in one turn of the phases
+        # An angle may grow by several whole turns in one turn of the phases.
         return quadratures(self.separated_motion.torus, rate, self.digits + 1, self.reach)[0]
 
     @cached_property
     def _paths(self) -> tuple[PathRates, tuple[RigorousQuadrature, ...]] | None:
-        """Rates of what the motion has in space beside the attitude, and the integrals in them."""
+        """Rates of the spatial variables other than the attitude, and the integrals in them."""
         if self._pair is None or self._pair.rate is not None:
             return None
         with ctx.workprec(self.clock.bits):
@@ -95,7 +96,7 @@ class RigorousMotion:
     def _motion_in_space(
         self, tau: arb, there: tuple[list[arb], list[arb]], rough: FloatArray
     ) -> list[arb]:
-        """Attitude and places; balls of infinite radius where nothing is known."""
+        """Attitude and positions; balls of infinite radius where nothing is known."""
         start = self.solution.start[-len(rough) :]
         if self._pair is None:
             return [arb(0, arb("inf")) for _ in start]
@@ -194,7 +195,7 @@ def _turns(solution: TorusMotion, time: NumberOrText) -> float:
 
 @arguments_checked
 def rigorous_state(solution: TorusMotion, time: NumberOrText, digits: int) -> tuple[arb, ...]:
-    """The lifted state of a motion at one time as balls that contain the exact one.
+    """The lifted state of a motion at one time as balls that contain the exact state.
 
     Parameters
     ----------
@@ -227,5 +228,5 @@ def rigorous_state(solution: TorusMotion, time: NumberOrText, digits: int) -> tu
 
 @lru_cache(maxsize=4)
 def _prepared_motion(solution: TorusMotion, digits: int, decades: int) -> RigorousMotion:
-    """A motion prepared for turns up to a power of ten; the latest are kept."""
+    """A motion prepared for turns up to a power of ten; the most recent ones are cached."""
     return rigorous_motion(solution, digits, 10**decades / solution.pace)

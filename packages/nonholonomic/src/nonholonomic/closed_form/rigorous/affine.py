@@ -2,10 +2,10 @@
 
     x(c + δ) = x₀ + x₁δ₁ + x₂δ₂ + ε,      |δ_j| ≤ h_j real,  |ε| ≤ rest,
 
-all complex.  Where plain intervals lose in every operation in proportion to the size of the box,
-here it is in proportion to its square.  The coefficients are doubles, for all boxes at once; what
-rounding does to them is at most a few units of 1.1e-16 of the sizes involved, and is counted in
-the rest with a wide margin.
+all complex.  Plain intervals lose accuracy in proportion to the size of the box in every operation,
+affine functions in proportion to its square.  The coefficients are doubles, for all boxes at once;
+their rounding errors, at most a few units of 1.1e-16 of the sizes involved, are included in the
+remainder with a wide margin.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ class Affine:
     __rmul__ = __mul__
 
     def clear(self, sign: int = 1) -> BoolArray:
-        """The boxes on which x, times a sign, surely avoids (−∞, 0]."""
+        """The boxes on which x, times a sign, certainly avoids (−∞, 0]."""
         room = self.deviation_bound + ROUNDING * self.size
         return (self.middle.real * sign > room) | (np.abs(self.middle.imag) > room)
 
@@ -116,14 +116,14 @@ class Affine:
         return np.abs(self.middle) * (1 - ROUNDING) - self.deviation_bound
 
     def inverse(self, sign: int = 1) -> Affine:
-        """1/x, where x times the sign is clear."""
+        """1/x, where x times the sign is known to avoid (−∞, 0]."""
         value = 1 / self.middle
         miss = np.abs(1 - self.middle * value) + ROUNDING
         error = miss / np.abs(self.middle)
         return self._through(value, -value * value, self._least**-3, error, self.clear(sign))
 
     def sqrt(self) -> Affine:
-        """The principal root, where x is clear."""
+        """The principal root, where x is known to avoid (−∞, 0]."""
         value: ComplexArray = np.sqrt(self.middle)
         miss = np.abs(value * value - self.middle) + ROUNDING * np.abs(self.middle)
         error = miss / np.abs(value)

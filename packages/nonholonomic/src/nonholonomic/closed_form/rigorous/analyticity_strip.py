@@ -1,4 +1,4 @@
-"""Strips of complex phases to which functions on a torus continue, with bounds.
+"""Strips of complex phases to which functions on a torus continue analytically, with bounds.
 
 A function f analytic for |Im v_j| ≤ r_j is, by the maximum principle, at most as large there as on
 the four tori Im v = (±r₁, ±r₂), and so its Fourier coefficients on (R/pZ)² obey
@@ -20,14 +20,14 @@ from .affine import Affine
 from .branch_formula import Branch, direction
 from .theta import Line, Numerators
 
-#: Bits of the theta series that are turned into doubles.
+#: Bits of the theta series that are converted to doubles.
 BITS = 64
-#: Numbers of boxes in each direction, for the period 1, that are tried; and the most for both
-#: directions together, which is a matter of memory.
+#: Numbers of boxes tried in each direction, for the period 1, and the maximum for both directions
+#: together, which bounds memory use.
 _BOXES, _MOST = (64, 128, 256), 256**2
-#: Half-widths between which the strip is looked for.
+#: Half-widths between which the strip is searched.
 _WIDEST, _NARROWEST = 0.6, 0.001
-#: The strip is looked for on one box in so many in each direction first.
+#: The strip is first searched on a sample: one box in this many in each direction.
 _STRIDE = 4
 _CLOSE = "start: too close to a separatrix for error bounds"
 
@@ -52,7 +52,7 @@ class Strip:
 
 
 def lines_of(counts: Sequence[int], periods: Sequence[int]) -> tuple[Line, Line]:
-    """So many equidistant points over the periods of the two phases."""
+    """The given number of equidistant points over the periods of the two phases."""
     one, two = (Line(arb(0), arb(period) / n, n) for n, period in zip(counts, periods, strict=True))
     return one, two
 
@@ -65,7 +65,7 @@ def _values(
     boxes: int,
     stride: int = 1,
 ) -> list[Affine]:
-    """The formulas on boxes that cover the torus Im v = heights, or on every so many-th alone."""
+    """The formulas on boxes that cover the torus Im v = heights, or on a sample of them."""
     counts = [boxes * period // stride for period in periods]
     half = 0.5 / boxes
     with np.errstate(all="ignore"):
@@ -76,11 +76,11 @@ def _values(
 def _bounds(
     torus: InvariantTorus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
 ) -> tuple[float, ...]:
-    """Upper bounds of the moduli on the strip; infinite or not a number where none is proven."""
+    """Upper bounds of the moduli on the strip; infinite or NaN where none is proven."""
     tori = [
         _values(torus, branch, heights, periods, boxes) for heights in (half, (half[0], -half[1]))
     ]
-    # unlike max, maximum keeps what is not a number
+    # Unlike max, maximum propagates NaN.
     return tuple(
         float(np.maximum(one.size.max(), two.size.max())) for one, two in zip(*tori, strict=True)
     )
@@ -94,7 +94,7 @@ def _exist(
     boxes: int,
     stride: int = 1,
 ) -> bool:
-    """Whether the formulas surely exist on all boxes, or on a sample of them."""
+    """Whether the formulas certainly exist on all boxes, or on a sample of them."""
     return all(
         bool(np.all(np.isfinite(value.size)))
         for heights in (half, (half[0], -half[1]))
@@ -107,10 +107,10 @@ def _sizes(periods: Sequence[int]) -> list[int]:
 
 
 def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -> Strip:
-    """A strip on which formulas are proven analytic, nearly as wide as it can be.
+    """A strip on which formulas are proven analytic, nearly as wide as possible.
 
-    It is looked for on a sample of the boxes and proven on all of them; where that fails it is
-    looked for on all.
+    It is searched on a sample of the boxes and proven on all of them; if that fails it is searched
+    on all.
 
     Parameters
     ----------
@@ -142,7 +142,7 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
 def _widths(
     torus: InvariantTorus, branch: Branch, periods: Sequence[int], boxes: int, stride: int
 ) -> tuple[float, float]:
-    """Half-widths that the boxes, or a sample of them, allow, nearly as large as can be."""
+    """Half-widths that the boxes, or a sample of them, allow, nearly as large as possible."""
 
     def exist(half: tuple[float, float]) -> bool:
         return _exist(torus, branch, half, periods, boxes, stride)

@@ -2,7 +2,7 @@
 
 A formula of a real motion is real-analytic; it continues to complex arguments as long as no
 radicand meets the negative real axis and no denominator vanishes.  :class:`Branch` evaluates
-formulas on complex balls and refuses where it cannot be sure of that.
+formulas on complex balls and raises an error where this is not certain.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class LeavesBranchError(Exception):
 
 
 class _Continuation(BallArithmetic):
-    """Arithmetic that refuses where a radicand or a denominator may leave its branch.
+    """Arithmetic that raises an error where a radicand or a denominator may leave its branch.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class _Continuation(BallArithmetic):
         self.signs: dict[int, int] = {} if signs is None else signs
 
     def root(self, x: Any) -> Any:
-        """The square root, of what is positive or has no part on the negative real axis."""
+        """The square root of a ball that is positive or does not meet the negative real axis."""
         if isinstance(x, Affine):
             return x.sqrt()
         if not np.all(x > 0):
@@ -48,7 +48,7 @@ class _Continuation(BallArithmetic):
         return np.sqrt(x) if isinstance(x, np.ndarray) else x.sqrt()
 
     def inverse(self, x: Any, index: int) -> Any:
-        """The reciprocal, of what keeps its sign."""
+        """The reciprocal of a ball that does not contain zero."""
         if index not in self.signs:
             self.signs[index] = 1 if np.all(x > 0) else -1
         return _inverse(x, self.signs[index])
@@ -116,25 +116,25 @@ class Branch:
         return self._run(vector, rate, {})
 
     def learn(self, vector: Sequence[Any], rate: Sequence[Any]) -> None:
-        """Take from one real point which sign every denominator has on the real torus."""
+        """Determine the sign of every denominator on the real torus from one real point."""
         self._signs = {}
         self._run(vector, rate, self._signs)
 
     def values_on_boxes(self, vector: Sequence[Affine], rate: Sequence[Affine]) -> list[Any]:
-        """Values on boxes, after :meth:`learn`; rests are infinite where a branch may be left.
+        """Values on boxes, after :meth:`learn`; remainders are infinite where a branch may be left.
 
-        Where the rests are finite on boxes that cover the four tori Im v = (±r₁, ±r₂), every
-        radicand and every denominator has a single-valued argument there, so by the argument
-        principle, first in v₁ and then in v₂, no zero inside, and the formulas are analytic for
-        |Im v₁| ≤ r₁, |Im v₂| ≤ r₂.  (The argument is harmonic along every line and its bound
-        passes from the tori to the inside, so that the branch is the principal one there too.)
+        Suppose that the remainders are finite on boxes that cover the four tori Im v = (±r₁, ±r₂).
+        Then every radicand and every denominator has a single-valued argument there, so by the
+        argument principle, first in v₁ and then in v₂, no zero inside, and the formulas are
+        analytic for |Im v₁| ≤ r₁, |Im v₂| ≤ r₂. (The argument is harmonic along every line, and its
+        bound extends from the tori to the inside, so the branch is the principal one there too.)
         """
         zero = vector[0] * 0
-        # a constant is a function on the torus too
+        # A constant is a function on the torus too.
         return [zero + value for value in self._run(vector, rate, self._signs)]
 
     def parities(self, flips: Sequence[int], of_rates: Sequence[int] | None = None) -> list[int]:
-        """Signs by which the formulas change when ν_i and ν_i′ are multiplied by flips_i = ±1.
+        """Signs by which the formulas change if ν_i and ν_i′ are multiplied by flips_i = ±1.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""∫ f dτ along a straight line on a torus, with a proven bound of the error, at any τ.
+"""∫ f dτ along a straight line on a torus, with a proven error bound, at any τ.
 
 f is replaced by its trigonometric interpolant g on a grid of N₁×N₂ points.  With the Fourier
 coefficients of f bounded by M exp(−2π(r₁|k₁| + r₂|k₂|)/p) on the strip where f is analytic,
@@ -31,9 +31,9 @@ from .analyticity_strip import least, lines_of, strip_bound
 from .branch_formula import Branch, direction
 from .theta import Line, Numerators, numerators_at
 
-#: Points of the grid beyond which the answer would take minutes.
+#: Number of grid points beyond which the computation would take minutes.
 _MOST = 1_500_000
-#: Speeds |k·V| below this part of |V| are integrated without dividing by them.
+#: Relative speed |k·V|/|V| below which a wave is integrated without division.
 _SLOW = 2.0**-20
 
 
@@ -43,7 +43,7 @@ def speed_of(torus: InvariantTorus) -> float:
 
 
 def bits_for(digits: int, turns: float) -> int:
-    """Working precision for so many digits after so many turns of the phases."""
+    """Working precision for a number of digits after a number of turns of the phases."""
     return ceil(digits * log(10) / log(2) + log(1 + turns) / log(2)) + 80
 
 
@@ -154,8 +154,8 @@ class RigorousQuadrature:
     def inverse(self, value: arb | float) -> arb:
         """The τ at which the integral of a positive f has a given value, as a ball.
 
-        The middle is found by Newton's method; the radius |integral(middle) − value|/min f
-        bounds the distance to the root, by the mean value theorem.
+        The midpoint is found by Newton's method; by the mean value theorem the radius
+        |integral(middle) − value|/min f bounds the distance to the root.
         """
         with ctx.workprec(self.bits):
             value, small = arb(value), self._least
@@ -166,7 +166,8 @@ class RigorousQuadrature:
                 step = (miss.mid() / self.rate(tau)).mid()
                 if abs(step) < goal:
                     break
-                # too long a step is halved: the integral grows with τ, so that it gets better
+                # Halve a step that is too long: since the integral increases with τ, this improves
+                # it.
                 while True:
                     following = (tau - step).mid()
                     left = self.integral(following) - value
@@ -186,7 +187,7 @@ def _sums(half: float, period: int, reach: int) -> tuple[arb, arb]:
 def _symmetry(
     torus: InvariantTorus, branch: Branch
 ) -> tuple[tuple[int, int], list[tuple[int, int]]]:
-    """Periods in both phases, and for every formula whether it changes its sign with them.
+    """Periods in both phases, and for every formula whether it changes sign with them.
 
     When v_j grows by 1, N_i and N_i′ change their sign where a_i has the j-th entry ½.
     """
@@ -256,10 +257,9 @@ def quadratures(
 
 
 def _reflection(torus: InvariantTorus, branch: Branch) -> list[int]:
-    """Signs by which the formulas change from v to −v; 0 where their form shows none.
+    """Signs by which the formulas change from v to −v; 0 if their form shows none.
 
-    θ[a, b](−v) = exp(4πi a·b) θ[a, b](v), so that N_i keeps or changes its sign, and N_i′ the other
-    way about.
+    θ[a, b](−v) = exp(4πi a·b) θ[a, b](v), so N_i is even or odd, and N_i′ has the opposite parity.
     """
     characteristics = [theta.characteristic for theta in torus.thetas]
     flips = [1 - 2 * ((a[0] * b[0] + a[1] * b[1]) % 2) for a, b in characteristics]
@@ -274,9 +274,8 @@ def _values_on_grid(
 ) -> list[ObjectArray]:
     """Values (arb) of the formulas on a grid through v = 0 with an odd number of rows.
 
-    Where every formula is even or odd, half of the rows are computed.  From −v to the grid point
-    that is the same on the torus, a formula changes its sign once for each phase in which it does
-    with the period.
+    If every formula is even or odd, half of the rows are computed.  Between −v and the equivalent
+    grid point a formula changes sign once for each phase in which it does so over a period.
     """
     signs = _reflection(torus, branch)
     first, second = lines
@@ -285,7 +284,7 @@ def _values_on_grid(
     parts = [branch.at(*direction([x[j] for x in N], [x[j] for x in rate])) for j in range(rows)]
     grids = []
     for place, (sign, shift) in enumerate(zip(signs, shifts, strict=True)):
-        # a constant is a function on the torus too
+        # A constant is a function on the torus too.
         grid = np.empty((first.count, second.count), dtype=object)
         for j, part in enumerate(parts):
             grid[j] = part[place]
@@ -307,7 +306,7 @@ def _fourier_coefficients(
         for line, half in zip(lines, shift, strict=True)
     ]
     rows = [acb.dft([turns[0][j] * turns[1][k] * values[j, k] for k in range(m)]) for j in range(n)]
-    # the values are real: opposite wave numbers (k_j + shift_j/2)/p_j have conjugate coefficients
+    # The values are real: opposite wave numbers (k_j + shift_j/2)/p_j have conjugate coefficients.
     columns = [acb.dft([row[k] for row in rows]) for k in range(m // 2 + 1)]
     opposite = [columns[(-k - shift[1]) % m] for k in range(m // 2 + 1, m)]
     columns += [[own[(-j - shift[0]) % n].conjugate() for j in range(n)] for own in opposite]

@@ -1,4 +1,4 @@
-"""Attitude and path in space, in formulas of ν and ν′ and with error bounds."""
+"""Attitude and path in space as formulas of ν and ν′, with error bounds."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _TRIAD = sp.Matrix(3, 3, lambda k, b: real_symbol(f"triad_{k + 1}{b + 1}"))
 
 @dataclass(frozen=True)
 class Pair:
-    """Two vectors in body axes by which an attitude is known.
+    """Two vectors in body axes that determine an attitude.
 
     Attributes
     ----------
@@ -42,7 +42,10 @@ class Pair:
 
     @classmethod
     def of_motion(cls, separated_motion: SeparatedMotion) -> Pair | None:
-        """Two fixed vectors, or one and another that stays away from it; None if none is fixed."""
+        """Two fixed vectors, or a fixed one and another that stays away from it.
+
+        None if none is fixed.
+        """
         fixed = separated_motion.separable.fixed
         if not fixed:
             return None
@@ -60,7 +63,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Turn:
-    """A triad that stands still in space, and its vectors seen from the body.
+    """A triad fixed in space, and its vectors in body axes.
 
     Attributes
     ----------
@@ -88,7 +91,7 @@ class Turn:
         return cls(body, rows * _matrix([x / length for x in quaternion]).transpose())
 
     def after_rotation(self, angle: arb) -> Turn:
-        """The triad turned in space by an angle (arb) about its first vector."""
+        """The triad rotated in space by an angle (arb) about its first vector."""
         rows = rotated_triad(self.axes.table(), angle.cos(), angle.sin())
         return Turn(self.body, arb_mat([list(row) for row in rows]))
 
@@ -97,12 +100,12 @@ class Turn:
         return self.axes.transpose() * arb_mat(3, 3, self.body.at(*there))
 
     def quaternion(self, there: Sequence[Sequence[arb]], rough: FloatArray) -> list[arb]:
-        """The quaternion (w, x, y, z) at ν and ν′, next to a rough one."""
+        """The quaternion (w, x, y, z) at ν and ν′, with the sign closer to an approximate one."""
         return quaternion_near(self.matrix(there).table(), rough)
 
 
 def _triad(first: sp.MatrixExpr, second: sp.MatrixExpr) -> sp.MatrixExpr:
-    """Orthonormal: along the first vector, the part of the second across it, and across both."""
+    """Orthonormal: along the first vector, across it towards the second, and normal to both."""
     along, other = (sp.Matrix(components(vector)) for vector in (first, second))
     normal = along.cross(other)
     one, three = (u / sp.sqrt(u.dot(u)) for u in (along, normal))
@@ -131,11 +134,11 @@ class PathRates:
 
 
 def path_rates(separated_motion: SeparatedMotion, pair: Pair) -> PathRates | None:
-    """Derivatives of the coordinates in space beside the attitude; None if there are none.
+    """Derivatives of the coordinates in space other than the attitude; None if there are none.
 
-    Quaternions enter the rates of a path in products of two, which are linear in the matrix, and
-    the matrix is Σ axis_k triad_kᵀ.  The coefficient of each component of an axis is a function on
-    the torus that at most changes its sign with the periods, which the rate itself need not.
+    Quaternions enter the rates of a path quadratically, hence linearly in the rotation matrix,
+    which is Σ axis_k triad_kᵀ.  The coefficient of each component of an axis is a function on the
+    torus that at most changes sign with the periods, which need not hold for the rate itself.
     """
     names = attitude.symbols
     rates = place_rates(separated_motion.separable.system)

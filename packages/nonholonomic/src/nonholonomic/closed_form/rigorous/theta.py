@@ -1,12 +1,12 @@
-"""Theta series on the complexified torus, with bounds for all that is left out.
+"""Theta series on the complexified torus, with bounds for the omitted terms.
 
 The numerators of ν = N/|N| are N_i(v) = c_i θ[a_i, b_i](v), v = x + iy ∈ C², with
 
     θ[a, b](v) = Σ exp(−π mᵀY m + 2πi m·(v + b)),        m ∈ Z² + a,
 
-Y real and positive definite, a, b ∈ ½Z².  On a grid of x with equal steps the double sum is a
-product of three matrices.  With μ_j = Y_jj (1 − |Y₁₂|/√(Y₁₁Y₂₂)) one has mᵀY m ≥ μ₁m₁² + μ₂m₂²,
-so the terms left out are bounded by products of two sums in one index each.
+with Y real and positive definite, a, b ∈ ½Z².  On a grid of x with equal steps the double sum is a
+product of three matrices.  With μ_j = Y_jj (1 − |Y₁₂|/√(Y₁₁Y₂₂)), mᵀY m ≥ μ₁m₁² + μ₂m₂², so the
+omitted terms are bounded by products of two one-dimensional sums.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from ..genus_two.torus import InvariantTorus
 from .affine import ROUNDING, Affine
 
 _DEGREES = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
-#: Orders of derivatives that the bounds of what is left out allow for.
+#: Orders of derivatives covered by the bounds of the omitted terms.
 _ORDER = 3
 
 
@@ -42,7 +42,7 @@ class Line:
 
 @dataclass(frozen=True)
 class _Sum:
-    """The indices of one coordinate that are summed, and what the others can amount to.
+    """The summed indices of one coordinate, and bounds for the others.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class _Sum:
 
     @classmethod
     def over(cls, decay: arb, height: arb, half: int) -> _Sum:
-        """Enough of Z + half/2 for the working precision."""
+        """Sufficiently many elements of Z + half/2 for the working precision."""
 
         def term(index: fmpq) -> arb:
             m = arb(index)
@@ -67,7 +67,7 @@ class _Sum:
         goal = arb(2) ** (-ctx.prec)
         last, inside = fmpq(half, 2), 2 * term(fmpq(half, 2))
         while True:
-            # successive terms shrink at least by the ratio of the first two that are left out
+            # Successive terms decrease at least by the ratio of the first two omitted ones.
             first = term(last + 1)
             ratio = term(last + 2) / first
             if ratio < 0.5:
@@ -101,13 +101,13 @@ class Numerators:
         ]
 
     def _left_out(self, i: int) -> arb:
-        """A bound of all terms of N_i left out, times (1 + 2π|m₁|)³(1 + 2π|m₂|)³."""
+        """A bound of all omitted terms of N_i, times (1 + 2π|m₁|)³(1 + 2π|m₂|)³."""
         one, two = self._sums[i]
         both = one.outside * two.everything + one.everything * two.outside
         return (abs(self._torus.factors[i]) * both).upper()
 
     def _amplitudes(self, i: int) -> list[list[arb]]:
-        """c_i exp(−π mᵀY m − 2π m·y) for all m that are summed."""
+        """c_i exp(−π mᵀY m − 2π m·y) for all summed m."""
         Y, (y_1, y_2) = self._torus.lattice.Y, self._y
         rows, columns = (part.indices for part in self._sums[i])
 
@@ -160,7 +160,7 @@ class Numerators:
         N, rate = [], []
         for i in range(3):
             (x, x_1, x_2, x_11, x_12, x_22), bound = self._doubles(i, lines)
-            # |W·∂| of a term is at most 2π(|m₁| + |m₂|)(|W₁| + |W₂|) times the term
+            # |W·∂| of a term is at most 2π(|m₁| + |m₂|)(|W₁| + |W₂|) times the term.
             rests = [float(r) for r in self._rests(i, half)]
             faults = (bound, bound * (abs(W_1) + abs(W_2)))
             plain, turned = (
@@ -175,8 +175,8 @@ class Numerators:
     def _doubles(self, i: int, lines: Sequence[Line]) -> tuple[list[ComplexArray], float]:
         """All derivatives up to the second on a grid in doubles, and a bound of their errors.
 
-        The waves are of modulus 1, so that the error of a sum of n products is at most
-        (n + 10)·1.1e-16 times the sum of the moduli of the coefficients; n is below a thousand.
+        The waves have modulus 1, so the error of a sum of n products is at most (n + 10)·1.1e-16
+        times the sum of the moduli of the coefficients; n is below a thousand.
         """
         rows, columns = (part.indices for part in self._sums[i])
         shift = self._torus.thetas[i].characteristic[1]

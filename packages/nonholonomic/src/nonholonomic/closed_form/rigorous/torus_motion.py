@@ -1,4 +1,4 @@
-"""The properties of a motion on a torus that bounds need."""
+"""The properties of a motion on a torus that error bounds require."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..genus_two.separated_motion import SeparatedMotion
 
 
 class TorusMotion(Protocol):
-    """A motion on a two-dimensional torus, as bounds need it."""
+    """A motion on a two-dimensional torus, as error bounds require it."""
 
     @property
     def separated_motion(self) -> SeparatedMotion:

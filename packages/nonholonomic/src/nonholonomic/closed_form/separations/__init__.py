@@ -1,1 +1,1 @@
-"""Separations of variables, one system a module."""
+"""Separations of variables, one module per system."""

@@ -16,7 +16,7 @@ where e₂, e₃ are the symmetric functions of A, 2h = (M, ω) and f = M².  Ba
 
     ω = Bn×ṅ/(n, Bn),      B = I_Q A,      M = I_Q ω,
 
-and (n, Bn) > 0 for a rigid body.  M stays in space; n does not, and is never parallel to M, since
+and (n, Bn) > 0 for a rigid body.  M is fixed in space; n is not, and is never parallel to M, since
 (AM, n) = 0 with A > 0.
 
 L is positive where z lies between the poles, since e₃/e₂ is smaller than each A_i.  So the
@@ -24,8 +24,8 @@ quadratic 2hzL − fQ is not positive at the smaller and not negative at the lar
 roots are real on every motion.  Where fd = 2he₂ one of them is at infinity, and the curve of degree
 five; where two moments I_i agree, poles do.  h = 0 is rest.
 
-That z₁, z₂ obey these equations is proven in ``tests/explicit/separations``, all else by the laws
-of the separated system itself.
+That z₁, z₂ satisfy these equations is proven in ``tests/explicit/separations``, everything else by
+the laws of the separated system itself.
 """
 
 from __future__ import annotations
@@ -127,7 +127,7 @@ def _separation(
 
 
 def of_tensor() -> SeparatedSystem:
-    """The ball by the tensor A of its linear integral and d, as (8.1) for k = −1, F₂ = 0."""
+    """The ball from the tensor A of its linear integral and d, as (8.1) for k = −1, F₂ = 0."""
     d = ball_on_sphere_equations.d
     A = ball_on_sphere_equations.A.symbols
     # tr A = ½T + d

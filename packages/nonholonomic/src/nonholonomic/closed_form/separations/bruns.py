@@ -1,12 +1,12 @@
 """The Veselova system in Bruns' field U = ½K(γ, Iγ), and the rubber ball (Remark 15).
 
-Without a field energy and momentum integral separate in the coordinates z₁, z₂ of γ, the roots of
-Σ γᵢ²/(Iᵢ − z) = 0.  That is an identity of the instant, and holds for the kinetic parts of the
-integrals in the field too, where
+Without a field, the energy and the momentum integral separate in the coordinates z₁, z₂ of γ, the
+roots of Σ γᵢ²/(Iᵢ − z) = 0.  That is an identity at each instant, and also holds for the kinetic
+parts of the integrals in the field, where
 
     (γ, Iγ) = tr I − z₁ − z₂,     det I (γ, I⁻¹γ) = z₁z₂
 
-make the coordinate with the other index drop out: the curve, again of genus two, is
+eliminate the coordinate with the other index.  The curve, again of genus two, is
 
     y² = 4 z p(z) (Kz² + (2h − K tr I) z − F)/det I,     p(z) = ∏(Iᵢ − z).
 
@@ -50,12 +50,12 @@ def diagonal(entries: Tensor) -> sp.MatrixExpr:
 
 
 def integral(system: System, name: str) -> sp.Expr:
-    """The integral of that name."""
+    """The integral with a given name."""
     return next(law.value for law in system.integrals if law.name == name)
 
 
 def _kept_from_spinning(name: str, title: str, moments: Tensor, offset: sp.Expr) -> SeparatedSystem:
-    """A body with (ω, γ) = 0 and the given moments in the field ½K(γ, Iγ) − `offset`."""
+    """A body with (ω, γ) = 0 and given moments in the field ½K(γ, Iγ) − `offset`."""
     system = from_catalogue(name)
     inverse = diagonal(tuple(1 / s for s in moments))
     clock = sp.sqrt(dot(nu, inverse * nu))

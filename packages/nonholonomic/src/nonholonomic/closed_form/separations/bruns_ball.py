@@ -30,15 +30,7 @@ from typing import Any
 import sympy as sp
 
 from flowlanes.system.laws import Identity, Law
-from flowlanes.system.vectors import (
-    Diagonal,
-    cross,
-    dot,
-    norm_squared,
-    real_symbol,
-    to_components,
-    vectors,
-)
+from flowlanes.system.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors
 
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball import K
@@ -63,7 +55,7 @@ POLES = sp.Mul(*(z - s for s in I.symbols))
 kappa, total, product = (real_symbol(f"separation_{s}") for s in ("kappa", "S", "P"))
 #: (M, ω), M², (g, I⁻¹g) and g².
 twice, momentum, turned, square = (real_symbol(f"separation_{s}") for s in ("T", "N", "a", "g"))
-#: κ, S and P, from which z₁ and z₂ follow.
+#: κ, S and P, which determine z₁ and z₂.
 SHAPE = {
     kappa: dot(gamma, I * gamma),
     total: TRACE - norm_squared(I * gamma) / kappa,
@@ -96,7 +88,7 @@ def _coefficients() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 
 
 def _separation(separable: SeparatedSystem) -> tuple[Law, ...]:
-    """The identities of which the separated equations are made, as in the head of this file."""
+    """The identities from which the separated equations follow, as at the head of this file."""
     first, second, third = _coefficients()
     bent = z * turned - square
     kinetic = twice * (z + D) - momentum
@@ -105,7 +97,7 @@ def _separation(separable: SeparatedSystem) -> tuple[Law, ...]:
     return (
         Identity(
             "clock",
-            (to_components(DET_IQ) - kappa * (D**2 + D * total + product),),
+            (DET_IQ - kappa * (D**2 + D * total + product),),
             "the clock in the coordinates",
             SHAPE,
             source=separable.source,
@@ -134,7 +126,7 @@ def _separation(separable: SeparatedSystem) -> tuple[Law, ...]:
 
 
 def _lagrange(rate: sp.MatrixExpr) -> tuple[sp.Expr, ...]:
-    """The coefficients of both sides' difference in Lagrange's identity."""
+    """The coefficients of the difference of both sides in Lagrange's identity."""
     crossed = cross(rate, gamma)
     bent = z * dot(crossed, I**-1 * crossed) - norm_squared(crossed)
     products = _pair(gamma, gamma) * _pair(rate, rate) - _pair(gamma, rate) ** 2
@@ -150,7 +142,7 @@ def _pair(first: sp.MatrixExpr, second: sp.MatrixExpr) -> sp.Expr:
 
 
 def _bend(rate: sp.Expr) -> dict[sp.Expr, sp.Expr]:
-    """(g, I⁻¹g) and g² for γ with this rate."""
+    """(g, I⁻¹g) and g² for γ with a given rate."""
     return {g: cross(rate, gamma), turned: dot(g, I**-1 * g), square: norm_squared(g)}
 
 

@@ -1,13 +1,13 @@
 """The hollow ball around a sphere, k = −1, in Bruns' field U = ½K(n, In) (§8.3, §12).
 
-On the zero level of the linear integral (AM, n), which the field leaves alone, the ball separates
-as without the field: in the coordinates of :mod:`.ball_sphere`, the roots of
-Σ Aᵢ²Iᵢnᵢ²/(Iᵢ − z) = 0, for z = z₁ and for z = z₂
+On the zero level of the linear integral (AM, n), which the field does not change, the ball
+separates as without the field: in the coordinates of :mod:`.ball_sphere`, the roots of Σ
+Aᵢ²Iᵢnᵢ²/(Iᵢ − z) = 0, for z = z₁ and for z = z₂
 
     (n, In) zL + det J (n, J⁻¹n) Q = (¼T² + e₂) L − det J (½T − z)²,
 
-in which the other coordinate is absent.  That the kinetic parts of both integrals separate is an
-identity at every instant, proven as for :mod:`.ball_sphere`; so with the energy h and the
+which does not involve the other coordinate.  That the kinetic parts of both integrals separate is
+an identity at every instant, proven as for :mod:`.ball_sphere`.  So with the energy h and the
 momentum integral f = M² − K det J (n, J⁻¹n) the curve, again of genus two, is
 
     y² = p L (2hzL − fQ − K((¼T² + e₂) L − det J (½T − z)²)).
@@ -22,7 +22,8 @@ from dataclasses import replace
 import sympy as sp
 
 from flowlanes.system.laws import Identity
-from flowlanes.system.vectors import Diagonal, dot, real_symbol, to_components, vectors
+from flowlanes.system.named_formulas import scalars
+from flowlanes.system.vectors import Diagonal, dot, real_symbol, vectors
 
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball import K
@@ -75,7 +76,7 @@ def hollow_ball_in_bruns_field() -> SeparatedSystem:
 
 
 def _field(separable: SeparatedSystem) -> Identity:
-    """The law of the terms that the field adds, modulo (z − z₁)(z − z₂)."""
+    """The law of the terms added by the field, modulo (z − z₁)(z − z₂)."""
     level = E_2 * (HALF - z) - E_3
     ratio = level - D * (HALF - z) ** 2
     added = form * z * level + inverse * ratio - WEIGHT * level + DET_J * (HALF - z) ** 2
@@ -99,7 +100,7 @@ def _coordinates(separable: SeparatedSystem) -> dict[sp.Symbol, sp.Expr]:
     shares = [
         s**2 / (weight * gap)
         for s, weight, gap in zip(
-            to_components(separable.direction), separable.weights, gaps(poles), strict=True
+            scalars(separable.direction), separable.weights, gaps(poles), strict=True
         )
     ]
     others = [(poles[i - 1], poles[i - 2]) for i in range(3)]

@@ -8,8 +8,8 @@ The roots z₁, z₂ of Σ Iᵢγᵢ²/(Iᵢ − z) = 0 give γᵢ² = det I (I�
 where D = mR², h is the energy and f = M².  The momentum M stays in space, and so does γ.  f > 2hD
 on every motion, so that the last root f/(2h) − D is positive; h = 0 is rest.
 
-The equations are proven in Fedorov's variables (:mod:`.fedorov`), whose time is (det J)^(1/2) τ;
-among the laws here are the isomorphism and that it carries the curve onto the curve.
+The equations are proven in Fedorov's variables (:mod:`.fedorov`), with the time (det J)^(1/2) τ;
+the laws here include the isomorphism and that it maps the curve to the curve.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ h, f = real_symbol("h"), real_symbol("f")
 
 #: dt/dτ = (det I_Q)^(1/2), for a unit vector γ.
 CLOCK = sp.sqrt(DET_J * (1 - D * dot(nu, A * nu)))
-#: ω without its part along γ, from γ̇ = γ×ω.
+#: ω without its component along γ, from γ̇ = γ×ω.
 TURN = cross(nuprime, nu) / CLOCK
-#: (ω, γ), by which (M, γ) = (Iω, γ) vanishes.
+#: (ω, γ), for which (M, γ) = (Iω, γ) vanishes.
 SPIN = -dot(I * TURN, nu) / dot(nu, I * nu)
 
 
@@ -67,14 +67,14 @@ def chaplygin_ball() -> SeparatedSystem:
 
 
 def _separation(system: System) -> tuple[Law, ...]:
-    """The isomorphism onto Fedorov's variables, and the curve in them.
+    """The isomorphism to Fedorov's variables, and the curve in them.
 
-    With y² det J for the curve there: E det J = h det I, and the quadratic in z divided by det I
-    is (z + D)(2h(z + D) − f)/det J.
+    With y² det J for the curve there, E det J = h det I, and the quadratic in z divided by det I is
+    (z + D)(2h(z + D) − f)/det J.
     """
     there = fedorov()
     (separation,) = (law for law in there.laws if law.name == "separation")
-    (onto,) = (law for law in system.laws if isinstance(law, Isomorphism) and law.name == "fedorov")
+    (onto,) = (law for law in system.laws_of(Isomorphism) if law.name == "fedorov")
     constants = [pair for pair in there.constants if pair[0] != r]
     momentum = [pair for pair in onto.map if pair[0] == K]
     return (

@@ -60,11 +60,11 @@ h, f, g, sigma, delta, e, n = (real_symbol(s) for s in ("h", "f", "g", "sigma", 
 
 SLOPE = f - 2 * h * D
 BETA = -g / sigma
-#: D′, a constant by itself since D − δ loses digits near M ∥ γ, and the inertia tensor I′, of the
+#: D′, a separate constant since D − δ loses digits near M ∥ γ, and the inertia tensor I′, of the
 #: ball at zero area constant.
 D_ZERO = real_symbol("D_0")
 I_ZERO = constant(sp.diag(*(moment + delta for moment in I.symbols)))
-#: γ′ in the state.
+#: γ′ in terms of the state.
 NORMAL = (gamma + BETA * M) / n
 
 
@@ -75,7 +75,7 @@ def det_iq(normal: sp.MatrixExpr) -> sp.Expr:
 
 #: dt′/dτ, the part of the clock that is even in ν′; its mean over the torus is that of the clock.
 EVEN = sp.sqrt(det_iq(nu))
-#: ω′ without its part along γ′, and (ω′, γ′), by which (M′, γ′) vanishes.
+#: ω′ without its component along γ′, and (ω′, γ′), for which (M′, γ′) vanishes.
 TURN = cross(nuprime, nu) / EVEN
 SPIN = -dot(I_ZERO * TURN, nu) / dot(nu, I_ZERO * nu)
 #: M′ in ν, ν′.

@@ -6,8 +6,8 @@ derivatives by h and f give
 
     Σ dz/y = −β dt,   Σ z dz/y = α dt
 
-on one and the same curve.  So every such flow runs on the tori of the Neumann system, and M follows
-from the derivative of Γ along Neumann's own flow there: Γ×M.
+on one and the same curve.  So every such flow stays on the tori of the Neumann system, and M
+follows from the derivative of Γ along Neumann's own flow there: Γ×M.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def clebsch_case() -> SeparatedSystem:
 
 
 def _flow(separable: SeparatedSystem) -> Identity:
-    """żₖ (b′ − a′z) = zₖ′ (b − az), z being the other coordinate, for (a′, b′) = (0, 1)."""
+    """żₖ (b′ − a′z) = zₖ′ (b − az), where z is the other coordinate, for (a′, b′) = (0, 1)."""
     a, b = separable.speeds
     inverse = sp.Mul(*I.symbols) * I**-1
     return Identity(

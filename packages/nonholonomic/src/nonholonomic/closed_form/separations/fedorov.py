@@ -1,8 +1,8 @@
-"""The Chaplygin ball in Fedorov's variables, separated: where its separation is proven.
+"""The Chaplygin ball in Fedorov's variables, in which its separation is proven.
 
 The ball at zero area constant moves as K′ = K×v − βγ×Iγ, γ′ = γ×v, K = Iv, on (K, γ) = 0 (§7.5,
-proven in the catalogue); there no square root and no mass is in the way.  The roots z₁, z₂ of
-Σ Iᵢγᵢ²/(Iᵢ − z) = 0 move by
+proven in the catalogue); these equations contain no square root and no mass.  The roots z₁, z₂ of Σ
+Iᵢγᵢ²/(Iᵢ − z) = 0 move by
 
     zₖ′² (z₁ − z₂)² = 4 zₖ p(zₖ) (2Ezₖ² + (β(I₂I₃ + I₃I₁ + I₁I₂) − G)zₖ − β det I)/det I,
 

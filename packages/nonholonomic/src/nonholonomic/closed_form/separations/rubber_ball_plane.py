@@ -1,7 +1,7 @@
 """The Chaplygin ball with rubber contact on a plane, without a field: the Veselova system.
 
-The ball moves as the Veselova system with J = I + mR² for I (§2.4, proven in the catalogue), so
-that all formulas of :mod:`.veselova` hold with J in the place of I.
+The ball moves as the Veselova system with J = I + mR² in place of I (§2.4, proven in the
+catalogue), so all formulas of :mod:`.veselova` hold with J in place of I.
 """
 
 from __future__ import annotations

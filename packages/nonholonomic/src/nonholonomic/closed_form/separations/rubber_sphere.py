@@ -12,11 +12,11 @@ The quadratic 2hz (tr J − z) − F is not positive at the smaller and not nega
 z₁, z₂, so that its roots are real on every motion; one lies between the least and the greatest of
 the poles J_i, the other as far beyond ½ tr J > max J_i.  h = 0 is rest.
 
-No vector that stays in space is known as a formula.  In complex time the equation of the attitude
-has poles where (ν, Jν) = 0, around which its solutions make half turns; the axes of three such half
-turns were found not to lie in a plane (numbers, not a proof), so that no vector algebraic in the
-state can stay in space.  :mod:`~nonholonomic.closed_form.genus_two.floquet_attitude` finds one by
-its Fourier series on the torus.
+No vector fixed in space is known as a formula.  In complex time the equation of the attitude has
+poles where (ν, Jν) = 0, around which its solutions make half turns.  The axes of three such half
+turns were found not to lie in a plane (numerically, not proven), so no vector algebraic in the
+state can be fixed in space.  :mod:`~nonholonomic.closed_form.genus_two.floquet_attitude` finds one
+by its Fourier series on the torus.
 
 For k = 1 the sphere is a plane, and the family is the Veselova system with J for I.
 """

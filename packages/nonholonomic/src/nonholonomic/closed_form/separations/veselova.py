@@ -5,8 +5,8 @@ With dt = (γ, I⁻¹γ)^(1/2) dτ they move by
 
     zₖ′² (z₁ − z₂)² = 4 zₖ p(zₖ) (2hzₖ − F)/det I,        p(z) = ∏(Iᵢ − z),
 
-where h is the energy and F the square of the horizontal momentum Iω×γ, which stays in space.
-F = 0 is rest: then Iω is parallel to γ, and 2h = (Iω, ω) = 0 with it.
+where h is the energy and F the square of the horizontal momentum Iω×γ, which is fixed in space.  F
+= 0 is rest: then Iω is parallel to γ, and therefore 2h = (Iω, ω) = 0.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def veselova() -> SeparatedSystem:
 def veselova_separation(
     name: str, title: str, tensor: Diagonal, moments: tuple[sp.Expr, ...], source: str
 ) -> SeparatedSystem:
-    """A system of the catalogue that moves as the Veselova system.
+    """The separation of a catalogue system that moves as the Veselova system.
 
     Parameters
     ----------

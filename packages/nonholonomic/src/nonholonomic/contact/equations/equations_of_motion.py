@@ -4,13 +4,14 @@ In body axes, with the velocity v of the centre of mass, force R and couple K of
 
     m (v̇ + ω×v) = F + R,      I ω̇ + ω×(Iω + k) = T + r×R + K.
 
-The touching particle of the body moves over the support with u = v + ω×r − V, V the velocity of the
-support there.  Its acceleration is affine in the reaction,
+The touching particle of the body moves over the support with u = v + ω×r − V, where V is the
+velocity of the support there.  Its acceleration is affine in the reaction,
 
     u̇ = b + A R + (I⁻¹K)×r,      A = E/m − r̂ I⁻¹ r̂,
 
-and in contact its part along the normal γ follows from (γ, u) = 0: (γ, u̇) + (γ̇, u) = 0.  This and
-what else a mode holds determine the reaction.
+and in contact its component along the normal γ follows from (γ, u) = 0: (γ, u̇) + (γ̇, u) = 0.
+This condition, together with the friction laws and the velocities that a mode holds at zero,
+determines the reaction.
 """
 
 from __future__ import annotations
@@ -18,17 +19,9 @@ from __future__ import annotations
 import sympy as sp
 
 from flowlanes.system.laws import Integral
-from flowlanes.system.named_formulas import Pairs
+from flowlanes.system.named_formulas import Pairs, scalars
 from flowlanes.system.system import Guard, Observable, Parameter, System
-from flowlanes.system.vectors import (
-    constant,
-    cross,
-    dot,
-    norm_squared,
-    real_symbol,
-    to_components,
-    zero,
-)
+from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_symbol, zero
 
 from ...mechanics.rolling.attitude import (
     attitude,
@@ -38,10 +31,8 @@ from ...mechanics.rolling.attitude import (
     rotation,
     unit_length,
 )
-from ...mechanics.shapes.surfaces import Plane
 from ..friction.friction_law import FrictionLaw, Reaction
 from ..friction.modes import Mode
-from ..friction.rolling_friction import ContourResistance
 from ..friction.symbols import (
     N,
     contact_velocity,
@@ -65,29 +56,30 @@ from ..friction.symbols import (
     spin,
     spin_sign,
     v,
+    wandering,
 )
-from .free_body import FreeBody, a, free_body, m, wandering
+from .free_body import FreeBody, a, free_body, m
 from .held_rolling import contour_hold_definitions, holding_couple_of_rolling, with_held_rolling
 from .reaction import normal_excess, normal_rate_free, reaction_definitions
 from .situation import FrictionalContact
 
-#: What the equations lack where a force of friction grows with the normal force beyond measure.
+#: Message of the guard that fires when the normal force becomes infinite.
 PARADOX = "no motion in contact is possible (Painlevé's paradox)"
 
-#: Part of B without friction, to which B is followed where it tends to zero.
+#: B, relative to its frictionless value, at which integration stops when B tends to zero.
 JAM = 1e-6
 
-#: What they lack where a force of friction depends on the normal force too strongly.
+#: Message of the guard that fires when Newton's method finds no normal force.
 NOT_FOUND = "no normal force was found for a law of friction that depends on it"
 
 
 def work_symbol(name: str) -> sp.Symbol:
-    """The work lost to a law of friction, to impacts, or to the support (J)."""
+    """Symbol of the work dissipated by a friction law, by impacts, or done on the support (J)."""
     return real_symbol(f"work_{name}")
 
 
 def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
-    """The equations of motion of a body in one mode of its contact.
+    """The equations of motion of a body in one contact mode.
 
     Parameters
     ----------
@@ -104,7 +96,7 @@ def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
     """
     free = free_body(situation, mode.touching)
     definitions, powers, guards = _reaction(situation, mode, free)
-    # the same columns for all situations come first
+    # Work columns that every situation has come first.
     first = {"impact": sp.S.Zero}
     if free.turning != 0:
         power = -dot(reaction, free.support_velocity) - free.turning * dot(couple, free.vertical)
@@ -115,7 +107,7 @@ def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
     at_rest = _at_rest(mode, free)
     field: Pairs = (
         (attitude, quaternion_rate(omega)),
-        (position, constant(to_components(rotation()) * to_components(v))),
+        (position, constant(rotation() * v.entries)),
         (v, free_acceleration + reaction / m),
         (omega, free_turn + turn),
         *free.kinematics.state,
@@ -149,7 +141,7 @@ def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
     )
 
 
-#: What the course of a motion sets: sign of the spin, and sizes at which a motion comes to its end.
+#: Parameters set during a simulation: the sign of the spin, and the thresholds of stopping.
 _RUN_PARAMETERS = (
     Parameter(spin_sign, "sign of the spin", 1.0, "1"),
     Parameter(slip_floor, "speed at which sliding is followed in logarithmic time", 1e-9, "m/s"),
@@ -160,7 +152,7 @@ _RUN_PARAMETERS = (
 def _reaction(
     situation: FrictionalContact, mode: Mode, free: FreeBody
 ) -> tuple[Pairs, dict[str, sp.Expr], tuple[Guard, ...]]:
-    """Definitions with the reaction, the power lost to each law, and the guards of the mode."""
+    """Definitions of the reaction, power dissipated by each law, and guards of the mode."""
     laws, definitions = situation.laws, free.definitions
     powers: dict[str, sp.Expr] = {law.name: sp.S.Zero for law in laws}
     none = constant([0, 0, 0])
@@ -176,18 +168,18 @@ def _reaction(
         without_rolling, held = with_held_rolling(free)
         along_normal = reaction_definitions(held, mode, total)
         definitions += without_rolling + holding_couple_of_rolling(free, held, along_normal)
-        if any(isinstance(law, ContourResistance) for law in laws):
+        if any(law.is_along_contour for law in laws):
             definitions += contour_hold_definitions(free)
     definitions += ((friction, reaction - N * gamma),)
     powers = {law.name: law.reaction(mode).power for law in laws}
     guards = [Guard("lift-off", N, "the body leaves the support")]
     guards += [guard for law in laws for guard in law.guards(mode)]
     if mode.sliding and not total.p == total.q == zero:
-        # the normal force tends to infinity with 1/B, and no step ends at B = 0
+        # The normal force grows like 1/B, and no step can end exactly at B = 0.
         least = JAM * dot(gamma, free.mobility * gamma)
         guards.append(Guard("paradox", normal_response - least, PARADOX))
     if normal_excess in dict(definitions):
-        # compared with accelerations, so that it says nothing where the body leaves
+        # Relative to the accelerations, so that the guard does not fire where the body lifts off.
         size = normal_rate_free**2 + norm_squared(free_acceleration)
         guards.append(Guard("normal force", 1e-20 * size - normal_excess**2, NOT_FOUND))
     return definitions, powers, tuple(guards)
@@ -196,7 +188,7 @@ def _reaction(
 def _with_prescribed_rolling(
     laws: tuple[FrictionLaw, ...], free: FreeBody, definitions: Pairs
 ) -> Pairs:
-    """Definitions in which the contact wanders as a law prescribes the rolling, if one does."""
+    """The definitions, with the motion of the contact point that a prescribed rolling implies."""
     for law in laws:
         direction = law.rolling_direction
         if direction is not None:
@@ -208,32 +200,32 @@ def _with_prescribed_rolling(
 
 
 def _at_rest(mode: Mode, free: FreeBody) -> bool:
-    """Whether nothing moves in a mode; a body at rest on a turning support moves with it."""
+    """Whether all velocities vanish in a mode; a body on a turning support moves with it."""
     moving = mode.sliding or mode.spinning or mode.rolling
     return mode.touching and not moving and free.turning == 0
 
 
 def _relations(situation: FrictionalContact, mode: Mode, free: FreeBody) -> tuple[sp.Expr, ...]:
-    """The relations of a mode: unit lengths, the position of the contact, vanishing velocities."""
-    on_plane = isinstance(situation.surface, Plane)
+    """The constraints of the mode: unit lengths, position of the contact, zero velocities."""
+    on_plane = situation.surface.is_flat
     relations = (*free.kinematics.relations, unit_length())
     if on_plane:
         relations += attitude_relations(gamma)
     if not mode.touching:
-        # the nearest point of the support lies below the nearest point of the body
-        return relations if on_plane else (*relations, *to_components(cross(gamma, reach)))
+        # The support's nearest point lies below the nearest point of the body.
+        return relations if on_plane else (*relations, *scalars(cross(gamma, reach)))
     if on_plane:
         relations += (dot(reach, gamma),)
     else:
-        relations += tuple(to_components(reach - a * gamma))
+        relations += tuple(scalars(reach - a * gamma))
     if mode.sliding:
         relations += (dot(gamma, contact_velocity),)
     else:
-        relations += tuple(to_components(slip))
+        relations += slip.symbols
     if not mode.spinning:
         relations += (spin,)
     if not mode.rolling:
-        relations += tuple(to_components(omega if _at_rest(mode, free) else rolling))
+        relations += (omega if _at_rest(mode, free) else rolling).symbols
     return relations
 
 
@@ -241,8 +233,8 @@ def _observables(
     situation: FrictionalContact, energy: sp.Expr, powers: dict[str, sp.Expr]
 ) -> tuple[Observable, ...]:
     """The quantities recorded besides the state."""
-    turn = to_components(rotation())
-    contact_place = constant(to_components(position) + turn * to_components(r))
+    turn = rotation()
+    contact_place = constant(position.entries + turn * r.entries)
     power = sp.Add(*powers.values())
     return (
         attitude_observable(),
@@ -250,7 +242,7 @@ def _observables(
         Observable("centre", position, "centre of mass", "m", "space", "(1.17)"),
         Observable(
             "velocity",
-            constant(turn * to_components(v)),
+            constant(turn * v.entries),
             "velocity of the centre of mass",
             "m/s",
             "space",
@@ -258,7 +250,7 @@ def _observables(
         Observable("contact", contact_place, "nearest point of the body", "m", "space", "(1.14)"),
         Observable(
             "gap",
-            dot(reach, gamma) - (0 if isinstance(situation.surface, Plane) else a),
+            dot(reach, gamma) - situation.surface.level,
             "distance of the body from the support",
             "m",
         ),

@@ -1,4 +1,4 @@
-"""A body above or on its support, without the reaction: kinematics and free accelerations."""
+"""A body near its support without the reaction: kinematics and free accelerations."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from flowlanes.system.vectors import (
     dot,
     norm_squared,
     real_symbol,
-    to_components,
     zero,
 )
 
 from ...mechanics.rolling.attitude import rotation
 from ...mechanics.rolling.body import Body, body_parameters
-from ...mechanics.rolling.contact import Contact, contact
-from ...mechanics.shapes.shapes import Shape
-from ...mechanics.shapes.surfaces import Sphere, Surface
+from ...mechanics.rolling.contact import contact
+from ...mechanics.shapes.kinematics import Contact
+from ...mechanics.shapes.shape_base import Shape
+from ...mechanics.shapes.surfaces import Surface
 from ..friction.symbols import (
     contact_velocity,
     contour_couple,
@@ -51,16 +51,17 @@ from ..friction.symbols import (
     spin,
     spin_rate,
     v,
+    wandering,
 )
 from .situation import FrictionalContact
 
 m, g, a, U, turning = (real_symbol(name) for name in ("m", "g", "a", "U", "Omega_s"))
-k, zeta, wandering = Vector("k"), Vector("zeta"), Vector("wandering")
+k, zeta = Vector("k"), Vector("zeta")
 
 
 @dataclass(frozen=True)
 class FreeBody:
-    """Formulas of a body in or above contact that do not know the reaction.
+    """Formulas of a body in or near contact that do not involve the reaction.
 
     Attributes
     ----------
@@ -102,11 +103,10 @@ class FreeBody:
 def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
     """The formulas of a body that touches its support, or flies above it."""
     body, surface = situation.body, situation.surface
-    on_sphere = isinstance(surface, Sphere)
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     rotors = k if any(body.gyrostat) else zero
     inverse, mobility = type(inertia)("Y"), Symmetric("A")
-    vertical: MatrixExpr = zeta if on_sphere else gamma
+    vertical = surface.vertical
     kinematics = _contact_kinematics(situation, touching)
     moving_support = _support(surface, vertical)
     field = _applied_forces(situation, vertical, kinematics)
@@ -114,22 +114,22 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
     later = (*omega.symbols, *contact_velocity.symbols, gap)
     position_alone, moving = by_dependence(kinematics.definitions, later)
     names = {name for name, _ in (*kinematics.definitions, *kinematics.state)}
-    # the definitions that not every contact has
+    # These definitions are not needed for every contact.
     if r not in names:
         position_alone += ((r, kinematics.r),)
-    if on_sphere:
+    if vertical == zeta:
         position_alone += ((zeta, constant(list(rotation().row(2)))),)
     if gammadot not in names:
         moving += ((gammadot, kinematics.gammadot),)
     if rdot not in names:
         moving += ((rdot, kinematics.rdot),)
-    seen = constant(to_components(rotation()).T * to_components(position))
-    clearance: Pairs = ((gap, dot(reach, gamma) - (a if on_sphere else 0)),)
+    seen = constant(rotation().T * position.entries)
+    clearance: Pairs = ((gap, dot(reach, gamma) - surface.level),)
     across = omega - moving_support.turn * vertical
     definitions: Pairs = (
         *position_alone,
         (inverse, inertia**-1),
-        (mobility, constant(sp.eye(3) / m - hat(r) * to_components(inverse) * hat(r))),
+        (mobility, constant(sp.eye(3) / m - hat(r) * inverse.entries * hat(r))),
         (reach, seen + r),
         *(() if touching else clearance),
         (contact_velocity, v + cross(omega, r)),
@@ -183,14 +183,14 @@ def free_body_parameters(situation: FrictionalContact) -> tuple[Parameter, ...]:
     """The parameters of a body and its support with their values; those of `free_body`."""
     body, surface = situation.body, situation.surface
     kinematics = _contact(body.shape, surface)
-    vertical: MatrixExpr = zeta if isinstance(surface, Sphere) else gamma
+    vertical = surface.vertical
     field = _applied_forces(situation, vertical, kinematics)
     return _parameters(body, kinematics, _support(surface, vertical), field)
 
 
 @lru_cache(maxsize=64)
 def _contact(shape: Shape, surface: Surface) -> Contact:
-    """The contact of a body that touches its support."""
+    """Kinematics of the contact of a body that touches its support."""
     return contact(shape, surface, contact_velocity)
 
 
@@ -206,11 +206,11 @@ def _of_body(body: Body) -> tuple[Parameter, ...]:
 
 
 def _contact_kinematics(situation: FrictionalContact, touching: bool) -> Contact:
-    """The contact, or the point of the body nearest to the support."""
+    """The contact point, or the point of the body nearest to the support."""
     shape, surface = situation.body.shape, situation.surface
     if touching:
         return _contact(shape, surface)
-    # the support through the nearest point, concentric or parallel to it
+    # Replace the support by the one through the nearest point, concentric or parallel to it.
     tangential = contact_velocity - dot(gamma, contact_velocity) * gamma
     return contact(shape, surface, tangential, a + gap)
 
@@ -238,7 +238,7 @@ def _support(surface: Surface, vertical: MatrixExpr) -> _Support:
     # rate of `reach` in body axes: that of the contact point in space, less the rotation
     passing = v - cross(omega, reach - r) + rdot
     tilt_rate = sp.S.Zero
-    if isinstance(surface, Sphere):
+    if not surface.is_flat:
         tilt_rate = turning * (dot(tipping, gamma) + dot(vertical, gammadot))
     return _Support(
         turning,

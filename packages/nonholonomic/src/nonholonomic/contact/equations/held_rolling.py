@@ -1,8 +1,8 @@
-"""A body whose rolling its resistance holds: it may slide, or spin about the normal, and no more.
+"""A body kept from rolling by its resistance: it may still slide and spin about the normal.
 
-With ω = Ωγ + Ω_s ζ, Ω_s the angular velocity of the support about the vertical ζ, the rate of ω is
-D + Ω̇γ, D = Ωγ̇ + Ω_s ζ×ω; the couple that holds the rolling lies along the support.  Only the part
-along the normal of the law of angular momentum is left, as if I⁻¹ were γγᵀ/(γ, Iγ).
+With ω = Ωγ + Ω_s ζ, where Ω_s is the angular velocity of the support about the vertical ζ, the rate
+of ω is D + Ω̇γ with D = Ωγ̇ + Ω_s ζ×ω.  The couple that holds the rolling is tangential, so only
+the normal component of the angular momentum balance remains, as if I⁻¹ were γγᵀ/(γ, Iγ).
 """
 
 from __future__ import annotations
@@ -11,17 +11,9 @@ from dataclasses import replace
 
 import sympy as sp
 
-from flowlanes.system.named_formulas import Pairs
+from flowlanes.system.named_formulas import Pairs, scalars
 from flowlanes.system.vector_operators import hat, unit_vector
-from flowlanes.system.vectors import (
-    Symmetric,
-    Vector,
-    constant,
-    cross,
-    dot,
-    real_symbol,
-    to_components,
-)
+from flowlanes.system.vectors import Symmetric, Vector, constant, cross, dot, real_symbol
 
 from ..friction.symbols import (
     contour_hold,
@@ -45,14 +37,14 @@ _across = Symmetric("V")
 
 
 def with_held_rolling(free: FreeBody) -> tuple[Pairs, FreeBody]:
-    """Definitions of the motion without rolling, and the body with the response of its contact.
+    """The definitions of the motion without rolling, and the body with its contact response.
 
     Parameters
     ----------
     free : FreeBody
     """
     change = _turn - free_turn
-    normal = to_components(gamma)
+    normal = gamma.entries
     inverse = normal * normal.T / _moment
     definitions: Pairs = (
         (_moment, dot(gamma, free.inertia * gamma)),
@@ -74,7 +66,7 @@ def with_held_rolling(free: FreeBody) -> tuple[Pairs, FreeBody]:
 
 
 def holding_couple_of_rolling(free: FreeBody, held_body: FreeBody, along_normal: Pairs) -> Pairs:
-    """The definitions of the reaction with the whole couple, which holds the rolling too.
+    """The definitions of the reaction including the tangential couple that holds the rolling.
 
     Parameters
     ----------
@@ -90,10 +82,10 @@ def holding_couple_of_rolling(free: FreeBody, held_body: FreeBody, along_normal:
 
 
 def contour_hold_definitions(free: FreeBody) -> Pairs:
-    """The vector e along the support for which γ×(W e) is the couple that holds the rolling."""
-    column = to_components(gamma)
-    columns = (to_components(free.kinematics.spread(unit_vector(axis))) for axis in (1, 2, 3))
+    """The tangential vector e for which γ×(W e) is the couple that holds the rolling."""
+    column = gamma.entries
+    columns = (constant(scalars(free.kinematics.spread(unit_vector(axis)))) for axis in (1, 2, 3))
     spread = sp.Matrix.hstack(*columns)
-    # W vanishes along the normal
+    # W vanishes along the normal.
     along = constant((spread + spread.T) / 2 + column * column.T)
     return ((_across, along**-1), (contour_hold, -1 * (_across * cross(gamma, couple))))

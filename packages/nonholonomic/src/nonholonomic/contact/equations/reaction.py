@@ -1,16 +1,16 @@
 """The reaction of a support in a mode of the contact: normal force, force and couple.
 
-The acceleration of the touching particle is u̇ = b + A R + (I⁻¹K)×r, and in contact its part along
-the normal is −(γ̇, u).  While the contact slides this is one equation for N; where slip or spin is
-held, u̇ = 0 or Ω̇ = 0 determine what holds it.
+The acceleration of the touching particle is u̇ = b + A R + (I⁻¹K)×r, and in contact its normal
+component is −(γ̇, u).  While the contact slides this is one equation for N.  Where the slip or the
+spin is held at zero, u̇ = 0 or Ω̇ = 0 determines the force or the couple that holds it.
 """
 
 from __future__ import annotations
 
 import sympy as sp
 
-from flowlanes.system.named_formulas import Pairs
-from flowlanes.system.vectors import Symmetric, Vector, cross, dot, real_symbol, to_components
+from flowlanes.system.named_formulas import Pairs, scalars
+from flowlanes.system.vectors import Symmetric, Vector, cross, dot, real_symbol
 
 from ..friction.friction_law import Reaction
 from ..friction.modes import Mode
@@ -26,17 +26,17 @@ from ..friction.symbols import (
 )
 from .free_body import FreeBody
 
-#: Normal acceleration of the contact without normal force.
+#: Normal acceleration of the contact without a normal force.
 normal_rate_free = real_symbol("normal_rate_free")
 _spin_rate_free = real_symbol("spin_rate_free")
-#: What a normal force found by Newton's method leaves of the normal acceleration.
+#: Residual normal acceleration for the normal force found by Newton's method.
 normal_excess = real_symbol("normal_excess")
-#: Each step doubles the number of digits, from one or less on.
+#: Number of Newton steps; each doubles the number of correct digits.
 NEWTON_STEPS = 6
 
 _inverse_mobility = Symmetric("Z")
-#: Without slip the force is h − N h_q − τ h_s: what holds the contact against all else, against
-#: the couple of each unit of N, and of each unit of the couple τ that holds the spin.
+#: Without slip the force is h − N h_q − τ h_s: h balances all other forces, h_q the couple per unit
+#: of N, and h_s the spin couple τ per unit.
 _h, _h_q, _h_s = Vector("h"), Vector("h_q"), Vector("h_s")
 #: Coefficients of 1, N and τ in the two equations for N and τ.
 _n, _w = (tuple(real_symbol(f"{name}_{i}") for i in range(3)) for name in "nw")
@@ -60,7 +60,8 @@ def _while_sliding(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
     A, Y = free.mobility, free.inverse_inertia
     turned = cross(Y * gamma, r)
     sigma, tilt = dot(gamma, Y * gamma), dot(gamma, turned)
-    # accelerations of the contact without normal force, and for each unit of it
+    # Normal acceleration of the contact without normal force, and its increase per unit of normal
+    # force.
     base = free.slip_rate + A * laws.force + cross(Y * laws.couple, r)
     normal_0 = dot(gamma, base) + normal_rate
     normal_1 = dot(gamma, A * (gamma + laws.p) + cross(Y * laws.q, r))
@@ -80,12 +81,14 @@ def _while_sliding(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
 
 
 def _normal_force(response: sp.Expr, without_friction: sp.Expr) -> Pairs:
-    """N from (normal_rate_free) + N (response) = 0, by Newton's method if `response` depends on N.
+    """Solve normal_rate_free + N·response = 0 for N; by Newton's method if `response` depends on N.
 
-    It starts from the normal force without friction.  `normal_response` is the rate of the normal
-    acceleration by N in the end.
+    The iteration starts from the frictionless normal force and is unrolled into NEWTON_STEPS
+    definitions, so that the result is one differentiable formula for the Taylor series.  It
+    converges quadratically unless `normal_response`, the derivative of the residual by N, passes
+    zero on the way; the guard on `normal_excess` then ends the mode.
     """
-    scalar = to_components(response)
+    (scalar,) = scalars(response)
     if not scalar.has(N):
         return ((normal_response, response), (N, -normal_rate_free / normal_response))
     excess = normal_rate_free + N * scalar

@@ -11,10 +11,8 @@ from flowlanes.errors import InputError
 
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
-from ...mechanics.shapes.gauss_map import half_breadth
-from ...mechanics.shapes.surfaces import Plane, Sphere, Surface
+from ...mechanics.shapes.surfaces import Plane, Surface
 from ..friction.compatible_laws import require_compatible
-from ..friction.dry_friction import ContensouErismann
 from ..friction.friction_law import FrictionLaw
 
 Law = TypeVar("Law", bound=FrictionLaw)
@@ -67,13 +65,18 @@ class FrictionalContact:
                 "cavity: a body with fluid inside rolls by a marble or rubber contact alone; with "
                 "friction there may be none"
             )
-        patch = self.law(ContensouErismann)
-        if patch is not None and patch.patch > (size := half_breadth(self.body.shape)):
+        patch = max((law.patch_radius for law in self.laws), default=0.0)
+        if patch and patch > (size := self.body.shape.half_breadth):
             raise InputError(
-                f"patch = {patch.patch:g} m: a patch of contact lies within the body, so that its "
+                f"patch = {patch:g} m: a patch of contact lies within the body, so that its "
                 f"radius is at most {size:g} m, half the largest breadth of the body"
             )
-        if self.field.potential != 0 and isinstance(self.surface, Sphere):
+        if not self.surface.is_even:
+            raise InputError(
+                f"surface: a body touches a plane or a sphere with friction, not "
+                f"{self.surface.words}; on that it rolls by a marble or rubber contact"
+            )
+        if self.field.potential != 0 and not self.surface.is_flat:
             raise InputError(
                 "potential: with friction on a sphere there may be none, as it would act on the "
                 "sliding body by a force too"
@@ -81,15 +84,15 @@ class FrictionalContact:
 
     @property
     def setting(self) -> str:
-        """The laws of friction in words."""
+        """A description of the friction laws."""
         return "; ".join(law.words for law in self.laws) or "no friction"
 
     @arguments_checked
     def law(self, kind: type[Law]) -> Law | None:
-        """The law of a kind, if there is one."""
+        """The law of this kind, or None."""
         return next((law for law in self.laws if isinstance(law, kind)), None)
 
     @property
     def never_slips(self) -> bool:
-        """Whether dry friction has no limit."""
+        """Whether dry friction is unlimited."""
         return any(law.static_mu == math.inf for law in self.laws)

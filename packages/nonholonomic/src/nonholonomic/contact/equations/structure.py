@@ -1,4 +1,4 @@
-"""Which situations share their equations, and differ in the values of parameters alone."""
+"""Find the situations that share their equations and differ only in parameter values."""
 
 from __future__ import annotations
 
@@ -6,43 +6,22 @@ import math
 from collections.abc import Hashable
 from dataclasses import dataclass, fields
 from functools import cached_property
+from typing import TYPE_CHECKING, TypeGuard
 
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
-from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
-from ...mechanics.shapes.surfaces import Plane, Sphere
-from ..friction.air_film import AirFilm
-from ..friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
-from ..friction.rolling_friction import ContourResistance, RollingResistance, ViscousRolling
-from ..friction.viscous_friction import NormalViscous, Viscous
+from ...mechanics.shapes.shape_base import Shape
+from ...mechanics.shapes.surfaces import Surface
+from ..friction.friction_law import FrictionLaw
 from .situation import FrictionalContact
 
-#: Values whose numbers are parameters of the equations, unless they are zero or infinite.
-_BY_PARAMETERS = (
-    FrictionalContact,
-    Body,
-    Forces,
-    Ball,
-    Disk,
-    Ellipsoid,
-    Torus,
-    Plane,
-    Sphere,
-    Coulomb,
-    ContensouErismann,
-    SpinFriction,
-    Viscous,
-    NormalViscous,
-    RollingResistance,
-    ViscousRolling,
-    ContourResistance,
-    AirFilm,
-)
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
 
 
 @dataclass(frozen=True, eq=False)
 class SharedEquations:
-    """A situation that equals all those with the same equations.
+    """A situation that compares equal to all those with the same equations.
 
     Two of them are equal if the equations of motion of their situations agree in every mode but
     for the values of parameters.
@@ -76,13 +55,20 @@ class SharedEquations:
 
 
 def _pattern_of(value: object) -> Hashable:
-    """A value with its numbers replaced, where they are parameters of the equations."""
+    """A value with placeholders for the numbers that are parameters of the equations."""
     if isinstance(value, tuple):
         return tuple(map(_pattern_of, value))
     if isinstance(value, float | int) and not isinstance(value, bool):
         return "zero" if value == 0 else "infinite" if math.isinf(value) else "number"
-    if isinstance(value, _BY_PARAMETERS):
+    if _has_parameters(value):
         parts = tuple(_pattern_of(getattr(value, field.name)) for field in fields(value))
-        return (type(value).__name__, *parts)
-    # formulas, names, and values that put their numbers into formulas
+        return (type(value), *parts)
+    # Formulas, names, and values whose numbers enter formulas.
     return value if isinstance(value, Hashable) else repr(value)
+
+
+def _has_parameters(value: object) -> TypeGuard[DataclassInstance]:
+    """Whether its numbers are parameters of the equations, unless they are zero or infinite."""
+    if isinstance(value, Shape | Surface | FrictionLaw):
+        return value.numbers_are_parameters
+    return isinstance(value, FrictionalContact | Body | Forces)

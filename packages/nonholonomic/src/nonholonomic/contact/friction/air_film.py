@@ -8,23 +8,21 @@ import sympy as sp
 
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
-from flowlanes.system.system import Parameter
 from flowlanes.system.vectors import real_symbol
 
-from .friction_law import FrictionLaw, Reaction, coefficient, require_coefficient
-from .modes import Mode
-from .symbols import gamma, rolling
+from .friction_law import Coefficient, CoefficientLaw, Reaction
+from .symbols import gamma, rolling, rolling_speed
 
 air_viscosity, air_radius = real_symbol("eta_air"), real_symbol("air_radius")
 
-#: Couple (N m s) for each unit of the angular velocity of rolling; sin²α = γ₁² + γ₂².
-_TILT = gamma.symbols[0] ** 2 + gamma.symbols[1] ** 2
-film = sp.pi / 4 * air_viscosity * air_radius**3 * _TILT ** sp.Rational(-3, 2)
+#: Couple (N m s) per unit of rolling angular velocity; sin²α = γ₁² + γ₂².
+TILT = gamma.symbols[0] ** 2 + gamma.symbols[1] ** 2
+film = sp.pi / 4 * air_viscosity * air_radius**3 * TILT ** sp.Rational(-3, 2)
 
 
 @arguments_checked
 @dataclass(frozen=True)
-class AirFilm(FrictionLaw):
+class AirFilm(CoefficientLaw):
     """Viscous drag of the air that a disk squeezes as it rolls at a small angle to the plane.
 
     The couple is −(π/4) η a³ ω_t/sin³α, with the angle α between face and plane.  A disk that
@@ -52,26 +50,23 @@ class AirFilm(FrictionLaw):
 
     viscosity: float
     radius: float
-    name = "air"
+
+    kind = "air"
+    coefficients = (
+        Coefficient("viscosity", air_viscosity, "viscosity of the air", "Pa s", "air"),
+        Coefficient("radius", air_radius, "radius of the disk over the film of air", "m"),
+    )
+    in_words = "film of air under the disk, viscosity {viscosity:g} Pa s"
+    description = (
+        "Drag of the film of air under the disk: a couple against rolling in proportion to "
+        "its angular velocity, whatever the normal force. It holds nothing at rest."
+    )
+    acts_while = "rolling"
+    formula = Reaction(couple=-film * rolling)
+    dissipation = ((film, rolling_speed**2),)
+    resists_slip = False
 
     def __post_init__(self) -> None:
-        require_coefficient("air", self.viscosity)
         if not self.radius > 0:
             raise InputError(f"radius {self.radius}: that of the disk must be positive")
-
-    @property
-    def words(self) -> str:
-        """The law in words."""
-        return f"film of air under the disk, viscosity {self.viscosity:g} Pa s"
-
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """η and a."""
-        return (
-            coefficient(air_viscosity, "viscosity of the air", self.viscosity, "Pa s"),
-            coefficient(air_radius, "radius of the disk over the film of air", self.radius, "m"),
-        )
-
-    def reaction(self, mode: Mode) -> Reaction:
-        """The couple −(π/4) η a³ ω_t/sin³α."""
-        return Reaction(couple=-film * rolling) if mode.rolling else Reaction()
+        super().__post_init__()

@@ -24,17 +24,17 @@ from .symbols import N, friction, holding_couple, slip, slip_floor, slip_speed, 
 #: Shares of force and couple: the reaction is −μN (force_share u) and −μNa (couple_share γ).
 force_share, couple_share = real_symbol("force_share"), real_symbol("couple_share")
 
-#: The inner form is used up to k = 1 + 2·WIDENING, the middle one from 1 + WIDENING on: its
-#: branch point at k = 1 stays out of reach, and the inner form is good to WIDENING^{5/2} there.
+#: The inner formula is used up to k = 1 + 2·WIDENING, the middle one from 1 + WIDENING on.  So the
+#: branch point k = 1 is never reached, where the inner formula is accurate to WIDENING^{5/2}.
 WIDENING = sp.Rational(1, 10**6)
 _BETWEEN = 1.5 * float(WIDENING)
 
-#: Degree of the polynomial of the limit set.
+#: Degree of the polynomial for the limit set.
 _DEGREE = 30
 
 
 def definitions(patch: sp.Symbol, mode: Mode) -> Pairs:
-    """The shares of force and couple while the contact moves, in the range of the mode."""
+    """The shares of force and couple of a moving contact, in the k range of the mode."""
     force, couple = shares(mode.range, slip_speed, norm_squared(slip), patch * spin)
     return ((force_share, force), (couple_share, couple))
 
@@ -74,7 +74,7 @@ def shares(
 
 
 def range_of(slip_speed: float, spin: float, patch: float) -> Range:
-    """The range in which a sliding and spinning contact lies."""
+    """The k range of a contact that slides and spins."""
     arm = patch * abs(spin)
     if slip_speed >= float(OUTER_BOUND) * arm:
         return "outer"
@@ -82,12 +82,12 @@ def range_of(slip_speed: float, spin: float, patch: float) -> Range:
 
 
 def held_range_of(couple: float, unit: float) -> Range:
-    """The part of the limit set for a couple about the normal over a, and its unit μN."""
+    """The part of the limit set for a given couple over a, and the unit μN."""
     return "above" if abs(couple) > float(COUPLE_AT_ONE) * unit * (1 - _BETWEEN) else "below"
 
 
 def guards(patch: sp.Symbol, mode: Mode, mu: sp.Symbol) -> tuple[Guard, ...]:
-    """Quantities that stay positive as long as the mode and its range last."""
+    """Quantities that are positive while the mode and its range last."""
     if mode.sliding:
         return _sliding_guards(patch, mode.range)
     unit, couple = mu * N, holding_couple / patch
@@ -116,12 +116,12 @@ def _sliding_guards(patch: sp.Symbol, span: Range) -> tuple[Guard, ...]:
 
 
 def _squared_limit_above(couple: sp.Expr, unit: sp.Expr) -> sp.Expr:
-    """Square of the greatest force over μN beside a couple above that of k = 1."""
+    """Squared limit of the force over μN for a couple above its value at k = 1."""
     return hertz_limit().greatest_force_squared.xreplace({z: spin_sign * couple / unit})
 
 
 def _squared_limit_below(couple: sp.Expr, unit: sp.Expr) -> sp.Expr:
-    """Square of the greatest force over μN beside a couple below that of k = 1."""
+    """Squared limit of the force over μN for a couple below its value at k = 1."""
     edge = sp.Float(float(COUPLE_AT_ONE))
     t: sp.Expr = 2 * sp.sqrt((edge * unit) ** 2 - couple**2) / (edge * unit) - 1
     value: sp.Expr = sp.S.Zero

@@ -1,4 +1,4 @@
-"""Laws of dry friction, which hold a contact up to a limit: at a point, and over a patch."""
+"""Dry friction, which holds a contact up to a limit: at a point, and over a patch."""
 
 from __future__ import annotations
 
@@ -12,9 +12,11 @@ from flowlanes.system.system import Guard, Parameter
 from flowlanes.system.vectors import norm_squared, real_symbol
 
 from . import contensou
-from .friction_law import FrictionLaw, Reaction, coefficient, require_coefficient
+from .friction_law import Coefficient, CoefficientLaw, FrictionLaw, Reaction, coefficient
 from .modes import Mode
 from .symbols import (
+    F_share,
+    M_share,
     N,
     friction,
     gamma,
@@ -24,6 +26,7 @@ from .symbols import (
     slip_speed,
     spin,
     spin_sign,
+    spin_speed,
 )
 
 mu, spin_couple_arm, patch = (real_symbol(name) for name in ("mu", "spin_arm", "patch"))
@@ -52,7 +55,15 @@ class Coulomb(FrictionLaw):
     """
 
     mu: float
-    name = "coulomb"
+
+    kind = "coulomb"
+    description = (
+        "Dry friction at a point: while the contact slides, the force μN against the slip; "
+        "without slip, whatever force holds the contact, up to μN."
+    )
+    dissipation = ((mu, N, slip_speed),)
+    numbers_are_parameters = True
+    has_constant_force = True
 
     def __post_init__(self) -> None:
         if not self.mu >= 0:
@@ -60,7 +71,7 @@ class Coulomb(FrictionLaw):
 
     @property
     def words(self) -> str:
-        """The law in words."""
+        """A description of the law."""
         return f"dry friction, μ = {self.mu:g}"
 
     @property
@@ -85,7 +96,7 @@ class Coulomb(FrictionLaw):
         return Reaction()
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """The slip while there is any; μ²N² − f² while it is held."""
+        """The slip while sliding; μ²N² − f² while the slip is held."""
         if mode.sliding:
             return (Guard("stick", slip_speed - slip_floor, "sliding ends"),)
         if math.isinf(self.mu):
@@ -95,7 +106,7 @@ class Coulomb(FrictionLaw):
 
 @arguments_checked
 @dataclass(frozen=True)
-class SpinFriction(FrictionLaw):
+class SpinFriction(CoefficientLaw):
     """A couple of constant arm against the spin, independent of the slip.
 
     Parameters
@@ -116,31 +127,27 @@ class SpinFriction(FrictionLaw):
     """
 
     arm: float
-    name = "spin"
 
-    def __post_init__(self) -> None:
-        require_coefficient("spin_arm", self.arm)
-
-    @property
-    def words(self) -> str:
-        """The law in words."""
-        return f"friction against spin, arm {self.arm:g} m"
-
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """The arm."""
-        return (
-            coefficient(spin_couple_arm, "arm of the friction couple against spin", self.arm, "m"),
-        )
+    kind = "spin"
+    coefficients = (
+        Coefficient(
+            "arm", spin_couple_arm, "arm of the friction couple against spin", "m", "spin_arm"
+        ),
+    )
+    in_words = "friction against spin, arm {arm:g} m"
+    description = (
+        "Friction against spin: a couple about the normal, the arm times N; without spin, "
+        "whatever couple holds it, up to this one."
+    )
+    acts_while = "spinning"
+    formula = Reaction(q=-spin_couple_arm * spin_sign * gamma)
+    dissipation = ((spin_couple_arm, N, spin_speed),)
+    resists_slip = False
 
     @property
     def spin_arm(self) -> float:
         """The arm."""
         return self.arm
-
-    def reaction(self, mode: Mode) -> Reaction:
-        """The couple −N arm sgn Ω γ while the body spins."""
-        return Reaction(q=-spin_couple_arm * spin_sign * gamma) if mode.spinning else Reaction()
 
     @property
     def reaction_at_rest(self) -> Reaction:
@@ -148,7 +155,10 @@ class SpinFriction(FrictionLaw):
         return Reaction()
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """The spin while there is any; what the couple lacks of its limit while it is held."""
+        """The spin while spinning.
+
+        The distance of the couple from its limit while the spin is held.
+        """
         if mode.spinning:
             return (Guard("spin stop", spin_sign * spin, "spinning ends"),)
         margin = spin_couple_arm**2 * N**2 - holding_couple**2
@@ -183,7 +193,23 @@ class ContensouErismann(FrictionLaw):
 
     mu: float
     patch: float
-    name = "contensou"
+
+    kind = "contensou"
+    description = (
+        "Dry friction over a round patch of contact of radius a with Hertz's pressure: slip "
+        "and spin share it, so that the force falls with the spin and the couple with the "
+        "slip."
+    )
+    dissipation = (
+        (mu, N, F_share, slip_speed),
+        (mu, N, patch, M_share, spin_speed),
+    )
+    numbers_are_parameters = True
+    excludes = {  # noqa: RUF012  (never changed)
+        kind: "a patch of contact has its own law of sliding and spinning; it excludes the law "
+        f"{kind!r}"
+        for kind in ("coulomb", "spin")
+    }
 
     def __post_init__(self) -> None:
         for key, value in (("mu", self.mu), ("patch", self.patch)):
@@ -194,7 +220,7 @@ class ContensouErismann(FrictionLaw):
 
     @property
     def words(self) -> str:
-        """The law in words."""
+        """A description of the law."""
         return f"dry friction over a patch of radius {self.patch:g} m, μ = {self.mu:g}"
 
     @property
@@ -207,7 +233,7 @@ class ContensouErismann(FrictionLaw):
 
     @property
     def static_mu(self) -> float:
-        """μ; a couple held at the same time takes a part of it."""
+        """μ; a couple held at the same time reduces the available force."""
         return self.mu
 
     @property
@@ -234,5 +260,5 @@ class ContensouErismann(FrictionLaw):
         return Reaction()
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """The motion while there is any, the limit set while it is held, and the range."""
+        """The motion while it lasts, the limit set while it is held, and the range."""
         return contensou.guards(patch, mode, mu)

@@ -1,15 +1,17 @@
 """Laws of friction: force and couple of the support on the body that touches it.
 
-Each law is a small value.  Its force and couple are proportional to the normal force N, or do not
-depend on it.  Where a law has a threshold, the contact is held until the threshold is reached; the
-guards of a law say when that is, and when a motion comes to its end.
+Each law is a small immutable value.  Its force and couple are proportional to the normal force N or
+independent of it.  A law with a threshold holds the contact until the threshold is reached.  The
+guards of a law detect this, and the end of a motion that the law stops.
 """
 
 from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar, Literal
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -19,6 +21,7 @@ from flowlanes.system.named_formulas import Pairs
 from flowlanes.system.system import Guard, Parameter
 from flowlanes.system.vectors import Vector, dot, zero
 
+from ...mechanics.shapes.kinds import Registered
 from .modes import Mode
 from .symbols import N, gamma, rolling, slip, spin
 
@@ -62,18 +65,22 @@ class Reaction:
 
     @property
     def power(self) -> sp.Expr:
-        """Power (W) lost to the reaction, by the motion relative to the support; not negative."""
+        """Power (W) dissipated by the reaction through the relative motion; not negative."""
         moving = dot(N * self.p + self.force, slip)
         turning = dot(N * self.q + self.couple, spin * gamma + rolling)
         return -(moving + turning)
 
 
 @dataclass(frozen=True)
-class FrictionLaw(ABC):
-    """A law of friction; the base of all of them.
+class FrictionLaw(Registered, ABC):
+    """Base class of the friction laws.
 
     Notes
     -----
+    A class that sets `kind` is known by that word to experiment files as soon as its module is
+    imported: its fields are the keys of [contact.laws.KIND].  A law that its coefficients and one
+    formula determine derives from `CoefficientLaw`.
+
     The thresholds of a law are numbers; a law without thresholds has none:
     `static_mu` and `kinetic_mu` (at rest, and as the slip tends to zero), `spin_arm`,
     `patch_radius` and `holds_rolling`.
@@ -85,15 +92,40 @@ class FrictionLaw(ABC):
     True
     """
 
+    excludes: ClassVar[Mapping[str, str]] = {}
+    """Kinds of law that may not stand beside it, with the reason in words."""
+    numbers_are_parameters: ClassVar[bool] = False
+    """Whether two of the class with positive numbers have the same equations."""
+    resists_slip: ClassVar[bool] = True
+    """Whether its force acts against the slip."""
+    resists_rolling: ClassVar[bool] = False
+    """Whether its couple acts against rolling."""
+    is_along_contour: ClassVar[bool] = False
+    """Whether it resists the wandering of the contact point over the body."""
+    has_constant_force: ClassVar[bool] = False
+    """Whether the force of a sliding contact is μN, whatever else moves."""
+    depends_on_speed: ClassVar[bool] = False
+    """Whether `reaction_along` gives its reaction where sliding begins."""
+
     @property
-    @abstractmethod
+    def description(self) -> str:
+        """A sentence or two on the law, for reports."""
+        return f"{self.words[:1].upper()}{self.words[1:]}."
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether the force is a smooth function of the slip where that vanishes, but for μN."""
+        return True
+
+    @property
     def name(self) -> str:
         """The name of the work that is lost to it."""
+        return self.kind
 
     @property
     @abstractmethod
     def words(self) -> str:
-        """The law in words."""
+        """A description of the law."""
 
     @property
     @abstractmethod
@@ -102,14 +134,16 @@ class FrictionLaw(ABC):
 
     @property
     def clocks(self) -> Pairs:
-        """Further variables of the state, with their rates."""
+        """Additional state variables with their rates."""
         return ()
 
     @property
     def static_mu(self) -> float | None:
-        """Greatest force per normal force that holds a contact without slip; None: it never does.
+        """Largest force per normal force that holds a contact without slip.
 
-        A number, 0 included, means that the force has a direction however small the slip is.
+        None if nothing holds it.
+
+        Any number, including 0, means that the force has a direction for arbitrarily small slips.
         """
         return None
 
@@ -120,64 +154,175 @@ class FrictionLaw(ABC):
 
     @property
     def power(self) -> tuple[float, float]:
-        """ν and p of a force ν|u|ᵖ for each unit of normal force, with no threshold."""
+        """ν and p of a force ν|u|ᵖ per unit of normal force that has no threshold."""
         return 0.0, 1.0
 
     @property
+    def slip_viscosity(self) -> float:
+        """c of a force −c u that does not depend on the normal force."""
+        return 0.0
+
+    @property
+    def dissipation(self) -> tuple[tuple[sp.Expr, ...], ...]:
+        """The power lost while all moves, as a sum of products of factors that are not negative.
+
+        Each factor is a coefficient, the normal force, a speed or a square; empty where that is
+        not known, and then no decrease of the energy is claimed.
+        """
+        return ()
+
+    @property
     def force_of_slip(self) -> sp.Expr | None:
-        """Force per normal force as a formula in the slip speed; None where `power` says it."""
+        """Force per normal force as a formula in the slip speed; None if `power` gives it."""
         return None
 
     @property
     def unknown_in_impacts(self) -> str:
-        """The part of its formulas without meaning in an impact, in words; empty if none."""
+        """Names the part of its formulas that is undefined in an impact; empty if there is none."""
         return ""
 
     @property
     def spin_arm(self) -> float:
-        """Greatest couple per normal force (m) that holds the spin by itself, whatever the slip."""
+        """Largest couple per normal force (m) that holds the spin independently of the slip."""
         return 0.0
 
     @property
     def patch_radius(self) -> float:
-        """Radius (m) of the patch over which slip and spin share the friction; 0 at a point."""
+        """Radius (m) of the patch over which slip and spin share the friction; 0 for a point."""
         return 0.0
 
     @property
     def holds_rolling(self) -> bool:
-        """Whether a couple of the law holds a body that does not roll."""
+        """Whether a couple of the law can keep a body from rolling."""
         return False
 
     @abstractmethod
     def reaction(self, mode: Mode) -> Reaction:
-        """Force and couple in a mode; what holds a contact is no part of it."""
+        """Force and couple in a mode, without the forces that hold the contact."""
 
     @property
     def reaction_at_rest(self) -> Reaction:
-        """Force and couple as the slip tends to zero, besides what has a threshold there."""
+        """Force and couple in the limit of zero slip, without terms that have a threshold there."""
         return self.reaction(Mode())
+
+    def reaction_along(self, direction: Vector, speed: sp.Expr, mode: Mode) -> Reaction:
+        """Force and couple where a slip of this direction and speed begins, if they depend on it.
+
+        Parameters
+        ----------
+        direction : Vector
+            Unit vector of the slip.
+        speed : sympy.Expr
+            A smooth function that is the length of the slip.
+        """
+        return self.reaction(mode)
+
+    def couple_along(self, direction: Vector) -> Reaction:
+        """The couple of a law that holds rolling, where a rolling of this direction begins."""
+        return Reaction()
 
     @property
     def rolling_direction(self) -> Vector | None:
-        """The symbols for the direction of rolling where that is prescribed."""
+        """The symbols for a prescribed direction of rolling."""
         return None
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """Quantities that are positive as long as the mode lasts."""
+        """Quantities that are positive while the mode lasts."""
         return ()
 
     def definitions(self, mode: Mode) -> Pairs:
-        """Named intermediate quantities of its reaction."""
+        """Named intermediate quantities of the reaction."""
         return ()
 
 
+@dataclass(frozen=True)
+class Coefficient:
+    """A coefficient of a law, not negative and finite.
+
+    Attributes
+    ----------
+    field : str
+        The field of the law that has its value.
+    symbol : sympy.Symbol
+    meaning, unit : str
+    key : str
+        The name of it in messages; by default that of the field.
+    """
+
+    field: str
+    symbol: sp.Symbol
+    meaning: str
+    unit: str
+    key: str = ""
+
+
+@dataclass(frozen=True)
+class CoefficientLaw(FrictionLaw):
+    """A law that its coefficients and one formula determine: a row of a table.
+
+    Examples
+    --------
+    >>> from dataclasses import dataclass
+    >>> from nonholonomic.contact.friction.friction_law import (
+    ...     Coefficient,
+    ...     CoefficientLaw,
+    ...     Reaction,
+    ... )
+    >>> from nonholonomic.contact.friction.modes import Mode
+    >>> from nonholonomic.contact.friction.symbols import slip, slip_speed
+    >>> from flowlanes.system.vectors import real_symbol
+    >>> c = real_symbol("c_q")
+    >>> @dataclass(frozen=True)
+    ... class Quadratic(CoefficientLaw):
+    ...     drag: float
+    ...     coefficients = (Coefficient("drag", c, "coefficient of drag", "kg/m"),)
+    ...     in_words = "drag {drag:g} kg/m times the square of the slip"
+    ...     acts_while = "sliding"
+    ...     formula = Reaction(force=-c * slip_speed * slip)
+    >>> Quadratic(0.5).words, Quadratic(0.5).reaction(Mode()).force
+    ('drag 0.5 kg/m times the square of the slip', (-c_q*slip_speed)*slip)
+    """
+
+    coefficients: ClassVar[tuple[Coefficient, ...]]
+    in_words: ClassVar[str]
+    """The law in words, with its fields in braces."""
+    acts_while: ClassVar[Literal["", "sliding", "spinning", "rolling"]] = ""
+    """The motion against which it acts; empty if it needs none, as its formula is smooth."""
+    formula: ClassVar[Reaction]
+    """Force and couple while it acts."""
+
+    numbers_are_parameters: ClassVar[bool] = True
+
+    def __post_init__(self) -> None:
+        for item in self.coefficients:
+            require_coefficient(item.key or item.field, getattr(self, item.field))
+
+    @property
+    def words(self) -> str:
+        """The law in words."""
+        return self.in_words.format_map(vars(self))
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The coefficients with their values."""
+        return tuple(
+            coefficient(item.symbol, item.meaning, getattr(self, item.field), item.unit)
+            for item in self.coefficients
+        )
+
+    def reaction(self, mode: Mode) -> Reaction:
+        """The formula, while there is the motion against which it acts."""
+        acts = not self.acts_while or getattr(mode, self.acts_while)
+        return self.formula if acts else Reaction()
+
+
 def coefficient(symbol: sp.Symbol, meaning: str, value: float, unit: str) -> Parameter:
-    """The parameter of a coefficient that is not negative."""
+    """The parameter for a nonnegative coefficient."""
     return Parameter(symbol, meaning, value, unit, (symbol >= 0,))
 
 
 def require_coefficient(key: str, value: float) -> None:
-    """Refuse a coefficient that is negative or not finite.
+    """Raise an error if a coefficient is negative or not finite.
 
     Raises
     ------

@@ -1,18 +1,18 @@
-"""Modes of a contact: what moves in it, and what is held."""
+"""Contact modes: which relative velocities vary, and which are held at zero."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Literal
 
-#: Ranges of k = |u|/(a|Ω|) in which the coupled law has one formula each; the two ranges of a held
-#: contact are the parts of its limit set below and above k = 1.
+#: Ranges of k = |u|/(a|Ω|) in which the coupled law is given by one formula.  The two ranges of a
+#: held contact are the parts of its limit set below and above k = 1.
 Range = Literal["", "inner", "middle", "outer", "below", "above"]
 
 
 @dataclass(frozen=True)
 class Mode:
-    """The mode of a contact: which relative velocities differ from zero.
+    """A contact mode: which relative velocities may be nonzero.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class Mode:
 
     @property
     def name(self) -> str:
-        """The mode in words."""
+        """A description of the mode."""
         if not self.touching:
             return "flight"
         if self.rolling:

@@ -1,9 +1,9 @@
-"""Friction, or resistance to rolling, whose direction or force is prescribed in time.
+"""Friction, or rolling resistance, with a direction or force prescribed as a function of time.
 
-Where a held contact begins to slide, the slip grows like t² and its direction is that of the
-friction force: the equations are smooth in time only if the direction is known.  So it is taken as
-a polynomial of the time, whose coefficients are chosen such that the slip that it causes has it.
-It is the same with a rolling that a resistance has held.
+When a held contact begins to slide, the slip grows like t² and its direction is that of the
+friction force, so the equations are smooth in time only if the direction is known.  It is therefore
+a polynomial in time, with coefficients chosen such that the resulting slip has this direction.  The
+same holds for rolling that a resistance has held.
 """
 
 from __future__ import annotations
@@ -21,15 +21,12 @@ from .contensou import shares
 from .dry_friction import mu, patch
 from .friction_law import FrictionLaw, Reaction
 from .modes import Mode, Range
-from .rolling_friction import ContourResistance, RollingResistance
-from .symbols import contour_couple, gamma, slip
-from .user_friction import UserFriction
-from .viscous_friction import PowerFriction, power_viscous
+from .symbols import gamma, slip
 
-#: Time since sliding began, in units of its length, which is a parameter.
+#: Time since sliding began, relative to the duration, which is a parameter.
 clock, duration = real_symbol("clock"), real_symbol("duration")
 
-#: Direction at the start, body axes; the direction at a time; its angle from the first one.
+#: Initial direction (body axes), current direction, and its angle from the initial one.
 first_direction, direction = Vector("n_0"), Vector("direction")
 heading, latitude = real_symbol("phi_n"), real_symbol("theta_n")
 first_latitude = real_symbol("theta_0")
@@ -55,7 +52,7 @@ def _polynomial(first: sp.Expr, coefficients: tuple[sp.Symbol, ...]) -> sp.Expr:
 
 
 def first_direction_values(first: FloatArray) -> dict[str, float]:
-    """The parameters that are a first direction (3,), by name."""
+    """The parameters that describe an initial direction (3,), by name."""
     return {str(symbol): float(x) for symbol, x in zip(first_direction.symbols, first, strict=True)}
 
 
@@ -74,20 +71,20 @@ _DIRECTION: Pairs = (
 
 @dataclass(frozen=True)
 class PrescribedRolling(FrictionLaw):
-    """A resistance to rolling with the direction of the rolling prescribed.
+    """Rolling resistance with a prescribed direction of rolling.
 
     Parameters
     ----------
-    law : RollingResistance or ContourResistance
-        The law in whose place it stands.
+    law : FrictionLaw
+        The law that is replaced.
     """
 
-    law: RollingResistance | ContourResistance
+    law: FrictionLaw
     words = "resistance to a rolling of prescribed direction"
 
     @property
     def name(self) -> str:
-        """That of the law in whose place it stands."""
+        """Name of the law that is replaced."""
         return self.law.name
 
     @property
@@ -103,7 +100,7 @@ class PrescribedRolling(FrictionLaw):
 
     @property
     def rolling_direction(self) -> Vector:
-        """The direction that stands for that of the rolling."""
+        """The prescribed direction of rolling."""
         return direction
 
     def definitions(self, mode: Mode) -> Pairs:
@@ -112,42 +109,42 @@ class PrescribedRolling(FrictionLaw):
 
     def reaction(self, mode: Mode) -> Reaction:
         """The couple against a rolling of this direction."""
-        (coefficient,) = (p.symbol for p in self.law.parameters)
-        along_contour = isinstance(self.law, ContourResistance)
-        return Reaction(q=-coefficient * (contour_couple if along_contour else direction))
+        return self.law.couple_along(direction)
 
 
 @dataclass(frozen=True)
 class PrescribedPower(FrictionLaw):
-    """Friction of a power of the slip along the prescribed direction of a slip that begins.
+    """Power-law friction along the prescribed direction of an incipient slip.
 
-    A power that is not whole is no smooth function of a slip that begins, and is a polynomial of
-    the time as well.
+    A non-integer power is not a smooth function of an incipient slip, and is therefore also
+    replaced by a polynomial in time.
 
     Parameters
     ----------
-    law : PowerFriction
-        The law in whose place it stands.
+    law : FrictionLaw
+        The law that is replaced.
     """
 
-    law: PowerFriction
+    law: FrictionLaw
     words = "friction of a power of the slip, of prescribed direction"
 
     @property
     def name(self) -> str:
-        """That of the law in whose place it stands."""
+        """Name of the law that is replaced."""
         return self.law.name
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """ν, and the coefficients of the polynomial, if there is one."""
-        symbols = () if self.law.order.is_integer() else SIZE_COEFFICIENTS
+        """ν, and the coefficients of the polynomial if the power needs one."""
+        symbols = () if self.law.power[1].is_integer() else SIZE_COEFFICIENTS
         return self.law.parameters + tuple(Parameter(symbol, _MEANING, 0.0) for symbol in symbols)
 
     def reaction(self, mode: Mode) -> Reaction:
         """The force against the direction; the length of the slip is not smooth at its start."""
-        if self.law.order.is_integer():
-            size = dot(slip, direction) ** int(self.law.order)
+        (power_viscous,) = (p.symbol for p in self.law.parameters)
+        order = self.law.power[1]
+        if order.is_integer():
+            size = dot(slip, direction) ** int(order)
         else:
             size = _polynomial(sp.S.Zero, SIZE_COEFFICIENTS)
         return Reaction(p=-power_viscous * size * direction)
@@ -155,12 +152,12 @@ class PrescribedPower(FrictionLaw):
 
 @dataclass(frozen=True)
 class PrescribedForce(FrictionLaw):
-    """The part of a law in a friction whose force per normal force is prescribed as a whole.
+    """The part of one law in a prescribed total friction force.
 
     Parameters
     ----------
     name : str
-        That of the law in whose place it stands.
+        Name of the law that is replaced.
     is_dry : bool
         Whether the part is that of dry friction, with the size μ; otherwise it is the rest.
     beside_dry : bool
@@ -192,7 +189,7 @@ class PrescribedForce(FrictionLaw):
         return (*_ACROSS, (_force, along * _across + aside * cross(gamma, _across)))
 
     def reaction(self, mode: Mode) -> Reaction:
-        """The force of size μ, or what is left of the whole force."""
+        """The dry part of size μ, or the rest of the total force."""
         if not self.beside_dry:
             return Reaction(p=_force)
         share = mu / sp.sqrt(norm_squared(_force))
@@ -201,21 +198,21 @@ class PrescribedForce(FrictionLaw):
 
 @dataclass(frozen=True)
 class PrescribedDirection(FrictionLaw):
-    """A law of dry friction with the direction of slip (and spin) prescribed.
+    """Dry friction with a prescribed direction of slip (and spin).
 
     Parameters
     ----------
     name : str
-        That of the law in whose place it stands.
+        Name of the law that is replaced.
     range : str
         The range of Contensou's law; empty for others.
-    user : UserFriction, optional
-        The law in whose place it stands, if its force depends on the speed of the slip.
+    law : FrictionLaw, optional
+        The law that is replaced, if its force depends on the slip speed.
     """
 
     name: str = "coulomb"
     range: Range = ""
-    user: UserFriction | None = None
+    law: FrictionLaw | None = None
     words = "friction of prescribed direction"
 
     @property
@@ -224,9 +221,9 @@ class PrescribedDirection(FrictionLaw):
         symbols: tuple[sp.Symbol, ...] = (duration, *first_direction.symbols)
         if self.range:
             symbols = (mu, patch, *symbols, first_latitude, *LATITUDE_COEFFICIENTS)
-        elif self.user is None:
+        elif self.law is None:
             symbols = (mu, *symbols)
-        own = self.user.parameters if self.user else ()
+        own = self.law.parameters if self.law else ()
         return own + tuple(
             Parameter(symbol, _MEANING, 1.0) for symbol in (*symbols, *HEADING_COEFFICIENTS)
         )
@@ -245,13 +242,9 @@ class PrescribedDirection(FrictionLaw):
 
     def reaction(self, mode: Mode) -> Reaction:
         """The force against the direction, and the couple that belongs to it."""
-        if self.user:
+        if self.law:
             # the length of the slip itself is not smooth where it begins
-            speed = dot(slip, direction)
-            return Reaction(
-                p=self.user.force_along(direction, speed, mode),
-                q=self.user.couple_at(speed, mode),
-            )
+            return self.law.reaction_along(direction, dot(slip, direction), mode)
         if not self.range:
             return Reaction(p=-mu * direction)
         sine = sp.sin(latitude)
@@ -260,7 +253,7 @@ class PrescribedDirection(FrictionLaw):
 
 
 def prescribed_direction(law: FrictionLaw, span: Range = "") -> PrescribedDirection:
-    """A force of prescribed direction, in place of dry friction while sliding begins.
+    """The law with prescribed direction that replaces dry friction while sliding begins.
 
     Parameters
     ----------
@@ -276,4 +269,4 @@ def prescribed_direction(law: FrictionLaw, span: Range = "") -> PrescribedDirect
     >>> prescribed_direction(Coulomb(0.3)).name
     'coulomb'
     """
-    return PrescribedDirection(law.name, span, law if isinstance(law, UserFriction) else None)
+    return PrescribedDirection(law.name, span, law if law.depends_on_speed else None)

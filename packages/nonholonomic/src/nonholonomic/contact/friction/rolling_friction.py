@@ -1,4 +1,4 @@
-"""Laws of friction against rolling: couples along the tangent plane."""
+"""Friction laws against rolling: tangential couples."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import sympy as sp
 
 from flowlanes.arguments import arguments_checked
-from flowlanes.system.system import Guard, Parameter
-from flowlanes.system.vectors import dot, norm_squared, real_symbol
+from flowlanes.system.system import Guard
+from flowlanes.system.vectors import Vector, dot, norm_squared, real_symbol
 
-from .friction_law import FrictionLaw, Reaction, coefficient, require_coefficient
+from .friction_law import Coefficient, CoefficientLaw, Reaction
 from .modes import Mode
 from .symbols import (
     N,
@@ -21,6 +21,7 @@ from .symbols import (
     rolling,
     rolling_floor,
     rolling_speed,
+    wandering_speed,
 )
 
 rolling_arm, rolling_viscous, contour_arm = (
@@ -30,8 +31,8 @@ rolling_arm, rolling_viscous, contour_arm = (
 
 @arguments_checked
 @dataclass(frozen=True)
-class RollingResistance(FrictionLaw):
-    """A couple of constant arm against rolling.
+class RollingResistance(CoefficientLaw):
+    """A couple against rolling with a constant arm.
 
     Parameters
     ----------
@@ -51,39 +52,45 @@ class RollingResistance(FrictionLaw):
     """
 
     arm: float
-    name = "rolling"
 
-    def __post_init__(self) -> None:
-        require_coefficient("rolling", self.arm)
-
-    @property
-    def words(self) -> str:
-        """The law in words."""
-        return f"resistance to rolling, arm {self.arm:g} m"
-
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """The arm."""
-        return (coefficient(rolling_arm, "arm of the resistance to rolling", self.arm, "m"),)
+    kind = "rolling"
+    coefficients = (
+        Coefficient("arm", rolling_arm, "arm of the resistance to rolling", "m", "rolling"),
+    )
+    in_words = "resistance to rolling, arm {arm:g} m"
+    description = (
+        "Resistance to rolling: a couple against rolling, the arm times N, which also holds a "
+        "body that does not roll."
+    )
+    acts_while = "rolling"
+    formula = Reaction(q=-rolling_arm * rolling / rolling_speed)
+    dissipation = ((rolling_arm, N, rolling_speed),)
+    excludes = {  # noqa: RUF012  (never changed)
+        "contour": "resistance to rolling excludes resistance along the contour"
+    }
+    resists_slip, resists_rolling = False, True
 
     @property
     def holds_rolling(self) -> bool:
-        """Whether there is any resistance."""
+        """Whether the resistance is not zero."""
         return self.arm > 0
 
-    def reaction(self, mode: Mode) -> Reaction:
-        """The couple −N arm ω_t/|ω_t| while the body rolls."""
-        return Reaction(q=-rolling_arm * rolling / rolling_speed) if mode.rolling else Reaction()
+    def couple_along(self, direction: Vector) -> Reaction:
+        """The couple −N arm along the direction."""
+        return Reaction(q=-rolling_arm * direction)
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """The angular velocity of rolling while there is any; what holds it, less its limit."""
+        """The rolling angular velocity while rolling.
+
+        The limit minus the holding couple while held.
+        """
         across = norm_squared(couple) - dot(gamma, couple) ** 2
         return _rolling_guards(mode, rolling_arm**2 * N**2 - across)
 
 
 @arguments_checked
 @dataclass(frozen=True)
-class ViscousRolling(FrictionLaw):
+class ViscousRolling(CoefficientLaw):
     """A couple against rolling in proportion to its angular velocity and the normal force.
 
     Parameters
@@ -104,33 +111,33 @@ class ViscousRolling(FrictionLaw):
     """
 
     coefficient: float
-    name = "viscous_rolling"
 
-    def __post_init__(self) -> None:
-        require_coefficient("rolling_viscous", self.coefficient)
-
-    @property
-    def words(self) -> str:
-        """The law in words."""
-        return f"viscous resistance to rolling, {self.coefficient:g} m s"
-
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """The coefficient."""
-        meaning = "coefficient of viscous resistance to rolling"
-        return (coefficient(rolling_viscous, meaning, self.coefficient, "m s"),)
-
-    def reaction(self, mode: Mode) -> Reaction:
-        """The couple −N c ω_t."""
-        return Reaction(q=-rolling_viscous * rolling)
+    kind = "viscous_rolling"
+    coefficients = (
+        Coefficient(
+            "coefficient",
+            rolling_viscous,
+            "coefficient of viscous resistance to rolling",
+            "m s",
+            "rolling_viscous",
+        ),
+    )
+    in_words = "viscous resistance to rolling, {coefficient:g} m s"
+    description = (
+        "Viscous resistance to rolling: a couple in proportion to the angular velocity of "
+        "rolling and the normal force."
+    )
+    formula = Reaction(q=-rolling_viscous * rolling)
+    dissipation = ((rolling_viscous, N, rolling_speed**2),)
+    resists_slip, resists_rolling = False, True
 
 
 @arguments_checked
 @dataclass(frozen=True)
-class ContourResistance(FrictionLaw):
-    """Resistance to the wandering of the contact point over the body.
+class ContourResistance(CoefficientLaw):
+    """Resistance to the motion of the contact point over the body.
 
-    On a ball it is resistance to rolling of the arm c R; on a disk it is not.
+    For a ball this is rolling resistance with the arm c R; for a disk it is not.
 
     Parameters
     ----------
@@ -150,40 +157,49 @@ class ContourResistance(FrictionLaw):
     """
 
     coefficient: float
-    name = "contour"
 
-    def __post_init__(self) -> None:
-        require_coefficient("contour", self.coefficient)
-
-    @property
-    def words(self) -> str:
-        """The law in words."""
-        return f"resistance along the contour, {self.coefficient:g}"
-
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """The coefficient."""
-        meaning = "coefficient of resistance along the contour"
-        return (coefficient(contour_arm, meaning, self.coefficient, "1"),)
+    kind = "contour"
+    coefficients = (
+        Coefficient(
+            "coefficient",
+            contour_arm,
+            "coefficient of resistance along the contour",
+            "1",
+            "contour",
+        ),
+    )
+    in_words = "resistance along the contour, {coefficient:g}"
+    description = (
+        "Resistance along the contour: the power lost is the coefficient times N and the "
+        "speed of the contact point over the body."
+    )
+    acts_while = "rolling"
+    formula = Reaction(q=-contour_arm * contour_couple)
+    dissipation = ((contour_arm, N, wandering_speed),)
+    resists_slip, resists_rolling, is_along_contour = False, True, True
 
     @property
     def holds_rolling(self) -> bool:
-        """Whether there is any resistance."""
+        """Whether the resistance is not zero."""
         return self.coefficient > 0
 
-    def reaction(self, mode: Mode) -> Reaction:
-        """The couple −N c γ×(W ε), ε the direction in which the contact point wanders."""
-        return Reaction(q=-contour_arm * contour_couple) if mode.rolling else Reaction()
+    def couple_along(self, direction: Vector) -> Reaction:
+        """The same couple: the contact wanders as the rolling prescribes."""
+        return self.formula
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """The angular velocity of rolling while there is any; what holds it, less its limit."""
+        """The rolling angular velocity while rolling.
+
+        The limit minus the holding couple while held.
+        """
         return _rolling_guards(mode, contour_arm**2 * N**2 - norm_squared(contour_hold))
 
 
 def _rolling_guards(mode: Mode, holds: sp.Expr) -> tuple[Guard, ...]:
-    """The angular velocity of rolling, while there is any, or what stays positive as it is held.
+    """The rolling angular velocity while rolling, or the margin of the couple while held.
 
-    Its square would touch zero too closely for an event: in the plane rolling passes through zero.
+    In planar motion the rolling passes through zero, where its square would have a double zero that
+    event location could miss.
     """
     if not mode.rolling:
         return (Guard("rolling start", holds, "rolling begins"),)

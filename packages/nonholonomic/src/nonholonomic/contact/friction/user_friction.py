@@ -1,4 +1,4 @@
-"""A law of friction given by formulas in slip speed, spin and normal force."""
+"""A friction law given by formulas in slip speed, spin and normal force."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from flowlanes.arguments import Parameters, Quantity, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.parsing import RESERVED_WORDS, parse
 from flowlanes.system.system import Guard, Parameter
-from flowlanes.system.vectors import norm_squared, real_symbol
+from flowlanes.system.vectors import Vector, norm_squared, real_symbol
 
 from .friction_law import FrictionLaw, Reaction
 from .modes import Mode
@@ -33,7 +33,7 @@ from .symbols import (
 )
 from .viscous_friction import creep_guard
 
-#: Names that formulas of force and couple may use; `spin` stands for the size |Ω| in them.
+#: Names that formulas of force and couple may use; `spin` means |Ω| in them.
 VARIABLES: Mapping[str, Mapping[str, sp.Symbol]] = {
     "force": {"slip_speed": slip_speed, "spin": spin, "normal_force": N},
     "couple": {"slip_speed": slip_speed, "spin": spin},
@@ -41,7 +41,7 @@ VARIABLES: Mapping[str, Mapping[str, sp.Symbol]] = {
 
 _static = real_symbol("mu_static")
 
-#: Speeds (m/s), angular velocities (rad/s) and normal forces (N) at which a law is tried.
+#: Speeds (m/s), angular velocities (rad/s) and normal forces (N) at which a law is checked.
 _TRIALS = np.geomspace(1e-6, 1e3, 19)
 
 
@@ -90,7 +90,9 @@ class UserFriction(FrictionLaw):
     mu_static: float | None = None
     values: Parameters = field(default=None, compare=False)
     _values: tuple[tuple[str, float], ...] = field(init=False, repr=False)
-    name = "user"
+
+    kind = "user"
+    depends_on_speed = True
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "_values", _checked_values(self.values))
@@ -116,8 +118,8 @@ class UserFriction(FrictionLaw):
     def _numbers(self) -> dict[sp.Symbol, sp.Float]:
         return {_parameter(name): sp.Float(value) for name, value in self._values}
 
-    def _limit(self, key: str, at_rest: sp.Symbol, what: str) -> float:
-        """The one number that a formula is where a variable is zero."""
+    def _limit_at_rest(self, key: str, at_rest: sp.Symbol, what: str) -> float:
+        """The unique limit of a formula where a variable is zero."""
         rest = getattr(self, key).subs(at_rest, 0).xreplace(self._numbers)
         others = [name for name, symbol in VARIABLES[key].items() if rest.has(symbol)]
         if others:
@@ -134,17 +136,17 @@ class UserFriction(FrictionLaw):
 
     @property
     def static_mu(self) -> float | None:
-        """`mu_static`, or else the limit of the force; None if that is zero."""
+        """`mu_static`, or the limit of the force if that is larger than zero; otherwise None."""
         return self.kinetic_mu if self.mu_static is None else self.mu_static
 
     @cached_property
     def kinetic_mu(self) -> float | None:
         """The limit of the force as the slip tends to zero; None if that is zero."""
-        return self._limit("force", slip_speed, "slip") or None
+        return self._limit_at_rest("force", slip_speed, "slip") or None
 
     @cached_property
     def _spin_limit(self) -> float:
-        return self._limit("couple", spin, "spin")
+        return self._limit_at_rest("couple", spin, "spin")
 
     @property
     def spin_arm(self) -> float:
@@ -153,13 +155,13 @@ class UserFriction(FrictionLaw):
 
     @property
     def force_of_slip(self) -> sp.Expr | None:
-        """The force, unless it is the same at each slip."""
+        """The force, unless it is independent of the slip speed."""
         force = self.force.xreplace(self._numbers)
         return force if force.has(slip_speed) and not self.unknown_in_impacts else None
 
     @property
     def unknown_in_impacts(self) -> str:
-        """Variables other than the slip speed in `force`, and any in `couple`."""
+        """Variables other than the slip speed in `force`, and any variable in `couple`."""
         others = [name for name, s in VARIABLES["force"].items() if self.force.has(s)]
         others = [f"force depends on {name}" for name in others if name != "slip_speed"]
         couple = [name for name, s in VARIABLES["couple"].items() if self.couple.has(s)]
@@ -183,8 +185,13 @@ class UserFriction(FrictionLaw):
     # --- the law ---------------------------------------------------------------------------
 
     @property
+    def description(self) -> str:
+        """The law in words, with what its formulas are."""
+        return f"For each unit of the normal force, {self.words}."
+
+    @property
     def words(self) -> str:
-        """The law in words."""
+        """A description of the law."""
         plain = {_parameter(name): sp.Symbol(name) for name, _ in self._values}
         plain[N] = sp.Symbol("normal_force")
         text = f"friction {self.force.xreplace(plain)}"
@@ -194,7 +201,7 @@ class UserFriction(FrictionLaw):
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """The further names of the formulas, and the coefficient of static friction."""
+        """The additional names in the formulas, and the coefficient of static friction."""
         named = tuple(
             Parameter(symbol, "parameter of the law of friction", float(value))
             for symbol, value in self._numbers.items()
@@ -204,15 +211,16 @@ class UserFriction(FrictionLaw):
         static = Parameter(_static, "coefficient of static friction", self.static_mu, "1")
         return (*named, static)
 
-    def force_along(self, direction: MatrixExpr, speed: sp.Expr, mode: Mode) -> MatrixExpr:
-        """Force per normal force of a slip with a direction and a speed; smooth from rest on."""
-        return -self._at(self.force, speed, mode) * direction
+    def reaction_along(self, direction: Vector, speed: sp.Expr, mode: Mode) -> Reaction:
+        """Force and couple of a slip with a direction and a speed; smooth from rest on."""
+        force = -self._at(self.force, speed, mode) * direction
+        return Reaction(p=force, q=self.couple_at(speed, mode))
 
     def reaction(self, mode: Mode) -> Reaction:
-        """Force against the slip and couple against the spin, where these are not held."""
+        """The force against slip and the couple against spin, where slip and spin are not held."""
         p: MatrixExpr = Reaction().p
         if mode.sliding:
-            per_slip = _even(self.force, slip_speed)
+            per_slip = _even_quotient(self.force, slip_speed)
             if per_slip is not None and per_slip.is_polynomial(slip_speed):
                 square = norm_squared(slip)
                 ratio = self._at(per_slip, sp.sqrt(square), mode)
@@ -222,17 +230,17 @@ class UserFriction(FrictionLaw):
         return Reaction(p=p, q=self.couple_at(slip_speed if mode.sliding else sp.S.Zero, mode))
 
     def couple_at(self, speed: sp.Expr, mode: Mode) -> MatrixExpr:
-        """Couple per normal force at a speed of slip."""
+        """Couple per normal force at a slip speed."""
         if not mode.spinning or self.couple == 0:
             return Reaction().q
-        per_spin = _even(self.couple, spin)
+        per_spin = _even_quotient(self.couple, spin)
         if per_spin is not None:
             return -per_spin.xreplace({slip_speed: speed}) * spin * gamma
         return -self._at(self.couple, speed, mode) * spin_sign * gamma
 
     @property
     def reaction_at_rest(self) -> Reaction:
-        """The couple without slip, less what holds the spin; by numbers instead of parameters."""
+        """The couple without slip minus the one that holds the spin, at the parameter values."""
         couple = (self.couple - sp.Float(self.spin_arm)).xreplace(self._numbers)
         size = sp.Abs(spin) + sp.Float(1e-300)
         per_spin = sp.expand(couple.xreplace({slip_speed: sp.S.Zero}) / spin)
@@ -245,14 +253,14 @@ class UserFriction(FrictionLaw):
         return formula.xreplace({slip_speed: speed, spin: turn})
 
     @property
-    def _knows_sign(self) -> bool:
-        """Whether the formulas change with the sign of the spin, so that a mode keeps one."""
+    def _depends_on_spin_sign(self) -> bool:
+        """Whether the formulas depend on the sign of the spin, so that a mode must keep it."""
         force, couple = self.force, self.couple
-        odd = couple != 0 and _even(couple, spin) is None
+        odd = couple != 0 and _even_quotient(couple, spin) is None
         return odd or force.xreplace({spin: -spin}) != force
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """Slip and spin while there are any, and the limits of friction while they are held."""
+        """The slip and the spin while nonzero; the margins of friction while they are held."""
         guards: tuple[Guard, ...] = ()
         if not mode.sliding:
             if self.static_mu is not None:
@@ -263,7 +271,7 @@ class UserFriction(FrictionLaw):
             guards += (Guard("stick", margin, "sliding ends"),)
         elif not _is_smooth(self.force):
             guards += (creep_guard("this law of friction"),)
-        if mode.spinning and self._knows_sign:
+        if mode.spinning and self._depends_on_spin_sign:
             guards += (Guard("spin stop", spin_sign * spin, "spinning ends"),)
         if not mode.spinning and self._spin_limit:
             limit = self._at(self.couple, sp.S.Zero, mode)
@@ -271,8 +279,8 @@ class UserFriction(FrictionLaw):
         return guards
 
 
-def _even(formula: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
-    """A formula over a variable, if that is smooth and even in the variable."""
+def _even_quotient(formula: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
+    """A formula divided by a variable, if the result is smooth and even in it."""
     ratio = sp.expand(formula / variable)
     at_zero = ratio.subs(variable, 0)
     if at_zero.has(sp.zoo, sp.nan, sp.oo, -sp.oo):
@@ -281,18 +289,18 @@ def _even(formula: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
 
 
 def _is_smooth(formula: sp.Expr) -> bool:
-    """Whether the force of a slip is a smooth function of it, without a square root."""
-    ratio = _even(formula, slip_speed)
+    """Whether the force is a smooth function of the slip vector, without a square root."""
+    ratio = _even_quotient(formula, slip_speed)
     return ratio is not None and bool(ratio.is_polynomial(slip_speed))
 
 
 def _parameter(name: str) -> sp.Symbol:
-    """The symbol of a name of the user, which is no name of the equations of motion."""
+    """The symbol for a name chosen by the user, distinct from those of the equations of motion."""
     return real_symbol(f"user_{name}")
 
 
 def _formula(key: str, text: Quantity, symbols: Mapping[str, sp.Symbol]) -> sp.Expr:
-    """A formula as typed or as a SymPy expression, in known symbols."""
+    """Parse a formula or check a SymPy expression; only known symbols are allowed."""
     if isinstance(text, str):
         try:
             return parse(text, symbols)

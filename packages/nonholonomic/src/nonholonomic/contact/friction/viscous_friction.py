@@ -1,4 +1,4 @@
-"""Laws of friction that grow with the slip from zero on, without a threshold."""
+"""Friction laws that grow with the slip from zero, without a threshold."""
 
 from __future__ import annotations
 
@@ -12,18 +12,30 @@ from flowlanes.errors import InputError
 from flowlanes.system.system import Guard, Parameter
 from flowlanes.system.vectors import norm_squared, real_symbol
 
-from .friction_law import FrictionLaw, Reaction, coefficient, require_coefficient
+from .friction_law import (
+    Coefficient,
+    CoefficientLaw,
+    FrictionLaw,
+    Reaction,
+    coefficient,
+    require_coefficient,
+)
 from .modes import Mode
-from .symbols import gamma, slip, slip_floor, slip_speed, spin
+from .symbols import N, gamma, slip, slip_floor, slip_speed, spin
 
 nu, power_viscous, viscous, spin_viscous = (
     real_symbol(name) for name in ("nu_s", "nu_p", "c_v", "c_s")
 )
 
 
+#: The spin, whose name the field of a class has, and the reaction that is linear in slip and spin.
+_SPIN = spin
+_VISCOUS = Reaction(force=-viscous * slip, couple=-spin_viscous * spin * gamma)
+
+
 @arguments_checked
 @dataclass(frozen=True)
-class Viscous(FrictionLaw):
+class Viscous(CoefficientLaw):
     """Viscous friction that does not depend on the normal force.
 
     Parameters
@@ -47,35 +59,37 @@ class Viscous(FrictionLaw):
 
     coefficient: float
     spin: float = 0.0
-    name = "viscous"
 
-    def __post_init__(self) -> None:
-        require_coefficient("viscous", self.coefficient)
-        require_coefficient("spin_viscous", self.spin)
+    kind = "viscous"
+    coefficients = (
+        Coefficient("coefficient", viscous, "coefficient of viscous friction", "kg/s", "viscous"),
+        Coefficient(
+            "spin", spin_viscous, "coefficient of viscous spin friction", "kg m^2/s", "spin_viscous"
+        ),
+    )
+    in_words = "viscous friction {coefficient:g} kg/s"
+    description = (
+        "Viscous friction: a force in proportion to the slip and a couple in proportion to "
+        "the spin, whatever the normal force. It holds nothing at rest."
+    )
+    formula = _VISCOUS
+    dissipation = ((viscous, slip_speed**2), (spin_viscous, _SPIN**2))
 
     @property
     def words(self) -> str:
-        """The law in words."""
-        text = f"viscous friction {self.coefficient:g} kg/s"
+        """The law in words, with the spin where it resists that."""
+        text = super().words
         return f"{text}, against spin {self.spin:g} kg m^2/s" if self.spin else text
 
     @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """Both coefficients."""
-        unit = "kg m^2/s"
-        return (
-            coefficient(viscous, "coefficient of viscous friction", self.coefficient, "kg/s"),
-            coefficient(spin_viscous, "coefficient of viscous spin friction", self.spin, unit),
-        )
-
-    def reaction(self, mode: Mode) -> Reaction:
-        """The force −c u and the couple −c_s Ω γ."""
-        return Reaction(force=-viscous * slip, couple=-spin_viscous * spin * gamma)
+    def slip_viscosity(self) -> float:
+        """The coefficient."""
+        return self.coefficient
 
 
 @arguments_checked
 @dataclass(frozen=True)
-class NormalViscous(FrictionLaw):
+class NormalViscous(CoefficientLaw):
     """Viscous friction in proportion to the normal force.
 
     Parameters
@@ -96,30 +110,29 @@ class NormalViscous(FrictionLaw):
     """
 
     coefficient: float
-    name = "slip"
 
-    def __post_init__(self) -> None:
-        require_coefficient("slip", self.coefficient)
-
-    @property
-    def words(self) -> str:
-        """The law in words."""
-        return f"friction {self.coefficient:g} s/m times normal force and slip"
-
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """ν."""
-        meaning = "coefficient of friction in proportion to slip and normal force"
-        return (coefficient(nu, meaning, self.coefficient, "s/m"),)
+    kind = "slip"
+    coefficients = (
+        Coefficient(
+            "coefficient",
+            nu,
+            "coefficient of friction in proportion to slip and normal force",
+            "s/m",
+            "slip",
+        ),
+    )
+    in_words = "friction {coefficient:g} s/m times normal force and slip"
+    description = "Friction in proportion to slip and normal force. It holds nothing at rest."
+    formula = Reaction(p=-nu * slip)
+    dissipation = ((nu, N, slip_speed**2),)
+    excludes = {  # noqa: RUF012  (never changed)
+        "power": "two laws in proportion to the normal force and a power of slip"
+    }
 
     @property
     def power(self) -> tuple[float, float]:
         """ν and 1."""
         return self.coefficient, 1.0
-
-    def reaction(self, mode: Mode) -> Reaction:
-        """The force −νN u."""
-        return Reaction(p=-nu * slip)
 
 
 @arguments_checked
@@ -159,7 +172,12 @@ class PowerFriction(FrictionLaw):
 
     coefficient: float
     order: float
-    name = "power"
+
+    kind = "power"
+    description = (
+        "Friction in proportion to the normal force and a power of the slip. It holds nothing "
+        "at rest."
+    )
 
     def __post_init__(self) -> None:
         require_coefficient("slip", self.coefficient)
@@ -168,7 +186,7 @@ class PowerFriction(FrictionLaw):
 
     @property
     def words(self) -> str:
-        """The law in words."""
+        """A description of the law."""
         power = f"{self.order:g}"
         return (
             f"friction {self.coefficient:g} (s/m)^{power} times normal force and slip to the "
@@ -201,14 +219,14 @@ class PowerFriction(FrictionLaw):
         return Reaction(p=-power_viscous * slip_speed ** sp.Float(self.order - 1) * slip)
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """The slip, while there is any, unless the force is smooth where it vanishes."""
+        """The slip, unless the force is smooth where the slip vanishes."""
         if not mode.sliding or self.is_smooth:
             return ()
         return (creep_guard(f"friction of order {self.order:g}"),)
 
 
 def creep_guard(law: str) -> Guard:
-    """The slip, for a law without threshold that is not smooth where the slip vanishes."""
+    """The slip, for a thresholdless law that is not smooth at zero slip."""
     margin = slip_speed - slip_floor
     return Guard(
         "creep",

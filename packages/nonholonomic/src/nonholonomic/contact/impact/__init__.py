@@ -1,1 +1,1 @@
-"""Impacts with friction, and what the motion of a contact answers to impulses."""
+"""Impacts with friction, and the response of a contact to impulses."""

@@ -1,8 +1,8 @@
-"""The motion of a contact per unit of normal impulse, as it answers to the friction force alone.
+"""The response of a contact, per unit of normal impulse, to the friction force alone.
 
-The spin couple is eliminated: it has its limiting value while the spin has a sign, and the value
-that holds the spin while the spin is zero.  The remaining response is linear in the tangential
-friction force f, and the same for impulses (an impact) and for forces (a lasting contact).
+The spin couple is eliminated: while the spin has a sign, the couple has its limiting value; while
+the spin is zero, it has the value that holds the spin.  The remaining response is linear in the
+tangential friction force f, and is the same for impulses (impact) and forces (lasting contact).
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from .mobility import Mobility
 
 @dataclass(frozen=True, eq=False)
 class FrictionResponse:
-    """Rates per unit of normal impulse with the spin couple eliminated; linear in f.
+    """Rates per unit of normal impulse after elimination of the spin couple; linear in f.
 
-    Every rate is a constant and a coefficient of the friction force f, in the tangent plane,
-    per unit of normal impulse.
+    Every rate consists of a constant and a coefficient of f, the tangential friction force per unit
+    of normal impulse.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class FrictionResponse:
 def response_while_spinning(
     mobility: Mobility, couple: float, resistance: FloatArray | None = None
 ) -> FrictionResponse:
-    """The rates with a given spin couple per unit of normal impulse.
+    """The rates for a given spin couple per unit of normal impulse.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def response_while_spinning(
 def response_with_spin_at_rest(
     mobility: Mobility, resistance: FloatArray | None = None
 ) -> FrictionResponse:
-    """The rates with the spin couple that keeps the spin at zero (a Schur complement)."""
+    """The rates for the spin couple that keeps the spin at zero (a Schur complement)."""
     free = response_while_spinning(mobility, 0.0, resistance)
     c, sigma = mobility.spin_force, mobility.spin
     constant, slope = free.spin
@@ -87,11 +87,11 @@ def response_with_spin_at_rest(
 
 
 def least_motion_force(A: FloatArray, free: FloatArray, limit: float) -> FloatArray:
-    """The force f with |f| ≤ limit that makes the motion free + A f least.
+    """The force f with |f| ≤ limit that minimises the motion free + A f.
 
-    The minimum of ½(f, A f) + (free, f) over the disk, A symmetric and positive (2, 2).  It holds
-    the contact (free + A f = 0) where it can, and otherwise opposes the motion that is left,
-    free + A f = −λ f with λ > 0: this is how a contact at rest begins to slide.
+    It is the minimum of ½(f, A f) + (free, f) over the disk, with A symmetric and positive definite
+    (2, 2).  If possible it holds the contact (free + A f = 0); otherwise it opposes the remaining
+    motion, free + A f = −λ f with λ > 0.  This is how a contact at rest begins to slide.
 
     Parameters
     ----------
@@ -123,8 +123,8 @@ def least_motion_force(A: FloatArray, free: FloatArray, limit: float) -> FloatAr
     return result
 
 
-def holding_force(response: FrictionResponse) -> FloatArray:
-    """The friction (2,) per normal impulse that keeps the tangential velocity."""
+def sticking_force(response: FrictionResponse) -> FloatArray:
+    """The friction (2,) per normal impulse that keeps the tangential velocity constant."""
     beta, A = response.tangential
     return _solution(A, -beta)
 
@@ -137,10 +137,10 @@ def _solution(A: FloatArray, right: FloatArray) -> FloatArray:
 
 
 def least_motion(mobility: Mobility, mu: float, spin_arm: float) -> tuple[FloatArray, float]:
-    """Friction force (2,) and couple with which a contact at rest moves least, per normal impulse.
+    """Friction force (2,) and couple per normal impulse that minimise the motion from rest.
 
-    The pair (f, τ) in the cylinder |f| ≤ μ, |τ| ≤ μ_s for which the motion, measured by the
-    kinetic energy, is smallest.  It is unique, since a convex function is minimised.
+    The pair (f, τ) in the cylinder |f| ≤ μ, |τ| ≤ μ_s that minimises the motion in the metric of
+    the kinetic energy.  It is unique, since a strictly convex function is minimised.
 
     Parameters
     ----------
@@ -151,7 +151,7 @@ def least_motion(mobility: Mobility, mu: float, spin_arm: float) -> tuple[FloatA
         Greatest spin couple per normal force (a length).
     """
     for sign in (1, -1):
-        # Does the spin become positive (negative) even against the whole couple?
+        # Does the spin become positive (or negative) even against the full couple?
         against = response_while_spinning(mobility, -sign * spin_arm)
         force = least_motion_force(against.tangential[1], against.tangential[0], mu)
         if sign * (against.spin[0] + against.spin[1] @ force) > 0:

@@ -1,14 +1,14 @@
-"""Impact with friction: the contact followed through the collision, over the normal impulse.
+"""Impact with friction: the contact is followed through the collision, over the normal impulse.
 
-After Routh (1860) and Keller (1986): during an impact positions stay, and the velocity of the
-contact changes with the impulse P of the normal force,
+After Routh (1860) and Keller (1986): during an impact positions are constant, and the contact
+velocity changes with the impulse P of the normal force,
 
     d(u, Ω, u_n)/dP = 𝒜 (f, τ, 1),
 
-where 𝒜 is the mobility of (tangent plane, spin, normal), f = −μ u/|u| and τ = −μ_s sgn Ω.  The
-sliding may turn, stop, reverse or give way to sticking.  In the metric 𝒜⁻¹ the motion of (u, Ω)
-is the descent of a convex function, so that it is unique and depends continuously on its start;
-and since 𝒜 is positive, the normal velocity rises in the end: every impact ends.
+where 𝒜 is the mobility of (tangent plane, spin, normal), f = −μ u/|u| and τ = −μ_s sgn Ω.  The slip
+may turn, stop, reverse or give way to sticking.  In the metric 𝒜⁻¹, (u, Ω) follows the descent of a
+convex function, so the motion is unique and depends continuously on its start.  Since 𝒜 is positive
+definite, the normal velocity rises in the end, and every impact ends.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from .impact_law import ImpactLaw
 from .impact_slide import SlidingFriction
 from .mobility import Mobility
 
-#: Energy that an impact may gain by rounding, relative to impulse times velocity.
+#: Relative energy gain (compared with impulse times velocity) that is attributed to rounding.
 ENERGY_ROUNDING = 1e-13
 
 
@@ -183,7 +183,7 @@ def impact(
 def normal_response(
     mobility: Mobility, direction: npt.ArrayLike | None, mu: float, couple: float = 0.0
 ) -> float:
-    """B: the change of the normal velocity per normal impulse, while the contact slides.
+    """B: the change of the normal velocity per normal impulse while the contact slides.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The course of an impact: phases of sliding and sticking, from one event to the next."""
+"""Simulation of an impact: phases of sliding and sticking, from one event to the next."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from flowlanes.system.arrays import FloatArray
 
 from .friction_response import (
     FrictionResponse,
-    holding_force,
     least_motion,
     least_motion_force,
     response_while_spinning,
     response_with_spin_at_rest,
+    sticking_force,
 )
 from .impact_segments import ROUNDING, Segment, constant_friction, turning_rate
 from .impact_slide import Ends, Linear, SlidingFriction, slide, slide_integrator
@@ -27,11 +27,11 @@ Mode = Literal["sliding", "sliding, spin held", "sticking", "sticking, spin held
 Event = Literal[
     "compressed", "approaching again", "returned", "stopped", "spin stopped", "spin starts"
 ]
-#: Sliding this much slower than at the start of its phase stops as if straight.
+#: A slip reduced by this factor within a phase is taken straight to zero.
 STOP = float(np.exp(-40.0))
-#: A spin with which another one begins, relative to the velocities of the impact.
+#: Initial spin, relative to the velocities of the impact, when spinning begins.
 _FIRST_SPIN = 1e-17
-#: Stretches of an impact at most.
+#: Maximum number of segments of an impact.
 STRETCHES = 10_000
 
 
@@ -52,7 +52,7 @@ class ImpactPhase:
 
 
 class ImpactCourse:
-    """The course of an impact, in the tangent plane of the contact.
+    """An impact under construction, in the tangent plane of the contact.
 
     Parameters
     ----------
@@ -82,24 +82,24 @@ class ImpactCourse:
         self.slip, self.spin, self.normal = slip, spin, normal
         self.restitution, self.law, self.approach = restitution, law, normal
         self.normal_impulse = self.compression_impulse = self.couple_impulse = 0.0
-        #: Work of the normal force, and its impulse, in compression and in restitution.
+        #: Work and impulse of the normal force, in compression and in restitution.
         self._work, self._clock = [0.0, 0.0], [0.0, 0.0]
         self.friction = np.zeros(2)
         self.phases: list[ImpactPhase] = []
         self.compressing = True
-        #: -1, 0, 1: sign of the spin; None: it is held.
+        #: Sign of the spin (−1, 0 or 1), or None while it is held.
         self._turning: float | None = 0.0
         self._sticks = False
-        #: The force of sliding that goes straight since it began from rest.
+        #: Constant friction force of a slide that started from rest along a straight line.
         self._straight: FloatArray | None = None
         self._first_speed = 0.0
         self._at_rest = response_with_spin_at_rest(mobility)
         self._spinning: dict[float, FrictionResponse] = {}
         self._integrator = slide_integrator(friction)
-        self._decide()
+        self._decide_at_rest()
 
     def run(self) -> None:
-        """Follow the impact to its end.
+        """Advance the impact to its end.
 
         Raises
         ------
@@ -121,12 +121,12 @@ class ImpactCourse:
 
     @property
     def _weight(self) -> float:
-        """0 while an infinite friction stops the sliding before there is a normal impulse."""
+        """0 while an infinite friction stops the slip before any normal impulse acts, else 1."""
         return 0.0 if np.isinf(self.mu) and not self._sticks else 1.0
 
     @property
     def _friction(self) -> float:
-        """Friction of sliding per unit of the parameter, at the present speed."""
+        """Sliding friction per unit of the parameter, at the current speed."""
         return 1.0 if self._weight == 0 else self._law.at(float(np.hypot(*self.slip)))
 
     def _response(self) -> FrictionResponse:
@@ -143,8 +143,8 @@ class ImpactCourse:
             return "sticking, spin held" if self._turning is None else "sticking"
         return "sliding, spin held" if self._turning is None else "sliding"
 
-    def _decide(self) -> None:
-        """Whether a contact whose sliding or spin has just become zero stays so."""
+    def _decide_at_rest(self) -> None:
+        """Decide whether a contact whose slip or spin has just become zero keeps it at zero."""
         self._straight, self._sticks = None, False
         self._first_speed = float(np.hypot(*self.slip))
         rests, spins = not self.slip.any(), self.spin != 0
@@ -161,7 +161,7 @@ class ImpactCourse:
         if rests:
             self._sticks = True
             response = self._response()
-            if np.hypot(*holding_force(response)) > self.mu:
+            if np.hypot(*sticking_force(response)) > self.mu:
                 beta, A = response.tangential
                 self._sticks = False
                 self._straight = least_motion_force(A, beta, self.mu)
@@ -169,7 +169,7 @@ class ImpactCourse:
                     self._start_against_viscosity(beta)
 
     def _start_against_viscosity(self, beta: FloatArray) -> None:
-        """Begin to slide, at a speed beyond rounding, with friction that depends on the speed."""
+        """Begin to slide under speed-dependent friction, at a speed above rounding."""
         assert self._straight is not None
         direction = -self._straight if self.mu else beta
         size = float(np.hypot(*direction))
@@ -180,7 +180,7 @@ class ImpactCourse:
             self._sticks = True
 
     def _start_of_spin(self) -> float | None:
-        """The sign that the spin takes while the contact slides, None if it stays zero."""
+        """The sign that the spin takes while the contact slides; None if it stays zero."""
         direction = self.slip / np.hypot(*self.slip)
         constant, slope = self._at_rest.couple
         couple = self._weight * constant - self._friction * float(slope @ direction)
@@ -189,12 +189,12 @@ class ImpactCourse:
         return -float(np.sign(couple))
 
     def _segment(self) -> Segment | None:
-        """The stretch at constant friction that comes next; None for sliding that turns."""
+        """The next segment with constant friction; None for a slip that turns."""
         response, weight = self._response(), self._weight
         force: FloatArray
         direction: FloatArray | None
         if self._sticks:
-            force, direction = holding_force(response), None
+            force, direction = sticking_force(response), None
         elif self.mu == 0 and not self._law.varies:
             force, direction = np.zeros(2), None
         elif self._straight is not None:
@@ -203,7 +203,7 @@ class ImpactCourse:
             speed = float(np.hypot(*self.slip))
             direction = self.slip / speed
             along, across, straight = turning_rate(response, weight, self._friction, direction)
-            # going straight from here misplaces the end by what the slide would turn yet
+            # Going straight from here misplaces the end by the remaining turning of the slide.
             missed = speed * min(1.0, abs(across / along)) if along < 0 else np.inf
             if self._law.varies and weight:
                 straight, missed = False, speed if along < 0 else np.inf
@@ -215,7 +215,7 @@ class ImpactCourse:
         )
 
     def _slide(self) -> Event | None:
-        """Sliding that turns, up to an event or to a much smaller speed."""
+        """Follow a slip that turns, up to an event or to a much smaller speed."""
         response, weight = self._response(), self._weight
         beta, A = response.tangential
         normal = Linear(self.normal, weight * response.normal[0], response.normal[1])
@@ -237,7 +237,7 @@ class ImpactCourse:
         ends = Ends(
             self.compressing,
             *((0.0, 0.0, 0.0) if self.compressing else missing[self.law]),
-            offset=-1.0 if self.compressing else -self._missing(),
+            offset=-1.0 if self.compressing else -self._restitution_left(),
             spin=spin.times(self._turning) if self._turning and weight else None,
             couple=couple,
         )
@@ -274,7 +274,7 @@ class ImpactCourse:
         if self.compressing:
             events.append(("compressed", segment.normal))
         else:
-            events.append(("returned", self._return(segment)))
+            events.append(("returned", self._restitution_end(segment)))
             events.append(("approaching again", -segment.normal))
         if segment.speed is not None and np.isinf(segment.length):
             events.append(("stopped", -segment.speed))
@@ -290,15 +290,15 @@ class ImpactCourse:
                 events.append(("spin starts", series))
         return events
 
-    def _return(self, segment: Segment) -> FloatArray:
-        """Becomes positive where the restitution ends."""
+    def _restitution_end(self, segment: Segment) -> FloatArray:
+        """A polynomial that becomes positive where the restitution ends."""
         series = {"stronge": segment.work, "poisson": segment.clock, "newton": segment.normal}
         result = series[self.law].copy()
-        result[0] -= self._missing()
+        result[0] -= self._restitution_left()
         return result
 
-    def _missing(self) -> float:
-        """The growth of work, impulse or normal velocity that remains until restitution ends."""
+    def _restitution_left(self) -> float:
+        """Growth of work, impulse or normal velocity that is left until the restitution ends."""
         e = self.restitution
         if self.law == "stronge":
             return -e * e * self._work[0] - self._work[1]
@@ -322,10 +322,10 @@ class ImpactCourse:
         self.normal = value(segment.normal, x)
 
     def _ends_with(self, event: Event) -> bool:
-        """Take an event into account; whether the impact ends with it."""
+        """Process an event; return whether it ends the impact."""
         if event == "compressed":
             self.compressing, self.normal = False, 0.0
-            # Is there anything to give back?
+            # Without stored work or impulse there is no restitution.
             stored = {"stronge": self._work[0], "poisson": self._clock[0], "newton": self.approach}
             done = self.restitution * stored[self.law] == 0
         else:
@@ -333,7 +333,7 @@ class ImpactCourse:
         if event == "approaching again":
             self.compressing, self.normal = True, 0.0
         if event == "stopped" and not self._weight:
-            # What infinite friction stored while stopping is nothing beside what follows.
+            # The energy stored while infinite friction stops the slip is negligible.
             done = not self.compressing and self.law != "newton"
             self._work, self._clock = [0.0, 0.0], [0.0, 0.0]
         if done:
@@ -348,7 +348,7 @@ class ImpactCourse:
             direction = self.slip / np.hypot(*self.slip)
             constant, slope = self._at_rest.couple
             self._turning = -float(np.sign(constant - self._friction * float(slope @ direction)))
-            # it starts like the square of the impulse, and must not end at once by rounding
+            # The spin grows like the square of the impulse, and must not end at once by rounding.
             unit = float(np.linalg.norm(self.mobility.spin_force) / self.mobility.A.max())
             self.spin = self._turning * _FIRST_SPIN * self._size * unit
             self._straight, self._first_speed = None, float(np.hypot(*self.slip))
@@ -357,7 +357,7 @@ class ImpactCourse:
             self.slip = np.zeros(2)
         else:
             self.spin = 0.0
-        self._decide()
+        self._decide_at_rest()
 
     def _end_of_phase(self) -> None:
         self.phases.append(ImpactPhase(self._mode(), self.normal_impulse))

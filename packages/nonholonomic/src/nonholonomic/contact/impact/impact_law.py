@@ -1,4 +1,4 @@
-"""The meanings that the restitution of an impact may have."""
+"""The definitions of the coefficient of restitution."""
 
 from typing import Literal
 

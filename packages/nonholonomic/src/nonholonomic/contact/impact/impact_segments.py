@@ -1,4 +1,4 @@
-"""Stretches of an impact at constant friction, as polynomials in the normal impulse."""
+"""Segments of an impact with constant friction, as polynomials in the normal impulse."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from flowlanes.system.arrays import FloatArray
 
 from .friction_response import FrictionResponse
 
-#: Turning below this many units of rounding is none.
+#: Turning below this multiple of the machine precision counts as zero.
 ROUNDING = 8 * np.finfo(float).eps
 
 
 @dataclass(frozen=True, eq=False)
 class Segment:
-    """A stretch of an impact: polynomials in a parameter θ, lowest order first.
+    """A segment of an impact: polynomials in a parameter θ, lowest order first.
 
     Attributes
     ----------
@@ -63,7 +63,7 @@ def _with_constant(first: float, rest: FloatArray) -> FloatArray:
 
 
 def _integral(series: FloatArray) -> FloatArray:
-    """∫₀ of a polynomial, one order higher."""
+    """The antiderivative of a polynomial that vanishes at 0."""
     return np.concatenate(([0.0], series / np.arange(1, len(series) + 1)))
 
 
@@ -77,7 +77,7 @@ def _segment(
     sliding: tuple[FloatArray, FloatArray] | tuple[None, None],
     length: float,
 ) -> Segment:
-    """Everything else from the friction impulse."""
+    """Complete a segment from its friction impulse."""
     impulse = weight * clock
     spin, normal = (
         _with_constant(first, rate[0] * impulse + rate[1] @ friction)
@@ -144,7 +144,7 @@ def constant_friction(
 def turning_rate(
     response: FrictionResponse, weight: float, mu: float, direction: FloatArray
 ) -> tuple[float, float, bool]:
-    """H and G at a direction of sliding, and whether G is zero but for rounding."""
+    """H and G for a direction of sliding, and whether G is zero up to rounding."""
     beta, A = response.tangential
     friction = mu * (A @ direction)
     rate = weight * beta - friction

@@ -1,8 +1,8 @@
-"""Sliding that turns during an impact, to the next event.
+"""Sliding that turns during an impact, up to the next event.
 
-Sliding with velocity s n turns ever faster as s goes to zero.  In the logarithmic time θ with
-dP = s dθ it does not: n′ = G n⊥, s′ = H s, where the rate of the sliding velocity is
-β − F A n = H n + G n⊥ with the friction F = μ + ν sᵖ for each unit of the normal force.
+The direction of a slip s n turns ever faster as s tends to zero, but not in the logarithmic time θ
+with dP = s dθ: n′ = G n⊥ and s′ = H s, where the rate of the sliding velocity is β − F A n = H n +
+G n⊥ with the friction F = μ + ν sᵖ per unit of normal force.
 """
 
 from __future__ import annotations
@@ -24,21 +24,21 @@ from flowlanes.system.vectors import real_symbol
 
 from ..friction.symbols import slip_speed
 
-#: A slide is followed down to this part of its speed in one go.
+#: Factor by which the speed of a slide may decrease before its equations are rescaled.
 LEAST = float(np.exp(-8.0))
 
-#: Likewise of a slide that grows.
+#: The same for a slide that accelerates.
 MOST = 1 / LEAST
 
-#: Restitution of less than this part of the work of the slide is none.
+#: Restitution below this fraction of the work of the slide counts as zero.
 LEAST_RETURN = 1e-18
 
-#: Duration in θ, and steps, of a slide at most.
+#: Maximum duration of a slide in θ, and maximum number of steps.
 _LONGEST, _STEPS = 1e9, 2000
 
 SlideEvent = Literal["compressed", "approaching again", "returned", "spin stopped", "spin starts"]
 
-#: What ends a slide, in the order of the events of the compiled equations.
+#: Outcome of each event of the compiled equations, in their order.
 _EVENTS: tuple[SlideEvent | None, ...] = (
     "compressed",
     "approaching again",
@@ -55,7 +55,7 @@ _PARAMETERS = 26
 
 @dataclass(frozen=True)
 class SlidingFriction:
-    """Friction for each unit of normal force while a contact slides, F(s) + ν sᵖ at the speed s.
+    """Friction per unit of normal force while a contact slides: F(s) + ν sᵖ at the speed s.
 
     Attributes
     ----------
@@ -105,7 +105,7 @@ class Linear:
     friction: FloatArray
 
     def times(self, factor: float) -> Linear:
-        """A multiple."""
+        """The quantity multiplied by a factor."""
         return Linear(factor * self.constant, factor * self.normal, factor * self.friction)
 
     def at(self, impulse: float, friction: FloatArray) -> float:
@@ -166,7 +166,7 @@ class Ends:
 
 
 def slide_integrator(friction: SlidingFriction) -> StateSeries:
-    """The compiled equations of a slide, for `slide` to change their state; one in each thread.
+    """Compiled equations of a slide for use by `slide`; each thread has its own copy.
 
     Parameters
     ----------
@@ -189,7 +189,15 @@ def slide(
     normal: Linear,
     ends: Ends,
 ) -> Slide:
-    """Sliding with the rate β − F A n of the slip s n, to the first of its ends.
+    """Slide with the rate β − F A n of the slip s n, up to the first of its ends.
+
+    The unknowns are (n, s, P, f, W): direction, speed, clock, friction impulse and work of the
+    normal force, as functions of the logarithmic time θ with dP = s dθ (see the head of this
+    module).  With the initial speed as unit of velocity and the largest rate |β| + F max|A| as
+    unit of 1/θ all numbers are of order one, and the right-hand sides are analytic while s > 0,
+    so that Taylor steps do not shrink as s → 0.  One call follows s over at most a factor of e⁸;
+    the caller restarts with the new speed as unit.  The slide is called endless if it takes more
+    than _STEPS steps, which happens near a direction with H = G = 0.
 
     Parameters
     ----------
@@ -211,7 +219,7 @@ def slide(
     """
     speed = float(np.hypot(*slip))
     mu = friction.at(speed)
-    # in θ times the greatest rate, with the speed as unit, all numbers are of order one
+    # Scale θ by the largest rate and velocities by the initial speed: all numbers are of order one.
     unit = float(np.hypot(*beta)) + mu * float(np.abs(A).max())
     clock, force = speed / unit, -mu * speed / unit
     scale = max(speed, abs(normal.constant))
@@ -223,7 +231,7 @@ def slide(
     size = float(np.abs(pars[11:15]).max())
     pars[11:15] = pars[11:15] / size if size else (0, 0, 0, -1)
     if not ends.compressing and normal.constant == 0 and -LEAST_RETURN < pars[14] < 0:
-        # an end so near that rounding hides it: there is nothing to give back
+        # The end is so near that rounding hides it: the restitution is zero.
         return Slide("returned", slip / speed, speed, 0.0, np.zeros(2), 0.0)
     pars[15] = 1.0
     if ends.spin is not None:
@@ -231,7 +239,7 @@ def slide(
         pars[15:19] = _coefficients(ends.spin, clock, force, size)
     if ends.couple is not None:
         pars[19:22] = ends.couple
-    # parts of μ or of the formula, and of the power of the speed, in the friction at the start
+    # Relative contributions of μ (or the formula) and of the power law to the initial friction.
     power = friction.viscous * speed**friction.order if friction.viscous else 0.0
     pars[22:] = power / mu if mu else 0.0, friction.order, speed, 1 / mu if mu else 0.0
     integrator.reset()
@@ -240,7 +248,7 @@ def slide(
     integrator.parameters[_PARAMETERS:] = 1.0
     integrator.state[:] = [*(slip / speed), 1.0, 0.0, 0.0, 0.0, 0.0]
     event: SlideEvent | None = None
-    # near a direction in which the slip neither grows nor shrinks it goes on for long
+    # Near a direction in which the slip neither grows nor decays a slide lasts long.
     for _ in range(_STEPS):
         step = integrator.step(_LONGEST - integrator.time)
         if step.is_failure or integrator.time >= _LONGEST:
@@ -275,7 +283,7 @@ def _equations(varies: bool, force: sp.Expr | None) -> System:
         real_symbol(name) for name in ("n1", "n2", "w", "p", "f1", "f2", "work")
     ]
     q = [real_symbol(f"q{i}") for i in range(_PARAMETERS)]
-    # the friction relative to that at the start, against the direction n
+    # Friction relative to its initial value, opposite to the direction n.
     dry = 1 - q[22] if force is None else q[25] * force.subs(slip_speed, q[24] * w)
     share = dry + q[22] * sp.exp(q[23] * sp.log(w)) if varies else sp.S.One
     f, g = share * n1, share * n2

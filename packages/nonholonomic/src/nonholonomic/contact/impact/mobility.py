@@ -11,7 +11,7 @@ import numpy.typing as npt
 from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray
 
-#: A normal is a unit vector to this accuracy.
+#: Tolerance for the unit length of a normal.
 UNIT = 1e-10
 
 
@@ -135,7 +135,7 @@ def inverse_of(inertia: FloatArray) -> FloatArray:
 def mobility_at(
     mass: float, inverse_inertia: FloatArray, r: FloatArray, gamma: FloatArray
 ) -> Mobility:
-    """As :func:`mobility`, of numbers that have been checked before.
+    """As :func:`mobility`, without checks of the arguments.
 
     Parameters
     ----------

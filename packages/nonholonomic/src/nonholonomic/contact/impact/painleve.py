@@ -1,4 +1,4 @@
-"""Painlevé's paradox: sliding friction that presses the contact together."""
+"""Painlevé's paradox: sliding friction that presses the body into its support."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from flowlanes.system.arrays import FloatArray
 from ...mechanics.shapes.rays import directions
 from .mobility import Mobility, mobility as mobility_of_contact
 
-#: Attitudes from which the search for the least coefficient begins.
+#: Number of attitudes from which the search for the smallest coefficient starts.
 ATTITUDES = 400
 
 

@@ -1,4 +1,4 @@
-"""The first point at which a polynomial becomes positive."""
+"""Find the first point at which a polynomial becomes positive."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ import numpy as np
 
 from flowlanes.system.arrays import FloatArray
 
-#: Parts in which a stretch is searched for changes of sign.
+#: Number of intervals in which sign changes are searched.
 PARTS = 8
 PLACES = np.linspace(0.0, 1.0, PARTS + 1)
 
 
 def value(series: FloatArray, x: float) -> float:
-    """A polynomial, lowest order first, at one place."""
+    """Evaluate a polynomial (lowest order first) at a point."""
     result = 0.0
     place = float(x)
     for coefficient in series[::-1].tolist():
@@ -23,7 +23,12 @@ def value(series: FloatArray, x: float) -> float:
 
 
 def first_rise(series: FloatArray, length: float) -> float | None:
-    """The first x in [0, length] at which a polynomial that is not positive before becomes so.
+    """The first x in [0, length] at which a polynomial rises above zero.
+
+    Quadratic polynomials are solved directly.  For higher degrees the interval is divided into
+    PARTS equal parts; within a part, a sign change of p is refined by Brent's method.  If p ≤ 0 at
+    both ends but p′ changes from plus to minus, the maximum is located first and p is tested there.
+    Two maxima within one part could be missed.
 
     Parameters
     ----------
@@ -54,7 +59,7 @@ def first_rise(series: FloatArray, length: float) -> float | None:
                 return float(x[left])
             begin = x[left]
             if g[left] == 0:
-                # It falls from zero first: search behind its minimum.
+                # The polynomial first falls from zero: search beyond its minimum.
                 begin = _root(lambda s: value(derivative, s), begin, end)
             return _root(lambda s: value(series, s), begin, end)
     return None
@@ -68,7 +73,7 @@ def _root(function: Callable[[float], float], left: float, right: float) -> floa
         return left
     if function(right) <= 0:
         return right
-    # A root near zero is wanted to its own digits: many halvings.
+    # A root near zero needs full relative accuracy, and therefore many bisections.
     accuracy = 4 * np.finfo(float).eps
     return float(brentq(function, left, right, xtol=1e-300, rtol=accuracy, maxiter=10_000))
 

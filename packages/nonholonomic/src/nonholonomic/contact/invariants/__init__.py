@@ -1,1 +1,1 @@
-"""Laws of bodies that slide with friction, in the form in which they are proved."""
+"""Laws of bodies that slide with friction, in a form that can be proved."""

@@ -1,4 +1,4 @@
-"""The power that each law of friction takes from a body on a support at rest: never negative.
+"""The power that each friction law dissipates on a support at rest: it is never negative.
 
 A body under a force R and a couple K at its contact changes its energy at the rate
 (R, u) + (K, ω), as :func:`~nonholonomic.contact.invariants.free_contact.power` states.  The normal
@@ -17,29 +17,15 @@ from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Identity
 from flowlanes.system.system import Parameter, System
-from flowlanes.system.vectors import Symmetric, Vector, cross, dot, norm_squared, real_symbol, zero
+from flowlanes.system.vectors import Symmetric, cross, dot, norm_squared, zero
 
-from ..friction.air_film import AirFilm, film
+from ..friction.air_film import TILT
 from ..friction.contensou import couple_share, force_share
-from ..friction.dry_friction import (
-    ContensouErismann,
-    Coulomb,
-    SpinFriction,
-    mu,
-    patch,
-    spin_couple_arm,
-)
 from ..friction.friction_law import FrictionLaw
 from ..friction.modes import Mode
-from ..friction.rolling_friction import (
-    ContourResistance,
-    RollingResistance,
-    ViscousRolling,
-    contour_arm,
-    rolling_arm,
-    rolling_viscous,
-)
 from ..friction.symbols import (
+    F_share,
+    M_share,
     N,
     contour_couple,
     gamma,
@@ -50,19 +36,23 @@ from ..friction.symbols import (
     slip_speed,
     spin,
     spin_sign,
+    spin_speed,
+    wandering,
+    wandering_speed,
 )
-from ..friction.viscous_friction import NormalViscous, Viscous, nu, spin_viscous, viscous
 
-wandering, wandering_speed = Vector("wandering"), real_symbol("wandering_speed")
-spin_speed = real_symbol("spin_speed")
-#: 𝓕 and 𝓜 of the coupled law, from 0 to 1 and from 0 to 3π/16.
-F_share, M_share = real_symbol("F_share"), real_symbol("M_share")
 _SPREAD = Symmetric("W")
+
+#: What is not negative besides coefficients: N while the contact lasts, speeds as square roots,
+#: |Ω|, 𝓕 and 𝓜 by the bounds of the law.
+NOT_NEGATIVE = frozenset(
+    {N, slip_speed, rolling_speed, wandering_speed, spin_speed, F_share, M_share}
+)
 
 
 @dataclass(frozen=True)
 class Dissipation:
-    """A power as a sum of products of factors that are not negative (W).
+    """A power as a sum of products of nonnegative factors (W).
 
     Attributes
     ----------
@@ -77,19 +67,8 @@ class Dissipation:
         return sp.Add(*(sp.Mul(*factors) for factors in self.products))
 
 
-#: Factors that are not negative: coefficients by what is admissible, N while the contact lasts,
-#: speeds as square roots, |Ω|, 𝓕 and 𝓜 by the bounds of the law.
-NOT_NEGATIVE: frozenset[sp.Expr] = frozenset(
-    {
-        mu, nu, patch, viscous, spin_viscous, spin_couple_arm, rolling_arm, rolling_viscous,
-        contour_arm, film, N, slip_speed, rolling_speed, wandering_speed, spin_speed, F_share,
-        M_share, slip_speed**2, spin**2, rolling_speed**2,
-    }
-)  # fmt: skip
-
-
 def dissipation(law: FrictionLaw) -> Dissipation:
-    """The power that a law takes from a body that slides, spins and rolls on a support at rest.
+    """The power that a law dissipates for a body that slides, spins and rolls on a support at rest.
 
     Parameters
     ----------
@@ -102,7 +81,7 @@ def dissipation(law: FrictionLaw) -> Dissipation:
     Raises
     ------
     InputError
-        If the law is none of the package's.
+        If the law does not say.
 
     Examples
     --------
@@ -111,28 +90,22 @@ def dissipation(law: FrictionLaw) -> Dissipation:
     >>> dissipation(Coulomb(0.3)).power
     N*mu*slip_speed
     """
-    match law:
-        case Coulomb():
-            products: tuple[tuple[sp.Expr, ...], ...] = ((mu, N, slip_speed),)
-        case SpinFriction():
-            products = ((spin_couple_arm, N, spin_speed),)
-        case ContensouErismann():
-            products = ((mu, N, F_share, slip_speed), (mu, N, patch, M_share, spin_speed))
-        case Viscous():
-            products = ((viscous, slip_speed**2), (spin_viscous, spin**2))
-        case NormalViscous():
-            products = ((nu, N, slip_speed**2),)
-        case RollingResistance():
-            products = ((rolling_arm, N, rolling_speed),)
-        case ViscousRolling():
-            products = ((rolling_viscous, N, rolling_speed**2),)
-        case ContourResistance():
-            products = ((contour_arm, N, wandering_speed),)
-        case AirFilm():
-            products = ((film, rolling_speed**2),)
-        case _:
-            raise InputError(f"law {law.name!r}: the power that it takes is not known")
-    return Dissipation(products)
+    if not law.dissipation:
+        raise InputError(f"law {law.name!r}: the power that it takes is not known")
+    for factor in {factor for factors in law.dissipation for factor in factors}:
+        if not is_not_negative(factor, law):
+            raise InputError(f"law {law.name!r}: the factor {factor} may be negative")
+    return Dissipation(law.dissipation)
+
+
+def is_not_negative(factor: sp.Expr, law: FrictionLaw) -> bool:
+    """Whether the conditions on the coefficients of a law show that a factor is not negative."""
+    known = set(NOT_NEGATIVE)
+    known |= {p.symbol for p in law.parameters if (p.symbol >= 0) in p.admissible}
+    names = {s: sp.Dummy(nonnegative=True) for s in known}
+    # a sum of squares in a denominator is positive where the formula has a value
+    tilt = {TILT: sp.Dummy(positive=True)}
+    return bool(factor.xreplace(tilt).xreplace(names).is_nonnegative)
 
 
 @arguments_checked
@@ -177,7 +150,7 @@ def decrease_of_energy(law: FrictionLaw) -> tuple[System, Identity]:
 
 
 def contact_at_a_moment(law: FrictionLaw) -> System:
-    """Any slip, angular velocity and normal force at a contact, which stay as they are."""
+    """A contact with arbitrary constant slip, angular velocity and normal force."""
     names = (N, F_share, M_share, spin_sign)
     numbers = {s: (str(s), 0.4 + 0.3 * i, "1") for i, s in enumerate(names)}
     numbers[spin_sign] = ("sign of the spin", 1.0, "1")

@@ -4,10 +4,10 @@ With the velocity v of the centre of mass, in body axes,
 
     m (v̇ + ω×v) = −mgγ + R,      I ω̇ + ω×(Iω + k) = r×R + K,      γ̇ = γ×ω,
 
-where the force R and the couple K are functions of which nothing is assumed: normal force and
-friction of any law, on a plane at rest or in motion, or none in flight.  Laws proved for this
-system hold for all of them.  Position, attitude and time are left out, on which R and K may depend
-as well: the rate of a function of v, ω and γ contains the values of R and K alone.
+where the force R and the couple K are unspecified functions: normal force and friction of any law,
+on a plane at rest or in motion, or zero in flight.  Laws proved for this system hold in all these
+cases.  Position, attitude and time are omitted, although R and K may depend on them: the rate of a
+function of v, ω and γ involves only the values of R and K.
 """
 
 from __future__ import annotations
@@ -33,8 +33,6 @@ from flowlanes.system.vectors import (
 
 from ...mechanics.rolling.body import Body, body_parameters
 from ...mechanics.rolling.contact import contact
-from ...mechanics.shapes.implicit import Implicit
-from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
 from ..friction.symbols import gamma, omega, r, v
 
@@ -44,12 +42,12 @@ SOURCE = "§11.3"
 
 
 def _function_vector(name: str) -> MatrixExpr:
-    """A vector of three functions of v, ω and γ of which nothing is known."""
+    """A vector of three unspecified functions of v, ω and γ."""
     arguments = (*v.symbols, *omega.symbols, *gamma.symbols)
     return constant([sp.Function(f"{name}_{i}")(*arguments) for i in (1, 2, 3)])
 
 
-#: Force and couple of a support of which nothing is known, body axes.
+#: Unspecified force and couple of a support, body axes.
 ANY_FORCE, ANY_COUPLE = _function_vector("R_c"), _function_vector("K_c")
 
 
@@ -60,7 +58,7 @@ def free_contact(
     force: MatrixExpr = ANY_FORCE,
     couple: MatrixExpr = zero,
 ) -> System:
-    """The equations of a body under any force, and maybe a couple, at its point of contact.
+    """The equations of a body under any force, and possibly a couple, at its point of contact.
 
     Parameters
     ----------
@@ -92,11 +90,7 @@ def free_contact(
     >>> lawproof.prove(free_contact(top), jellett(top)).decision
     'proven'
     """
-    if isinstance(body.shape, Implicit):
-        raise InputError(
-            "shape: an implicit surface has no formula for its point of contact; give a ball, an "
-            "ellipsoid, a disk, a torus or a body of revolution"
-        )
+    body.shape.gauss()  # refuses a shape without formulas for its point of contact
     inertia = _inertia(body)
     kinematics = contact(body.shape, Plane())
     names = {name for name, _ in kinematics.definitions}
@@ -207,7 +201,7 @@ def jellett(body: Body) -> Integral:
     InputError
         If the shape is no ball, or the inertia tensor no diagonal one.
     """
-    if not isinstance(body.shape, Ball):
+    if not body.shape.is_ball:
         raise InputError("shape: Jellett's integral is that of a body with a spherical surface")
     return Integral(
         "jellett",

@@ -1,4 +1,4 @@
-"""Bounds of the force and the couple of friction over a round patch, by the signs of series.
+"""Bounds of the friction force and couple over a round patch, from the signs of series terms.
 
 For the pressure (p + 1)N/(πa²) (1 − ρ²/a²)^p, with k = |u|/(a|Ω|), x = k² for k ≤ 1 and x = 1/k²
 for k ≥ 1, the friction function φ(k) = ⟨|ke + γ×ρ/a|⟩ and the shares 𝓕 = φ′ and 𝓜 = φ − kφ′ are
@@ -6,8 +6,8 @@ for k ≥ 1, the friction function φ(k) = ⟨|ke + γ×ρ/a|⟩ and the shares 
     k ≤ 1:  φ = φ₀ F(−½, −p − 3/2; 1; x),    𝓕 = φ₀ (p + 3/2) k F(½, −p − ½; 2; x),
     k ≥ 1:  𝓕 = F(−½, ½; p + 2; x),          k𝓜 = F(½, ½; p + 3; x)/(2(p + 2)),
 
-F the hypergeometric function and φ₀ = Γ(3/2)Γ(p + 2)/Γ(p + 5/2).  As a mean of norms φ is convex,
-so that 𝓜 ≤ 𝓜(0) = φ₀.
+where F is the hypergeometric function and φ₀ = Γ(3/2)Γ(p + 2)/Γ(p + 5/2).  As a mean of norms φ is
+convex, so that 𝓜 ≤ 𝓜(0) = φ₀.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 HALF = sp.Rational(1, 2)
-#: Exponents of Hertz' pressure (a ball) and of a constant one (a disk on its face).
+#: Exponents of Hertz's pressure (a ball) and of uniform pressure (a disk on its face).
 HERTZ, UNIFORM = HALF, sp.S.Zero
 
 
@@ -31,7 +31,7 @@ class Series:
 
     @property
     def sign_after_first(self) -> int:
-        """The sign that no term after the first is opposite to; zero if all of these vanish.
+        """The common sign of all terms after the first; zero if they all vanish.
 
         Raises
         ------
@@ -85,10 +85,10 @@ def couple_beyond(p: sp.Rational) -> Series:
 
 
 def bounds(p: sp.Rational) -> tuple[sp.Expr, sp.Expr] | None:
-    """Numbers C, D with 𝓕 ≤ C k and k𝓜 ≤ D for all k > 0; None if the signs do not show them.
+    """Numbers C, D with 𝓕 ≤ C k and k𝓜 ≤ D for all k > 0; None if the signs prove none.
 
-    Within k ≤ 1 the terms of 𝓕/(C k) after the first are not positive; beyond, 𝓕 ≤ 1 ≤ C.
-    Within, k𝓜 ≤ 𝓜(0), and beyond it is largest at k = 1.
+    For k ≤ 1 the terms of 𝓕/(C k) after the first are not positive, and for k ≥ 1, 𝓕 ≤ 1 ≤ C.
+    Likewise k𝓜 ≤ 𝓜(0) for k ≤ 1, and for k ≥ 1 it is largest at k = 1.
     """
     C = slope(p)
     shown = force_within(p).sign_after_first <= 0 and force_beyond(p).sign_after_first <= 0
@@ -99,7 +99,7 @@ def bounds(p: sp.Rational) -> tuple[sp.Expr, sp.Expr] | None:
 
 
 def least_friction(p: sp.Rational) -> sp.Expr | None:
-    """A number E > 0 with 𝓕k + 𝓜 ≥ E max(1, k): the power that friction takes at least.
+    """A number E > 0 with 𝓕k + 𝓜 ≥ E max(1, k): a lower bound of the dissipated power.
 
     φ = 𝓕k + 𝓜 is convex and even in k, so that φ ≥ 𝓜(0); for k ≥ 1 it is k times a series of
     positive terms that begins with 1.

@@ -1,7 +1,7 @@
-"""Zero normal force of a rolling body, and what the body would do without its support.
+"""Zero normal force of a rolling body, and its acceleration without the support.
 
-The touching particle of a body without slip has the acceleration b + A R with the reaction R; b is
-that of the body in free motion.  Rolling needs R = −A⁻¹b.
+The touching particle of a body without slip has the acceleration b + A R with the reaction R, where
+b is its acceleration in free motion.  Rolling needs R = −A⁻¹b.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class LoadedBall:
 
     @property
     def normal_force(self) -> sp.Rational:
-        """Its part along the normal."""
+        """The normal component of the reaction."""
         return self.gamma.dot(self.reaction())
 
     @property
@@ -82,7 +82,7 @@ WITHOUT_FORCE = LoadedBall(
 
 
 def any_contact() -> System:
-    """A contact at one moment: any A and b, the normal along the third axis, R = −A⁻¹b."""
+    """A contact with arbitrary A and b, the normal along the third axis, and R = −A⁻¹b."""
     numbers = (
         *((s, 2.0 if str(s)[-1] == str(s)[-2] else 0.3) for s in A.symbols),
         *((s, 0.7 - i) for i, s in enumerate(b.symbols)),
@@ -97,10 +97,10 @@ def any_contact() -> System:
 
 
 def paradox() -> Identity:
-    """B N + b_n = 0 for the slip against which friction pulls with the force that rolling needs.
+    """B N + b_n = 0 for the slip whose friction pulls in the direction that rolling needs.
 
-    With that direction and the coefficient |f|/|N| of friction the normal acceleration for each
-    unit of normal force is B = A_nn + (A_nt, f)/N.
+    For this direction and the friction coefficient |f|/|N|, the normal acceleration per unit of
+    normal force is B = A_nn + (A_nt, f)/N.
     """
     f_1, f_2, N = reaction.symbols
     entries = A.entries

@@ -1,7 +1,7 @@
-"""The laws that can be proved of a body on its support, by what its friction is made of.
+"""The laws that can be proved for a body on its support, depending on its friction laws.
 
-Nothing is assumed of the normal force, so that each law holds through all changes of the contact,
-in impacts and in flight.
+The normal force is unspecified, so each law holds through all changes of the contact, in impacts
+and in flight.
 """
 
 from __future__ import annotations
@@ -12,16 +12,13 @@ import sympy as sp
 
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Integral, Law
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components, zero
+from flowlanes.system.vectors import zero
 
-from ...mechanics.shapes.implicit import Implicit
-from ...mechanics.shapes.shapes import Ball
-from ...mechanics.shapes.surfaces import Plane
 from ..equations.situation import FrictionalContact
 from ..friction.friction_law import FrictionLaw
 from ..friction.modes import Mode
-from ..friction.rolling_friction import ContourResistance, RollingResistance, ViscousRolling
 from .dissipation import decrease_of_energy
 from .free_contact import ANY_COUPLE, couple_on_jellett, free_contact, jellett, power
 from .sliding_ball import (
@@ -65,19 +62,19 @@ def provable_laws(contact: FrictionalContact) -> tuple[Claim, ...]:
     ['jellett', 'power', 'coulomb_power']
     """
     at_rest = contact.surface.turntable == 0
-    losses = _losses(contact.laws) if at_rest else ()
-    if not isinstance(contact.surface, Plane) or contact.field.potential != 0:
+    losses = _dissipation_laws(contact.laws) if at_rest else ()
+    if not contact.surface.is_flat or contact.field.potential != 0:
         return losses
-    kept = (*_of_a_top(contact), *_of_a_ball(contact))
-    if not at_rest or isinstance(contact.body.shape, Implicit):
+    kept = (*_top_laws(contact), *_ball_laws(contact))
+    if not at_rest or contact.body.shape.by_equation:
         return kept
     gravity = contact.field.gravity
     free = free_contact(contact.body, gravity, couple=ANY_COUPLE)
     return (*kept, (free, power(contact.body)), *losses)
 
 
-def _losses(laws: tuple[FrictionLaw, ...]) -> tuple[Claim, ...]:
-    """The power that each law takes, where it is a sum of products that are not negative."""
+def _dissipation_laws(laws: tuple[FrictionLaw, ...]) -> tuple[Claim, ...]:
+    """The power that each law dissipates, where it is a sum of nonnegative products."""
     claims = []
     for law in laws:
         try:
@@ -91,16 +88,16 @@ def _has_couple(contact: FrictionalContact) -> bool:
     for law in contact.laws:
         absent = {p.symbol: 0 for p in law.parameters if p.default == 0}
         reaction = law.reaction(Mode(range="inner"))
-        parts = (*to_components(reaction.q), *to_components(reaction.couple))
+        parts = scalars((reaction.q, reaction.couple))
         if any(sp.sympify(part).xreplace(absent) != 0 for part in parts):
             return True
     return False
 
 
-def _of_a_top(contact: FrictionalContact) -> tuple[Claim, ...]:
+def _top_laws(contact: FrictionalContact) -> tuple[Claim, ...]:
     """Jellett's integral, or the rate at which couples change it."""
     body = contact.body
-    if not isinstance(body.shape, Ball) or not body.principal:
+    if not body.shape.is_ball or not body.principal:
         return ()
     first, second = body.inertia[:2]
     if first != second or any(body.shape.centre[:2]) or any(body.gyrostat[:2]):
@@ -111,18 +108,15 @@ def _of_a_top(contact: FrictionalContact) -> tuple[Claim, ...]:
     return ((free_contact(body, gravity), jellett(body)),)
 
 
-def _of_a_ball(contact: FrictionalContact) -> tuple[Claim, ...]:
+def _ball_laws(contact: FrictionalContact) -> tuple[Claim, ...]:
     """Momentum about the contact, and the direction of the slip, of a homogeneous ball."""
     body, laws = contact.body, contact.laws
-    resists_rolling = any(
-        isinstance(law, RollingResistance | ViscousRolling | ContourResistance) for law in laws
-    )
-    if not isinstance(body.shape, Ball) or any(body.shape.centre) or resists_rolling:
+    if not body.shape.is_balanced_ball or any(law.resists_rolling for law in laws):
         return ()
     if not body.principal or len(set(body.inertia)) > 1 or any(body.gyrostat):
         return ()
     moment = float(body.tensor[0, 0])
-    numbers = ball_parameters(body.mass, moment, body.shape.radius, contact.field.gravity)
+    numbers = ball_parameters(body.mass, moment, body.shape.half_breadth, contact.field.gravity)
     couple = ANY_SPIN_COUPLE if _has_couple(contact) else zero[0, 0]
     ball = sliding_ball(ANY_FORCE, couple, numbers)
     kept: tuple[Integral, ...] = momenta()[: 2 if _has_couple(contact) else 3]

@@ -25,15 +25,16 @@ SOURCE = "§11.2"
 _STATE = (*place.symbols, *V.symbols, *omega.symbols)
 
 
-def _any(name: str) -> sp.Expr:
-    """A function of the state of which nothing is known."""
+def _unspecified_function(name: str) -> sp.Expr:
+    """An unspecified function of the state."""
     value: sp.Expr = sp.Function(name)(*_STATE)
     return value
 
 
-#: Any force of the plane and any couple about the normal; any coefficient of a force against u.
-ANY_FORCE = tuple(_any(f"F_{i}") for i in (1, 2, 3))
-ANY_COUPLE, ANY_COEFFICIENT = _any("K"), _any("phi")
+#: Unspecified force of the plane and couple about the normal; unspecified coefficient of a force
+#: opposite to u.
+ANY_FORCE = tuple(_unspecified_function(f"F_{i}") for i in (1, 2, 3))
+ANY_COUPLE, ANY_COEFFICIENT = _unspecified_function("K"), _unspecified_function("phi")
 
 SpaceForce = tuple[sp.Expr, sp.Expr, sp.Expr]
 
@@ -112,7 +113,7 @@ def _energy() -> sp.Expr:
     return (translation + rotation) / 2 + m * g * place.symbols[2]
 
 
-#: Kinetic energy and that of the height (J).
+#: Kinetic and potential energy (J).
 ENERGY = _energy()
 
 
@@ -169,7 +170,7 @@ def slip_direction() -> tuple[Integral, ...]:
 
 
 def dry_laws() -> tuple[Law, ...]:
-    """The laws of dry friction: a parabola, a slip that decreases linearly, energy that is lost."""
+    """The laws of dry friction: parabolic path, linearly decreasing slip, energy loss."""
     slowing = mu * g * (1 + m * R**2 / inertia)
     jerks = tuple(Rate(Rate(Rate(s))) for s in place.symbols[:2])
     return (

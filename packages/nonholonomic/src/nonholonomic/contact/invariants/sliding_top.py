@@ -25,7 +25,7 @@ AXIS = unit_vector(3)
 INERTIA = constant(sp.diag(I_1, I_1, I_3))
 SOURCE = "§11.3"
 
-#: Friction in proportion to slip and normal force, for each unit of it.
+#: Friction proportional to slip and normal force, per unit of both.
 NORMAL_VISCOUS = -nu * slip
 
 

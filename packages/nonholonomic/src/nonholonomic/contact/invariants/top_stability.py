@@ -34,7 +34,7 @@ from flowlanes.system.vectors import real_symbol
 from .sliding_top import I_1, I_3, R, c, g, gamma, m, nu, omega, v
 
 n, kappa, rate = real_symbol("n"), real_symbol("kappa"), sp.Symbol("lambda")
-#: Half of the state that turns about the vertical: components 1 and 2 of v, ω and γ.
+#: The components that rotate about the vertical: 1 and 2 of v, ω and γ.
 ACROSS = tuple(s for vector in (v, omega, gamma) for s in vector.symbols[:2])
 
 
@@ -52,7 +52,7 @@ def stability_margin() -> sp.Expr:
 
 @lru_cache(maxsize=1)
 def hermitian_minors() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """The principal minors of the Hermitian form of P, from the highest power on.
+    """The leading principal minors of the Hermitian form of P, starting with the highest power.
 
     The form has the coefficients of [P(x)P̄(y) − P̄(−x)P(−y)]/(x + y).
     """
@@ -69,7 +69,7 @@ def hermitian_minors() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 
 
 def expected_minors() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """The minors as products, which show that they are positive exactly if T is."""
+    """The minors as products; they show that the form is positive exactly if T is."""
     b, margin = R - c, stability_margin()
     carried = I_1 + m * b**2
     return (

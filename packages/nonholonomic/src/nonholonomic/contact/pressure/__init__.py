@@ -1,4 +1,4 @@
-"""Friction of a patch of contact: force and couple for each distribution of pressure."""
+"""Friction over a contact patch: force and couple for each pressure distribution."""
 
 import lazy_loader
 

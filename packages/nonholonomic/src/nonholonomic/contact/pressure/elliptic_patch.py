@@ -37,11 +37,11 @@ import numpy.typing as npt
 from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray
 
-#: Slenderest patch: lesser over greater semi-axis.
+#: Smallest ratio of the semi-axes.
 SLENDEREST = 0.01
-#: The rules are exact to exp(−_EXPONENT).
+#: The quadrature rules are accurate to exp(−_EXPONENT).
 _EXPONENT = 37.0
-#: Numbers at once.
+#: Number of integrand values computed at once; it bounds memory use.
 _CHUNK = 2**20
 
 PointFunction: TypeAlias = Callable[[FloatArray], FloatArray]
@@ -104,7 +104,7 @@ class EllipticHertz:
     def _integral(
         self, d: npt.ArrayLike, inside: PointFunction, outside: PointFunction
     ) -> FloatArray:
-        """Values at points, by one integral in the patch and another one around it."""
+        """Values at points: one quadrature inside the patch and another one outside."""
         points = np.asarray(d, dtype=float)
         if points.shape[-1:] != (2,) or not np.all(np.isfinite(points)):
             raise InputError("points d of the patch: they must be finite, of shape (..., 2)")
@@ -112,7 +112,7 @@ class EllipticHertz:
         within = np.hypot(*scaled.T) <= 1
         values: dict[bool, FloatArray] = {}
         for where, integral, nodes in (
-            (True, inside, self._turn.size),
+            (True, inside, self._half_turn_nodes.size),
             (False, outside, self._fejer[0].size),
         ):
             chosen = scaled[within == where]
@@ -123,22 +123,22 @@ class EllipticHertz:
         return total.reshape(*points.shape[:-1], -1)
 
     @cached_property
-    def _strip(self) -> float:
-        """Distance of the zeros of β from the real axis, as far as it matters."""
+    def _strip_half_width(self) -> float:
+        """Distance of the zeros of β from the real axis, capped where it no longer matters."""
         ratio = min(self.a, self.b) / max(self.a, self.b)
         return math.atanh(min(ratio, 0.99))
 
     @cached_property
-    def _turn(self) -> FloatArray:
+    def _half_turn_nodes(self) -> FloatArray:
         """Nodes φ of the trapezoidal rule on half a turn."""
-        number = math.ceil(_EXPONENT / (2 * self._strip)) + 6
+        number = math.ceil(_EXPONENT / (2 * self._strip_half_width)) + 6
         nodes: FloatArray = math.pi / number * np.arange(number, dtype=float)
         return nodes
 
     @cached_property
     def _fejer(self) -> tuple[FloatArray, FloatArray]:
         """Positive nodes and the weights of Fejér's rule on −1 ≤ t ≤ 1."""
-        height = self._strip / (math.pi / 2)
+        height = self._strip_half_width / (math.pi / 2)
         half = math.ceil(_EXPONENT / (2 * math.asinh(height))) + 10
         angles = math.pi * (np.arange(half) + 0.5) / (2 * half)
         orders = np.arange(1, half)
@@ -149,35 +149,35 @@ class EllipticHertz:
         root: FloatArray = np.hypot(self.a * np.cos(phi), self.b * np.sin(phi))
         return root
 
-    def _inside(self, D: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def _chords_inside(self, D: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """s, x and T² at points (rows) for the chords of the trapezoidal rule (columns)."""
-        cos, sin = np.cos(self._turn), np.sin(self._turn)
+        cos, sin = np.cos(self._half_turn_nodes), np.sin(self._half_turn_nodes)
         s = D[:, :1] * cos + D[:, 1:] * sin
         x = D[:, :1] * sin - D[:, 1:] * cos
         return s, x, (1 - x) * (1 + x)
 
     def _mean(self, integrand: FloatArray) -> FloatArray:
-        total: FloatArray = 0.75 * math.pi / self._turn.size * integrand.sum(axis=1)
+        total: FloatArray = 0.75 * math.pi / self._half_turn_nodes.size * integrand.sum(axis=1)
         return total
 
     def _potential_inside(self, D: FloatArray) -> FloatArray:
-        s, _, T = self._inside(D)
-        return self._mean(self._root(self._turn) * T * (s**2 + T / 4))[:, None]
+        s, _, T = self._chords_inside(D)
+        return self._mean(self._root(self._half_turn_nodes) * T * (s**2 + T / 4))[:, None]
 
     def _gradient_inside(self, D: FloatArray) -> FloatArray:
-        s, _, T = self._inside(D)
-        along = T * s / self._root(self._turn)
-        both = [self.a * np.cos(self._turn), self.b * np.sin(self._turn)]
+        s, _, T = self._chords_inside(D)
+        along = T * s / self._root(self._half_turn_nodes)
+        both = [self.a * np.cos(self._half_turn_nodes), self.b * np.sin(self._half_turn_nodes)]
         return np.stack([self._mean(along * component) for component in both], axis=1)
 
     def _couple_inside(self, D: FloatArray) -> FloatArray:
-        s, x, T = self._inside(D)
-        root = self._root(self._turn)
+        s, x, T = self._chords_inside(D)
+        root = self._root(self._half_turn_nodes)
         difference = (self.a - self.b) * (self.a + self.b)
-        product = difference * np.sin(2 * self._turn) / 2
+        product = difference * np.sin(2 * self._half_turn_nodes) / 2
         return self._mean(T * (root * T / 4 - s * x * product / root))[:, None]
 
-    def _outside(self, D: FloatArray) -> tuple[FloatArray, ...]:
+    def _chords_outside(self, D: FloatArray) -> tuple[FloatArray, ...]:
         """Direction φ₀ of each point, angle χ > 0 from it, s, x, T² there, and the weights."""
         distance = np.hypot(*D.T)[:, None]
         nodes, weights = self._fejer
@@ -195,14 +195,14 @@ class EllipticHertz:
         )
 
     def _potential_outside(self, D: FloatArray) -> FloatArray:
-        towards, chi, s, _, T, weights = self._outside(D)
+        towards, chi, s, _, T, weights = self._chords_outside(D)
         roots = self._root(towards + chi) + self._root(towards - chi)
-        # T² s² apart from T⁴/4, which is far smaller for distant points
+        # T² s² is kept apart from T⁴/4, which is far smaller for distant points.
         total: FloatArray = (weights * roots * T * (s**2 + T / 4)).sum(axis=1)
         return total[:, None]
 
     def _gradient_outside(self, D: FloatArray) -> FloatArray:
-        towards, chi, s, _, T, weights = self._outside(D)
+        towards, chi, s, _, T, weights = self._chords_outside(D)
         components = []
         for axis, function in ((self.a, np.cos), (self.b, np.sin)):
             pair = sum(function(phi) / self._root(phi) for phi in (towards + chi, towards - chi))
@@ -210,10 +210,10 @@ class EllipticHertz:
         return np.stack(components, axis=1)
 
     def _couple_outside(self, D: FloatArray) -> FloatArray:
-        towards, chi, s, x, T, weights = self._outside(D)
+        towards, chi, s, x, T, weights = self._chords_outside(D)
         plus, minus = self._root(towards + chi), self._root(towards - chi)
         difference = (self.a - self.b) * (self.a + self.b)
-        # x is odd in χ: of sin φ cos φ/√β only the odd part remains, which is taken exactly
+        # x is odd in χ, so only the odd part of sin φ cos φ/√β contributes; it is computed exactly.
         sines = np.sin(2 * towards) * np.cos(2 * chi)
         cosines = np.cos(2 * towards) * np.sin(2 * chi)
         roots = difference * np.sin(2 * towards) * np.sin(2 * chi) / (plus + minus)

@@ -8,9 +8,9 @@ import numpy as np
 
 from flowlanes.system.arrays import FloatArray
 
-#: Step and ends of the trapezoidal rule.
+#: Step and limits of the trapezoidal rule.
 _STEP, _FAR = 0.25, 80.0
-#: Values of z at once; each takes as many numbers as the rule has nodes.
+#: Number of z values evaluated at once; each needs one number per node.
 _CHUNK = 4096
 
 
@@ -37,9 +37,9 @@ def half_beta(b: float) -> float:
 def half_hypergeometric(a: float, c: float, z: FloatArray, complement: FloatArray) -> FloatArray:
     """₂F₁(a, ½; c; z) for c > ½, as a sum of positive terms.
 
-    Euler's integral, ∫ t^(−1/2) (1 − t)^(c−3/2) (1 − zt)^(−a) dt over 0 < t < 1 and divided by
-    its value at z = 0, with t = 1/(1 + eᵛ): then all singularities have Im v = ±π for every z,
-    and the trapezoidal rule converges geometrically, uniformly up to z = 1.
+    Euler's integral ∫ t^(−1/2) (1 − t)^(c−3/2) (1 − zt)^(−a) dt over 0 < t < 1, divided by its
+    value at z = 0.  With t = 1/(1 + eᵛ) all singularities have Im v = ±π for every z, so the
+    trapezoidal rule converges geometrically, uniformly up to z = 1.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def half_hypergeometric(a: float, c: float, z: FloatArray, complement: FloatArra
         0 ≤ z ≤ 1, and 1 − z without cancellation.
     """
     log_t, log_tau, weights = _rule(c)
-    # the power lies between 1 and its value at z = 1
+    # The power lies between 1 and its value at z = 1.
     near = weights * (1 + np.exp(-a * log_tau))
     used = near > 1e-22 * near.max()
     nodes = np.exp(log_t[used]), np.exp(log_tau[used])

@@ -28,12 +28,13 @@ from flowlanes.system.arrays import FloatArray
 
 from .hypergeometric import half_beta, half_hypergeometric, series_coefficients
 
-#: From this k on Hertz's factors are summed as series in 1/k²: there the closed form loses a bit.
+#: Above this k Hertz's factors are summed as series in 1/k², since the closed form loses a bit
+#: there.
 _HERTZ_SERIES_FROM = 1.5
 _HALF = Fraction(1, 2)
 _HERTZ_FORCE = [float(c) for c in series_coefficients(-_HALF, _HALF, Fraction(5, 2), 40)]
 _HERTZ_COUPLE = [float(c) for c in series_coefficients(_HALF, _HALF, Fraction(7, 2), 40)]
-#: Uniform pressure: from k² = 2 on.
+#: The same for uniform pressure: above this value of k².
 _UNIFORM_COUPLE = [float(c) for c in series_coefficients(_HALF, _HALF, Fraction(3), 44)]
 
 
@@ -74,7 +75,7 @@ class CoupledFriction(ABC):
 
 
 def checked_ratio(k: npt.ArrayLike) -> FloatArray:
-    """An array k ≥ 0; InputError if it is not."""
+    """Convert to an array and require k ≥ 0."""
     ratio = np.asarray(k, dtype=float)
     if not np.all(ratio >= 0):
         wrong = ratio[~(ratio >= 0)].flat[0]
@@ -85,7 +86,7 @@ def checked_ratio(k: npt.ArrayLike) -> FloatArray:
 def _square_and_complement(k: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """The modulus κ = min(k, 1/k), κ² and 1 − κ² without cancellation."""
     modulus = np.minimum(k, 1) / np.maximum(k, 1)
-    # from 1e9 on the complement rounds to 1
+    # Above 1e9 the complement rounds to 1.
     above = np.clip(k, 1, 1e9)
     below = np.minimum(k, 1)
     complement = np.where(k <= 1, (1 - below) * (1 + below), (above - 1) / above * (1 + 1 / above))
@@ -139,14 +140,14 @@ class Hertz(CoupledFriction):
         closed = (8 - 8 * square + 3 * square**2) * np.arctan2(1, s) + 3 * (2 - square) * s
         far = np.polynomial.polynomial.polyval(_inverse_square(k), _HERTZ_COUPLE)
         far = far / np.maximum(k, 1) / 5
-        # 1 − k² + 3k⁴/8 with positive terms only, w = 1 − k²
+        # 1 − k² + 3k⁴/8 as a sum of positive terms, with w = 1 − k².
         return _by_range(
             k, 3 * math.pi / 16 * (3 + 2 * w + 3 * w**2) / 8, 3 / 64 * closed, np.asarray(far)
         )
 
 
 def _inverse_square(k: FloatArray) -> FloatArray:
-    """1/k² from where the series are summed, and its value there below."""
+    """1/k² where the series is used, and the threshold value below."""
     inverse: FloatArray = (1 / np.maximum(k, _HERTZ_SERIES_FROM)) ** 2
     return inverse
 
@@ -241,7 +242,7 @@ def _elliptic(k: FloatArray) -> tuple[FloatArray, FloatArray]:
     from scipy.special import ellipe, elliprd
 
     _, square, complement = _square_and_complement(k)
-    # D grows like a logarithm towards κ = 1 and stands beside the factor 1 − κ² everywhere
+    # D grows logarithmically towards κ = 1, but is always multiplied by 1 − κ².
     D = np.where(complement > 0, elliprd(0, np.where(complement > 0, complement, 1.0), 1) / 3, 0.0)
     return np.asarray(ellipe(square)), D
 
@@ -305,7 +306,7 @@ class PowerPressure(CoupledFriction):
 def _inner_and_outer(
     k: FloatArray, inner: tuple[float, float], outer: tuple[float, float]
 ) -> tuple[FloatArray, FloatArray]:
-    """₂F₁(a, ½; c; κ²), for k ≤ 1 with one pair (a, c) and for k ≥ 1 with another; else 0."""
+    """₂F₁(a, ½; c; κ²) with one pair (a, c) for k ≤ 1 and another for k ≥ 1."""
     _, square, complement = _square_and_complement(k)
     values = []
     for chosen, (a, c) in ((k <= 1, inner), (k > 1, outer)):

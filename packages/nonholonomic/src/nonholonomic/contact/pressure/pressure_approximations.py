@@ -1,6 +1,6 @@
-"""Rational and other short formulas of the literature for Hertz's factors, and their errors.
+"""Rational and other short approximations of Hertz's factors from the literature, with errors.
 
-They are good for comparison only: Hertz's factors themselves cost one arctangent.
+They serve comparison only: Hertz's factors themselves cost a single arctangent.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from .pressure_ranges import k
 
 #: F′(0), M(0) and lim kM for k → ∞ of Hertz's factors.
 SLOPE, COUPLE, COUPLE_FAR = 3 * sp.pi / 8, 3 * sp.pi / 16, sp.Rational(1, 5)
-#: Beyond this k every formula has its limit, and the squares still are finite.
+#: Above this k every formula has reached its limit, while the squares are still finite.
 _FAR = 1e150
 
 
@@ -185,7 +185,7 @@ def greatest_errors(approximation: CoupledFriction) -> tuple[float, float]:
 def _greatest_difference(
     f: Callable[[FloatArray], FloatArray], g: Callable[[FloatArray], FloatArray]
 ) -> float:
-    """The greatest |f − g| on 0 ≤ k ≤ ∞, both smooth in ln k."""
+    """The largest |f − g| on 0 ≤ k ≤ ∞, where both are smooth in ln k."""
 
     def difference(logarithm: npt.ArrayLike) -> FloatArray:
         at = np.exp(np.asarray(logarithm))
@@ -194,7 +194,7 @@ def _greatest_difference(
     grid = np.linspace(-12, 12, 961)
     values = difference(grid)
     greatest = max(float(values.max()), float(difference([-np.inf, np.inf]).max()))
-    # several peaks may be equally high
+    # Several peaks may be equally high.
     higher = (values[1:-1] >= values[:-2]) & (values[1:-1] >= values[2:])
     for i in np.flatnonzero(higher & (values[1:-1] > 0.99 * greatest)):
         peak = minimize_scalar(

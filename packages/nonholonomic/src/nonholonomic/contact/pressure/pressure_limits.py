@@ -1,4 +1,4 @@
-r"""The limit set of force and couple that friction can exert at a round patch.
+r"""r"The limit set of the force and couple that friction can exert on a round patch.
 
 A patch at rest holds a force f along the contact and a couple τ about the normal as long as
 
@@ -24,11 +24,11 @@ from flowlanes.system.vectors import real_symbol
 
 from .pressure import CoupledFriction
 
-#: Force and couple at k = 1 under Hertz's pressure: where the two parts of the limit curve meet.
+#: Force and couple at k = 1 under Hertz's pressure, where the two parts of the limit curve meet.
 FORCE_AT_ONE, COUPLE_AT_ONE = 9 * sp.pi / 32, 9 * sp.pi / 128
-#: Degree of the polynomial of the outer part of the curve.
+#: Degree of the polynomial for the outer part of the curve.
 DEGREE = 26
-#: From here on in |ln k| the ratio F/M is proportional to k.
+#: Above this |ln k| the ratio F/M is proportional to k.
 _STRAIGHT = 200.0
 
 x, z = real_symbol("x"), real_symbol("z")
@@ -61,7 +61,7 @@ def slip_ratio(friction: CoupledFriction, x: npt.ArrayLike, z: npt.ArrayLike) ->
     >>> float(slip_ratio(hertz, 0.5 * hertz.force(2.0), 0.5 * hertz.couple(2.0)).round(14))
     2.0
     """
-    # imported where it is needed: every study imports this module, few need a root
+    # Imported on demand: every study imports this module, few need a root.
     from scipy.optimize import elementwise
 
     force, couple = _checked_load(x, z)
@@ -72,7 +72,7 @@ def slip_ratio(friction: CoupledFriction, x: npt.ArrayLike, z: npt.ArrayLike) ->
     if not inside.any():
         return ratio
     wanted = np.log(force[inside]) - np.log(couple[inside])
-    # ln(F/M) rises with ln k, beyond ±_STRAIGHT with slope 1
+    # ln(F/M) increases with ln k; beyond ±_STRAIGHT its slope is 1.
     clipped = np.clip(wanted, -_STRAIGHT, _STRAIGHT)
 
     def excess(log_k: FloatArray, target: FloatArray) -> FloatArray:
@@ -94,7 +94,7 @@ def _log_ratio(friction: CoupledFriction, log_k: FloatArray) -> FloatArray:
 
 
 def load_factor(friction: CoupledFriction, x: npt.ArrayLike, z: npt.ArrayLike) -> FloatArray:
-    """The part of what can be held that is asked: below 1 inside the limit set, 1 on its edge.
+    """The load relative to its limit: below 1 inside the limit set, 1 on its boundary.
 
     It is λ with (x, z) = λ (F(k), M(k)), so proportional to the load.
 
@@ -119,7 +119,7 @@ def load_factor(friction: CoupledFriction, x: npt.ArrayLike, z: npt.ArrayLike) -
     empty = (force == 0) & (couple == 0)
     k = slip_ratio(friction, np.where(empty, 1.0, force), couple)
     F, M = friction.force(k), friction.couple(k)
-    # by the greater of the two, so that nothing is lost where F or M is flat
+    # Divide by the larger of the two, which is accurate where F or M is flat.
     return np.where(F >= M, force / np.where(F >= M, F, 1), couple / np.where(F >= M, 1, M))
 
 
@@ -207,7 +207,7 @@ def hertz_limit() -> HertzLimit:
 
 
 def _outer_coefficients() -> list[float]:
-    """Powers of t of the interpolation of F at Chebyshev's points in t = 2√(1 − M/M(1)) − 1."""
+    """Coefficients of the interpolant of F at Chebyshev points in t = 2√(1 − M/M(1)) − 1."""
     points = DEGREE + 1
     with mp.workdps(40):
         angles = [mp.pi * (2 * i + 1) / (2 * points) for i in range(points)]
@@ -219,7 +219,7 @@ def _outer_coefficients() -> list[float]:
             for n in range(points)
         ]
         chebyshev[0] /= 2
-        # T_n by powers, from T_{n+1} = 2t T_n − T_{n−1}
+        # Convert to powers of t by the recurrence T_{n+1} = 2t T_n − T_{n−1}.
         previous, current = [0] * points, [1] + [0] * DEGREE
         powers = [mp.mpf(0)] * points
         for n, coefficient in enumerate(chebyshev):
@@ -232,7 +232,7 @@ def _outer_coefficients() -> list[float]:
 
 
 def _outer_force(q: mp.mpf) -> mp.mpf:
-    """F where M = M(1)(1 − q²), 0 < q < 1, by a root in α = arcsin(1/k)."""
+    """F where M = M(1)(1 − q²), 0 < q < 1, by solving for α = arcsin(1/k)."""
     wanted = 9 * mp.pi / 128 * (1 - q**2)
 
     def couple(alpha: mp.mpf) -> mp.mpf:

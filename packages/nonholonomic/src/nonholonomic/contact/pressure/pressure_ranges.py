@@ -1,7 +1,7 @@
-"""Hertz's factors F(k) and M(k) as formulas for compiled code: three ranges without cancellation.
+"""Hertz's factors F(k) and M(k) for compiled code: three ranges without cancellation.
 
-F has only two continuous derivatives at k = 1, so no analytic formula holds on both sides; and for
-large k the closed form cancels, so that there a series takes its place.
+F has only two continuous derivatives at k = 1, so no analytic formula holds on both sides; for
+large k the closed form cancels, and a series replaces it.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from flowlanes.system.vectors import real_symbol
 
 from .hypergeometric import series_coefficients
 
-#: Between these values of k the middle range lies; the first is where the formulas truly change.
-#: At 2 the closed form of M has lost a digit (at 3 two), and the series needs 20 terms.
+#: Bounds of the middle range.  The first is where the formulas change; at the second the closed
+#: form of M has lost one digit (at 3 two), and the series needs 20 terms.
 INNER_BOUND, OUTER_BOUND = sp.Integer(1), sp.Integer(2)
-#: Greatest remainder of the series.
+#: Largest remainder of the series.
 REMAINDER = 1e-17
 
 k = real_symbol("k")
@@ -70,8 +70,8 @@ class FactorRange:
 def hertz_ranges() -> tuple[FactorRange, FactorRange, FactorRange]:
     """The inner, the middle and the outer range of Hertz's factors, in this order.
 
-    In the middle, α = arcsin(1/k) is written π/2 − arctan s with s = √(k² − 1): then the rounding
-    of s, which is large near k = 1, has no effect on F and M to first order.
+    In the middle range α = arcsin(1/k) is written as π/2 − arctan s with s = √(k² − 1).  The
+    rounding error of s, which is large near k = 1, then has no effect on F and M to first order.
 
     Examples
     --------
@@ -81,7 +81,7 @@ def hertz_ranges() -> tuple[FactorRange, FactorRange, FactorRange]:
     (pi*(3/8 - 3*k_2/32), pi*(k_2*(9*k_2/128 - 3/16) + 3/16))
     """
     square, inverse = real_symbol("k_2"), real_symbol("j_2")
-    # π once, outside: the coefficients stay rational
+    # Factor out π, so that the coefficients stay rational.
     inner = FactorRange(
         "inner",
         sp.Integer(0),
@@ -125,18 +125,18 @@ def hertz_ranges() -> tuple[FactorRange, FactorRange, FactorRange]:
 
 
 def _series(a: Fraction, c: Fraction) -> list[Fraction]:
-    """Coefficients of ₂F₁(a, ½; c; z), enough for the outer range."""
+    """Coefficients of ₂F₁(a, ½; c; z), as many as the outer range needs."""
     bound = 1 / Fraction(int(OUTER_BOUND)) ** 2
     coefficients = series_coefficients(a, _HALF, c, 100)
     for number in range(1, len(coefficients)):
-        # the coefficients decrease, so that a geometric series bounds the rest
+        # The coefficients decrease, so a geometric series bounds the remainder.
         if abs(coefficients[number]) * bound**number / (1 - bound) < REMAINDER:
             return coefficients[:number]
     raise ArithmeticError("the series needs more than 100 terms")
 
 
 def _horner(coefficients: list[Fraction], x: sp.Symbol) -> sp.Expr:
-    """A polynomial as nested products, which are summed from the smallest term on."""
+    """A polynomial in Horner form, which sums the smallest terms first."""
     value: sp.Expr = sp.Integer(0)
     for coefficient in reversed(coefficients):
         rational = sp.Rational(coefficient.numerator, coefficient.denominator)

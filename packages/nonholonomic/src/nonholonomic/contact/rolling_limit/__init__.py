@@ -1,1 +1,1 @@
-"""Constraints without slip as limits of friction, and of added inertia, with measured orders."""
+"""Constraints without slip as limits of friction or added inertia, with measured orders."""

@@ -16,26 +16,26 @@ from flowlanes.system.arrays import FloatArray
 
 @runtime_checkable
 class Family(Protocol):
-    """Motions that depend on a coefficient, and the motion that they may have as a limit."""
+    """Motions that depend on a coefficient, and their possible limit."""
 
     @property
     def words(self) -> str:
-        """The family, its coefficient and its limit in words."""
+        """A description of the family, its coefficient and its limit."""
 
     @property
     def coefficients(self) -> tuple[float, ...]:
         """The coefficients, increasing."""
 
     def motion(self, coefficient: float, times: FloatArray) -> FloatArray:
-        """The quantities compared, of the motion for one coefficient: (n, m) at n times."""
+        """The compared quantities of the motion for one coefficient: (n, m) at n times."""
 
     def limit(self, times: FloatArray) -> FloatArray:
-        """These quantities of the limit."""
+        """The same quantities of the limit."""
 
 
 @dataclass(frozen=True, eq=False)
 class Convergence:
-    """Differences of a family of motions from a limit.
+    """Differences between the motions of a family and its limit.
 
     Attributes
     ----------
@@ -65,7 +65,7 @@ class Convergence:
 
     @property
     def orders(self) -> FloatArray:
-        """Exponents p of a difference that falls as coefficient^−p, between neighbours (k − 1,)."""
+        """Exponents p (k − 1,) of a difference that falls like coefficient^−p, by neighbours."""
         steps: FloatArray = -np.diff(np.log(self.errors)) / np.diff(np.log(self.coefficients))
         return steps
 
@@ -76,7 +76,7 @@ class Convergence:
         return -float(slope)
 
     def table(self) -> str:
-        """Coefficients, differences and orders as a table of Markdown."""
+        """Coefficients, differences and orders as a Markdown table."""
         orders = ["", *(f"{order:.3f}" for order in self.orders)]
         rows = [
             f"| {coefficient:g} | {error:.3e} | {order} |"

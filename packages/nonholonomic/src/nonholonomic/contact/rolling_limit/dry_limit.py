@@ -1,7 +1,7 @@
-"""Rolling as the limit of dry friction that grows beyond measure.
+"""Rolling as the limit of dry friction with a coefficient that tends to infinity.
 
-Dry friction is no small disturbance of rolling: as soon as the force that rolling needs is less
-than μN, the body rolls exactly.  Only the time until then depends on μ; it is of the order 1/μ.
+Dry friction is not a small perturbation of rolling: as soon as the force needed for rolling is less
+than μN, the body rolls exactly.  Only the time until then depends on μ; it is of order 1/μ.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ from .rolling_limit import checked_state, rolling_states
 @arguments_checked
 @dataclass(frozen=True)
 class DryContact:
-    """A body on a plane with dry friction that starts with a slip, for growing μ.
+    """A body on a plane with dry friction and initial slip, for increasing μ.
 
-    For a body whose contact does not lie below the centre of mass there is no such limit: for
-    large μ it meets Painlevé's paradox.
+    A body whose contact does not lie below its centre of mass has no such limit: for large μ it
+    meets Painlevé's paradox.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ class DryContact:
 
     @property
     def words(self) -> str:
-        """The family and its limit."""
+        """A description of the family and its limit."""
         return "dry friction with μ → ∞, against rolling"
 
     @arguments_checked

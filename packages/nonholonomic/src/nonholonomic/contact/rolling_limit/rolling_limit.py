@@ -1,13 +1,13 @@
-"""Rolling bodies as limits of sliding ones whose viscosity grows beyond measure.
+"""Rolling bodies as limits of sliding ones with viscosity tending to infinity.
 
-The contact is two-sided here: it does not end where the normal force changes its sign.  A motion
-that starts with a slip u⁻ passes a layer at t = 0, in which the force at the contact acts like the
-impulse that ends the slip,
+Here the contact is two-sided: it does not end where the normal force changes its sign.  A motion
+with initial slip u⁻ passes through a layer at t = 0, in which the contact force acts like the
+impulse that stops the slip,
 
     J = −A⁻¹u⁻,      v⁺ = v⁻ + J/m,      ω⁺ = ω⁻ + I⁻¹(r×J + Kγ),
 
-where K ends the spin of a body that does not spin in the limit either, and is zero else.  The
-momentum about the contact point, Iω − m r×v, is changed by Kγ alone.
+where K stops the spin if the body does not spin in the limit either, and is zero otherwise.  Of the
+momentum about the contact point, Iω − m r×v, only the component along γ changes.
 """
 
 from __future__ import annotations
@@ -26,7 +26,6 @@ from flowlanes.system.system import System
 
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
-from ...mechanics.shapes.gauss_map import contact_points
 from ...mechanics.shapes.surfaces import Plane
 from ..equations.equations_of_motion import equations_of_motion
 from ..equations.situation import FrictionalContact
@@ -39,7 +38,7 @@ from ..simulation.compiled import NORMAL, OMEGA, VELOCITY, WORK
 
 @arguments_checked
 def start_of_limit(body: Body, state: Sequence[float] | FloatArray, spinning: bool) -> FloatArray:
-    """The state after the layer in which friction without bound ends the slip.
+    """The state after the layer in which unlimited friction stops the slip.
 
     Parameters
     ----------
@@ -57,7 +56,7 @@ def start_of_limit(body: Body, state: Sequence[float] | FloatArray, spinning: bo
     """
     before = np.array(state, dtype=float)[:WORK]
     v, omega, gamma = before[VELOCITY], before[OMEGA], before[NORMAL]
-    r = contact_points(body.shape)(gamma[None])[0]
+    r = body.shape.contact_points()(gamma[None])[0]
     responses = mobility(body.mass, body.tensor, r, gamma)
     slip = v + np.cross(omega, r)
     if spinning:
@@ -74,14 +73,14 @@ def start_of_limit(body: Body, state: Sequence[float] | FloatArray, spinning: bo
 
 
 def two_sided(situation: FrictionalContact, mode: Mode) -> System:
-    """The equations of a mode whose contact lasts for every normal force."""
+    """The equations of a mode in which the contact lasts for every sign of the normal force."""
     return replace(equations_of_motion(situation, mode), guards=())
 
 
 def states_without_work(
     system: System, start: FloatArray, times: FloatArray, values: dict[str, float]
 ) -> FloatArray:
-    """States without the works (n, 16)."""
+    """States without the work columns (n, 16)."""
     whole = [*start, *([0.0] * (len(system.symbols) - WORK))]
     states: FloatArray = integrate(system, whole, [0.0, *times], parameters=values).states
     return states[1:, :WORK]
@@ -90,14 +89,14 @@ def states_without_work(
 def rolling_states(
     body: Body, field: Forces, start: FloatArray, times: FloatArray, spinning: bool
 ) -> FloatArray:
-    """States of the body that rolls, with or without spin, from after the layer (n, 16)."""
+    """States (n, 16) of the rolling body, with or without spin, starting after the layer."""
     ideal = FrictionalContact(body, Plane(), (Coulomb(math.inf),), field)
     system = two_sided(ideal, Mode(sliding=False, spinning=spinning))
     return states_without_work(system, start_of_limit(body, start, spinning), times, {})
 
 
 def checked_state(state: Sequence[float]) -> tuple[float, ...]:
-    """The 16 numbers of a start; InputError if there are fewer, or one is not finite."""
+    """The 16 numbers of a start; raises InputError if there are fewer, or one is not finite."""
     numbers = tuple(float(x) for x in state[:WORK])
     if len(numbers) < WORK or not all(map(math.isfinite, numbers)):
         raise InputError(
@@ -110,7 +109,7 @@ def checked_state(state: Sequence[float]) -> tuple[float, ...]:
 @arguments_checked
 @dataclass(frozen=True)
 class ViscousContact:
-    """A body on a plane with the force −c u, and the couple −c s Ωγ, for growing c.
+    """A body on a plane with the force −c u and the couple −c s Ωγ, for increasing c.
 
     Parameters
     ----------
@@ -155,7 +154,7 @@ class ViscousContact:
 
     @property
     def words(self) -> str:
-        """The family and its limit."""
+        """A description of the family and its limit."""
         limit = "rolling without spin" if self.spin_share else "rolling"
         return f"sliding with viscosity c → ∞, against {limit}"
 
@@ -180,7 +179,7 @@ class ViscousContact:
 
     @arguments_checked
     def normal_force(self, coefficient: float, times: FloatArray) -> FloatArray:
-        """Normal force at some moments (n,); it may be negative in the layer (N)."""
+        """Normal force (N) at given times (n,); it may be negative in the layer."""
         values = {"c_v": coefficient, "c_s": coefficient * self.spin_share}
         whole = [*self.state, *([0.0] * (len(self.system.symbols) - WORK))]
         motion = integrate(self.system, whole, [0.0, *times], parameters=values)

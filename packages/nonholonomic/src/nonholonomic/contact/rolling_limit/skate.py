@@ -1,4 +1,4 @@
-"""A skate on a slope as the limit of side friction, of added inertia, or of both.
+"""A skate on a slope as the limit of lateral friction, of added inertia, or of both.
 
 A body of mass m and moment of inertia J has its centre of mass above a blade of direction
 e = (cos φ, sin φ), with e′ = de/dφ, on a plane on which gravity acts along x with the acceleration
@@ -27,6 +27,7 @@ from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import Parameter, System
+from flowlanes.system.tuple_vectors import dot
 from flowlanes.system.vectors import real_symbol
 
 x, y, p_x, p_y, phi, Omega, speed = (
@@ -34,10 +35,6 @@ x, y, p_x, p_y, phi, Omega, speed = (
 )
 m, J, a, c, inertia, nu = (real_symbol(s) for s in ("m", "J", "a", "c", "N_a", "nu"))
 ALONG, ACROSS = (sp.cos(phi), sp.sin(phi)), (-sp.sin(phi), sp.cos(phi))
-
-
-def _dot(left: tuple[sp.Expr, sp.Expr], right: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
-    return left[0] * right[0] + left[1] * right[1]
 
 
 def _parameters(slope: float) -> tuple[Parameter, ...]:
@@ -62,8 +59,8 @@ def resisting_skate(slope: float = 1.0) -> System:
         State: place `x`, `y`, momentum `p_x`, `p_y`, angle `phi` of the blade, `Omega` = φ̇.
     """
     momentum = (p_x, p_y)
-    ahead = _dot(momentum, ALONG) / m
-    sideways = _dot(momentum, ACROSS) / (m + inertia)
+    ahead = dot(momentum, ALONG) / m
+    sideways = dot(momentum, ACROSS) / (m + inertia)
     velocity = [ahead * e + sideways * n for e, n in zip(ALONG, ACROSS, strict=True)]
     return System(
         name="resisting-skate",
@@ -105,7 +102,7 @@ def nonholonomic_skate(slope: float = 1.0) -> System:
 def limit_of_added_inertia(slope: float = 1.0) -> System:
     """The limit N → ∞ with c = νN; for ν = 0 the vakonomic skate."""
     momentum = (p_x, p_y)
-    ahead, held = _dot(momentum, ALONG), _dot(momentum, ACROSS)
+    ahead, held = dot(momentum, ALONG), dot(momentum, ACROSS)
     return System(
         name="skate-of-added-inertia",
         title="Skate as the limit of added inertia",
@@ -174,7 +171,7 @@ class Skate:
 
     @property
     def words(self) -> str:
-        """The family and its limit."""
+        """A description of the family and its limit."""
         if not self.mass:
             return "skates with side friction s → ∞, against the nonholonomic skate"
         if not self.viscosity:

@@ -1,1 +1,1 @@
-"""The course of a motion with friction, from one event to the next."""
+"""Simulation of a motion with friction, from one contact event to the next."""

@@ -1,4 +1,4 @@
-"""Compiled modes of a contact, and numbers at a state."""
+"""Compiled equations of each contact mode, and the contact quantities evaluated at a state."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from flowlanes.flow.validation import extremes_in_words
 from flowlanes.formulas.graph import Graph, Reader, Term
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.formula_text import exact_text
-from flowlanes.system.system import System, flat
-from flowlanes.system.vectors import constant, to_components
+from flowlanes.system.named_formulas import flat, scalars
+from flowlanes.system.system import System
 
 from ..equations.equations_of_motion import equations_of_motion, work_symbol
 from ..equations.free_body import free_body_parameters
@@ -45,7 +45,7 @@ from ..impact.mobility import Mobility, inverse_of, mobility_at
 from .event_rules import COARSEST_WITH_FRICTION
 from .mode_integrator import ModeIntegrator, observable_columns, with_values
 
-#: Columns of the state that all modes share.
+#: Columns of the state that are common to all modes.
 ATTITUDE, POSITION, VELOCITY, OMEGA, NORMAL = (
     slice(0, 4),
     slice(4, 7),
@@ -73,13 +73,15 @@ NO_RATES = (
     "convex where it touches, and its formulas finite"
 )
 
-#: Place, among the compiled numbers, of the couple for each unit of normal force.
+#: Index, among the compiled outputs, of the couple per unit of normal force.
 _COUPLE = 3 * len(_VECTORS) + len(_SCALARS) + 2
 
 
 @dataclass(frozen=True, eq=False)
 class ContactNumbers:
-    """Kinematics and dynamics of a contact without normal force and dry friction; body axes.
+    """Kinematics and free dynamics of a contact, in body axes.
+
+    "Free" means without normal force and without dry friction.
 
     Attributes
     ----------
@@ -158,7 +160,8 @@ class CompiledContact:
             )
         self.situation = situation
         self.tolerance = tolerance
-        # equations are prepared once for all situations that differ in parameters alone
+        # The equations are prepared once and shared by all situations that differ only in
+        # parameters.
         self._defaults = {str(p.symbol): float(p.default) for p in free_body_parameters(situation)}
         self._modes: dict[tuple[FrictionalContact, Mode], ModeIntegrator] = {}
         flight = self.mode(FLIGHT).system.symbols
@@ -171,7 +174,7 @@ class CompiledContact:
         self._inverse_inertia = inverse_of(situation.body.tensor)
 
     def mode(self, mode: Mode, situation: FrictionalContact | None = None) -> ModeIntegrator:
-        """The integrator of a mode, of the situation or of one with other laws of friction."""
+        """The integrator of a mode, for this situation or for one with other laws of friction."""
         situation = situation or self.situation
         if (situation, mode) not in self._modes:
             equations, thread = SharedEquations(situation), threading.get_ident()
@@ -185,7 +188,7 @@ class CompiledContact:
 
     @property
     def columns(self) -> dict[str, slice]:
-        """The columns of each variable of the state, by name; works lost end with it."""
+        """The columns of each variable of the state, by name; the dissipated works come last."""
         columns: dict[str, slice] = {}
         first = 0
         for name in self.mode(FLIGHT).system.state:
@@ -197,13 +200,13 @@ class CompiledContact:
         return columns
 
     def work_column(self, law: str) -> int:
-        """The column of the state with the work lost to a law."""
+        """The column of the state that holds the work dissipated by a law."""
         return self._names.index(str(work_symbol(law)))
 
     def obstacle(self, state: FloatArray) -> str:
-        """Why nothing can be computed from a state, in words; empty if it can.
+        """Explain why nothing can be computed from a state; empty if the state is usable.
 
-        Squares of energies and forces must have room among the numbers.
+        The squares of energies and forces must be representable as doubles.
         """
         function, count = self._numbers.function, self._numbers.size
         start = np.append(state[:WORK], np.zeros(count - WORK))
@@ -212,7 +215,8 @@ class CompiledContact:
         def finite(numbers: Sequence[float]) -> bool:
             values = np.array([*numbers[:WORK], *start[WORK:], *numbers[WORK:]])
             result = function(values[:count], values[count:])
-            # the couple of a body that does not roll has no direction, nor has what it does
+            # A body that does not roll gives the rolling resistance no direction, so its couple is
+            # undefined.
             rates = _COUPLE + 6
             without = np.r_[_COUPLE : _COUPLE + 3, rates + VELOCITY.start : rates + OMEGA.stop]
             known = np.delete(result.reshape(-1), without)
@@ -223,7 +227,7 @@ class CompiledContact:
             return "" if finite(numbers) else extremes_in_words(names, numbers, finite) or NO_RATES
 
     def numbers(self, state: FloatArray) -> ContactNumbers:
-        """The numbers of the contact at a state; recent ones are cached."""
+        """The contact quantities at a state; the most recent result is cached."""
         key = state[:WORK].tobytes()
         if self._last is None or self._last[0] != key:
             self._last = (key, self._computed_numbers(state))
@@ -248,7 +252,7 @@ class CompiledContact:
             free_turn=turn,
             slip_rate=numbers.slip_rate + np.cross(change, mobility.r),
             spin_rate=numbers.spin_rate + float(mobility.gamma @ change),
-            # that of a rolling which is zero but for rounding would have any direction
+            # A rolling velocity of rounding size would give this couple an arbitrary direction.
             q=np.zeros(3),
             mobility=mobility_at(
                 mobility.mass,
@@ -279,7 +283,7 @@ class CompiledContact:
 
             vertical = Rotation.from_quat(state[ATTITUDE], scalar_first=True).as_matrix()[2]
             support_turn_rate = turntable * np.cross(vertical, state[OMEGA])
-        # a couple that does not depend on the normal force belongs to the free motion
+        # A couple that does not depend on the normal force is part of the free motion.
         turn = mobility.inverse_inertia @ rest[8:11]
         return ContactNumbers(
             r=vectors[r],
@@ -308,14 +312,14 @@ class CompiledContact:
 def _mode_of_thread(
     equations: SharedEquations, mode: Mode, tolerance: float, _: int
 ) -> ModeIntegrator:
-    """A mode with an integrator of one thread, which changes as it is used."""
+    """A mode with an integrator owned by the current thread, since integrating changes it."""
     prepared = _prepared_mode(equations, mode, tolerance)
     return replace(prepared, stepper=prepared.stepper.copy())
 
 
 @lru_cache(maxsize=256)
 def _prepared_mode(equations: SharedEquations, mode: Mode, tolerance: float) -> ModeIntegrator:
-    """A mode of all situations with the same equations; its values are those of one of them."""
+    """A mode shared by all situations with the same equations, with the values of one of them."""
     system = equations_of_motion(equations.situation, mode)
     code = compile_system(system, tolerance)
     return ModeIntegrator(
@@ -330,7 +334,7 @@ def _prepared_mode(equations: SharedEquations, mode: Mode, tolerance: float) -> 
 
 @dataclass(frozen=True, eq=False)
 class _PreparedNumbers:
-    """The compiled numbers of a contact; see ContactNumbers.
+    """The compiled function for the contact quantities; see ContactNumbers.
 
     Attributes
     ----------
@@ -349,7 +353,7 @@ class _PreparedNumbers:
     defaults: FloatArray
 
     def values_of(self, numbers: Mapping[str, float]) -> FloatArray:
-        """The parameters of the function."""
+        """Values of the parameters, in the order of the function's arguments."""
         pairs = zip(self.names, self.defaults.tolist(), strict=True)
         return np.array([numbers.get(name, value) for name, value in pairs])
 
@@ -357,26 +361,26 @@ class _PreparedNumbers:
 @lru_cache(maxsize=64)
 def _prepared_numbers(equations: SharedEquations) -> _PreparedNumbers:
     situation = equations.situation
-    # laws without a threshold for slip or spin act alike in all modes
+    # Laws without a threshold for slip or spin act the same way in all modes.
     others = tuple(law for law in situation.laws if law.static_mu is None and not law.spin_arm)
     neutral = equations_of_motion(replace(situation, laws=others), Mode())
     return _PreparedNumbers(
-        function=_neutral_function(neutral, situation.laws),
+        function=_compile_numbers(neutral, situation.laws),
         size=len(neutral.symbols),
         names=tuple(str(p.symbol) for p in neutral.parameters),
         defaults=np.array([float(x) for x in neutral.defaults.values()]),
     )
 
 
-def _neutral_function(system: System, laws: tuple[FrictionLaw, ...]) -> NativeFormulas:
-    """The numbers of a contact, compiled; see ContactNumbers."""
+def _compile_numbers(system: System, laws: tuple[FrictionLaw, ...]) -> NativeFormulas:
+    """Compile the contact quantities; see ContactNumbers."""
     total = sum((law.reaction_at_rest for law in laws), Reaction())
 
     def compute() -> list[Term]:
         reader = Reader(system, Graph())
         values = {item.name: item.value for item in system.observables}
         formulas = [*_VECTORS, *_SCALARS, values["energy"], values["gap"]]
-        formulas += [constant(list(to_components(x))) for x in (total.q, total.couple)]
+        formulas += [total.q, total.couple]
         formulas += system.rates[:WORK]
         return reader.components(formulas)
 
@@ -385,7 +389,6 @@ def _neutral_function(system: System, laws: tuple[FrictionLaw, ...]) -> NativeFo
         *(x for pair in system.scalar_definitions for x in pair),
         *system.rates,
         *(p.symbol for p in system.parameters),
-        *to_components(total.q),
-        *to_components(total.couple),
+        *scalars((total.q, total.couple)),
     ]
     return native_formulas(f"contact {exact_text(parts)}", len(system.symbols), compute)

@@ -1,4 +1,4 @@
-"""The course of a motion in contact: smooth pieces, joined by the events between them."""
+"""Simulation of a motion in contact: smooth pieces, joined by events."""
 
 from __future__ import annotations
 
@@ -26,23 +26,24 @@ from .near_rest import departure, first_direction, frozen_slip, state_after_stop
 from .onset import onset_of_sliding
 from .paradox import paradox_words
 
-#: Gaps, normal velocities and normal accelerations below this part of the typical ones are none.
+#: Relative size below which gaps, normal velocities and normal accelerations count as zero.
 _LEVEL = 1e-9
 
-#: Smallest factor by which the floor of the slip is lowered for a slip that passes close by zero.
+#: Smallest factor applied to the slip floor when a slip passes close to zero.  Below it the slip
+#: would be 1e-14 of the typical speed, which is rounding error.
 _LOWEST = 1e-6
 
-#: Likewise for a slip that ends slowly.
+#: Smallest factor applied to the slip floor when a slip decays slowly.
 _WEAK_FLOOR = 1e-3
 
 
 class Course(CreepTransitions):
-    """A motion while it is computed; its arguments are those of a CourseState."""
+    """A motion under construction; it takes the arguments of a CourseState."""
 
     # --- driving ---------------------------------------------------------------------------
 
     def run(self, progress: Callable[[float], None] | None = None) -> None:
-        """Follow the motion through its moments, or to where it ends."""
+        """Advance the motion through its sample times, or until it ends early."""
         end = float(self.moments[-1])
         try:
             self._enter()
@@ -65,22 +66,23 @@ class Course(CreepTransitions):
     # --- modes -----------------------------------------------------------------------------
 
     def _enter(self) -> None:
-        """Choose the mode at the start."""
+        """Choose the initial mode."""
         known = self._numbers()
         normal = float(known.mobility.gamma @ known.contact_velocity)
-        # the end of another motion, or decimals of a file, may miss the contact by rounding
+        # A final state of another motion, or a decimal in a file, may miss the contact by
+        # rounding.
         slow = abs(normal) <= _LEVEL * self._speed
         if known.gap > (_LEVEL if slow else 1e-12) * self._length:
             self.mode, self._height = FLIGHT, known.gap
         elif slow:
-            self._stay(None, self.state)
+            self._stay_in_contact(None, self.state)
         elif normal > 0:
             self._take_off()
         else:
             self._land()
 
     def _settle(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
-        """Choose the mode of a contact without normal velocity; record an event of a kind."""
+        """Choose the mode of a contact without normal velocity, and record the event."""
         known = self._numbers()
         slip = float(np.linalg.norm(known.slip))
         arm = (self._dry.patch or self._length) * abs(known.spin)
@@ -101,23 +103,23 @@ class Course(CreepTransitions):
         self._require_pressure()
 
     def _slide(self) -> None:
-        """Slide on, in the range of the present state."""
+        """Continue sliding, in the friction range of the current state."""
         known = self._numbers()
         slip = float(np.linalg.norm(known.slip))
         self.mode = replace(self.mode, touching=True, sliding=True)
         self.mode = replace(self.mode, range=self._range_of(known))
-        # a slide may be slower than the usual floor from its start
+        # A slide may already start slower than the usual slip floor.
         size = math.hypot(slip, self._dry.patch * known.spin)
         floor = SLIP_FLOOR * self._speed * self._floor_factor
         if self._dry.mu and 0 < size < 10 * floor:
             self._floor_factor *= 0.01 * size / floor
 
     def _require_pressure(self) -> None:
-        """Leave the support, or find no motion, where a sliding contact presses no longer."""
+        """Lift off, or detect a paradox, if a sliding contact has no positive normal force."""
         if not self.mode.sliding or not self.mode.touching:
             return
         if self.mode.rolling and self._rolling_is_zero:
-            # the resistance to rolling is decided on later
+            # The resistance to rolling is decided later.
             return
         integrator = self._integrator(self.mode)
         N = float(integrator.outputs(self.state)["normal_force"])
@@ -138,7 +140,7 @@ class Course(CreepTransitions):
         *impacts: Impact,
         spin_at_rest: bool,
     ) -> None:
-        """Hold a contact without slip if friction can, or begin to slide."""
+        """Hold a contact without slip if friction can, or else let it begin to slide."""
         known = self._numbers()
         sign = 0.0 if spin_at_rest else math.copysign(1.0, known.spin)
         choice = departure(known, self._dry, sign)
@@ -162,7 +164,7 @@ class Course(CreepTransitions):
         self._begin(choice.direction)
 
     def _leave_support(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
-        """Leave a support that a contact without slip presses no longer."""
+        """Leave a support that no longer presses on a contact without slip."""
         strength = float(np.linalg.norm(self._numbers().free_acceleration))
         if self._numbers().unheld_rise < -_LEVEL * strength:
             if self._dry.never_slips:
@@ -180,7 +182,7 @@ class Course(CreepTransitions):
         self._take_off()
 
     def _begin(self, direction: FloatArray) -> None:
-        """Slide from zero slip in a first direction (and that of the spin)."""
+        """Start sliding from zero slip in a direction (of slip and spin for a patch)."""
         known = self._numbers()
         if self.mode.rolling and self._resists_rolling and not known.rolling.any():
             raise EndError(
@@ -260,17 +262,17 @@ class Course(CreepTransitions):
         normal = float(known.mobility.gamma @ known.contact_velocity)
         if normal > -NO_SLIP * self._speed:
             # a grazing contact
-            self._stay("landing", before)
+            self._stay_in_contact("landing", before)
             return
         self._rebound("landing", before, self._collide(self.rules.restitution))
 
     def _rebound(self, kind: EventKind, before: FloatArray, result: Impact) -> None:
-        """Fly on or stay after an impact."""
+        """Fly off or stay in contact after an impact."""
         known = self._numbers()
         rebound = float(known.mobility.gamma @ result.contact_velocity)
         approach = -float(known.mobility.gamma @ self.contact.numbers(before).contact_velocity)
         ratio = rebound / approach if approach > 0 else math.inf
-        # a rebound that is rounding decides nothing where friction may press the body down
+        # A rebound velocity of rounding size must not decide if friction may press the body down.
         none = NO_SLIP * self._speed
         if rebound > self._least_rebound(ratio) or (rebound > none and known.unheld_rise >= 0):
             self.mode = FLIGHT
@@ -278,15 +280,17 @@ class Course(CreepTransitions):
             self._record(kind, before, result)
             return
         if rebound <= none:
-            self._stay(kind, before, result)
+            self._stay_in_contact(kind, before, result)
             return
         self._pass_bounces(rebound, ratio)
-        self._stay(kind, before, result, self._collide(0.0))
+        self._stay_in_contact(kind, before, result, self._collide(0.0))
 
-    def _stay(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
-        """Go on in contact without normal velocity."""
+    def _stay_in_contact(
+        self, kind: EventKind | None, before: FloatArray, *impacts: Impact
+    ) -> None:
+        """Continue in contact with zero normal velocity."""
         known = self._numbers()
-        # without bound, friction has no equations of sliding, and stops a slip in the impact
+        # With infinite μ there are no equations of sliding, and an impact stops any slip.
         if not self._dry.never_slips:
             self._project(Mode(range=self._range_of(known)))
         elif float(np.linalg.norm(known.slip)) <= NO_SLIP * self._speed:
@@ -297,7 +301,7 @@ class Course(CreepTransitions):
         self._decide_on_rolling()
 
     def _stick(self) -> None:
-        """Complete a stop, and hold the contact or leave zero in another direction."""
+        """Finish a stop; then hold the contact or let it slide off in another direction."""
         before, known, balance = self.state, self._numbers(), self._balance()
         spin_at_rest = not self.mode.spinning
         dry = self._dry.near_stop(float(np.linalg.norm(known.slip)))
@@ -308,7 +312,7 @@ class Course(CreepTransitions):
         try:
             stop = finish_stop(slip, x, float(np.linalg.norm(x)))
         except RunError:
-            # the slip passes close by zero
+            # The slip passes close to zero without reaching it.
             if self._creep():
                 return
             self._floor_factor *= 1e-2
@@ -319,7 +323,7 @@ class Course(CreepTransitions):
             return
         weak = -stop.growth < WEAK * stop.greatest_rate
         if weak and not self._dry.patch and self._floor_factor > _WEAK_FLOOR:
-            # it takes so long that the rest of the state changes: follow it further
+            # The stop takes so long that the rest of the state changes: integrate further first.
             self._floor_factor *= 1e-2
             return
         self._floor_factor = 1.0
@@ -331,7 +335,7 @@ class Course(CreepTransitions):
         self._leave_rest("stick", before, spin_at_rest=spin_at_rest)
 
     def _slip(self) -> None:
-        """A contact at rest reaches the limit of friction."""
+        """Start sliding: the friction of a contact at rest has reached its limit."""
         before = self.state
         values = self._integrator(self.mode).outputs(self.state)
         N, couple = self._normal_force_and_couple(self.mode)
@@ -358,7 +362,7 @@ class Course(CreepTransitions):
             span = held_range_of(couple / self._dry.patch, self._dry.mu * N)
             self._spin_sign = math.copysign(1.0, couple)
         if span == self.mode.range:
-            # the event lies on the border: go over to the neighbour
+            # The event lies exactly on the border: move to the neighbouring range.
             neighbours: dict[Range, Range] = {
                 "inner": "middle",
                 "outer": "middle",
@@ -369,7 +373,7 @@ class Course(CreepTransitions):
         self.mode = replace(self.mode, range=span)
 
     def _paradox(self) -> None:
-        """No motion in contact: end, or take an impact without collision."""
+        """Handle a state without a motion in contact: end, or apply an impact without collision."""
         part = 1.0 if self.rules.on_paradox == "stop" else 2.0
         jam = state_after_jam(
             self._integrator(self.mode), self._numbers(), self.state, self._speed, part
@@ -380,7 +384,8 @@ class Course(CreepTransitions):
             self.state = jam[0]
             self.time += jam[1]
             self._project(self.mode)
-            # the work of so great a force changes with the slip, which it stops
+            # The work of so large a force varies with the slip that it stops; restore the energy
+            # balance.
             self.state[column] += balance - self._balance()
         known = self._numbers()
         response = normal_response(self._integrator(self.mode), known, self.state)

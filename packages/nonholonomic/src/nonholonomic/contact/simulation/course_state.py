@@ -1,4 +1,4 @@
-"""The state of a motion in contact while it is computed."""
+"""The state of a simulated motion in contact, and its elementary changes."""
 
 from __future__ import annotations
 
@@ -23,43 +23,45 @@ from .events import ContactEvent, EventKind
 from .mode_integrator import PAUSE, ModeIntegrator, with_values
 from .near_rest import Departure, dry_friction
 
-#: Speeds relative to the typical one of a motion: from which on a slide is followed in
-#: logarithmic time, and below which there is no slip.
+#: Slip speeds relative to the typical speed of a motion: at SLIP_FLOOR integration switches to
+#: logarithmic time; below NO_SLIP the slip counts as zero.  NO_SLIP lies above the rounding error
+#: of a velocity, and SLIP_FLOOR well above the square root of that.
 SLIP_FLOOR, NO_SLIP = 1e-8, 1e-12
 
-#: Likewise the angular velocity, in lengths, from which on a rolling goes straight to its end.
+#: The same for the angular velocity of rolling, in units of typical speed over body size, below
+#: which rolling is taken straight to its end.
 ROLLING_FLOOR = 1e-10
 
-#: Likewise of a bounce that is the last one, though those to come would be no lower.
+#: The same for a bounce that is treated as the last one when later bounces would not be lower.
 LAST_BOUNCE = 1e-7
 
-#: Other last bounces are so low that a body falling freely in their time sinks by so little,
-#: relative to its size.
+#: Other bounces are summed to their limit once a body in free fall would sink, within the time of
+#: one bounce, by less than this fraction of its size.
 _LEAST_DEPTH = 1e-14
 
-#: A body that begins to fly has risen for this part of its hop, or by this part of its size, which
-#: hides the rounding of its velocity.
+#: Initial height at lift-off, as a fraction of the hop or of the body size.  It must be positive,
+#: so that the flight does not count as a landing, and hides the rounding of the velocity.
 _FIRST_RISE = 1e-20
 
-#: The first step of a flight lasts so many hops, so that a landing is not at its very beginning.
+#: Length of the first step of a flight, in hops, so that a landing is not at the start of a step.
 _HOPS = 4
 
-#: So much of the time must be made in a stretch.
+#: Smallest fraction of the remaining time that one stretch of steps must cover.
 _LEAST_PROGRESS = 1e-12
 
-#: A motion that ends within this share of its time has hardly begun.
+#: A motion that ends within this fraction of its time is reported as failing at its start.
 _SOON = 1e-6
 
-#: So many events without progress of time end a motion.
+#: Largest number of successive events without progress in time.
 _MOST_AT_ONE_INSTANT = 60
 
-#: After so many steps in one mode Python says how far the motion has come, and acts on Ctrl-C.
+#: Number of steps after which control returns to Python, to report progress and to act on Ctrl-C.
 _STRETCH = 2000
 
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A part of a motion in one mode.
+    """A part of a motion in which the mode does not change.
 
     Attributes
     ----------
@@ -82,7 +84,7 @@ class Piece:
 
 
 class CourseState:
-    """The state of a computation of a motion, with all that a transition needs.
+    """The state of a motion under construction, with everything that a transition needs.
 
     Parameters
     ----------
@@ -111,7 +113,7 @@ class CourseState:
         self._floor_factor = self._rolling_factor = 1.0
         known = contact.numbers(state)
         body = contact.situation.body
-        # a body may touch its support with its centre of mass
+        # A body may touch its support at its centre of mass.
         gyration = math.sqrt(float(np.trace(body.tensor)) / (2 * body.mass))
         self._length = float(np.linalg.norm(known.r)) or gyration
         fall = math.sqrt(1e-6 * float(np.linalg.norm(known.free_acceleration)) * self._length)
@@ -120,7 +122,7 @@ class CourseState:
         self._speed = max(fall, turning, slip, float(np.linalg.norm(state[VELOCITY])))
 
     def _end(self, ending: EndReason, reason: str) -> None:
-        """End before the last moment, with the state there as the last sample."""
+        """End before the last sample time; the state reached becomes the last sample."""
         self.ending, self.reason = ending, reason
         if not self.pieces:
             self._add_piece(self._integrator(self.mode), self.time, self.state[None])
@@ -132,7 +134,7 @@ class CourseState:
             self.pieces.append(replace(last, begin=self.time, times=sample, states=columns[None]))
 
     def _integrate(self) -> str:
-        """Integrate in the present mode up to the next event or pause; return its guard."""
+        """Integrate in the current mode to the next event or pause, and return its guard."""
         integrator = self._integrator(self.mode)
         last = float(self.moments[-1])
         end = min(last, self.time + _HOPS * self._hop)
@@ -140,8 +142,8 @@ class CourseState:
         outcome = integrator.advance(self.time, state, wanted, end, _STRETCH)
         self._hop = math.inf
         self._add_piece(integrator, outcome.time, outcome.samples)
-        # towards a singularity the steps tend to zero
-        least = _LEAST_PROGRESS * max(abs(self.time), min(last - self.time, self._usual_time))
+        # Near a singularity the steps tend to zero.
+        least = _LEAST_PROGRESS * max(abs(self.time), min(last - self.time, self._typical_time))
         progress = outcome.time - self.time
         stalls = outcome.guard == PAUSE and progress <= least
         self.steps += outcome.steps
@@ -167,19 +169,19 @@ class CourseState:
         return outcome.guard or (PAUSE if self.time < last else "")
 
     def _require_smooth(self, integrator: ModeIntegrator) -> None:
-        """End the motion with the reason why a law is not smooth here, if one is not."""
+        """End the motion if a friction law is not smooth at this state, and say why."""
         values = integrator.guard_values(self.state)
         for guard, value in zip(integrator.system.guards, values, strict=True):
             if guard.name == "creep" and value <= 0:
                 raise EndError("guard", guard.message)
 
     @property
-    def _usual_time(self) -> float:
-        """A typical time of the motion, in which it passes its own length."""
+    def _typical_time(self) -> float:
+        """A typical time of the motion: the body size divided by its speed."""
         return self._length / self._speed if self._speed else math.inf
 
     def _extremes(self) -> str:
-        """The numbers that make a step impossible, in words, or that may; empty later on."""
+        """Name the extreme numbers that prevent a step; empty if the motion is under way."""
         if (passed := self.time - self.moments[0]) > _SOON * np.ptp(self.moments):
             return ""
         integrator, state = self._integrator(self.mode), self._with_height(self.state)
@@ -196,12 +198,12 @@ class CourseState:
         return extremes_in_words(names, [*state, *integrator.values], finite)
 
     def _moments_until(self, end: float) -> list[float]:
-        """The sample times to come, up to an end."""
+        """The remaining sample times up to `end`."""
         count = int(np.searchsorted(self.moments, end, side="right"))
         return list(self.moments[self._next_moment : count])
 
     def _with_height(self, state: FloatArray) -> FloatArray:
-        """A state (size,) with the variable that flight has besides."""
+        """A state (size,) extended by the height in flight."""
         return state if self.mode.touching else np.append(state, self._height)
 
     def _add_piece(self, integrator: ModeIntegrator, end: float, states: FloatArray) -> None:
@@ -214,7 +216,7 @@ class CourseState:
 
     @property
     def _run_values(self) -> dict[str, float]:
-        """The parameters that are set while a motion is computed, by name."""
+        """Values of the parameters that the simulation sets, by name."""
         floor = SLIP_FLOOR * self._speed * self._floor_factor
         return {
             "spin_sign": self._spin_sign,
@@ -224,7 +226,7 @@ class CourseState:
 
     @property
     def _rolling_floor(self) -> float:
-        """Angular velocity of rolling below which it comes to its end."""
+        """Angular velocity of rolling below which rolling is taken to its end."""
         return ROLLING_FLOOR * self._speed / self._length * self._rolling_factor
 
     def _numbers(self) -> ContactNumbers:
@@ -234,7 +236,7 @@ class CourseState:
         return known
 
     def _balance(self) -> float:
-        """Energy with all work lost."""
+        """The energy plus all dissipated work; it is constant."""
         return self._numbers().energy + float(self.state[WORK:].sum())
 
     def _project(self, mode: Mode) -> None:
@@ -262,10 +264,10 @@ class CourseState:
             )
         )
 
-    def _amend(self, time: float) -> None:
-        """Let an event at a time lead to the present mode and state, if these were decided later.
+    def _correct_event(self, time: float) -> None:
+        """Correct the mode and the state that follow an event once they have been decided.
 
-        The state after it stays where the motion has continued since.
+        The state after the event is kept if the motion has continued since.
         """
         if not self.events or self.events[-1].time != time:
             return
@@ -289,13 +291,13 @@ class CourseState:
         return Mode(sliding=False, spinning=spinning, rolling=self.mode.rolling, range=span)
 
     def _normal_force_and_couple(self, mode: Mode) -> tuple[float, float]:
-        """Normal force, and couple about the normal besides that of resistance to rolling."""
+        """Normal force, and the couple about the normal without that of the rolling resistance."""
         values = self._integrator(mode).outputs(self.state)
         N = float(values["normal_force"])
         return N, float(values["gamma"] @ (values["friction_couple"] - N * self._numbers().q))
 
     def _least_rebound(self, ratio: float) -> float:
-        """Normal velocity of the bounces that are taken together with all that follow them.
+        """Rebound velocity below which a bounce is summed together with all later ones.
 
         Parameters
         ----------
@@ -308,10 +310,10 @@ class CourseState:
         return max((1 - ratio) * math.sqrt(depth), NO_SLIP * self._speed)
 
     def _pass_bounces(self, rebound: float, ratio: float) -> None:
-        """Pass the time of infinitely many bounces, which tend to rest as a geometric series.
+        """Replace infinitely many bounces, which converge geometrically to rest, by one free fall.
 
-        The body falls freely all the time, and an impact at the end gives it the impulses of all
-        bounces.  Bounces that do not become lower count as one.
+        The impact at the end of the fall applies the impulses of all bounces together.  Bounces
+        that do not become lower count as a single one.
         """
         fall = -self._numbers().unheld_rise
         end = self.time + 2 * rebound / (fall * (1 - ratio if ratio < 1 else 1))
@@ -323,7 +325,7 @@ class CourseState:
         self.time, self.state = end, outcome.state[: len(self.state)]
 
     def _rise(self) -> None:
-        """Let a body begin to fly; its height is zero but for a start above the support."""
+        """Begin a flight, from a height of almost zero unless the body is above the support."""
         known = self._numbers()
         if known.gap > 1e-14 * (self._length + float(np.abs(self.state[POSITION]).max())):
             self._height = known.gap
@@ -338,7 +340,7 @@ class CourseState:
             self._hop = -2 * rising / known.unheld_rise
             self._height = _FIRST_RISE * rising * self._hop
         else:
-            # where the normal force falls to zero the height grows as slowly as t³
+            # Where the normal force falls to zero the height grows only like t³.
             self._height = _FIRST_RISE * self._length
 
     def _collide(self, restitution: float) -> Impact:
@@ -366,7 +368,7 @@ class CourseState:
         return result
 
     def _push(self, impulse: FloatArray, couple_impulse: float) -> None:
-        """Change the velocities by an impulse; the energy lost is work of the impact."""
+        """Change the velocities by an impulse; the energy lost counts as work of the impact."""
         known, state = self._numbers(), self.state.copy()
         mobility = known.mobility
         state[VELOCITY] += mobility.velocity_jump(impulse)

@@ -1,13 +1,13 @@
-"""Creeping: a slip so small that friction follows from the motion, and the slip from friction.
+"""Creep: sliding so slow that the friction force determines the slip, and not the reverse.
 
-Where friction grows with the slip, a slip far below the speeds of a motion is determined by the
-friction that would hold the contact, f: with friction N (μ + ν|u|ᵖ) against it, it is
+If friction grows with the slip, a slip far below the typical speeds of a motion follows from the
+force f that would hold the contact.  With the friction N (μ + ν|u|ᵖ) against the slip u,
 
     u = −((|f|/N − μ)/ν)^{1/p} f/|f|,    and zero where |f| < μN.
 
-The equations for u are stiff there, those for f are not.  So f/N is taken as a polynomial of the
-time, whose coefficients are chosen such that the slip that it causes is the one above at the points
-of Radau's method.
+The differential equations are stiff as equations for u, but not as equations for f.  So f/N is
+represented by a polynomial in time, and its coefficients are determined by collocation: at the
+points of Radau's method, the slip that results from f must agree with the formula above.
 """
 
 from __future__ import annotations
@@ -29,31 +29,32 @@ from ..friction.prescribed_friction import (
     PrescribedForce,
     first_direction_values,
 )
-from ..friction.viscous_friction import PowerFriction, Viscous
 from .compiled import VELOCITY, CompiledContact
 from .mode_integrator import ModeIntegrator, with_values
 from .onset import Onset
 
-#: Number of coefficients of each component.
+#: Number of coefficients of each force component.
 _COUNT = DEGREE + 1
 
-#: Radau's points of (0, 1], the last one at the end, and points between at which to test.
+#: Right Radau points on (0, 1], whose last point is the end, and points between them at which the
+#: result is verified.
 _POINTS = (1 + legroots([0.0] * DEGREE + [-1.0, 1.0])) / 2
 _TESTS = np.array([0.07, 0.35, 0.65, 0.97])
 
-#: Steps of integration, and changes of the coefficients, at most.
+#: Limits on the number of integration steps and of Newton corrections.
 _MOST_STEPS, _MOST_CHANGES = 200, 12
 
-#: Step of the differences, and defects of the slip that are none, relative to the velocities.
+#: Relative step of the difference quotients, and the largest relative defect of the slip that is
+#: accepted, measured against the velocities.
 _STEP, _NONE = 1e-4, 1e-13
 
-#: The duration is divided by four at most so many times.
+#: Maximum number of times the step is divided by four.
 _ATTEMPTS = 12
 
 
 @dataclass(frozen=True)
 class CreepLaw:
-    """The speed at which a contact creeps under friction N (μ + ν|u|ᵖ) or μN + c|u|.
+    """Slip speed as a function of the friction force, for the laws N (μ + ν|u|ᵖ) and μN + c|u|.
 
     Attributes
     ----------
@@ -73,16 +74,16 @@ class CreepLaw:
 
     @property
     def is_viscous(self) -> bool:
-        """Whether the force that grows with the slip does not depend on the normal force."""
-        return isinstance(self.law, Viscous)
+        """Whether the slip-dependent part of the force is independent of the normal force."""
+        return self.law.slip_viscosity > 0
 
     @property
     def is_smooth(self) -> bool:
-        """Whether that force is a smooth function of the slip."""
-        return not isinstance(self.law, PowerFriction) or self.law.is_smooth
+        """Whether the slip-dependent part of the force is a smooth function of the slip."""
+        return self.law.is_smooth
 
     def speed(self, force: FloatArray, N: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Speed of creeping (n,) and its derivative by the force per normal force (n,)."""
+        """Slip speed (n,) and its derivative with respect to the force per normal force (n,)."""
         coefficient = self.coefficient / N if self.is_viscous else self.coefficient
         excess = np.maximum(force - self.mu, 0.0) / coefficient
         speed = excess ** (1 / self.order)
@@ -90,15 +91,15 @@ class CreepLaw:
         return speed, np.where(excess > 0, slope, 0.0)
 
     def force(self, speed: float, N: float) -> float:
-        """Force per normal force at a speed."""
+        """Force per normal force at a slip speed."""
         coefficient = self.coefficient / N if self.is_viscous else self.coefficient
         return float(self.mu + coefficient * speed**self.order)
 
 
 def creep_law(situation: FrictionalContact) -> CreepLaw | None:
-    """The law by which a contact creeps; None if there is none, or the force has no inverse."""
+    """The creep law of a contact; None if no law applies, or its force cannot be inverted."""
     dry = [law for law in situation.laws if law.static_mu is not None]
-    if any(law.name != "coulomb" for law in dry):
+    if not all(law.has_constant_force for law in dry):
         return None
     mu = float(dry[0].static_mu or 0.0) if dry else 0.0
     if not np.isfinite(mu):
@@ -108,14 +109,14 @@ def creep_law(situation: FrictionalContact) -> CreepLaw | None:
         if coefficient:
             return CreepLaw(mu, coefficient, order, law, dry[0] if dry else None)
     for law in situation.laws:
-        if isinstance(law, Viscous) and law.coefficient:
-            return CreepLaw(mu, law.coefficient, 1.0, law, dry[0] if dry else None)
+        if law.slip_viscosity:
+            return CreepLaw(mu, law.slip_viscosity, 1.0, law, dry[0] if dry else None)
     return None
 
 
 @dataclass(frozen=True, eq=False)
 class Creep:
-    """A piece of creeping.
+    """A piece of a motion during which the contact creeps.
 
     Attributes
     ----------
@@ -141,7 +142,7 @@ def creep(
     values: Mapping[str, float],
     longest: float,
 ) -> Creep | None:
-    """Creeping for a time, or until the slip ends; None if the motion does not creep.
+    """Creep for some time, or until the slip ends; None if the motion does not creep.
 
     Parameters
     ----------
@@ -177,7 +178,7 @@ def without_force(
     values: Mapping[str, float],
     duration: float,
 ) -> Onset:
-    """Sliding without the friction of a law for a time, or until the mode ends.
+    """Slide without the friction of `law` for some time, or until the mode ends.
 
     Parameters
     ----------
@@ -212,7 +213,7 @@ def _trial(
 
 @dataclass(frozen=True, eq=False)
 class _Trial:
-    """A prescribed force and the slip that follows; the force at first has nearly a given size."""
+    """Collocation with a prescribed friction force; `size` estimates the initial force."""
 
     integrator: ModeIntegrator
     law: CreepLaw
@@ -227,17 +228,38 @@ class _Trial:
         return with_values(self.integrator, {**names, "duration": duration})
 
     def forces(self, c: FloatArray, t: FloatArray) -> FloatArray:
-        """Components (n, 2) of the force per normal force at times (n,) in units of the whole."""
+        """Force components (n, 2) per normal force at times (n,) in units of the duration."""
         result: FloatArray = t[:, None] ** np.arange(_COUNT) @ c.T
         return result
 
     def frame(self, integrator: ModeIntegrator, gamma: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """The axes (n, 3) of the components."""
+        """Tangential unit vectors (n, 3) to which the force components refer."""
         first = np.array([integrator.values[integrator.places[f"n_0_{i}"]] for i in (1, 2, 3)])
         along = first - (gamma @ first)[:, None] * gamma
         along /= np.linalg.norm(along, axis=1)[:, None]
         return along, np.cross(gamma, along)
 
+    # Unknown: the components f_j(s) = Σ_k c_jk sᵏ of the friction force per normal force, with
+    # s = (t − time)/duration in [0, 1], along two tangential axes that move with the body.
+    # With this force prescribed, the equations of motion are smooth and give the slip u(s; c) and
+    # the normal force N(s; c).  The coefficients solve the collocation equations
+    #
+    #     d(s_i) = u(s_i; c) + U(|f(s_i)|, N) f/|f| = 0
+    #
+    # at the right Radau points s_i, the zeros of P_{m+1} − P_m with m = DEGREE; U is
+    # `CreepLaw.speed`.  Since the last point is the end, the law holds exactly at the end of the
+    # piece, as in a stiffly accurate Radau IIA method (Hairer and Wanner, Solving Ordinary
+    # Differential Equations II, section IV.5): the decay of u towards U, which limits the step of
+    # an explicit method, is not resolved at all.
+    #
+    # Newton's method uses an approximate Jacobian (`_jacobian`): two difference quotients give the
+    # response of u to a constant change of f, and sᵏ has the effect of a constant times sᵏ/(k + 1)
+    # if mobility and normal force do not vary.  Each equation is divided by s_i, since the slip
+    # grows like s.  Convergence is linear with a factor of the order of the variation of mobility
+    # and normal force over the piece; it fails for long pieces, and `creep` then shortens them.
+    # The iteration ends when the coefficients change by less than rounding, or stop contracting at
+    # rounding level.  The result is accepted only if d vanishes at _TESTS too, between the
+    # collocation points, where a polynomial of too low a degree would show.
     def collocation(self, time: float, state: FloatArray, duration: float) -> Creep | None:
         start, c = np.append(state, 0.0), np.zeros((2, _COUNT))
         c[0, 0] = self.size
@@ -246,7 +268,7 @@ class _Trial:
         speed = float(np.abs(state[VELOCITY]).max())
 
         def slips(c: FloatArray) -> tuple[FloatArray, FloatArray] | None:
-            """Components (n, 2) of the slip that is caused, and the normal force (n,)."""
+            """Components (n, 2) of the resulting slip, and the normal force (n,)."""
             integrator, moments = self.integrator_with(c, duration), time + duration * points
             outcome = integrator.advance(time, start, list(moments), moments[-1], _MOST_STEPS)
             if len(outcome.samples) < len(points):
@@ -299,7 +321,7 @@ class _Trial:
     def _defect(
         self, c: FloatArray, t: FloatArray, slip: FloatArray, N: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """The excess of the slip over that of the law (n, 2), and its derivative (n, 2, 2)."""
+        """The slip minus that of the law (n, 2), and the derivative of the latter (n, 2, 2)."""
         force = self.forces(c, t)
         size = np.linalg.norm(force, axis=1)
         speed, rate = self.law.speed(size, N)
@@ -316,7 +338,7 @@ class _Trial:
         if end < 1:
             end = self._root(c, end)
             if end < 1e-8 and self.size <= self.law.mu * (1 + 1e-12):
-                # a slip that should begin does not
+                # The slip should begin, but does not.
                 return None
         integrator = self.integrator_with(c, duration)
         lasting = float(end * duration)
@@ -327,7 +349,7 @@ class _Trial:
         return Creep(piece, x * along[0] + y * aside[0], bool(end < 1))
 
     def _root(self, c: FloatArray, near: float) -> float:
-        """The time at which the force falls to its limit, near a given one."""
+        """The time close to `near` at which the force falls to its limit μ."""
         from scipy.optimize import brentq
 
         def excess(t: float) -> float:
@@ -338,7 +360,7 @@ class _Trial:
 
 
 def _end(forces: FloatArray, mu: float) -> float:
-    """The first of evenly spaced times of (0, 1] at which a force is below its limit; or 1."""
+    """The first of evenly spaced times in (0, 1] at which the force is below its limit, else 1."""
     if not mu:
         return 1.0
     below = np.flatnonzero(np.linalg.norm(forces[1:], axis=1) < mu)
@@ -346,10 +368,10 @@ def _end(forces: FloatArray, mu: float) -> float:
 
 
 def _jacobian(response: FloatArray, slope: FloatArray) -> FloatArray:
-    """Derivatives of the defects (points × 2) by the coefficients (2 × count), nearly.
+    """Approximate derivatives of the defects (points × 2) by the coefficients (2 × count).
 
-    The slip answers to the integral of a change of the force: tᵏ has the effect of 1 times
-    tᵏ/(k + 1), as far as mobility and normal force are constant.
+    The slip responds to the integral of a change of the force.  With constant mobility and normal
+    force, the term tᵏ therefore has the effect of a constant times tᵏ/(k + 1).
     """
     columns = []
     for row in range(2):

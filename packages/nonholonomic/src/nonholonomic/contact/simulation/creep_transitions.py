@@ -1,4 +1,4 @@
-"""Creeping in a motion in contact: where it begins and ends, and slips that pass through zero."""
+"""Transitions to and from creep, and slips that pass through zero."""
 
 from __future__ import annotations
 
@@ -19,21 +19,22 @@ from .end_reasons import EndError
 from .near_rest import frozen_slip
 from .rolling_transitions import RollingTransitions
 
-#: A slip is small if friction changes it by itself in such a part of a typical time, and creeps if
-#: it changes by less than such a part of the accelerations.
+#: A slip is small if friction alone would change it within this fraction of a typical time. It
+#: counts as constant if its acceleration is below the second fraction of the typical ones.
 _STIFF, _EVEN = 5e-5, 1e-3
 
-#: A friction that is left out may change a velocity by so little, relative to a typical one.
+#: Largest velocity change, relative to a typical velocity, by which friction may be neglected.
 _NEGLIGIBLE = 1e-14
 
-#: Smallest factor by which the floor of the slip is lowered.
+#: Smallest factor applied to the slip floor.
 _LOWEST = 1e-6
 
 
 class CreepTransitions(RollingTransitions, ABC):
     """A motion whose contact may creep."""
 
-    #: End of the last piece, the force (3,) per normal force there, and the time to try next.
+    #: End of the last creep piece, the force (3,) per normal force there, and the next duration to
+    #: try.
     _last_creep: tuple[float, FloatArray, float] | None = None
 
     @cached_property
@@ -41,7 +42,7 @@ class CreepTransitions(RollingTransitions, ABC):
         return creep_law(self.contact.situation)
 
     def _creep(self) -> bool:
-        """Follow a piece of creeping, if the contact creeps; whether it does."""
+        """Follow a piece of creep if the contact creeps; return whether it does."""
         law = self._creep_law
         if law is None or not (self.mode.touching and self.mode.sliding):
             return False
@@ -54,7 +55,7 @@ class CreepTransitions(RollingTransitions, ABC):
         return force is not None and self._creep_on(law, force)
 
     def _creep_on(self, law: CreepLaw, force: FloatArray) -> bool:
-        """Follow a piece of creeping from a force (3,) per normal force; whether there is one."""
+        """Follow a piece of creep from a force (3,) per normal force; whether there was one."""
         longest = min(0.02 / self._turning_rate, float(self.moments[-1]) - self.time)
         if self._has_crept and self._last_creep is not None:
             longest = min(longest, self._last_creep[2])
@@ -73,18 +74,19 @@ class CreepTransitions(RollingTransitions, ABC):
 
     @property
     def _has_crept(self) -> bool:
-        """Whether the contact has crept until now."""
+        """Whether a creep piece ended at the current time."""
         return self._last_creep is not None and self._last_creep[0] == self.time
 
     def _force_of_creep(self, law: CreepLaw) -> FloatArray | None:
-        """Friction (3,) per normal force of a contact that creeps; None if it does not."""
+        """Friction force (3,) per normal force if the contact creeps, else None."""
         known = self._numbers()
         speed = float(np.linalg.norm(known.slip))
         strength = float(np.linalg.norm(known.free_acceleration))
         if not 0 < speed * self._turning_rate < _STIFF * strength:
             return None
         if self._has_crept and self._last_creep is not None:
-            # a very small slip tells less, by rounding
+            # At a very small slip this force is more accurate than one computed from the rounded
+            # slip.
             return self._last_creep[1]
         tangents = known.mobility.tangents
         n = tangents @ known.slip / speed
@@ -100,17 +102,17 @@ class CreepTransitions(RollingTransitions, ABC):
         return result
 
     def _frozen_slip(self, mu: float) -> PointSlip:
-        """The rates of a small slip under friction of a given size per normal force."""
+        """The rates of a small slip under a friction of given size per normal force."""
         sign = self._spin_sign if self.mode.spinning else 0.0
         slip = frozen_slip(self._numbers(), replace(self._dry, mu=mu), sign)
         assert isinstance(slip, PointSlip)
         return slip
 
     def _begins_to_creep(self, direction: FloatArray) -> bool:
-        """Begin to slide in a direction (3,) by creeping, if the slip grows gently; whether it has.
+        """Start sliding by creep if the slip grows slowly; return whether it did.
 
-        Other laws than lower powers have no need of it unless they are strong: a slip that grows
-        like t² is soon fast enough.
+        Laws with an order above 1 never need this, and linear laws only if they are strong:
+        otherwise a slip that grows like t² soon becomes fast enough to be integrated directly.
         """
         law = self._creep_law
         if law is None or law.order > 1:
@@ -125,8 +127,9 @@ class CreepTransitions(RollingTransitions, ABC):
             return False
         force = -law.mu * direction
         if float(n @ slip.rate(n)) > 1e-6 * strength:
-            # at once, which creeping is if no slip can be told from none
-            force = held.holding_force @ tangents / N
+            # The slip starts at once; treat it as creep only if it is too small to be told from
+            # zero.
+            force = held.sticking_force @ tangents / N
             sizes = np.array([np.linalg.norm(force)]), np.array([N])
             if law.speed(*sizes)[0][0] > NO_SLIP * self._speed:
                 return False
@@ -137,7 +140,7 @@ class CreepTransitions(RollingTransitions, ABC):
         return self._creep_on(law, force)
 
     def _end_creep(self) -> None:
-        """Hold a contact whose creeping has ended, where the force that holds it has its limit."""
+        """Hold the contact after creep, from the time when the sticking force is at its limit."""
         before = self.state
         self.mode = self._mode_at_rest(spin_at_rest=not self.mode.spinning)
         self._project(self.mode)
@@ -148,7 +151,7 @@ class CreepTransitions(RollingTransitions, ABC):
             float(integrator.guard_values(state)[place])
             for state in (self.state, self.state + short * rates)
         )
-        # the slip itself is too small to tell the time as exactly
+        # The slip itself is too small to determine this time as accurately.
         delay = -margin * short / (later - margin) if later > margin else 0.0
         if abs(delay) < short:
             self.state = self.state + delay * rates
@@ -159,7 +162,7 @@ class CreepTransitions(RollingTransitions, ABC):
             self._decide_on_rolling()
 
     def _pass_zero(self, law: CreepLaw, floor: float) -> None:
-        """Follow a slip that is zero, or nearly, where the law without threshold is not smooth."""
+        """Follow a slip at or near zero, where a law without threshold is not smooth."""
         known = self._numbers()
         slip = self._frozen_slip(0.0)
         free = float(np.linalg.norm(slip.rate(np.array([1.0, 0.0]))))
@@ -167,7 +170,7 @@ class CreepTransitions(RollingTransitions, ABC):
         N = held.normal_force
         friction = law.force(floor, N) * N / known.mobility.mass
         if law.order < 1 and free < 10 * friction:
-            force = held.holding_force @ known.mobility.tangents / N
+            force = held.sticking_force @ known.mobility.tangents / N
             if not force.any():
                 force = 1e-300 * known.mobility.tangents[0]
             if not self._creep_on(law, force):

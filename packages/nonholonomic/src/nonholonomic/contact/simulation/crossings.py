@@ -1,4 +1,4 @@
-"""Zeros of a quantity along the smooth pieces of a motion in contact."""
+"""Find the zeros of a quantity along the smooth pieces of a motion in contact."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from .event_rules import EventRules
 from .mode_integrator import ModeIntegrator, StepSeries
 from .onset import Onset
 
-#: Degree of the polynomial that stands for the quantity within a step.
+#: Degree of the Chebyshev interpolant of the quantity within a step.
 _DEGREE = 24
 
-#: Newton's steps on the Taylor series themselves.
+#: Number of Newton steps on the Taylor series.
 _POLISH = 6
 
 _NODES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
 _INTERPOLATION = np.linalg.inv(np.polynomial.chebyshev.chebvander(_NODES, _DEGREE))
 
-#: A quantity at states (n, size) of a mode: values (n,).
+#: Maps states (n, size) of a mode to values (n,).
 Quantity = Callable[[ModeIntegrator, FloatArray], FloatArray]
 
 
 @dataclass(frozen=True, eq=False)
 class Crossing:
-    """A passage through zero.
+    """A zero crossing of a quantity.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Crossing:
 
 
 class CrossingCourse(Course):
-    """A motion that notes where a quantity passes zero, until it has done so often enough.
+    """A motion that records the zero crossings of a quantity until there are enough of them.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ class CrossingCourse(Course):
     def _search(
         self, integrator: ModeIntegrator, begin: float, state: FloatArray, end: float, mode: str
     ) -> None:
-        """Note the crossings of a piece."""
+        """Record the crossings within a piece."""
         for series in integrator.series(begin, state, end):
             for crossing in self._within(series, integrator, mode):
                 if self._accepts(crossing):
@@ -108,7 +108,13 @@ class CrossingCourse(Course):
                     raise EndError("", "")
 
     def _within(self, series: StepSeries, integrator: ModeIntegrator, mode: str) -> list[Crossing]:
-        """The crossings of a step, in the order of time."""
+        """The crossings within a step, in order of time.
+
+        The quantity is interpolated at Chebyshev points of the step; the real zeros of the
+        interpolant in [−1, 1] are eigenvalues of its colleague matrix (Boyd, SIAM J. Numer. Anal.
+        40 (2002) 1666).  A step is skipped if |c₀| > Σ|c_k|: the interpolant then has no zero.
+        Each zero is refined by Newton's method on the Taylor series of the step.
+        """
         middle, half = (series.begin + series.end) / 2, (series.end - series.begin) / 2
         coefficients = _INTERPOLATION @ self._values(series, integrator, middle + half * _NODES)
         size = np.abs(coefficients)
@@ -122,7 +128,7 @@ class CrossingCourse(Course):
             time = middle + half * self._polish(series, integrator, middle, half, x, slope)
             if result and time - result[-1].time <= 2e-12 * half:
                 continue
-            # a start on the section is no return to it
+            # Starting on the section does not count as a return to it.
             if time <= max([self._first_time, *(c.time for c in self.crossings[-1:])]):
                 continue
             rising = bool(np.polynomial.chebyshev.chebval(x, slope) > 0)
@@ -141,7 +147,7 @@ class CrossingCourse(Course):
         x: float,
         slope: FloatArray,
     ) -> float:
-        """A root improved on the series themselves."""
+        """Refine a zero with Newton's method on the Taylor series."""
         for _ in range(_POLISH):
             value = float(self._values(series, integrator, np.array([middle + half * x]))[0])
             rate = float(np.polynomial.chebyshev.chebval(x, slope))

@@ -1,7 +1,7 @@
 """Dynamic jam: the normal force grows without bound in a finite time, as B tends to zero.
 
-B is the normal acceleration of the contact for each unit of normal force.  With N ∝ 1/B the square
-of B is linear in time, and the impulse ∫N dt that is left is finite.
+B is the normal acceleration of the contact per unit of normal force.  Since N ∝ 1/B, the square of
+B decreases linearly in time, and the remaining impulse ∫N dt is finite.
 """
 
 from __future__ import annotations
@@ -16,12 +16,13 @@ from ..equations.equations_of_motion import JAM
 from .compiled import OMEGA, VELOCITY, WORK, ContactNumbers
 from .mode_integrator import ModeIntegrator
 
-#: B below this part of its value without friction tends to zero where integration fails.
+#: If integration fails while B is below this fraction of its frictionless value, B is taken to
+#: vanish there.
 _JAMMING = 1e-3
 
 
 def ends_in_jam(integrator: ModeIntegrator, numbers: ContactNumbers, state: FloatArray) -> bool:
-    """Whether integration ended where B falls to zero, faster than time is resolved.
+    """Whether integration failed because B tends to zero faster than the time step can resolve.
 
     Parameters
     ----------
@@ -43,9 +44,11 @@ def state_after_jam(
     speed: float,
     part: float,
 ) -> tuple[FloatArray, float] | None:
-    """State and duration of the fall of B to zero; None if B does not fall.
+    """State at which B vanishes, and the time until then; None if B does not decrease.
 
-    A quantity changed by a force grows as ∫N dt, that is by twice the rate at first.
+    B ∝ √(T − t) gives the remaining time T − t = B/(2|Ḃ|), and ∫N dt with N ∝ 1/B is twice the
+    present N times T − t.  So a quantity that is changed by the force changes by twice its present
+    rate times the remaining time.
 
     Parameters
     ----------
@@ -74,7 +77,7 @@ def state_after_jam(
 def normal_response(
     integrator: ModeIntegrator, numbers: ContactNumbers, state: FloatArray
 ) -> float:
-    """B at a state; infinite in a mode without friction in proportion to the normal force.
+    """B at a state; infinite in a mode whose friction is not proportional to the normal force.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The reasons for which a motion in contact ends early."""
+"""Reasons why a motion in contact ends early."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ EndReason = Literal[
     "many steps",
 ]
 
-#: Reasons in words, in the order of their codes in datasets.
+#: The reasons as text, in the order of their codes in datasets.
 END_REASONS: Mapping[EndReason, str] = {
     "": "the last time was reached",
     "lift-off": "the body left the support",
@@ -51,7 +51,7 @@ NO_RETURN = (
 
 
 class EndError(Exception):
-    """A motion that cannot go on.
+    """Raised to end a motion that cannot continue.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""The rules for events of a motion in contact: impacts, lift-off, Painlevé's paradox."""
+"""Rules for the events of a motion in contact: impacts, lift-off, Painlevé's paradox."""
 
 from __future__ import annotations
 
@@ -14,18 +14,20 @@ from .end_reasons import EndError, EndReason
 OnLiftoff = Literal["fly", "stop"]
 OnParadox = Literal["stop", "impact"]
 
-#: The greatest tolerance: slips are followed to 1e-8 of a typical speed, which must be no rounding.
+#: Coarsest tolerance: slips are followed down to 1e-8 of a typical speed, which must stay well
+#: above the error of a step.
 COARSEST_WITH_FRICTION = 1e-10
 
-#: A motion ends early where it needs so many times the steps that are allowed, as estimated by its
-#: first ones, this part of those allowed.
+#: A motion ends early if, judged by its first steps, it would take more than OUT_OF_REACH times
+#: the allowed number of steps; FIRST_PART is the fraction of the allowed steps after which this is
+#: judged.
 OUT_OF_REACH, FIRST_PART = 4.0, 0.02
 
 
 @arguments_checked
 @dataclass(frozen=True)
 class EventRules:
-    """The rules for events: a body leaves its support, lands, or has no motion in contact.
+    """What happens when a body leaves its support, lands, or has no motion in contact.
 
     Parameters
     ----------
@@ -78,7 +80,7 @@ class EventRules:
         turning: float,
         speed: float,
     ) -> None:
-        """End a motion that takes too many events or steps, or is sure to.
+        """End a motion that takes too many events or steps, or certainly will.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""A mode of a contact, ready to be integrated."""
+"""The compiled equations of one contact mode, and their integration."""
 
 from __future__ import annotations
 
@@ -7,24 +7,23 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import sympy as sp
 from numpy.polynomial.polynomial import polyval
 
 from flowlanes.flow.taylor.compiled_system import CompiledSystem, StateSeries
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
-from flowlanes.system.vectors import to_components
 
-#: The guard of a piece that ended after the steps allowed.
+#: Guard name of a piece that ended after the allowed number of steps.
 PAUSE = "pause"
 
-#: A step that changes nothing, for the series at a state.
+#: A step that changes no digit, to obtain the Taylor series at a state.
 _NO_TIME = 1e-300
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """The end of one piece of a motion.
+    """The result of integrating one piece of a motion.
 
     Attributes
     ----------
@@ -68,7 +67,7 @@ class StepSeries:
 
 @dataclass(frozen=True)
 class ModeIntegrator:
-    """A mode of a contact, ready to be integrated.
+    """The compiled equations of a contact mode, with parameter values.
 
     Attributes
     ----------
@@ -92,7 +91,7 @@ class ModeIntegrator:
     places: Mapping[str, int]
 
     def state_of_system(self, states: FloatArray) -> FloatArray:
-        """States (..., size) with all variables of the system; those of its own are 1."""
+        """States (..., size) with all variables of the system; the additional ones are set to 1."""
         more = len(self.system.symbols) - states.shape[-1]
         return np.concatenate([states, np.ones((*states.shape[:-1], max(more, 0)))], axis=-1)
 
@@ -121,7 +120,11 @@ class ModeIntegrator:
         return result
 
     def project(self, state: FloatArray) -> FloatArray:
-        """The state moved onto the relations of the mode, along the shortest way."""
+        """Project the state orthogonally onto the constraint relations of the mode.
+
+        Gauss–Newton steps with the pseudo-inverse of the Jacobian: each one is the shortest vector
+        that satisfies the linearised relations.
+        """
         point = self.state_of_system(state)
         for block in self.code.core:
             for _ in range(3):
@@ -129,7 +132,8 @@ class ModeIntegrator:
                 if np.abs(defect).max() < 1e-16:
                     break
                 slope = block.slope(point, self.values)
-                # dependent rows: the normal is tied to the attitude, and both have unit length
+                # The rows may be dependent: the normal follows from the attitude, and both have
+                # unit length.
                 point -= np.linalg.pinv(slope.reshape(block.count, -1), rcond=1e-9) @ defect
         return point[: len(state)]
 
@@ -176,11 +180,11 @@ class ModeIntegrator:
         return Outcome(float(stepper.time), stepper.state.copy(), guard, passed, steps)
 
     def has_step(self, state: FloatArray, values: FloatArray) -> bool:
-        """Whether a step can be made from a state (size,), with these values of the parameters."""
+        """Whether a step from a state (size,) succeeds with these values of the parameters."""
         return not replace(self, values=values)._stepper_at(state).step(1.0).is_failure
 
     def series(self, time: float, state: FloatArray, end: float) -> Iterator[StepSeries]:
-        """The steps that together cover a time without an event, but for its end.
+        """Taylor series of the steps that cover an interval without an event, except at its end.
 
         Parameters
         ----------
@@ -197,7 +201,7 @@ class ModeIntegrator:
             yield StepSeries(begin, stepper.time, stepper.series.copy())
 
     def _stepper_at(self, state: FloatArray) -> StateSeries:
-        """A stepper of its own at a state, at time zero."""
+        """A separate stepper at a state, at time zero."""
         stepper = self.stepper.copy()
         stepper.parameters[: len(self.values)] = self.values
         stepper.state[:] = state
@@ -205,11 +209,12 @@ class ModeIntegrator:
         return stepper
 
     def _stepper_from(self, time: float, state: FloatArray) -> StateSeries:
-        """The stepper at a state and a time."""
+        """The shared stepper, set to a state and a time."""
         stepper = self.stepper
         values = [*self.values.tolist(), *self._event_scales(state)]
         if stepper.time != time or not np.array_equal(stepper.state, state):
-            # an event that has just happened counts no more for a while, but elsewhere it does
+            # The cooldown after an event must not suppress events of a motion that continues
+            # elsewhere.
             stepper.reset()
         stepper.parameters[:] = values
         stepper.time = time
@@ -217,14 +222,14 @@ class ModeIntegrator:
         return stepper
 
     def _event_scales(self, state: FloatArray) -> list[float]:
-        """Powers of two that scale large guards to one."""
+        """Powers of two that scale large guard values to order 1."""
         sizes = np.abs(self.guard_values(state)[list(self.code.variable_guards)])
         exponents = np.maximum(np.frexp(np.where(np.isfinite(sizes), sizes, 1.0))[1], 0)
         return list(np.ldexp(1.0, -exponents))
 
 
 def with_values(mode: ModeIntegrator, values: Mapping[str, float]) -> ModeIntegrator:
-    """A mode with other values of parameters, by name."""
+    """The same mode with other values of parameters, by name."""
     numbers = mode.values.copy()
     for name, value in values.items():
         if name in mode.places:
@@ -237,8 +242,7 @@ def observable_columns(system: System) -> dict[str, tuple[int, int]]:
     columns: dict[str, tuple[int, int]] = {}
     first = 0
     for item in system.observables:
-        value = to_components(item.value)
-        size = len(value) if isinstance(value, sp.MatrixBase) else 1
+        size = len(scalars(item.value))
         columns[item.name] = (first, size)
         first += size
     return columns

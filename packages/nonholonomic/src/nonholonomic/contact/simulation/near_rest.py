@@ -27,10 +27,11 @@ from .compiled import OMEGA, VELOCITY, ContactNumbers
 
 _HERTZ = Hertz()
 
-#: Friction so close to its limit is at it, and directions as close are one.
+#: Relative distance from its limit at which friction counts as saturated, and distance below which
+#: two directions count as equal.
 _AT_LIMIT = 1e-6
 
-#: Factor of a friction that has just been passed.
+#: Factor applied to a friction limit that has just been exceeded.
 _BELOW = 1 - _AT_LIMIT
 
 
@@ -44,7 +45,7 @@ def _couple_factor(k: float) -> float:
 
 @dataclass(frozen=True)
 class DryFriction:
-    """The thresholds of a situation.
+    """The friction thresholds of a situation.
 
     Attributes
     ----------
@@ -78,19 +79,19 @@ class DryFriction:
     unknown_in_impacts: str = ""
 
     def near_stop(self, speed: float) -> DryFriction:
-        """With the friction that on average acts on a small slip until its end."""
+        """The thresholds with the average friction that acts on a small slip until it ends."""
         if not self.viscous or self.patch:
             return self
         return replace(self, mu=self.mu + self.viscous * speed**self.order / (1 + self.order))
 
     @property
     def never_slips(self) -> bool:
-        """Whether friction has no limit."""
+        """Whether friction is unlimited."""
         return math.isinf(self.mu)
 
 
 def dry_friction(situation: FrictionalContact) -> DryFriction:
-    """The thresholds of a situation."""
+    """The friction thresholds of a situation."""
     arm = max((law.spin_arm for law in situation.laws), default=0.0)
     viscous, order = next((law.power for law in situation.laws if law.power[0]), (0.0, 1.0))
     force = next((f for law in situation.laws if (f := law.force_of_slip) is not None), None)
@@ -103,7 +104,7 @@ def dry_friction(situation: FrictionalContact) -> DryFriction:
 
 
 def frozen_slip(numbers: ContactNumbers, dry: DryFriction, spin_sign: float) -> FrozenSlip:
-    """The rates of the slip with the rest of the state constant.
+    """The rates of the slip while the rest of the state is held constant.
 
     Parameters
     ----------
@@ -175,30 +176,32 @@ def departure(numbers: ContactNumbers, dry: DryFriction, spin_sign: float) -> De
     if dry.patch:
         slip = frozen_slip(numbers, dry, 0.0)
         assert isinstance(slip, CoupledSlip)
-        options = _of_rest(numbers, dry, rest_of_patch(slip, _inside), slip, 0.0)
+        options = _departures_of_rest(
+            numbers, dry, rest_of_patch(slip, _is_inside_hertz_limit), slip, 0.0
+        )
     else:
         signs = (spin_sign,) if spin_sign or not dry.spin_arm else (0.0, 1.0, -1.0)
         options = (
             option
             for sign in signs
-            for option in _at_point(numbers, dry, sign, changes=sign != spin_sign)
+            for option in _departures_at_point(numbers, dry, sign, changes=sign != spin_sign)
         )
     possible = sorted(options, key=lambda option: not option.holds)
     return possible[0] if possible else None
 
 
-def _at_point(
+def _departures_at_point(
     numbers: ContactNumbers, dry: DryFriction, sign: float, changes: bool
 ) -> Iterator[Departure]:
-    """The motions possible at a point while the spin has a sign, or is zero (sign 0)."""
+    """The possible motions at a point contact for a given sign of the spin (0 if it is zero)."""
     slip = frozen_slip(numbers, dry, sign)
     assert isinstance(slip, PointSlip)
-    for option in _of_rest(numbers, dry, rest_of_point(slip, dry.static_mu), slip, sign):
+    for option in _departures_of_rest(numbers, dry, rest_of_point(slip, dry.static_mu), slip, sign):
         if dry.spin_arm and not sign:
-            # the couple must be able to hold the spin
+            # The couple must be able to hold the spin.
             fits = abs(option.couple) <= dry.spin_arm * option.normal_force
         elif changes:
-            # the spin that begins must grow
+            # The spin that begins must grow.
             constant, slope = slip.response.spin
             friction = numbers.mobility.tangents @ option.force
             rate = numbers.spin_rate + option.normal_force * constant + float(slope @ friction)
@@ -209,13 +212,13 @@ def _at_point(
             yield option
 
 
-def _of_rest(
+def _departures_of_rest(
     numbers: ContactNumbers, dry: DryFriction, rest: Rest, slip: FrozenSlip, sign: float
 ) -> Iterator[Departure]:
-    """The contact at rest, if friction can hold it, and slides that grow from it."""
+    """The state of rest, if friction can hold it, and the slides that grow from it."""
     tangents, unique = numbers.mobility.tangents, rest.unique
     if rest.holds:
-        force = rest.holding_force @ tangents
+        force = rest.sticking_force @ tangents
         yield Departure(
             True, sign, np.empty(0), rest.normal_force, force, rest.holding_couple, unique
         )
@@ -227,13 +230,13 @@ def _of_rest(
         yield Departure(False, turning, direction, pressure, friction @ tangents, couple, unique)
 
 
-def _inside(x: float, z: float) -> bool:
-    """Whether |f|/μN and |τ|/μNa lie within the limit set of Hertz' pressure."""
+def _is_inside_hertz_limit(x: float, z: float) -> bool:
+    """Whether |f|/μN and |τ|/μNa lie within the limit set of Hertz's pressure."""
     return bool(load_factor(_HERTZ, x, z) <= 1)
 
 
 def first_direction(dry: DryFriction, N: float, force: FloatArray, couple: float) -> FloatArray:
-    """Direction (3,), or (4,) with aΩ, in which a contact at its limit of friction begins to slide.
+    """Direction (3,), or (4,) with aΩ, in which a contact at its friction limit begins to slide.
 
     Parameters
     ----------
@@ -257,13 +260,14 @@ def first_direction(dry: DryFriction, N: float, force: FloatArray, couple: float
 def sudden_direction(
     numbers: ContactNumbers, dry: DryFriction, spin_sign: float, direction: FloatArray
 ) -> FloatArray | None:
-    """Direction (3,) in which a point at its limit of friction slides; None if it cannot.
+    """Direction (3,) in which a point contact at its friction limit slides; None if it cannot.
 
-    Static friction above that of sliding falls to it, and the slip grows at once.  Otherwise the
-    slip begins gently against the force, if nearby slips turn towards this direction.  If they
-    turn away, which needs a normal force that depends on friction, the slip grows at once in
-    another direction, as it already could while friction held the contact.  A slip against the
-    force may also shrink as soon as friction holds it no longer; if none grows, there is none.
+    If static friction exceeds kinetic friction, it drops to the kinetic value and the slip grows
+    at once.  Otherwise the slip starts smoothly, opposite to the force, provided that nearby slip
+    directions turn towards this one.  If they turn away, which requires a normal force that
+    depends on friction, the slip grows at once in another direction, as was already possible while
+    friction held the contact.  A slip opposite to the force may also decay as soon as friction no
+    longer holds it; if no slip grows, there is no direction.
 
     Parameters
     ----------
@@ -275,7 +279,7 @@ def sudden_direction(
         Against the friction at its limit, body axes.
     """
     falls = dry.static_mu > dry.mu
-    # a hold that has reached its limit is none, whatever rounding says
+    # Sticking at its limit does not count as possible, whatever rounding suggests.
     limited = replace(dry, static_mu=dry.mu)
     if not falls:
         limited = replace(dry, static_mu=_BELOW * dry.mu, mu=_BELOW * dry.mu)
@@ -291,7 +295,7 @@ def sudden_direction(
 def state_after_stop(
     numbers: ContactNumbers, dry: DryFriction, state: FloatArray, stop: Stop
 ) -> FloatArray:
-    """The state (size,) after the last moment of sliding, but for work and rounding.
+    """The state (size,) when sliding has stopped, before corrections for work and rounding.
 
     Parameters
     ----------

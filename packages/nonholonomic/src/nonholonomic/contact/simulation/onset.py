@@ -1,8 +1,8 @@
-"""The onset of sliding or rolling: a slip that is zero at first, in a direction to be found.
+"""The onset of sliding or rolling: motion from zero slip in a direction to be determined.
 
-With the direction of friction prescribed as a polynomial of the time, the motion is smooth; the
-coefficients follow from the demand that the slip, or the rolling, has this direction at Chebyshev
-points.
+If the direction of friction is prescribed as a polynomial in time, the motion is smooth.  The
+coefficients are determined by collocation: at Chebyshev points, the slip (or the rolling) must
+have the prescribed direction.
 """
 
 from __future__ import annotations
@@ -28,37 +28,36 @@ from ..friction.prescribed_friction import (
     first_direction_values,
     prescribed_direction,
 )
-from ..friction.rolling_friction import ContourResistance, RollingResistance
-from ..friction.viscous_friction import PowerFriction
 from .compiled import OMEGA, VELOCITY, CompiledContact
 from .mode_integrator import ModeIntegrator, with_values
 from .rolling_end import direction_of_couple
 
-#: Chebyshev points of (0, 1], the last one at the end.
+#: Chebyshev points on (0, 1]; the last one is the end.
 _POINTS = (1 - np.cos(np.pi * np.arange(1, DEGREE + 1) / DEGREE)) / 2
 
-#: Points between them, at which the direction is tested.
+#: Points between them at which the direction is verified.
 _TESTS = np.array([0.35, 0.65, 0.97])
 
-#: Steps of a trial, and radians by which the direction may turn, at most.
+#: Maximum number of steps of a trial, and the largest angle (rad) by which the direction may turn.
 _MOST_STEPS, _LARGEST_TURN = 500, 3.0
 
-#: Changes of the coefficients at most, and the step of the differences.
+#: Maximum number of corrections of the coefficients, and the step of the difference quotients.
 _MOST_CHANGES, _STEP = 20, 1e-5
 
-#: The duration of an onset is divided by four at most so many times.
+#: Maximum number of times the duration of an onset is divided by four.
 _ATTEMPTS = 12
 
-#: Velocities that the polynomial of a power causes or omits are none below this part.
+#: Relative velocity error below which the polynomial fit of the power law is accepted.
 _NO_PUSH = 1e-13
 
-#: Part of the velocities that rounding leaves in the slip, and how far the slip must grow above.
+#: Rounding error of the slip relative to the velocities, and the factor by which the slip must
+#: exceed it at the end of the onset.
 _NOISE, _GROWN = 4e-15, 1e5
 
 
 @dataclass(frozen=True, eq=False)
 class Onset:
-    """Sliding over a short time from zero slip.
+    """A short interval of sliding that starts from zero slip.
 
     Attributes
     ----------
@@ -74,7 +73,7 @@ class Onset:
     state: FloatArray
 
     def samples(self, time: float, state: FloatArray, moments: list[float]) -> FloatArray:
-        """States at moments within the onset, the clock as last column."""
+        """States at times within the onset; the last column is the clock."""
         if not moments:
             return np.empty((0, len(state) + 1))
         start = np.append(state, 0.0)
@@ -83,7 +82,7 @@ class Onset:
 
 @dataclass(frozen=True, eq=False)
 class _Trial:
-    """A prescribed direction, and the slip, or the rolling, that follows.
+    """A motion with prescribed friction direction, and the slip or rolling that results.
 
     Attributes
     ----------
@@ -107,7 +106,7 @@ class _Trial:
 
     @property
     def columns(self) -> slice:
-        """The columns of the state whose rounding the slip, or the rolling, shows."""
+        """The columns of the state whose rounding errors enter the slip or the rolling."""
         return VELOCITY if self.rolling is None else OMEGA
 
     def integrator_with(self, coefficients: FloatArray, duration: float) -> ModeIntegrator:
@@ -146,7 +145,7 @@ class _Trial:
 
 
 def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Vector products (n, 3), in a quarter of the time of `numpy.cross`."""
+    """Cross products (n, 3), four times as fast as `numpy.cross`."""
     x, y, z = a.T
     u, v, w = b.T
     return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=1)
@@ -161,7 +160,7 @@ def onset_of_sliding(
     spin_sign: float,
     longest: float,
 ) -> Onset | None:
-    """Sliding from zero slip along a first direction; None if it stops again at once.
+    """Slide from zero slip in a given initial direction; None if the slip stops at once.
 
     Parameters
     ----------
@@ -194,11 +193,7 @@ def onset_of_sliding(
     values |= first_direction_values(first)
     stand_in = prescribed_direction(law, mode.range)
     laws = tuple(
-        stand_in
-        if item is law
-        else PrescribedPower(item)
-        if isinstance(item, PowerFriction) and not item.is_smooth
-        else item
+        stand_in if item is law else PrescribedPower(item) if not item.is_smooth else item
         for item in situation.laws
     )
     integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), values)
@@ -218,7 +213,7 @@ def onset_of_rolling(
     run_values: Mapping[str, float],
     longest: float,
 ) -> Onset | None:
-    """Rolling from rest against the couple that held it; None if it stops again at once.
+    """Roll from rest against the couple that held the body; None if rolling stops at once.
 
     Parameters
     ----------
@@ -236,10 +231,7 @@ def onset_of_rolling(
         Duration to begin with (s).
     """
     situation = contact.situation
-    laws = tuple(
-        PrescribedRolling(law) if isinstance(law, RollingResistance | ContourResistance) else law
-        for law in situation.laws
-    )
+    laws = tuple(PrescribedRolling(law) if law.holds_rolling else law for law in situation.laws)
     integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), run_values)
     first = direction_of_couple(integrator, state, contact.numbers(state).mobility, couple)
     integrator = with_values(integrator, first_direction_values(first))
@@ -255,7 +247,7 @@ def onset_of_rolling(
 def _with_shortened_duration(
     trial: _Trial, time: float, state: FloatArray, longest: float
 ) -> Onset | None:
-    """The onset over the longest time, or as short a part of it as it takes."""
+    """The onset over `longest`, or over a shorter time on which the collocation succeeds."""
     duration = longest
     for _ in range(_ATTEMPTS):
         result = _with_power(trial, time, state, duration, longest)
@@ -268,9 +260,10 @@ def _with_shortened_duration(
 def _with_power(
     trial: _Trial, time: float, state: FloatArray, duration: float, longest: float
 ) -> Onset | None:
-    """The onset of a duration, with the power of the slip, if there is one, as a polynomial too.
+    """The onset of given duration, with a non-integer power of the slip replaced by a polynomial.
 
-    The slip changes little with the power: each polynomial follows from the slip of the one before.
+    Fixed-point iteration: the polynomial is fitted to the slip of the previous iterate, on which
+    the motion depends weakly.
     """
     if trial.power is None:
         return _collocation(trial, time, state, duration)
@@ -294,7 +287,7 @@ def _with_power(
         size = slip**order
         fast = float(np.abs(state[VELOCITY]).max() + slip[-1] * longest / duration)
         changed = points[:, None] ** np.arange(1, DEGREE + 1) @ fitted - size
-        # the friction that is missing or too much, as the velocity that it causes
+        # The velocity caused by the friction that the fit omits or adds.
         push = coefficient * float((values["normal_force"] * np.abs(changed)).max()) * duration
         if push <= _NO_PUSH * fast:
             return result
@@ -305,10 +298,10 @@ def _with_power(
 
 
 def _first_jacobian(responses: list[FloatArray]) -> FloatArray:
-    """The derivatives by all coefficients, nearly, from those by the first ones.
+    """Approximate derivatives by all coefficients, from those by the first ones.
 
-    The slip answers to the integral of a change of the direction: tᵏ has the effect of t times
-    2 tᵏ⁻¹/(k + 1), as far as mobility and normal force are constant.
+    The slip responds to the integral of a change of the direction.  With constant mobility and
+    normal force, the term tᵏ therefore has the effect of t times 2 tᵏ⁻¹/(k + 1).
 
     Parameters
     ----------
@@ -324,7 +317,25 @@ def _first_jacobian(responses: list[FloatArray]) -> FloatArray:
 
 
 def _collocation(trial: _Trial, time: float, state: FloatArray, duration: float) -> Onset | None:
-    """The onset of a duration; None if there is no such motion."""
+    """The onset of given duration; None if there is no such motion.
+
+    With the friction direction n(s) prescribed by angles φ(s) = Σ_k c_k sᵏ, k = 1, …, DEGREE (for
+    a patch also the latitudes θ(s) of slip and spin), s the time in units of the duration, the
+    equations of motion are smooth and give a slip u(s; c).  The unknowns c solve
+
+        g_i(c) = (u(s_i; c) · n⊥(s_i))/(|u| s_i²) = 0
+
+    at the Chebyshev points s_i, where n⊥ is perpendicular to the prescribed direction and |u| is a
+    fixed typical slip.  The division by s_i² makes the equations comparable, since φ − φ(0) and
+    the slip each grow at least like s.  The Jacobian starts from `_first_jacobian`, is updated by
+    Broyden's method (Dennis and Schnabel, Numerical Methods for Unconstrained Optimization and
+    Nonlinear Equations, chapter 8), and is recomputed by differences when the steps do not halve.
+
+    The result is accepted only if the slip along n grows monotonically from zero to well above its
+    rounding error, and has the prescribed direction at _TESTS too.  It fails if the slip returns to
+    zero within the duration, or if the direction turns too much for a polynomial of this degree;
+    `_with_shortened_duration` then tries a shorter one.
+    """
     start = np.append(state, 0.0)
     count = DEGREE * (2 if trial.patch else 1)
     coefficients = np.zeros(count)
@@ -343,7 +354,7 @@ def _collocation(trial: _Trial, time: float, state: FloatArray, duration: float)
             return np.full((len(points), count // DEGREE), np.nan), np.full(len(points), np.nan)
         return trial.defects(integrator, states, points, c)
 
-    # components of the slip are almost linear in the coefficients, its direction is not
+    # The components of the slip are almost linear in the coefficients, unlike its direction.
     across, along = defects(coefficients)
     size = float(np.hypot(np.abs(along).max(), np.abs(across).max()))
     weights = 1 / (size * points[at_points, None] ** 2)
@@ -372,15 +383,15 @@ def _collocation(trial: _Trial, time: float, state: FloatArray, duration: float)
             return None
         across, along = defects(coefficients)
         value, size = (weights * across[at_points]).ravel(), float(np.abs(change).max())
-        # the first points feel rounding, which ends the convergence
+        # Rounding at the first points limits the convergence.
         if size < 1e-10 or (size < 1e-6 and size > 0.5 * last):
             break
-        # Broyden's update, and new differences where it does not converge
+        # Broyden's update; recompute by differences if the convergence is too slow.
         jacobian = jacobian + np.outer(value, change) / (change @ change)
         if size > 0.5 * last:
             jacobian = np.empty((0, 0))
         last = size
-    # the slip is a difference of velocities, whose rounding it shows at the first points
+    # The slip is a difference of velocities, whose rounding errors dominate at the first points.
     noise = _NOISE * float(np.abs(state[trial.columns]).max() + np.abs(across).max())
     grows = bool(np.all(np.diff(np.concatenate([[0.0], along])) > -noise))
     aside = np.abs(across) > 1e-7 * along[:, None] + noise

@@ -1,4 +1,4 @@
-"""Painlevé's paradox in words: the time, the place, and the determinant that is not positive."""
+"""Describe Painlevé's paradox: time, position, and the determinant that is not positive."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from flowlanes.system.arrays import FloatArray
 
 from .compiled import ATTITUDE, POSITION, ContactNumbers
 
-#: Coordinates of the contact below this part of the size of the body are rounding.
+#: Coordinates of the contact below this fraction of the body size count as rounding.
 _ROUNDING = 1e-12
 
 
@@ -19,7 +19,7 @@ def paradox_words(
     response: float,
     is_jam: bool,
 ) -> str:
-    """Why no motion in contact is possible, in one sentence.
+    """Explain in one sentence why no motion in contact is possible.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
-"""The end of rolling under its resistance: whether it lasts, or rolling begins again.
+"""The end of rolling under its resistance: whether it ends for good or begins again.
 
-Near its end rolling has a small angular velocity ω_t = s n.  With the rest of the state constant
-its rate X depends on n alone, as the resistance does: rolling begins again along a direction n
-with X(n) = H n, H > 0, and ends for good where there is none.
+Near its end, rolling has a small angular velocity ω_t = s n.  While the rest of the state is held
+constant, its rate X depends on n alone, as the resistance does.  Rolling begins again along a
+direction n with X(n) = H n and H > 0, and ends for good if there is none.
 """
 
 from __future__ import annotations
@@ -19,17 +19,18 @@ from ..impact.mobility import Mobility
 from .compiled import OMEGA, VELOCITY, ContactNumbers
 from .mode_integrator import ModeIntegrator, with_values
 
-#: Angles between which directions are looked for that rolling keeps.
+#: Number of angular intervals in which invariant directions of rolling are searched.
 _ANGLES = 72
 
-#: A direction keeps itself to this accuracy, which rounding leaves at small angular velocities.
+#: Relative accuracy to which a direction must be invariant; rounding allows no better at small
+#: angular velocities.
 _ACCURACY = 1e-6
 
 
 def state_with_rolling(
     numbers: ContactNumbers, state: FloatArray, rolling: FloatArray, slips: bool
 ) -> FloatArray:
-    """The state with another angular velocity of rolling, the slip unchanged.
+    """The state with another angular velocity of rolling and the same slip.
 
     Parameters
     ----------
@@ -50,9 +51,9 @@ def state_with_rolling(
 
 
 def rolling_rate(numbers: ContactNumbers, turning: FloatArray) -> FloatArray:
-    """Rate (3,) of the angular velocity over the support, with a rate of ω; it is Ω̇ along γ.
+    """Rate (3,) of the angular velocity over the support, given that of ω; along γ it is Ω̇.
 
-    The part along the support is the rate of ω_t where that is small.
+    Its tangential part is the rate of ω_t where ω_t is small.
 
     Parameters
     ----------
@@ -70,7 +71,13 @@ def rolling_restart(
     size: float,
     slips: bool,
 ) -> tuple[FloatArray, float] | None:
-    """Direction (3,) and rate H > 0 with which rolling begins again; None if it has ended.
+    """Direction (3,) and rate H > 0 with which rolling begins again; None if it ends for good.
+
+    For a unit tangent vector n at the angle φ let (h, g) be the components of the rate X(n) along
+    n and perpendicular to it.  A direction is invariant if g(φ) = 0.  Sign changes of g from plus
+    to minus on a uniform grid of angles are refined by root finding; there nearby directions turn
+    towards n.  Among those with h > 0 the largest is taken.  Two zeros within one grid interval
+    would be missed.
 
     Parameters
     ----------
@@ -87,7 +94,7 @@ def rolling_restart(
     tangents = numbers.mobility.tangents
 
     def along_and_across(angle: float) -> tuple[float, float]:
-        """Components of the rate along a direction, and across it."""
+        """Components of the rate along the direction at an angle, and perpendicular to it."""
         n = np.array([math.cos(angle), math.sin(angle)])
         there = state_with_rolling(numbers, state, size * (n @ tangents), slips)
         x, y = tangents @ rolling_rate(numbers, integrator.rates(there)[OMEGA])
@@ -102,7 +109,8 @@ def rolling_restart(
     for angle, after, value, next_value in zip(
         angles[:-1], angles[1:], values[:-1], values[1:], strict=True
     ):
-        # rolling in nearby directions turns towards those between a plus and a minus
+        # Where the sign changes from plus to minus, rolling in nearby directions turns towards the
+        # zero.
         if value > 0 >= next_value:
             kept = _root(across, angle, after)
             growth, rest = along_and_across(kept)
@@ -117,7 +125,7 @@ def rolling_restart(
 def direction_of_couple(
     integrator: ModeIntegrator, state: FloatArray, mobility: Mobility, couple: FloatArray
 ) -> FloatArray:
-    """The direction (3,) of rolling against which the resistance has the direction of a couple.
+    """The direction (3,) of rolling for which the resistance is parallel to a given couple.
 
     Parameters
     ----------
@@ -138,14 +146,14 @@ def direction_of_couple(
         x = tangents @ with_values(integrator, values).outputs(start)["friction_couple"]
         return float(x[0] * wanted[1] - x[1] * wanted[0])
 
-    # the resistance is opposed to the rolling by less than a right angle
+    # The angle between resistance and reversed rolling is less than a right angle.
     middle, half = math.atan2(-wanted[1], -wanted[0]), math.pi / 2
     return first(_root(across, middle - half, middle + half))
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    """The point at which a function changes its sign."""
-    # imported where rolling ends or begins, since it takes longer than most motions
+    """The zero of a function between points of opposite sign."""
+    # Imported on demand: the import takes longer than most motions.
     from scipy.optimize import brentq
 
     return float(brentq(function, low, high, xtol=1e-16))

@@ -1,4 +1,4 @@
-"""Transitions of rolling under its resistance: its end, reversal and beginning."""
+"""Transitions of rolling under its resistance: end, reversal and beginning."""
 
 from __future__ import annotations
 
@@ -10,8 +10,6 @@ import numpy as np
 
 from flowlanes.system.arrays import FloatArray
 
-from ...mechanics.shapes.shapes import Disk
-from ...mechanics.shapes.surfaces import Plane
 from ..friction.friction_law import FrictionLaw
 from .compiled import OMEGA, WORK
 from .course_state import NO_SLIP, SLIP_FLOOR
@@ -24,25 +22,25 @@ _NEITHER = "rolling can neither be held nor begin: the resistance to it has no d
 
 
 class RollingTransitions(SpinTransitions, ABC):
-    """A motion whose rolling may end, turn back or begin."""
+    """A motion whose rolling may end, reverse or begin."""
 
     @abstractmethod
     def _lift_off(self) -> None:
-        """Leave the support, or find no motion, where the normal force has fallen to zero."""
+        """Lift off, or detect a paradox, when the normal force has fallen to zero."""
 
     @abstractmethod
     def _require_pressure(self) -> None:
-        """Leave the support, or find no motion, where a sliding contact presses no longer."""
+        """Lift off, or detect a paradox, if a sliding contact has no positive normal force."""
 
     def _decide_on_rolling(self) -> None:
-        """Hold a rolling that is zero, or let it begin, after what has just happened."""
+        """After a transition, hold a rolling velocity of zero or let rolling begin."""
         before, time = self.mode, self.time
         self._begin_to_roll()
         if self.mode != before:
-            self._amend(time)
+            self._correct_event(time)
 
     def _begin_to_roll(self) -> None:
-        """Hold a rolling that is zero, or let it begin."""
+        """Hold a rolling velocity of zero, or let rolling begin."""
         size = SLIP_FLOOR * self._speed / self._length
         if not (self.mode.touching and self._rolling_is_zero) or self._hold_rolling():
             return
@@ -59,16 +57,16 @@ class RollingTransitions(SpinTransitions, ABC):
         if self.mode.sliding:
             self._require_pressure()
         else:
-            # the resistance changes the friction that holds the contact
+            # The resistance changes the friction that holds the contact.
             self._leave_rest(None, self.state, spin_at_rest=not self.mode.spinning)
 
     def _normal_force_with_rolling(self, rolling: FloatArray) -> float:
-        """The normal force with a small rolling (3,), while the contact slides."""
+        """The normal force with a small rolling velocity (3,) while the contact slides."""
         there = state_with_rolling(self._numbers(), self.state, rolling, slips=True)
         return float(self._integrator(self.mode).outputs(there)["normal_force"])
 
     def _rolling_stop(self) -> None:
-        """Rolling comes to its end under resistance: it is held, or the body rolls back."""
+        """Handle the end of rolling under resistance: it is held, or the body rolls back."""
         before, known = self.state, self._numbers()
         mode, integrator = self.mode, self._integrator(self.mode)
         size = float(np.linalg.norm(known.rolling))
@@ -76,7 +74,7 @@ class RollingTransitions(SpinTransitions, ABC):
         loss = -float(known.rolling @ rolling_rate(known, rates[OMEGA])) / size
         if loss <= 0:
             raise EndError("no end", "rolling comes close to its end and does not reach it")
-        self._move_on(rates, size / loss, np.zeros(3))
+        self._advance_evenly(rates, size / loss, np.zeros(3))
         self.time += size / loss
         if self._hold_rolling():
             self._record("rest" if self.mode.name == "rest" else "rolling stop", before)
@@ -88,7 +86,7 @@ class RollingTransitions(SpinTransitions, ABC):
         self._record("rolling reversal", before)
 
     def _rolling_start(self) -> None:
-        """The resistance has come to its limit: rolling begins, like the square of the time."""
+        """Start rolling when the resistance has reached its limit; it grows like t²."""
         held = self._integrator(self.mode)
         couple = held.outputs(self.state)["friction_couple"]
         self.mode = replace(self.mode, rolling=True)
@@ -111,7 +109,7 @@ class RollingTransitions(SpinTransitions, ABC):
         self._rolling_factor = min(1.0, 0.25 * reached / self._rolling_floor)
 
     def _take_onset(self, start: Onset) -> None:
-        """Go over to the end of an onset."""
+        """Continue from the end of an onset."""
         end = self.time + start.duration
         samples = start.samples(self.time, self.state, self._moments_until(end))
         self._add_piece(start.integrator, end, samples)
@@ -125,18 +123,19 @@ class RollingTransitions(SpinTransitions, ABC):
         return max(speed, math.sqrt(strength / self._length))
 
     def _roll_back(self, direction: FloatArray, rate: float) -> None:
-        """Roll on from rest, along a direction that rolling keeps while it grows."""
+        """Roll on from rest in a direction that rolling keeps while it grows."""
         usual = self._turning_rate**2
-        # the slower it grows, the less of it may be taken as growing evenly
+        # The slower rolling grows, the shorter the time over which its growth may count as
+        # uniform.
         self._rolling_factor = min(1.0, max(rate / usual, 1e-6))
         rolling = 2 * self._rolling_floor * direction
         there = state_with_rolling(self._numbers(), self.state, rolling, self.mode.sliding)
         lasting = float(np.linalg.norm(rolling)) / rate
-        self._move_on(self._integrator(self.mode).rates(there), lasting, rolling)
+        self._advance_evenly(self._integrator(self.mode).rates(there), lasting, rolling)
         self.time += lasting
 
-    def _move_on(self, rates: FloatArray, lasting: float, rolling: FloatArray) -> None:
-        """Move through a short time at constant rates, to a given rolling (3,)."""
+    def _advance_evenly(self, rates: FloatArray, lasting: float, rolling: FloatArray) -> None:
+        """Advance through a short time at constant rates, to a given rolling velocity (3,)."""
         known = self._numbers()
         total = known.energy + float(self.state[WORK:].sum())
         self.state = self.state + lasting * rates
@@ -146,10 +145,10 @@ class RollingTransitions(SpinTransitions, ABC):
         self.state[column] += total - self._numbers().energy - float(self.state[WORK:].sum())
 
     def _hold_rolling(self) -> bool:
-        """Hold a rolling that is zero if its resistance can; whether it is held."""
+        """Hold a rolling velocity of zero if the resistance can; return whether it does."""
         situation = self.contact.situation
-        if isinstance(situation.body.shape, Disk) and self._law_of_rolling().name == "contour":
-            # along its edge alone does the contact of a disk wander
+        if situation.body.shape.edge_radius is not None and self._law_of_rolling().is_along_contour:
+            # The contact of a disk moves only along its edge.
             return False
         spins = self.mode.spinning and not self._spin_stays_zero()
         held = replace(self.mode, rolling=False, spinning=spins)
@@ -164,17 +163,17 @@ class RollingTransitions(SpinTransitions, ABC):
         column = self.contact.work_column(self._law_of_rolling().name)
         self.state[column] += lost - self._numbers().energy
         if margins.get("slip", 1.0) < 0:
-            # the resistance changes the friction that holds the contact
+            # The resistance changes the friction that holds the contact.
             self._leave_rest(None, self.state, spin_at_rest=not spins)
         return True
 
     def _spin_stays_zero(self) -> bool:
-        """Whether a body that neither slides nor rolls has no spin, and gets none."""
+        """Whether a body that neither slides nor rolls has no spin and receives none."""
         known = self._numbers()
         if self.mode.sliding or abs(known.spin) * self._length > NO_SLIP * self._speed:
             return False
-        if isinstance(self.contact.situation.surface, Plane):
-            # no force has a moment about the vertical through the contact
+        if self.contact.situation.surface.is_flat:
+            # No force has a moment about the vertical through the contact.
             return True
         held = replace(self.mode, rolling=False)
         rates = self._integrator(held).rates(self._integrator(held).project(self.state))
@@ -184,7 +183,7 @@ class RollingTransitions(SpinTransitions, ABC):
 
     @property
     def _rolling_is_zero(self) -> bool:
-        """Whether there is no rolling, so that a resistance to it has no direction."""
+        """Whether the rolling velocity is zero, so that resistance to rolling has no direction."""
         rolling = float(np.linalg.norm(self.contact.numbers(self.state).rolling))
         least = 1e-4 * SLIP_FLOOR * self._speed / self._length
         return self._resists_rolling and rolling <= least

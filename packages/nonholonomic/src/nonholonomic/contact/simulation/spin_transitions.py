@@ -1,4 +1,4 @@
-"""Transitions of the spin in a motion in contact: its end, reversal and beginning."""
+"""Transitions of the spin of a motion in contact: end, reversal and beginning."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .events import EventKind
 
 
 class SpinTransitions(CourseState, ABC):
-    """A motion whose spin may end, change its sign or begin."""
+    """A motion whose spin may end, change sign or begin."""
 
     @abstractmethod
     def _leave_rest(
@@ -31,7 +31,7 @@ class SpinTransitions(CourseState, ABC):
         """Hold a contact without slip if friction can, or begin to slide."""
 
     def _decide_on_spin(self, sliding: bool) -> bool:
-        """Hold the spin, which is zero, or let it begin; whether it is held."""
+        """Hold a spin of zero or let it begin; return whether it is held."""
         mode = Mode(sliding=sliding, spinning=False, rolling=self.mode.rolling)
         self._project(mode)
         N, couple = self._normal_force_and_couple(mode)
@@ -42,10 +42,10 @@ class SpinTransitions(CourseState, ABC):
         return not spins
 
     def _spin_stop(self) -> None:
-        """The spin has come to zero: hold it, or let it change its sign."""
+        """Handle a spin that has reached zero: hold it, or let it change sign."""
         before, sliding = self.state, self.mode.sliding
         if not self._dry.spin_arm:
-            # formulas of friction in |Ω| that do not hold the spin
+            # The formulas of friction in |Ω| do not hold the spin.
             mode = self.mode
             self._decide_on_spin(sliding)
             self.mode = mode
@@ -64,7 +64,7 @@ class SpinTransitions(CourseState, ABC):
         self._spin_sign = -math.copysign(1.0, couple)
         self.mode = replace(self.mode, spinning=True)
         self._record("spin start", before)
-        # it begins like the square of the time, and must not end at once by rounding
+        # The spin grows like the square of time, and must not end at once by rounding.
         known = self._numbers()
         fastest = max(self._speed / self._length, float(np.abs(self.state[OMEGA]).max()))
         size = 4 * float(np.finfo(float).eps) * fastest

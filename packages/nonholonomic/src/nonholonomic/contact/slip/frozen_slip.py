@@ -1,11 +1,12 @@
-"""Slipping near zero: the rates of the slip with everything but its direction frozen.
+"""Slip near zero: its rates while everything but its direction is held constant.
 
-Near the end or the start of sliding the slip x = s n has a small size s and a direction n that
-matters at every size.  With the rest of the state frozen its rate X depends on n alone, and
+Near the end or the start of sliding, the slip x = s n has a small magnitude s, while its direction
+n matters at every magnitude.  With the rest of the state constant its rate X depends on n alone,
+and
 
     ẋ = X(n),   ṡ = H = (n, X),   s ṅ = G = X − H n,
 
-with the normal force N(n) from the condition that the contact lasts.
+where the normal force N(n) follows from the condition that the contact lasts.
 """
 
 from __future__ import annotations
@@ -28,10 +29,10 @@ from ..impact.mobility import Mobility
 
 
 class FrozenSlip(Protocol):
-    """A law of friction near zero slip, everything frozen but the direction of the slip."""
+    """A friction law near zero slip, with everything constant except the direction of the slip."""
 
     def force(self, n: FloatArray) -> tuple[float, FloatArray, float]:
-        """Normal force, friction force (2,) and couple of the slip in the direction n."""
+        """Normal force, friction force (2,) and couple for the slip direction n."""
         ...
 
     def rate(self, n: FloatArray) -> FloatArray:
@@ -40,7 +41,7 @@ class FrozenSlip(Protocol):
 
 
 def growth_and_turning(slip: FrozenSlip, n: FloatArray) -> tuple[float, FloatArray]:
-    """H = (n, X), the growth of the slip, and G = X − H n, what turns it."""
+    """H = (n, X), the growth of the slip, and G = X − H n, its turning."""
     rate = slip.rate(n)
     growth = float(n @ rate)
     return growth, rate - growth * n
@@ -48,7 +49,7 @@ def growth_and_turning(slip: FrozenSlip, n: FloatArray) -> tuple[float, FloatArr
 
 @dataclass(frozen=True, eq=False)
 class PointSlip:
-    """Coulomb friction at a point: n in the tangent plane, along the tangents of the mobility.
+    """Coulomb friction at a point: n is a tangential direction, along the tangents of the mobility.
 
     Attributes
     ----------
@@ -69,7 +70,7 @@ class PointSlip:
     couple: float = 0.0
 
     def force(self, n: FloatArray) -> tuple[float, FloatArray, float]:
-        """Normal force, friction force (2,) and couple of the slip in the direction n."""
+        """Normal force, friction force (2,) and couple for the slip direction n."""
         friction = -self.mu * n
         response = self.response
         pressure = -self.normal / (response.normal[0] + float(response.normal[1] @ friction))
@@ -115,9 +116,9 @@ def point_slip_with_spin_at_rest(
     mu: float,
     resistance: FloatArray | None = None,
 ) -> PointSlip:
-    """Slip under Coulomb friction while a couple of spin friction holds the spin at zero.
+    """Slip under Coulomb friction while a spin friction couple holds the spin at zero.
 
-    The couple has a part in proportion to the normal force, and the part −b_Ω/σ besides.
+    The couple has a part proportional to the normal force, and a part −b_Ω/σ.
 
     Parameters
     ----------
@@ -134,7 +135,7 @@ def point_slip_with_spin_at_rest(
 
 @dataclass(frozen=True, eq=False)
 class CoupledSlip:
-    """Coupled sliding and spinning on a round patch: n on the sphere, slip (u₁, u₂, aΩ).
+    """Coupled sliding and spinning on a round patch: n is on the unit sphere of slips (u₁, u₂, aΩ).
 
     Attributes
     ----------
@@ -162,7 +163,7 @@ class CoupledSlip:
     resistance: FloatArray = field(default_factory=lambda: np.zeros(3))
 
     def force(self, n: FloatArray) -> tuple[float, FloatArray, float]:
-        """Normal force, friction force (2,) and couple of the slip in the direction n."""
+        """Normal force, friction force (2,) and couple for the slip direction n."""
         sliding = float(np.hypot(n[0], n[1]))
         k = sliding / abs(n[2]) if n[2] else np.inf
         friction = np.zeros(2)
@@ -185,7 +186,7 @@ class CoupledSlip:
 
     @cached_property
     def matrix(self) -> FloatArray:
-        """The mobility (4, 4) of tangents, normal (with the further couple) and spin."""
+        """The mobility (4, 4) of tangents, normal (including the additional couple) and spin."""
         m = self.mobility
         axes = np.vstack([m.tangents, m.gamma])
         c = axes @ m.spin_force

@@ -1,7 +1,7 @@
-"""Limit directions: how a sliding contact comes to rest, and how one at rest begins to slide.
+"""Limit directions: how a sliding contact comes to rest, and how a resting one begins to slide.
 
-After Antali and Stépán.  A direction n of the slip is a limit direction if the slip keeps it,
-G(n) = 0: an entry where the slip shrinks (H < 0), an exit where it grows (H > 0).
+After Antali and Stépán.  A slip direction n is a limit direction if it is invariant, G(n) = 0: an
+entry where the slip decays (H < 0), an exit where it grows (H > 0).
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ from ...mechanics.shapes.rays import directions as spread_directions
 from ..impact.impact_segments import ROUNDING
 from .frozen_slip import CoupledSlip, FrozenSlip, PointSlip, growth_and_turning
 
-#: Directions from which those of a coupled law are looked for, first and if some are missing.
+#: Numbers of start directions for a coupled law: the later ones are used if zeros are missing.
 STARTS = (24, 150, 1000)
-#: Directions closer than this are one.
+#: Directions closer than this count as equal.
 SAME = 1e-7
-#: A direction is one to this accuracy, relative to the greatest rate.
+#: Tolerance for G(n) = 0, relative to the largest rate.
 RESIDUAL = 1e-11
-#: A determinant of the turning's derivative, relative to the rates, that is zero but for rounding.
+#: Determinant of the derivative of G, relative to the rates, that counts as zero.
 DEGENERATE = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
 class LimitDirection:
-    """A direction of slip that the slip keeps while it shrinks to zero or grows from it.
+    """A slip direction that does not change while the slip decays to zero or grows from it.
 
     Attributes
     ----------
@@ -106,7 +106,10 @@ def limit_directions(slip: PointSlip) -> tuple[LimitDirection, ...]:
 
 
 def _turning_polynomial(slip: PointSlip) -> tuple[FloatArray, float]:
-    """G·B as Σ c_j e^{ijφ}, j = −2…2, by its values at eight angles; and the size of its terms."""
+    """Coefficients c_j of G·B = Σ c_j e^{ijφ}, j = −2…2, from eight samples.
+
+    And a scale of its terms.
+    """
     beta, A = slip.response.tangential
     constant, slope = slip.response.normal
     angles = 2 * np.pi * np.arange(8) / 8
@@ -122,11 +125,13 @@ def _turning_polynomial(slip: PointSlip) -> tuple[FloatArray, float]:
 
 
 def limit_directions_of_coupled_slip(slip: CoupledSlip) -> tuple[LimitDirection, ...]:
-    """All limit directions of coupled sliding and spinning, found by many starts.
+    """All limit directions of coupled sliding and spinning, from many starting points.
 
-    Newton's method on the sphere from evenly spread directions.  The indices of the directions
-    must add up to 2, the Euler characteristic of the sphere; where they do not, the search
-    goes on from more starts.  Directions with a negative normal force are left out at the end.
+    Newton's method on the sphere from evenly distributed directions.  By the Poincaré–Hopf theorem
+    the indices of all zeros of G, the signs of det DG, add up to 2, the Euler characteristic of the
+    sphere; if those found do not, the search continues from more starting points.  Two zeros with
+    opposite indices that are missed together go unnoticed.  Directions with a negative normal force
+    are removed at the end.
 
     Parameters
     ----------
@@ -208,13 +213,13 @@ def _newton_on_sphere(slip: FrozenSlip, n: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """The motions that a contact without slip can have.
+    """The possible motions of a contact without slip.
 
     Attributes
     ----------
     normal_force : float
         With which it would be held.
-    holding_force : (2,) array
+    sticking_force : (2,) array
         Friction that would hold it, along the tangents of the mobility.
     holding_couple : float
         Couple that would hold the spin; 0 where the law holds none.
@@ -226,19 +231,19 @@ class Rest:
     """
 
     normal_force: float
-    holding_force: FloatArray
+    sticking_force: FloatArray
     holding_couple: float
     holds: bool
     exits: tuple[LimitDirection, ...]
 
     @property
     def unique(self) -> bool:
-        """Whether it can do exactly one thing."""
+        """Whether exactly one motion is possible."""
         return int(self.holds) + len(self.exits) == 1
 
     @property
     def exit(self) -> LimitDirection | None:
-        """The direction in which it begins to slip: none if it is held, or has none."""
+        """The direction in which slip begins; None if the contact is held or has no exit."""
         return self.exits[0] if self.exits and not self.holds else None
 
 
@@ -248,10 +253,10 @@ def _exits(directions: Sequence[LimitDirection]) -> tuple[LimitDirection, ...]:
 
 
 def rest_of_point(slip: PointSlip, static_mu: float | None = None) -> Rest:
-    """The motions of a contact without slip under Coulomb friction: |f| ≤ μN lets it stick.
+    """The possible motions of a contact without slip under Coulomb friction: sticking if |f| ≤ μN.
 
-    Where the normal force does not depend on friction, a contact that is held has no exit, since
-    the rate of the slip is then a monotone function of it; elsewhere both may be possible.
+    If the normal force does not depend on friction, a held contact has no exit, since the rate of
+    the slip is then a monotone function of it; in general both may be possible.
 
     Parameters
     ----------
@@ -267,14 +272,14 @@ def rest_of_point(slip: PointSlip, static_mu: float | None = None) -> Rest:
     holding = np.array(force)
     holds = bool(pressure > 0 and np.hypot(*holding) <= limit * pressure)
     couple = slip.response.couple[0] * pressure + float(slip.response.couple[1] @ holding)
-    # without bound, friction lets no slip begin
+    # Unlimited friction lets no slip begin.
     is_held = np.isinf(slip.mu) or (holds and slip.mu * np.abs(slope).max() <= ROUNDING * constant)
     exits = () if is_held else _exits(limit_directions(slip))
     return Rest(float(pressure), holding, float(couple) + slip.couple, holds, exits)
 
 
 def rest_of_patch(slip: CoupledSlip, inside: Callable[[float, float], bool]) -> Rest:
-    """The motions of a contact without slip or spin under a coupled law; as for a point.
+    """The possible motions of a contact without slip or spin under a coupled law, as for a point.
 
     Parameters
     ----------

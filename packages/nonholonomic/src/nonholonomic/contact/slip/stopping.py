@@ -1,8 +1,8 @@
-"""The last moment of sliding, in the logarithm of the slip.
+"""The end of sliding, followed in the logarithm of the slip.
 
-At a point dX is a linear function of the direction over B = c − μ (d, n), what the normal
-acceleration answers to the normal force.  In the clock P with dt = B dP the slip turns as in an
-impact with the matrix −μ (a dᵀ − b_n A), and its compiled equations are those of `impact_slide`.
+At a point contact, X is a linear function of the direction divided by B = c − μ (d, n), the normal
+acceleration per unit of normal force.  In the clock P with dt = B dP the slip turns as in an impact
+with the matrix −μ (a dᵀ − b_n A), and the compiled equations of `impact_slide` apply.
 """
 
 from __future__ import annotations
@@ -17,28 +17,28 @@ from flowlanes.system.arrays import FloatArray
 from ..impact.impact_slide import LEAST, Ends, Linear, SlidingFriction, slide, slide_integrator
 from .frozen_slip import FrozenSlip, PointSlip, growth_and_turning
 
-#: The logarithm of the slip down to which its turning is followed.
+#: Value of ln s down to which the turning of the slip is followed.
 END = -40.0
-#: Turning below this part of the whole rate is none: the slip goes straight.
+#: Turning, relative to the whole rate, below which the slip counts as straight.
 STRAIGHT = 1e-11
-#: A slip that shrinks more slowly than this part of the greatest rate turns into its last direction
-#: long before it ends; turning below the second part of that rate has nearly done so.
+#: If the slip decays more slowly than the first fraction of the largest rate, its direction settles
+#: long before it ends; it counts as settled if the turning is below the second fraction.
 WEAK, SETTLED = 1e-2, 1e-3
-#: Growth of the logarithm after which a slip is not about to stop.
+#: Growth of ln s after which a slip is not about to stop.
 LARGEST_GROWTH = 5.0
-#: Longest way in θ, in units of the rate at its start.
+#: Maximum duration in θ, in units of the initial rate.
 LONGEST = 1e5
-#: Relative accuracy of the integration.
+#: Relative tolerance of the integration.
 TOLERANCE = 1e-13
 
-#: A slide at a point ends by itself alone.
+#: A slide at a point ends only by its own stop.
 _NEVER = Linear(-1.0, 0.0, np.zeros(2))
 _NO_ENDS = Ends(True, 0.0, 0.0, 0.0, -1.0, None, None)
 
 
 @dataclass(frozen=True, eq=False)
 class Stop:
-    """The last moment of sliding.
+    """The end of a slide.
 
     Attributes
     ----------
@@ -68,16 +68,16 @@ class Stop:
 
 
 def finish_stop(slip: FrozenSlip, direction: FloatArray, size: float) -> Stop:
-    """The rest of a sliding that is about to stop, from a slip of a small size.
+    """Follow a slide that is about to stop, from a slip of small magnitude to its end.
 
-    With dt = s dθ the direction obeys dn/dθ = G and the size d(ln s)/dθ = H, which has no
-    singularity at the end.  The slip is followed until it goes straight or is e⁻⁴⁰; if the
-    direction settles slowly, the size is gone before, so that the equations are never stiff.
+    With dt = s dθ the direction obeys dn/dθ = G and the magnitude d(ln s)/dθ = H, which is regular
+    at the end.  The slip is followed until it goes straight or has shrunk to e⁻⁴⁰.  If the
+    direction settles slowly, the slip has vanished before, so the equations are never stiff.
 
-    Time and impulses are of first order in the `size` ε.  The neglected terms are of second order:
-    the way of the slip ∫s dt ≈ ε²/2|H|, and the change that the frozen quantities suffer in the
-    time ε/|H|, which changes the rates by a part of order ε and the time by one of order ε².  The
-    rest of the state moves on by its rate (with the impulses given) times the duration.
+    Time and impulses are of first order in `size` = ε.  The neglected terms are of second order:
+    the path of the slip ∫s dt ≈ ε²/2|H|, and the effect of the change of the frozen quantities
+    during the time ε/|H|, which is of order ε in the rates and ε² in the time.  The rest of the
+    state advances by its rate (with the given impulses) times the duration.
 
     Parameters
     ----------
@@ -124,14 +124,14 @@ def finish_stop(slip: FrozenSlip, direction: FloatArray, size: float) -> Stop:
     growth, _ = growth_and_turning(slip, last)
     if growth >= 0:
         raise RunError("the slip does not shrink to zero", 0.0)
-    rest = np.exp(state[width]) / -growth * _row(slip, last)
+    rest = np.exp(state[width]) / -growth * _impulse_rates(slip, last)
     duration, normal, *friction, couple = (size * (state[width + 1 :] + rest)).tolist()
     greatest = _greatest_rate(slip, width)
     return Stop(duration, last, growth, greatest, normal, np.array(friction), couple)
 
 
 def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
-    """The last moment of sliding at a point."""
+    """The end of a slide at a point contact."""
     beta, A = slip.response.tangential
     constant, slope = slip.response.normal
     pressing = -slip.normal
@@ -166,7 +166,7 @@ def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
     if growth >= 0:
         raise RunError("the slip does not shrink to zero", 0.0)
     clock, friction = clock / unit, friction / unit
-    rest = np.exp(logarithm) / -growth * _row(slip, n)
+    rest = np.exp(logarithm) / -growth * _impulse_rates(slip, n)
     duration = constant * clock + float(slope @ friction)
     normal = pressing * clock
     held = slip.response.couple
@@ -176,12 +176,12 @@ def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
 
 
 def _greatest_rate(slip: FrozenSlip, width: int) -> float:
-    """The greatest rate of the slip along the axes of its directions."""
+    """The largest rate of the slip along the coordinate axes."""
     return max(float(np.linalg.norm(slip.rate(axis))) for axis in np.eye(width))
 
 
 def _settled_direction(slip: PointSlip, n: FloatArray) -> FloatArray | None:
-    """The direction near n that the slip keeps and that attracts; None if there is none."""
+    """The attracting invariant direction near n; None if there is none."""
 
     def turning(angle: float) -> float:
         x, y = np.cos(angle), np.sin(angle)
@@ -201,14 +201,14 @@ def _settled_direction(slip: PointSlip, n: FloatArray) -> FloatArray | None:
     return np.array([np.cos(angle), np.sin(angle)]) if slope < 0 else None
 
 
-def _row(slip: FrozenSlip, n: FloatArray) -> FloatArray:
+def _impulse_rates(slip: FrozenSlip, n: FloatArray) -> FloatArray:
     """Rates of time, normal impulse, friction impulse and couple impulse."""
     pressure, friction, couple = slip.force(n)
     return np.array([1.0, pressure, *friction, couple])
 
 
 def _slip_integration(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
-    """Direction, ln(s/ε), and time and impulses over ε, where the slip goes straight or ends."""
+    """Direction, ln(s/ε), time and impulses over ε, when the slip goes straight or ends."""
     from scipy.integrate import solve_ivp
 
     width, unit = len(n), float(np.linalg.norm(slip.rate(n)))
@@ -220,12 +220,12 @@ def _slip_integration(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray
 
     def rates(_: float, state: FloatArray) -> FloatArray:
         now, growth, turning = parts(state)
-        gain = np.exp(state[width]) * _row(slip, now)
+        gain = np.exp(state[width]) * _impulse_rates(slip, now)
         return np.concatenate([turning, [growth], gain]) / unit
 
     def straight(_: float, state: FloatArray) -> float:
-        # on a small patch the spin outlives the slip: a growth far below the rates of turning,
-        # whose rounding must not hide that the direction has settled
+        # On a small patch the spin outlives the slip: the growth is then far below the rates of
+        # turning, whose rounding errors must not hide that the direction has settled.
         growth, turning = parts(state)[1:]
         return float(np.linalg.norm(turning)) - STRAIGHT * max(abs(growth), whole)
 

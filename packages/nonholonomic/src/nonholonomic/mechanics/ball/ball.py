@@ -12,10 +12,10 @@ from sympy.matrices.expressions import MatrixExpr
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Integral, Law, Measure
-from flowlanes.system.named_formulas import by_name
+from flowlanes.system.named_formulas import by_name, scalars
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vector_operators import gradient
-from flowlanes.system.vectors import constant, norm_squared, real_symbol, to_components, vectors
+from flowlanes.system.vectors import constant, norm_squared, real_symbol, vectors
 
 from ..rolling.body import check_mass
 from ..rolling.inertia import check_inertia
@@ -172,7 +172,7 @@ class RollingBall:
         if not self.gravity:
             return self.potential
         fallen = sp.Add(
-            *(d * s for d, s in zip(to_components(self._gravity_direction), R.symbols, strict=True))
+            *(d * s for d, s in zip(scalars(self._gravity_direction), R.symbols, strict=True))
         )
         return self.potential - m * g * fallen
 

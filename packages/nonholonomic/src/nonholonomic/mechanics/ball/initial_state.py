@@ -15,6 +15,7 @@ from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.formulas.multiprecision import Multiprecision
 from flowlanes.system.system import Guard, System
+from flowlanes.system.tuple_vectors import dot
 from flowlanes.system.vectors import Vector
 
 from ..rolling.initial_state import DIGITS, SLACK, evaluate
@@ -45,10 +46,10 @@ class _SurfacePoint:
     def curvatures(self) -> tuple[mpmath.mpf, mpmath.mpf]:
         """The principal curvatures, positive where the surface falls away from the ball."""
         n, ell = self.normal, self.steepness
-        across = [_dot(row, n) for row in self.hessian]
-        trace = sum(self.hessian[i][i] for i in range(3)) - _dot(n, across)
+        across = [dot(row, n) for row in self.hessian]
+        trace = sum(self.hessian[i][i] for i in range(3)) - dot(n, across)
         mean = trace / (2 * ell)
-        product = _dot(n, _adjugate_times(self.hessian, n)) / ell**2
+        product = dot(n, _adjugate_times(self.hessian, n)) / ell**2
         root = mpmath.sqrt(max(mean**2 - product, mpmath.mpf(0)))
         return mean - root, mean + root
 
@@ -164,7 +165,7 @@ def _nearest(surface: _Surface, point: list[mpmath.mpf], name: str) -> list[mpma
             return None
         fall = spot.value / spot.steepness
         away = [g - p for g, p in zip(point, candidate, strict=True)]
-        sunk = _dot(away, spot.normal)
+        sunk = dot(away, spot.normal)
         aside = [a - sunk * n for a, n in zip(away, spot.normal, strict=True)]
         drift = max(map(abs, aside))
         # the nearest point is wanted to all digits of a double, the surface to all there are
@@ -216,7 +217,7 @@ def _without_spin(
     """ω of a rubber ball made exactly tangent; more than rounding is refused."""
     if ball.contact == "marble":
         return omega
-    excess = _dot(omega, normal)
+    excess = dot(omega, normal)
     nearest = [w - excess * n for w, n in zip(omega, normal, strict=True)]
     if abs(excess) > SLACK * max(map(abs, omega)):
         raise InputError(
@@ -232,10 +233,6 @@ def _number(value: float, name: str) -> mpmath.mpf:
     return mpmath.mpf(repr(float(value)))
 
 
-def _dot(u: Sequence[mpmath.mpf], v: Sequence[mpmath.mpf]) -> mpmath.mpf:
-    return sum(a * b for a, b in zip(u, v, strict=True))
-
-
 def _adjugate_times(matrix: list[list[mpmath.mpf]], vector: list[mpmath.mpf]) -> list[mpmath.mpf]:
     rows = mpmath.matrix(matrix)
     cofactors = mpmath.matrix(3, 3)
@@ -245,7 +242,7 @@ def _adjugate_times(matrix: list[list[mpmath.mpf]], vector: list[mpmath.mpf]) ->
             c, d = [k for k in range(3) if k != j]
             minor = rows[a, c] * rows[b, d] - rows[a, d] * rows[b, c]
             cofactors[i, j] = (-1) ** (i + j) * minor
-    return [_dot([cofactors[i, j] for j in range(3)], vector) for i in range(3)]
+    return [dot([cofactors[i, j] for j in range(3)], vector) for i in range(3)]
 
 
 def _point_text(point: Sequence[mpmath.mpf]) -> str:

@@ -21,6 +21,8 @@ from flowlanes.system.named_formulas import by_name
 from flowlanes.system.system import Guard, Parameter
 from flowlanes.system.vectors import real_symbol
 
+from ..shapes.kinds import Registered
+
 Axis = Literal["x", "y", "z"]
 Side = Literal["outside", "inside"]
 Point: TypeAlias = tuple[sp.Symbol, ...]
@@ -30,7 +32,7 @@ axes = tuple(real_symbol(f"a_{i}") for i in (1, 2, 3))
 
 
 @dataclass(frozen=True, kw_only=True)
-class SmoothSurface(ABC):
+class SmoothSurface(Registered, ABC):
     """The interface of all surfaces.
 
     Parameters
@@ -44,6 +46,11 @@ class SmoothSurface(ABC):
 
     side: Side = "outside"
     axis: Axis = "z"
+
+    @property
+    def title(self) -> str:
+        """The surface in titles, with its article."""
+        return f"a {self.kind.replace('_', ' ').replace('-', ' ')}"
 
     @property
     @abstractmethod

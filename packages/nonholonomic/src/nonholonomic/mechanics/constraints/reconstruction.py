@@ -22,7 +22,8 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.formulas.expansion import TaylorExpansion
 from flowlanes.formulas.taylor import PRIMES, IrrationalError, Modular, Series
-from flowlanes.system.vectors import Vector, cross, dot, to_components
+from flowlanes.system.named_formulas import scalars
+from flowlanes.system.vectors import Vector, cross, dot
 
 from ..lagrangian.mechanism import Frame, euclidean, rotations
 from ..lagrangian.structure_functions import Coefficients, VectorField, structure
@@ -166,7 +167,7 @@ def _extras(
     known = {*bare.coordinates, *dict(steps)}
     upright = set(gamma.symbols) <= known
     cosines = free if len(free) == 2 and set(gamma.symbols) <= set(bare.coordinates) else []
-    rates = {d: to_components(cross(d, spin)) for d in cosines}
+    rates = {d: scalars(cross(d, spin)) for d in cosines}
     relations = [dot(d, d) - 1 for d in cosines]
     if cosines:
         relations += [dot(alpha, beta), dot(alpha, gamma), dot(beta, gamma)]
@@ -175,7 +176,7 @@ def _extras(
         axes = [*cosines, *([gamma] if upright else [])]
         for direction in axes:
             axis = (alpha, beta, gamma).index(direction)
-            added[place.symbols[axis]] = to_components(dot(direction, speed))
+            (added[place.symbols[axis]],) = scalars(dot(direction, speed))
     new = {s: rate for s, rate in added.items() if s not in bare.coordinates}
     return [_with_coordinates(frame, bare, new, relations)] if new else []
 
@@ -190,7 +191,7 @@ def _with_coordinates(
     return replace(
         bare,
         coordinates=(*bare.coordinates, *new),
-        relations=tuple(dict.fromkeys((*bare.relations, *(to_components(r) for r in relations)))),
+        relations=tuple(dict.fromkeys((*bare.relations, *scalars(tuple(relations))))),
         fields=tuple(fields),
     )
 
@@ -205,9 +206,7 @@ def _attitude_configuration(
         return None
     spin, _ = velocities
     rates = {
-        s: rate
-        for d in rows
-        for s, rate in zip(d.symbols, to_components(cross(d, spin)), strict=True)
+        s: rate for d in rows for s, rate in zip(d.symbols, scalars(cross(d, spin)), strict=True)
     }
     relations = [dot(d, d) - 1 for d in rows]
     relations += [dot(alpha, beta), dot(alpha, zeta), dot(beta, zeta)]

@@ -10,8 +10,8 @@ from graphlib import CycleError, TopologicalSorter
 import sympy as sp
 
 from flowlanes.formulas.tape import Step
-from flowlanes.system.named_formulas import Pairs
-from flowlanes.system.system import Name, flat
+from flowlanes.system.named_formulas import Pairs, flat, scalars
+from flowlanes.system.system import Name
 from flowlanes.system.vectors import Vector, constant, real_symbol, to_components
 
 from .assembly import Balance
@@ -46,7 +46,7 @@ def name_definitions(parts: Balance, formulas: Sequence[sp.Expr]) -> NamedDefini
     Short intermediate results that are used once are put where they are used; the others are
     numbered in order.  Vectors keep the form in which they were written where possible.
     """
-    wanted = [to_components(f) for f in formulas]
+    wanted = scalars(tuple(formulas))
     steps = parts.tape.steps(wanted)
     uses: Counter[sp.Symbol] = Counter()
     for value in (*wanted, *(v for _, v in steps)):

@@ -8,7 +8,7 @@ import mpmath
 import sympy as sp
 
 from flowlanes.printing.formula import text
-from flowlanes.system.vectors import to_components
+from flowlanes.system.named_formulas import scalars
 
 from .assembly import Balance
 from .generic_points import ZERO, is_numerically_zero, with_working_precision
@@ -43,7 +43,7 @@ def energy_theorem(parts: Balance) -> EnergyTheorem:
     energy = _energy(parts)
     work = tuple(tape.short(product(row, w)) for row in parts.slopes)
     broken = []
-    timed = [to_components(energy), *parts.constraints, *mechanism.F, *mechanism.Q.values()]
+    timed = [*scalars(energy), *parts.constraints, *mechanism.F, *mechanism.Q.values()]
     steps = tape.steps(timed)
     if any(TIME in value.free_symbols for value in (*timed, *(v for _, v in steps))):
         broken.append("time enters the Lagrangian, a force or a constraint")
@@ -64,8 +64,8 @@ def _energy(parts: Balance) -> sp.Expr:
     mechanism, tape = parts.mechanism, parts.tape
     virial = product(mechanism.frame.w, parts.momenta)
     terms = sp.Add.make_args(sp.sympify(mechanism.lagrangian))
-    kinetic = sp.Add(*(term for term in terms if parts.moves(to_components(term))))
-    defect = virial - 2 * to_components(kinetic)
+    kinetic = sp.Add(*(term for term in terms if parts.moves(*scalars(term))))
+    defect = virial - 2 * scalars(kinetic)[0]
     idle = {s for s in parts.constraint_of if tape.value(s) == 0}
     if is_numerically_zero(defect, parts.at_any([defect])):
         energy = 2 * kinetic - sp.sympify(mechanism.lagrangian)

@@ -25,18 +25,10 @@ import sympy as sp
 from flowlanes.arguments import Formula, NamedFormulas, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Law
-from flowlanes.system.named_formulas import Pairs, as_pairs, expand
-from flowlanes.system.system import (
-    Guard,
-    Name,
-    Observable,
-    Parameter,
-    flat,
-    flat_pairs,
-    unknown_names,
-)
+from flowlanes.system.named_formulas import Pairs, as_pairs, expand, flat, flat_pairs, scalars
+from flowlanes.system.system import Guard, Name, Observable, Parameter, unknown_names
 from flowlanes.system.vector_operators import unit_vector
-from flowlanes.system.vectors import Vector, cross, real_symbol, to_components
+from flowlanes.system.vectors import Vector, cross, real_symbol
 
 #: c_ij^k by the velocities (w_i, w_j), then by w_k; what is not named is zero or follows by
 #: antisymmetry.
@@ -46,15 +38,6 @@ StructureConstants: TypeAlias = dict[tuple[sp.Symbol, sp.Symbol], dict[sp.Symbol
 
 TIME = real_symbol("t")
 """The time, for Lagrangians and constraints that depend on it."""
-
-
-def components(formulas: Iterable[sp.Basic]) -> tuple[sp.Expr, ...]:
-    """Scalar and vector formulas as scalars, in order."""
-    scalars: list[sp.Expr] = []
-    for formula in formulas:
-        value = to_components(sp.sympify(formula))
-        scalars.extend(value if isinstance(value, sp.MatrixBase) else [value])
-    return tuple(scalars)
 
 
 @arguments_checked
@@ -101,7 +84,7 @@ class Frame:
     def __post_init__(self) -> None:
         object.__setattr__(self, "rates", as_pairs(self.rates))
         object.__setattr__(self, "velocities", tuple(self.velocities))
-        object.__setattr__(self, "relations", components(self.relations))
+        object.__setattr__(self, "relations", tuple(scalars(tuple(self.relations))))
         if self.structure is not None:
             structure = tuple((pair, as_pairs(row)) for pair, row in as_pairs(self.structure))
             object.__setattr__(self, "structure", structure)
@@ -227,7 +210,7 @@ def euclidean(omega: Vector, v: Vector) -> StructureConstants:
     mixed: StructureConstants = {}
     for i in (1, 2, 3):
         for j in (1, 2, 3):
-            product = to_components(cross(unit_vector(i), unit_vector(j)))
+            product = scalars(cross(unit_vector(i), unit_vector(j)))
             row = {s: c for s, c in zip(v.symbols, product, strict=True) if c != 0}
             if row:
                 mixed[omega.symbols[i - 1], v.symbols[j - 1]] = row
@@ -305,17 +288,17 @@ class Mechanism:
     @cached_property
     def L(self) -> sp.Expr:
         """The Lagrangian as a scalar formula."""
-        return to_components(sp.sympify(self.lagrangian))
+        return scalars(self.lagrangian)[0]
 
     @cached_property
     def f(self) -> tuple[sp.Expr, ...]:
         """The velocity constraints as scalars."""
-        return components(self.constraints)
+        return tuple(scalars(self.constraints))
 
     @cached_property
     def F(self) -> tuple[sp.Expr, ...]:
         """The position constraints as scalars."""
-        return components(self.positions)
+        return tuple(scalars(self.positions))
 
     @cached_property
     def Q(self) -> dict[sp.Symbol, sp.Expr]:

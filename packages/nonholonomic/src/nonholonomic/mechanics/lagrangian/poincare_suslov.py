@@ -24,10 +24,10 @@ import sympy as sp
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.printing.formula import text
-from flowlanes.system.laws import Integral, Law
-from flowlanes.system.named_formulas import Pairs, expand
-from flowlanes.system.system import Name, Observable, Reconstruction, System, flat
-from flowlanes.system.vectors import constant, to_components
+from flowlanes.system.laws import Integral, Law, of_kind
+from flowlanes.system.named_formulas import Pairs, expand, flat, in_components, scalars
+from flowlanes.system.system import Name, Observable, Reconstruction, System
+from flowlanes.system.vectors import constant
 
 from .accelerations import Accelerations, accelerations
 from .assembly import Balance, balance
@@ -133,7 +133,7 @@ def equations(mechanism: Mechanism) -> System:
             *following.values(),
             *(o.value for o in observables),
             *(g.value for g in mechanism.guards),
-            *(law.value for law in laws if isinstance(law, Integral)),
+            *(law.value for law in of_kind(laws, Integral)),
             *unsolved,
             *relations,
         ],
@@ -193,21 +193,17 @@ def _driving(equations: DerivedEquations) -> list[sp.Expr]:
     values: list[sp.Basic] = [
         *equations.solution.rates.values(),
         *(value for _, value in equations.solution.multipliers),
-        to_components(equations.energy.energy),
+        equations.energy.energy,
         *parts.constraints,
         *parts.constraint_of,
-        *(to_components(g.value) for g in mechanism.guards),
-        *(
-            to_components(law.value)
-            for law in (*mechanism.laws, *_momenta(parts))
-            if isinstance(law, Integral)
-        ),
+        *(g.value for g in mechanism.guards),
+        *(law.value for law in of_kind((*mechanism.laws, *_momenta(parts)), Integral)),
     ]
     return values
 
 
 def _uses(parts: Balance, formulas: Iterable[sp.Basic]) -> set[sp.Symbol]:
-    values = [to_components(f) for f in formulas]
+    values = scalars(tuple(formulas))
     symbols = {s for value in values for s in value.free_symbols}
     for symbol, value in parts.tape.steps(values):
         symbols |= {symbol} | value.free_symbols
@@ -242,10 +238,10 @@ def _without_irrelevant(
     """A formula without definitions that depend on irrelevant coordinates."""
     far: dict[sp.Symbol, sp.Expr] = {}
     # each step comes after those it uses
-    for symbol, value in parts.tape.steps([to_components(formula)]):
+    for symbol, value in parts.tape.steps(scalars(formula)):
         if value.free_symbols & {*irrelevant, *far}:
             far[symbol] = value
-    return expand(to_components(formula), far) if far else formula
+    return expand(in_components(formula), far) if far else formula
 
 
 # --- laws and observables ------------------------------------------------------------------

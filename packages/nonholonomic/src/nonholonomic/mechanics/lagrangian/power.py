@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import sympy as sp
 
 from flowlanes.formulas.tape import LARGEST
-from flowlanes.system.system import flat_pairs
+from flowlanes.system.named_formulas import flat_pairs
 from flowlanes.system.vectors import real_symbol
 from lawproof.proof.power_theorem import PowerTheorem
 

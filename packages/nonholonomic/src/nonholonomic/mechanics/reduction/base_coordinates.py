@@ -17,7 +17,7 @@ import sympy as sp
 from flint import fmpq, fmpq_mat
 
 from flowlanes.errors import InputError
-from flowlanes.system.vectors import Vector, norm_squared, real_symbol, to_components
+from flowlanes.system.vectors import Vector, real_symbol
 
 from ..lagrangian.mechanism import Mechanism
 from .momenta import ReducedMomenta
@@ -99,7 +99,7 @@ def _list_text(names: list[sp.Symbol]) -> str:
 def _unit_vector(mechanism: Mechanism, motion: ReducedMomenta) -> Vector | None:
     names = [n for n, _ in mechanism.frame.rates if isinstance(n, Vector) and n.shape[0] == 3]
     for name in names:
-        unit = to_components(norm_squared(name)) - 1
+        unit = sp.Add(*(s**2 for s in name.symbols)) - 1
         if any(sp.expand(f - unit) == 0 for f in motion.relations):
             return name
     return None

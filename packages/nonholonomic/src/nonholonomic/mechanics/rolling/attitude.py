@@ -8,16 +8,14 @@ from __future__ import annotations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from flowlanes.system.named_formulas import Pairs
-from flowlanes.system.system import Observable, Reconstruction, System, flat_pairs
-from flowlanes.system.vectors import Vector, constant, cross, real_symbol, to_components
+from flowlanes.system.named_formulas import flat_pairs, scalars
+from flowlanes.system.system import Observable, Reconstruction, System
+from flowlanes.system.vectors import Vector, constant
 
-from ..shapes.surfaces import Plane, Surface
-from .contact import Contact
+from ..shapes.kinematics import Contact, gamma, omega
+from ..shapes.surfaces import Surface
 
-attitude, place = Vector("attitude", 4), Vector("place", 2)
-omega, gamma, zeta = (Vector(name) for name in ("omega", "gamma", "zeta"))
-a = real_symbol("a")
+attitude = Vector("attitude", 4)
 
 _HALF = sp.Rational(1, 2)
 
@@ -25,7 +23,7 @@ _HALF = sp.Rational(1, 2)
 def quaternion_rate(omega: MatrixExpr) -> MatrixExpr:
     """dq/dt = ½ q (0, ω) for the angular velocity ω in body axes."""
     w, x, y, z = attitude.symbols
-    a, b, c = to_components(omega)
+    a, b, c = scalars(omega)
     return constant(
         [
             -_HALF * (x * a + y * b + z * c),
@@ -59,7 +57,7 @@ def unit_length() -> sp.Expr:
 def attitude_relations(vertical: MatrixExpr) -> tuple[sp.Expr, ...]:
     """Vanish when `vertical` (body axes) is the third space axis seen from the body."""
     row = rotation().row(2)
-    return tuple(a - b for a, b in zip(row, to_components(vertical), strict=True))
+    return tuple(a - b for a, b in zip(row, scalars(vertical), strict=True))
 
 
 def attitude_observable() -> Observable:
@@ -79,37 +77,21 @@ def motion_in_space(contact: Contact, surface: Surface, tilting: bool) -> Recons
     Parameters
     ----------
     contact : Contact
-    surface : Plane or Sphere
+    surface : Surface
     tilting : bool
-        Whether ζ, the vertical in body axes, belongs to the state on a sphere.
+        Whether ζ, the vertical in body axes, belongs to the state where it is not γ.
     """
-    turn = rotation()
-    reach = turn * to_components(contact.r)
-    if isinstance(surface, Plane):
-        # the centre's velocity is r×ω in body axes; its height follows from the position
-        velocity = turn * to_components(cross(contact.r, omega))
-        x, y = place.symbols
-        centre = constant([x, y, contact.height])
-        point = constant([x + reach[0], y + reach[1], 0])
-        field: Pairs = (
-            (attitude, quaternion_rate(omega)),
-            (place, constant(velocity[:2])),
-        )
-        relations = (unit_length(), *attitude_relations(gamma))
-    else:
-        point = a * turn * to_components(gamma)
-        centre = point - reach
-        field = ((attitude, quaternion_rate(omega)),)
-        relations = (unit_length(),)
-        if tilting:
-            relations += attitude_relations(zeta)
+    placed = surface.placement(contact.r, contact.rdot, contact.height, rotation())
+    relations = (unit_length(), *placed.relations)
+    if tilting or surface.vertical == gamma:
+        relations += attitude_relations(surface.vertical)
     return Reconstruction(
-        field=field,
+        field=((attitude, quaternion_rate(omega)), *placed.field),
         relations=relations,
         observables=(
             attitude_observable(),
-            Observable("centre", centre, "centre of mass", "m", "space", "(1.17)"),
-            Observable("contact", point, "contact point", "m", "space", "(1.14)"),
+            Observable("centre", placed.centre, "centre of mass", "m", "space", "(1.17)"),
+            Observable("contact", placed.point, "contact point", "m", "space", "(1.14)"),
         ),
     )
 

@@ -15,10 +15,9 @@ from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.parsing.exact_decimals import exact_number
 from flowlanes.system.system import Parameter
-from flowlanes.system.vectors import Diagonal, Symmetric, Vector, real_symbol, to_components
+from flowlanes.system.vectors import Diagonal, Symmetric, Vector, real_symbol
 
-from ..shapes.gauss_map import centre_outside
-from ..shapes.shapes import Shape
+from ..shapes.shape_base import Shape
 from .cavity import Cavity
 from .cavity_fit import check_cavities
 from .fluid import Fluid, fluids_of_cavities
@@ -72,7 +71,7 @@ class WithInertia:
         ... ).remarks
         ('shape.centre puts the centre of mass outside the body',)
         """
-        outside = centre_outside(self.shape)
+        outside = self.shape.centre_outside
         return ("shape.centre puts the centre of mass outside the body",) if outside else ()
 
 
@@ -235,7 +234,7 @@ def check_mass(mass: float) -> None:
 def body_parameters(body: WithInertia, inertia: Diagonal | Symmetric) -> tuple[Parameter, ...]:
     """Mass, inertia and gyrostatic momentum of a body, with their numbers."""
     entries = inertia.independent(body.tensor)
-    moments = tuple(to_components(inertia).diagonal())
+    moments = tuple(inertia.entries.diagonal())
     mass, axis = "mass", "moment of inertia about body axis"
     inequalities = triangle_inequalities(moments)
     if not body.principal:

@@ -10,9 +10,8 @@ import numpy as np
 from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray
 
-from ..shapes.gauss_map import contact_points
 from ..shapes.rays import directions
-from ..shapes.shapes import Ball, Shape
+from ..shapes.shape_base import Shape
 from .cavity import Cavity
 
 #: Tangent planes that are looked at, and how often the neighbourhood of the worst is looked at.
@@ -35,7 +34,7 @@ def check_cavities(shape: Shape, cavities: Sequence[Cavity]) -> None:
     """
     for number, cavity in enumerate(cavities, 1):
         which = "the cavity" if len(cavities) == 1 else f"cavity {number}"
-        if not (isinstance(shape, Ball) and shape.hollow) and _reaches_out(shape, cavity):
+        if not shape.hollow and _reaches_out(shape, cavity):
             raise InputError(
                 f"{which} with the semi-axes {', '.join(f'{b:.6g}' for b in cavity.axes)} does not "
                 "fit into the body; make it smaller, or move its centre"
@@ -57,23 +56,12 @@ def _support(cavity: Cavity, normals: FloatArray) -> FloatArray:
 
 def _reaches_out(shape: Shape, cavity: Cavity) -> bool:
     """Whether it reaches further than the shape in some direction."""
-    if isinstance(shape, Ball):
-
-        def body(normals: FloatArray) -> FloatArray:
-            heights: FloatArray = normals @ np.array(shape.centre) + shape.radius
-            return heights
-
-    else:
-        points = contact_points(shape)
-
-        def body(normals: FloatArray) -> FloatArray:
-            heights: FloatArray = np.einsum("ni,ni->n", points(-normals), normals)
-            return heights
 
     def excess(normals: FloatArray) -> FloatArray:
         with np.errstate(all="ignore"):
             # a direction without contact point (a flat face) tells nothing
-            out: FloatArray = np.nan_to_num(_support(cavity, normals) - body(normals), nan=-np.inf)
+            beyond = _support(cavity, normals) - shape.heights(normals)
+            out: FloatArray = np.nan_to_num(beyond, nan=-np.inf)
             return out
 
     return _greatest(excess) > SLACK * max(cavity.axes)

@@ -18,9 +18,9 @@ from flowlanes.system.named_formulas import Pairs, by_dependence
 from flowlanes.system.system import Guard, Observable, Parameter, System
 from flowlanes.system.vectors import Vector, cross, dot, norm_squared, real_symbol, zero
 
-from ..shapes.surfaces import Plane, Surface
+from ..shapes.kinematics import Contact
+from ..shapes.surfaces import Surface
 from .attitude import motion_in_space
-from .contact import Contact
 from .fluid import Fluid
 
 M, omega, gamma, zeta = (Vector(name) for name in ("M", "omega", "gamma", "zeta"))
@@ -106,7 +106,7 @@ def marble(balance: Balance, surface: Surface, name: str, title: str) -> System:
         definitions=definitions,
         relations=kinematics.relations,
         momentum=M,
-        start=((M, _momentum(balance) + at_start), *_circulations(balance)),
+        start=((M, _momentum(balance) + at_start), *_circulations(balance), *kinematics.start),
         contact_law="without slipping (marble contact)",
         observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
         source="(1.17), (10.1)",
@@ -117,7 +117,7 @@ def rubber(balance: Balance, surface: Surface, name: str, title: str) -> System:
     """The body neither slips nor spins; its state is ω, γ and N of each fluid."""
     kinematics = balance.kinematics
     B, acceleration = Vector("gammatilde"), balance.solve(X)
-    spin_rate = dot(omega, kinematics.gammadot) if not isinstance(surface, Plane) else sp.S.Zero
+    spin_rate = sp.S.Zero if surface.is_flat else dot(omega, kinematics.gammadot)
     definitions = (
         *balance.definitions,
         *balance.motion_of_fluids,
@@ -136,7 +136,7 @@ def rubber(balance: Balance, surface: Surface, name: str, title: str) -> System:
         definitions=definitions,
         relations=(*kinematics.relations, dot(omega, gamma)),
         momentum=M,
-        start=_circulations(balance),
+        start=(*_circulations(balance), *kinematics.start),
         contact_law="with neither slipping nor spinning (rubber contact)",
         observables=(
             Observable("M", M, "angular momentum about the contact point", "kg m^2/s", "body"),
@@ -198,7 +198,7 @@ def _system(
         )
     if balance.vertical == zeta and balance.force != zero:
         field += ((zeta, cross(zeta, omega)),)
-        relations += (norm_squared(zeta) - 1,)
+        relations += (norm_squared(zeta) - 1, *surface.relations_of_vertical)
     field += tuple((fluid.N, fluid.rate) for fluid in fluids)
     friction = reaction - dot(reaction, gamma) * gamma
     normal = Observable("gamma", gamma, "normal of the surface at the contact", "", "body")

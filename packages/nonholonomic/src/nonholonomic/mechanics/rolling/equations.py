@@ -49,8 +49,8 @@ from .contact_models import Balance, marble, rubber
 
 ContactModel = Literal["marble", "rubber"]
 
-gamma, zeta, k = (Vector(name) for name in ("gamma", "zeta", "k"))
-m, g, a, U = (real_symbol(name) for name in ("m", "g", "a", "U"))
+gamma, k = Vector("gamma"), Vector("k")
+m, g, U = (real_symbol(name) for name in ("m", "g", "U"))
 
 
 @arguments_checked
@@ -106,7 +106,7 @@ class Rolling:
     Parameters
     ----------
     body : Body
-    surface : Plane or Sphere
+    surface : Surface
     contact : "marble" or "rubber"
         Rolling with or without spinning about the normal of the contact.
     field : Forces
@@ -158,7 +158,7 @@ def roll(
         Mass, inertia, shape, gyrostat and cavities; its numbers become the defaults of the
         parameters.  A centre offset or gyrostat that is exactly zero is left out of the equations.
         With fluid the parameters m, I and c are those of the equivalent rigid body.
-    surface : Plane or Sphere
+    surface : Surface
         What it rolls on.
     contact : ``"marble"`` or ``"rubber"``
         No slip; or no slip and no spin about the normal, (ω, γ) = 0.
@@ -224,13 +224,12 @@ def _balance(whole: AnyBody, surface: Surface, field: Forces) -> Balance:
         share = m * dot(lever, vector) / (1 - m * dot(r, lever))
         return A * vector + share * lever
 
-    vertical = gamma if isinstance(surface, Plane) else zeta
+    vertical = surface.vertical
     force, energy, torque = zero, sp.S.Zero, zero
     if field.gravity:
         parameters += (Parameter(g, "acceleration of gravity", field.gravity, "m/s^2", (g >= 0,)),)
         force = -m * g * vertical
-        height = kinematics.height if vertical is gamma else dot(a * gamma - r, zeta)
-        energy = m * g * height
+        energy = m * g * surface.height(r, kinematics.height)
     if field.potential != 0:
         parameters += tuple(
             Parameter(s, "parameter of the potential", value, "SI") for s, value in field.values

@@ -16,9 +16,11 @@ import sympy as sp
 from flowlanes.arguments import Finite, Parameters, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.formulas.multiprecision import Multiprecision
-from flowlanes.system.named_formulas import Pairs, in_words, scalar_names
+from flowlanes.system.named_formulas import Pairs, flat, flat_pairs, in_words, scalar_names, scalars
 from flowlanes.system.parameters import parameter_values
-from flowlanes.system.system import System, flat
+from flowlanes.system.rotations import quaternion_product
+from flowlanes.system.system import System
+from flowlanes.system.tuple_vectors import cross, dot
 from flowlanes.system.vectors import Vector, to_components
 
 from ..shapes.gauss_map import contact_points_of_normals
@@ -99,9 +101,10 @@ def initial_state(
         if r in system.state:
             known |= dict(zip(r.symbols, _contact_point(system, up, known), strict=True))
         turn = attitude_of_normal(up, _direction(normal, "normal"), _number(heading))
-        _check_domain(system, known)
         known |= dict(zip(attitude.symbols, turn, strict=True))
         known |= dict(zip(zeta.symbols, _third_row(turn), strict=True))
+        known |= _evaluate(system, _of_attitude(system.start), known)
+        _check_domain(system, known)
         known |= _evaluate(system, system.start, known)
         known |= dict(zip(place.symbols, _place(system, known), strict=True))
         return tuple(known[s] for s in lifted.symbols)
@@ -170,7 +173,7 @@ def _check_spin(system: System, spin: list[mpmath.mpf], up: list[mpmath.mpf]) ->
     """Remove a spin at rounding level; refuse a larger one."""
     if not any(is_no_spin(relation) for relation in system.relations):
         return
-    excess = sum(x * y for x, y in zip(spin, up, strict=True))
+    excess = dot(spin, up)
     size = max(abs(x) for x in spin)
     nearest = [x - excess * y for x, y in zip(spin, up, strict=True)]
     # what the working precision leaves of a spin along the normal is zero
@@ -187,16 +190,25 @@ def _check_spin(system: System, spin: list[mpmath.mpf], up: list[mpmath.mpf]) ->
 def is_no_spin(relation: sp.Expr) -> bool:
     """Whether a relation is (ω, γ) = 0."""
     product = sp.Add(*(x * y for x, y in zip(_OMEGA, _GAMMA, strict=True)))
-    return bool(to_components(relation) == product)
+    return scalars(relation) == [product]
+
+
+def _of_attitude(start: Pairs) -> Pairs:
+    """What of a start follows from the attitude alone, such as a direction of the surface."""
+    return tuple(
+        (name, formula)
+        for name, formula in start
+        if to_components(formula).free_symbols <= set(attitude.symbols)
+    )
 
 
 def _check_domain(system: System, known_values: Mapping[sp.Symbol, mpmath.mpf]) -> None:
     """Refuse a position outside the domain of the equations."""
-    for guard in system.guards:
+    for guard in system.scalar.guards:
         if guard.lift_off:
             continue
         try:
-            value = evaluate(system, [to_components(guard.value)], known_values)[0]
+            value = evaluate(system, [guard.value], known_values)[0]
         except ZeroDivisionError:
             value = mpmath.mpf(0)
         if not value > 0:
@@ -207,37 +219,20 @@ def attitude_of_normal(
     up: list[mpmath.mpf], normal: list[mpmath.mpf], heading: mpmath.mpf
 ) -> list[mpmath.mpf]:
     """The quaternion from `up` (body) to `normal` (space), turned by `heading`."""
-    cosine = sum(x * y for x, y in zip(up, normal, strict=True))
-    axis = _cross(up, normal)
+    cosine = dot(up, normal)
+    axis = cross(up, normal)
     if cosine < -1 + mpmath.mpf(10) ** -20:
         # opposite: any half turn about a perpendicular axis will do; take the most lateral one
         least = min(range(3), key=lambda i: abs(up[i]))
-        axis = _cross(up, [mpmath.mpf(int(i == least)) for i in range(3)])
+        axis = cross(up, [mpmath.mpf(int(i == least)) for i in range(3)])
         short = [mpmath.mpf(0), *axis]
     else:
         short = [1 + cosine, *axis]
     half = heading / 2
     turn = [mpmath.cos(half), *(mpmath.sin(half) * x for x in normal)]
-    product = _times(turn, short)
+    product = quaternion_product(turn, short)
     length = mpmath.sqrt(sum(x * x for x in product))
     return [x / length for x in product]
-
-
-def _cross(u: list[mpmath.mpf], v: list[mpmath.mpf]) -> list[mpmath.mpf]:
-    return [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ]
-
-
-def _times(p: list[mpmath.mpf], q: list[mpmath.mpf]) -> list[mpmath.mpf]:
-    scalar = p[0] * q[0] - sum(x * y for x, y in zip(p[1:], q[1:], strict=True))
-    vector = _cross(p[1:], q[1:])
-    return [
-        scalar,
-        *(p[0] * y + q[0] * x + z for x, y, z in zip(p[1:], q[1:], vector, strict=True)),
-    ]
 
 
 def _third_row(turn: list[mpmath.mpf]) -> list[mpmath.mpf]:
@@ -250,9 +245,8 @@ def _evaluate(
     system: System, pairs: Pairs, known_values: Mapping[sp.Symbol, mpmath.mpf]
 ) -> dict[sp.Symbol, mpmath.mpf]:
     """Values of named formulas at known symbols."""
-    symbols = [s for name, _ in pairs for s in name.symbols]
-    formulas = [e for _, formula in pairs for e in to_components(formula)]
-    return dict(zip(symbols, evaluate(system, formulas, known_values), strict=True))
+    scalars = dict(flat_pairs(pairs))
+    return dict(zip(scalars, evaluate(system, [*scalars.values()], known_values), strict=True))
 
 
 def evaluate(
@@ -272,7 +266,7 @@ def _contact_point(
     A point good to double precision is polished by Newton's method for ∇f + ℓγ = 0, f = 0, with
     the length ℓ of the gradient as fourth unknown.
     """
-    surface, coordinates = to_components(system.relations[0]), r.symbols
+    surface, coordinates = system.scalar.relations[0], r.symbols
     values = {s: v for s, v in known_values.items() if s in surface.free_symbols}
     centre = [known_values.get(s, mpmath.mpf(0)) for s in Vector("c").symbols]
     shifted = surface.subs(values).subs(
@@ -313,4 +307,4 @@ def _place(system: System, known_values: Mapping[sp.Symbol, mpmath.mpf]) -> list
         return [zero, zero]
     origin = {**known_values, **dict.fromkeys(place.symbols, zero)}
     contact = next(o.value for o in system.reconstruction.observables if o.name == "contact")
-    return [-x for x in evaluate(system, list(to_components(contact))[:2], origin)]
+    return [-x for x in evaluate(system, scalars(contact)[:2], origin)]

@@ -13,21 +13,20 @@ from __future__ import annotations
 import sympy as sp
 
 from flowlanes.arguments import arguments_checked
-from flowlanes.system.named_formulas import by_dependence, expand
-from flowlanes.system.system import Guard, Parameter, flat_pairs
+from flowlanes.system.named_formulas import by_dependence, expand, flat_pairs, scalars
+from flowlanes.system.system import Guard, Parameter
 from flowlanes.system.vectors import (
     Diagonal,
     Symmetric,
     Vector,
+    constant,
     cross,
     dot,
     norm_squared,
     real_symbol,
-    to_components,
 )
 
 from ..lagrangian.mechanism import Frame, Mechanism, StructureConstants, euclidean, rotations
-from ..shapes.surfaces import Plane
 from .contact import contact as contact_of
 from .equations import Rolling
 from .fluid import Fluid
@@ -77,18 +76,19 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
         kinetic = kinetic + dot(k, omega)
     kinetic = sp.Add(kinetic, *(fluid.kinetic_energy for fluid in fluids))
     rates = {
-        n: expand(to_components(rate), swinging) if swinging else rate
+        n: constant([expand(part, swinging) for part in scalars(rate)]) if swinging else rate
         for n, rate in kinematics.state
     }
     potential: sp.Expr = sp.S.Zero
     relations = kinematics.relations
-    if field.gravity and isinstance(rolling.surface, Plane):
+    if field.gravity and rolling.surface.is_flat:
         rates[R_3] = dot(gamma, v)
         potential = m * g * R_3
     elif field.gravity:
         rates[X] = cross(X, omega) + v
         rates[zeta] = cross(zeta, omega)
-        relations = (*relations, norm_squared(zeta) - 1)
+        verticals = rolling.surface.relations_of_vertical
+        relations = (*relations, norm_squared(zeta) - 1, *verticals)
         potential = m * g * dot(X, zeta)
     constraints: tuple[sp.Basic, ...] = (v + cross(omega, kinematics.r),)
     if rolling.contact == "rubber":
@@ -121,9 +121,7 @@ def _brackets(fluids: tuple[Fluid, ...]) -> StructureConstants:
 
 
 def _guard(guard: Guard, swinging: dict[sp.Symbol, sp.Expr]) -> Guard:
-    return Guard(
-        guard.name, expand(to_components(guard.value), swinging), guard.message, guard.lift_off
-    )
+    return Guard(guard.name, expand(guard.scalar.value, swinging), guard.message, guard.lift_off)
 
 
 def _parameters(

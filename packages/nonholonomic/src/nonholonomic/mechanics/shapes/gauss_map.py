@@ -1,91 +1,74 @@
-"""The inverse Gauss map in numbers: contact points at many normals at once."""
+"""The inverse Gauss map of a body, by formulas and in numbers: contact points at many normals."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray
-from flowlanes.system.system import flat_pairs
-from flowlanes.system.vectors import Vector, to_components
+from flowlanes.system.named_formulas import Pairs, flat_pairs, scalars
+from flowlanes.system.system import Guard, Parameter
+from flowlanes.system.vectors import Vector
 
-from .implicit import Implicit
-from .rays import directions
-from .shapes import Ball, Disk, Shape, Torus
+from .kinematics import Operator
 
 _ITERATIONS = 200
 
-#: Tangent planes examined.
-PLANES = 2000
 
+@dataclass(frozen=True)
+class GaussMap:
+    """A shape seen through its inverse Gauss map, as formulas in γ.
 
-def contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
-    """The function γ ↦ r of a shape, for unit vectors (n, 3) in body axes.
-
-    r runs from the centre of mass to the point of the surface whose outward normal is −γ.
+    Attributes
+    ----------
+    parameters : tuple of Parameter
+    definitions : pairs
+        Named intermediate quantities used below.
+    reach : MatrixExpr
+        From the geometric centre to the contact point (body axes).
+    spread : callable
+        u ↦ W u for a vector u of the tangent plane; the rate of `reach` is −W γ̇.
+    trace, determinant : sympy.Expr
+        Sum and product of the principal radii of curvature at the contact.
+    support : sympy.Expr
+        Height of the geometric centre above the tangent plane.
+    guards : tuple of Guard
     """
-    centre = np.array(shape.centre)
-    if isinstance(shape, Implicit):
-        f = shape.surface.subs(dict(shape.values))
-        return lambda gamma: centre + contact_points_of_normals(f, shape.coordinates, gamma)
-    body = shape.gauss()
+
+    parameters: tuple[Parameter, ...]
+    definitions: Pairs
+    reach: MatrixExpr
+    spread: Operator
+    trace: sp.Expr
+    determinant: sp.Expr
+    support: sp.Expr
+    guards: tuple[Guard, ...] = ()
+
+
+def points_of_map(body: GaussMap, centre: Sequence[float]) -> Callable[[FloatArray], FloatArray]:
+    """The function γ ↦ r of a Gauss map with its own numbers, for unit vectors (n, 3)."""
+    origin = np.array(centre)
     gamma_symbols = Vector("gamma").symbols
     steps = list(flat_pairs(body.definitions))
     values = {p.symbol: p.default for p in body.parameters}
     reach = sp.lambdify(
         [*gamma_symbols, *values],
-        list(to_components(body.reach)),
+        scalars(body.reach),
         "numpy",
         cse=lambda formulas: (steps, formulas),
     )
 
     def points(gamma: FloatArray) -> FloatArray:
         columns = reach(*np.asarray(gamma, dtype=float).T, *values.values())
-        points: FloatArray = centre + np.stack(np.broadcast_arrays(*columns), axis=1)
+        points: FloatArray = origin + np.stack(np.broadcast_arrays(*columns), axis=1)
         return points
 
     return points
-
-
-@lru_cache(maxsize=64)
-def half_breadth(shape: Shape) -> float:
-    """Half the largest distance of two points with opposite normals, by many tangent planes."""
-    if isinstance(shape, Ball):
-        return float(shape.radius)
-    normals = directions(PLANES)
-    points = contact_points(shape)
-    chords = points(normals) - points(-normals)
-    return float(np.nanmax(np.linalg.norm(chords, axis=1))) / 2
-
-
-def centre_outside(shape: Shape) -> bool:
-    """Whether the centre of mass lies outside a shape, by many tangent planes.
-
-    A hollow ball has nothing inside; there it is whether the centre lies outside its sphere.  A
-    disk or a torus is the rim on which a body rolls, a cylinder or a cup of any height: the centre
-    is outside where it is farther from the axis than the rim.
-    """
-    centre = np.array(shape.centre)
-    if not centre.any():
-        return False
-    match shape:
-        case Ball():
-            return bool(np.linalg.norm(centre) > shape.radius)
-        case Disk():
-            return bool(np.linalg.norm(centre[:2]) > shape.radius)
-        case Torus():
-            return bool(np.linalg.norm(centre[:2]) > shape.radius + shape.tube)
-        case Implicit():
-            at = dict(zip(shape.coordinates, -centre, strict=True))
-            return bool(shape.surface.subs({**dict(shape.values), **at}) > 0)
-        case _:
-            normals = directions(PLANES)
-            heights = -np.einsum("ni,ni->n", contact_points(shape)(normals), normals)
-            return bool((heights < 0).any())
 
 
 def contact_points_of_normals(

@@ -6,18 +6,25 @@ operator W⁻¹ follows from f(r) = 0.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
+import numpy as np
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
-from flowlanes.system.named_formulas import by_name
+from flowlanes.system.arrays import FloatArray
+from flowlanes.system.named_formulas import Pairs, by_name
 from flowlanes.system.system import Parameter
-from flowlanes.system.vectors import Symmetric, Vector, real_symbol
+from flowlanes.system.vectors import Symmetric, Vector, constant, dot, norm_squared, real_symbol
 
+from .gauss_map import GaussMap, contact_points_of_normals
+from .kinematics import Contact, LevelSurface, gamma, r, rdot
 from .rays import require_closed
-from .shape_base import CentredShape, check_centre, check_values, real_values, require_symbols
+from .shape_base import Shape, check_centre, check_values, convexity, real_values, require_symbols
+from .surfaces import Surface
 
 #: Names in the equations of an implicit body: the contact point from the geometric centre, and
 #: gradient and Hessian of f there.
@@ -26,7 +33,7 @@ IMPLICIT_POINT, IMPLICIT_GRADIENT, IMPLICIT_HESSIAN = Vector("x"), Vector("nu"),
 
 @arguments_checked
 @dataclass(frozen=True)
-class Implicit(CentredShape):
+class Implicit(Shape):
     """Any smooth convex body f = 0.
 
     Parameters
@@ -57,6 +64,8 @@ class Implicit(CentredShape):
     surface: sp.Expr
     values: tuple[tuple[sp.Symbol, float], ...] = ()
 
+    kind = "implicit"
+    by_equation = True
     coordinates = (real_symbol("x"), real_symbol("y"), real_symbol("z"))
 
     def __post_init__(self) -> None:
@@ -86,3 +95,89 @@ class Implicit(CentredShape):
     def parameters(self) -> tuple[Parameter, ...]:
         """The further symbols of f."""
         return tuple(Parameter(s, "parameter of the surface", value) for s, value in self.values)
+
+    @property
+    def title(self) -> str:
+        """Its name in titles."""
+        return "Convex body"
+
+    def gauss(self) -> GaussMap:
+        """None.
+
+        Raises
+        ------
+        InputError
+            Always.
+        """
+        raise InputError(
+            "shape: an implicit surface has no formula for its point of contact; give a ball, an "
+            "ellipsoid, a disk, a torus or a body of revolution"
+        )
+
+    def contact(self, surface: Surface, swing: MatrixExpr, radius: sp.Expr) -> Contact:
+        """A shape f(r − c) = 0 with the state r, and its operator S of curvature."""
+        x = IMPLICIT_POINT
+        f = self.level(x)
+        slope, ell = IMPLICIT_GRADIENT, real_symbol("ell")
+        F, G = IMPLICIT_HESSIAN, Symmetric("G")
+        hessian = constant(sp.hessian(f, x.symbols))
+        mean, gauss = real_symbol("sigma"), real_symbol("kappa")
+        trace = sp.Add(*(F.entries[i, i] for i in range(3)))
+
+        def shape_operator(vector: MatrixExpr) -> MatrixExpr:
+            return (F * vector - dot(gamma, F * vector) * gamma) / ell
+
+        body = LevelSurface(shape_operator, mean, gauss, ell)
+        moving = surface.under_level_surface(body, swing, radius)
+        definitions: Pairs = (
+            (x, r - self.offset),
+            (slope, constant([sp.diff(f, s) for s in x.symbols])),
+            (ell, sp.sqrt(norm_squared(slope))),
+            (gamma, -slope / ell),
+            (F, hessian),
+            (G, constant(F.entries.adjugate())),
+            (mean, (trace - dot(gamma, F * gamma)) / ell),
+            (gauss, dot(gamma, G * gamma) / ell**2),
+            *moving.definitions,
+        )
+        return Contact(
+            state=((r, rdot), *moving.state),
+            relations=(self._level_of_state(f), *moving.relations),
+            parameters=self.parameters + self.offset_parameters + surface.parameters,
+            definitions=definitions,
+            guards=(*convexity(gauss, mean), *moving.guards),
+            r=r,
+            rdot=rdot,
+            gammadot=moving.rate,
+            square=norm_squared(r),
+            height=-dot(r, gamma),
+            spread=body.spread,
+            pull=moving.pull,
+            volume=moving.volume,
+            start=moving.start,
+        )
+
+    def level(self, point: Vector) -> sp.Expr:
+        """f at a point from the geometric centre."""
+        return self.surface.xreplace(dict(zip(self.coordinates, point.symbols, strict=True)))
+
+    def _level_of_state(self, f: sp.Expr) -> sp.Expr:
+        """F as a function of the state r."""
+        offset = self.offset
+        shift = (0, 0, 0) if not isinstance(offset, Vector) else offset.symbols
+        names = zip(IMPLICIT_POINT.symbols, r.symbols, shift, strict=True)
+        return f.xreplace({s: t - d for s, t, d in names})
+
+    def _points(self) -> Callable[[FloatArray], FloatArray]:
+        # by Newton's method
+        centre = np.array(self.centre)
+        f = self.surface.subs(dict(self.values))
+        return lambda gamma: centre + contact_points_of_normals(f, self.coordinates, gamma)
+
+    @property
+    def centre_outside(self) -> bool:
+        """Whether f is positive at the centre of mass."""
+        if not any(self.centre):
+            return False
+        at = dict(zip(self.coordinates, -np.array(self.centre), strict=True))
+        return bool(self.surface.subs({**dict(self.values), **at}) > 0)

@@ -13,11 +13,13 @@ from flowlanes.errors import InputError
 from flowlanes.system.named_formulas import by_name
 from flowlanes.system.system import Parameter
 from flowlanes.system.vector_operators import unit_vector
-from flowlanes.system.vectors import Vector, dot, real_symbol
+from flowlanes.system.vectors import dot, real_symbol
 
+from .gauss_map import GaussMap
+from .kinematics import gamma
 from .shape_base import (
-    CentredShape,
-    GaussMap,
+    AxialSymmetry,
+    SupportShape,
     check_centre,
     check_values,
     convexity,
@@ -25,12 +27,10 @@ from .shape_base import (
     require_symbols,
 )
 
-gamma = Vector("gamma")
-
 
 @arguments_checked
 @dataclass(frozen=True)
-class Revolution(CentredShape):
+class Revolution(SupportShape):
     """A convex body of revolution about body axis 3.
 
     Parameters
@@ -67,6 +67,8 @@ class Revolution(CentredShape):
 
     support: sp.Expr
     values: tuple[tuple[sp.Symbol, float], ...] = ()
+
+    kind = "revolution"
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", real_values(self.values))
@@ -125,6 +127,16 @@ class Revolution(CentredShape):
                     f"at gamma_3 = {cosine} and must be zero"
                 )
         return cls(-(chi_1 * (1 - u**2) + chi_2 * u), tuple(table.items()), centre=centre)
+
+    @property
+    def title(self) -> str:
+        """Its name in titles."""
+        return "Body of revolution"
+
+    @property
+    def axial_symmetry(self) -> AxialSymmetry:
+        """Always."""
+        return AxialSymmetry((), self.support)
 
     def _value(self, expression: sp.Expr, cosine: float) -> float:
         number = expression.subs({**dict(self.values), gamma.symbols[2]: cosine})

@@ -1,56 +1,40 @@
-"""The inverse Gauss map of a convex shape, and checks that all shapes share.
+"""The protocol of all shapes, and checks that they share.
 
 A shape is described by its support function h(ν), the distance of the tangent plane with outward
 normal ν from the geometric centre.  The contact point with ν = −γ is ∇h, and its derivative,
 the *spread* W = ∂²h, is a symmetric operator on the tangent plane whose eigenvalues are the
-principal radii of curvature.
+principal radii of curvature.  A new shape derives from `SupportShape` and gives its Gauss map;
+whatever rolls, slides, is drawn or written asks the methods below.
 """
 
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import ClassVar
 
+import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.errors import InputError
-from flowlanes.system.named_formulas import Pairs
+from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import Guard, Parameter
-from flowlanes.system.vectors import Vector, real_symbol, zero
+from flowlanes.system.vectors import Vector, dot, norm_squared, real_symbol, zero
+
+from .gauss_map import GaussMap, points_of_map
+from .kinds import Registered
+from .kinematics import Contact, gamma, r, rdot
+from .rays import directions
+from .surfaces import Surface
 
 c = Vector("c")
 
-
-@dataclass(frozen=True)
-class GaussMap:
-    """A shape seen through its inverse Gauss map, as formulas in γ.
-
-    Attributes
-    ----------
-    parameters : tuple of Parameter
-    definitions : pairs
-        Named intermediate quantities used below.
-    reach : MatrixExpr
-        From the geometric centre to the contact point (body axes).
-    spread : callable
-        u ↦ W u for a vector u of the tangent plane; the rate of `reach` is −W γ̇.
-    trace, determinant : sympy.Expr
-        Sum and product of the principal radii of curvature at the contact.
-    support : sympy.Expr
-        Height of the geometric centre above the tangent plane.
-    guards : tuple of Guard
-    """
-
-    parameters: tuple[Parameter, ...]
-    definitions: Pairs
-    reach: MatrixExpr
-    spread: Callable[[MatrixExpr], MatrixExpr]
-    trace: sp.Expr
-    determinant: sp.Expr
-    support: sp.Expr
-    guards: tuple[Guard, ...] = ()
+#: Tangent planes examined.
+PLANES = 2000
 
 
 def convexity(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
@@ -104,10 +88,58 @@ def check_centre(centre: tuple[float, float, float]) -> None:
 
 
 @dataclass(frozen=True)
-class CentredShape:
-    """Common to all shapes: `centre` is the geometric centre minus the centre of mass."""
+class AxialSymmetry:
+    """What makes a shape one of revolution about body axis 3.
+
+    Attributes
+    ----------
+    conditions : tuple of sympy.Expr
+        Vanish, in the parameters of the shape, where it is one of revolution.
+    support : sympy.Expr
+        The support function, in ``gamma_3``, where they vanish.
+    """
+
+    conditions: tuple[sp.Expr, ...]
+    support: sp.Expr
+
+
+@dataclass(frozen=True)
+class Shape(Registered, ABC):
+    """The surface of a convex body; the base of all shapes.
+
+    Parameters
+    ----------
+    centre : 3 floats
+        Geometric centre minus centre of mass, body axes (m).
+
+    Notes
+    -----
+    A class that sets `kind` is known by that word to experiment files as soon as its module is
+    imported; its fields are the keys of the table [body.shape].
+
+    Examples
+    --------
+    >>> import nonholonomic
+    >>> from nonholonomic.mechanics.shapes.shape_base import Shape
+    >>> isinstance(nonholonomic.Disk(1.0), Shape), Shape.of_kind("disk") is nonholonomic.Disk
+    (True, True)
+    """
 
     centre: tuple[float, float, float] = field(default=(0.0, 0.0, 0.0), kw_only=True)
+
+    by_equation: ClassVar[bool] = False
+    """Whether it is given by an equation f = 0, so that the state has r in place of γ."""
+    has_flat_face: ClassVar[bool] = False
+    """Whether no single point has the normal ±e₃, so that the equations end as it lies flat."""
+    numbers_are_parameters: ClassVar[bool] = False
+    """Whether two of the class with positive numbers have the same equations."""
+    is_ellipsoid: ClassVar[bool] = False
+    """Whether it is an ellipsoid with the semi-axes b_1, b_2, b_3."""
+
+    @property
+    def title(self) -> str:
+        """Its name in titles."""
+        return self.kind.replace("_", " ").replace("-", " ").capitalize()
 
     @property
     def offset(self) -> MatrixExpr:
@@ -123,3 +155,170 @@ class CentredShape:
             Parameter(s, f"geometric centre minus centre of mass, body axis {i}", x, "m")
             for i, (s, x) in enumerate(zip(c.symbols, self.centre, strict=True), 1)
         )
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The numbers of its surface, with their symbols."""
+        return self.gauss().parameters
+
+    def level(self, point: Vector) -> sp.Expr | None:
+        """f of a surface f = 0 at a point from the geometric centre; None where a map is known."""
+        return None
+
+    @property
+    def signed_radius(self) -> float | None:
+        """Radius of the sphere that is its surface, negative of a hollow one; None of others.
+
+        Where there is one, the equations call it R.
+        """
+        return None
+
+    @property
+    def is_ball(self) -> bool:
+        """Whether its surface is a sphere."""
+        return self.signed_radius is not None
+
+    @property
+    def is_balanced_ball(self) -> bool:
+        """Whether its surface is a sphere about the centre of mass."""
+        return self.is_ball and not any(self.centre)
+
+    @property
+    def hollow(self) -> bool:
+        """Whether its inner surface touches, so that the support is inside."""
+        return False
+
+    @property
+    def is_turned(self) -> bool:
+        """Whether its axes of symmetry are turned from the body axes."""
+        return False
+
+    @property
+    def edge_radius(self) -> float | None:
+        """Radius of the circular edge along which alone it touches; None of others."""
+        return None
+
+    @property
+    def axial_symmetry(self) -> AxialSymmetry | None:
+        """When it is of revolution about body axis 3; None where that is not known."""
+        return None
+
+    @abstractmethod
+    def gauss(self) -> GaussMap:
+        """The inverse Gauss map γ ↦ r − c by formulas.
+
+        Raises
+        ------
+        InputError
+            If there are none.
+        """
+
+    @abstractmethod
+    def contact(self, surface: Surface, swing: MatrixExpr, radius: sp.Expr) -> Contact:
+        """The kinematics of its contact with a surface.
+
+        Parameters
+        ----------
+        surface : Surface
+        swing : MatrixExpr
+            γ×ω + K u; see :mod:`nonholonomic.mechanics.shapes.kinematics`.
+        radius : sympy.Expr
+            The symbol a, or the radius of a sphere concentric to the support.
+
+        Raises
+        ------
+        InputError
+            If the body does not fit the surface anywhere.
+        """
+
+    @abstractmethod
+    def _points(self) -> Callable[[FloatArray], FloatArray]:
+        """The function of `contact_points`, made anew."""
+
+    def contact_points(self) -> Callable[[FloatArray], FloatArray]:
+        """The function γ ↦ r in numbers, for unit vectors (n, 3) in body axes.
+
+        r runs from the centre of mass to the point of the surface whose outward normal is −γ.
+        """
+        return _points_of(self)
+
+    @property
+    def centre_outside(self) -> bool:
+        """Whether the centre of mass lies outside, by many tangent planes.
+
+        A hollow ball has nothing inside; there it is whether the centre lies outside its sphere.  A
+        disk or a torus is the rim on which a body rolls, a cylinder or a cup of any height: the
+        centre is outside where it is farther from the axis than the rim.
+        """
+        return any(self.centre) and bool((self.heights(-directions(PLANES)) < 0).any())
+
+    def heights(self, normals: FloatArray) -> FloatArray:
+        """Extent from the centre of mass along unit vectors (n, 3)."""
+        heights: FloatArray = np.einsum("ni,ni->n", self.contact_points()(-normals), normals)
+        return heights
+
+    @property
+    def half_breadth(self) -> float:
+        """Half the largest distance of two points with opposite normals, by many planes."""
+        return _half_breadth(self)
+
+
+@lru_cache(maxsize=64)
+def _points_of(shape: Shape) -> Callable[[FloatArray], FloatArray]:
+    """The function of a shape, as many starts have one body."""
+    return shape._points()
+
+
+@lru_cache(maxsize=64)
+def _half_breadth(shape: Shape) -> float:
+    if shape.signed_radius is not None:
+        return abs(shape.signed_radius)
+    normals = directions(PLANES)
+    points = shape.contact_points()
+    chords = points(normals) - points(-normals)
+    return float(np.nanmax(np.linalg.norm(chords, axis=1))) / 2
+
+
+@dataclass(frozen=True)
+class SupportShape(Shape):
+    """A shape with a closed inverse of the Gauss map, which is all that it has to give.
+
+    Examples
+    --------
+    >>> import nonholonomic
+    >>> from nonholonomic.mechanics.shapes.shape_base import SupportShape
+    >>> (
+    ...     isinstance(nonholonomic.Disk(1.0), SupportShape),
+    ...     isinstance(nonholonomic.Implicit, SupportShape),
+    ... )
+    (True, False)
+    """
+
+    def contact(self, surface: Surface, swing: MatrixExpr, radius: sp.Expr) -> Contact:
+        """A shape with r(γ): (E + KW) γ̇ = γ×ω + K u on the tangent plane."""
+        body = self.gauss()
+        moving = surface.under_map(body, swing, radius)
+        return Contact(
+            state=((gamma, moving.rate), *moving.state),
+            relations=(norm_squared(gamma) - 1, *moving.relations),
+            parameters=body.parameters + self.offset_parameters + surface.parameters,
+            definitions=(
+                *body.definitions,
+                (r, self.offset + body.reach),
+                *moving.definitions,
+                (rdot, -body.spread(moving.rate)),
+            ),
+            guards=body.guards + moving.guards,
+            r=r,
+            rdot=rdot,
+            gammadot=moving.rate,
+            square=norm_squared(r),
+            height=body.support - dot(self.offset, gamma),
+            spread=body.spread,
+            pull=moving.pull,
+            volume=moving.volume,
+            start=moving.start,
+        )
+
+    def _points(self) -> Callable[[FloatArray], FloatArray]:
+        return points_of_map(self.gauss(), self.centre)

@@ -1,4 +1,4 @@
-"""Convex shapes with a closed inverse of the Gauss map, and the type of all shapes.
+"""Convex shapes with a closed inverse of the Gauss map.
 
 The maps are those of :mod:`nonholonomic.mechanics.shapes.shape_base`.
 """
@@ -8,18 +8,19 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
+from flowlanes.system.arrays import FloatArray
 from flowlanes.system.named_formulas import Pairs
 from flowlanes.system.system import Guard, Parameter
 from flowlanes.system.vector_operators import outer, unit_vector
 from flowlanes.system.vectors import (
     Diagonal,
     Symmetric,
-    Vector,
     constant,
     dot,
     identity,
@@ -28,21 +29,23 @@ from flowlanes.system.vectors import (
     to_components,
 )
 
-from .implicit import Implicit
-from .revolution import Revolution
-from .shape_base import CentredShape, GaussMap, check_centre, length, require_positive
+from .gauss_map import GaussMap
+from .kinematics import Contact, gamma, r
+from .shape_base import AxialSymmetry, SupportShape, check_centre, length, require_positive
+from .surfaces import Surface
 
 #: A flat face is reached when the symmetry axis leans from the normal by less than this (radians).
 FLAT = 1e-6
 
 R = real_symbol("R")
 rho = real_symbol("rho")
-gamma = Vector("gamma")
+b = tuple(real_symbol(f"b_{i}") for i in (1, 2, 3))
+g_3 = gamma.symbols[2]
 
 
 @arguments_checked
 @dataclass(frozen=True)
-class Ball(CentredShape):
+class Ball(SupportShape):
     """A ball; a hollow one rolls with its inner surface around a sphere.
 
     Parameters
@@ -69,9 +72,27 @@ class Ball(CentredShape):
     radius: float
     hollow: bool = False
 
+    kind = "ball"
+    numbers_are_parameters = True
+
     def __post_init__(self) -> None:
         require_positive("ball", radius=self.radius)
         check_centre(self.centre)
+
+    @property
+    def title(self) -> str:
+        """Its name in titles."""
+        return "Hollow ball" if self.hollow else "Ball"
+
+    @property
+    def signed_radius(self) -> float:
+        """The radius, negative of a hollow ball."""
+        return -self.radius if self.hollow else self.radius
+
+    @property
+    def axial_symmetry(self) -> AxialSymmetry:
+        """Always."""
+        return AxialSymmetry((), -R if self.hollow else R)
 
     def gauss(self) -> GaussMap:
         """The map r = c − R γ, and r = c + R γ for a hollow ball."""
@@ -85,6 +106,62 @@ class Ball(CentredShape):
             determinant=R**2,
             support=signed,
         )
+
+    def contact(self, surface: Surface, swing: MatrixExpr, radius: sp.Expr) -> Contact:
+        """γ̇ and ṙ are multiples of `swing`.
+
+        Raises
+        ------
+        InputError
+            If the ball is larger than its bowl, or a hollow one goes around nothing.
+        """
+        self._require_room(surface)
+        ball, c = self.gauss(), self.offset
+        moving = surface.under_ball(ball, swing, radius)
+        definitions = moving.definitions
+        reach, square = ball.reach, ball.determinant
+        if any(self.centre):
+            definitions += ((r, c + ball.reach),)
+            reach, square = r, norm_squared(r)
+        return Contact(
+            state=((gamma, moving.rate), *moving.state),
+            relations=(norm_squared(gamma) - 1, *moving.relations),
+            parameters=ball.parameters + self.offset_parameters + surface.parameters,
+            definitions=definitions,
+            guards=moving.guards,
+            r=reach,
+            rdot=-ball.spread(moving.rate),
+            gammadot=moving.rate,
+            square=square,
+            height=ball.support - dot(c, gamma),
+            spread=ball.spread,
+            pull=moving.pull,
+            volume=moving.volume,
+            start=moving.start,
+        )
+
+    def _require_room(self, surface: Surface) -> None:
+        around = surface.signed_radius
+        if self.hollow and (around is None or not 0 < around < self.radius):
+            raise InputError(
+                f"hollow ball of radius {self.radius:g}: it rolls around the outside of a sphere "
+                "of positive, smaller radius"
+            )
+        if not self.hollow and around is not None and -self.radius <= around < 0:
+            raise InputError(
+                f"ball of radius {self.radius:g} in a bowl of radius {-around:g}: the bowl must be "
+                "the larger one"
+            )
+
+    @property
+    def centre_outside(self) -> bool:
+        """Whether the centre of mass lies outside the sphere."""
+        return bool(np.linalg.norm(np.array(self.centre)) > self.radius)
+
+    def heights(self, normals: FloatArray) -> FloatArray:
+        """Extent from the centre of mass along unit vectors (n, 3)."""
+        heights: FloatArray = normals @ np.array(self.centre) + self.radius
+        return heights
 
 
 def _tensor_map(
@@ -113,7 +190,7 @@ def _tensor_map(
 
 @arguments_checked
 @dataclass(frozen=True)
-class Ellipsoid(CentredShape):
+class Ellipsoid(SupportShape):
     """An ellipsoid with semi-axes `axes`, its third axis along body axis 3.
 
     Parameters
@@ -147,6 +224,10 @@ class Ellipsoid(CentredShape):
     axes: tuple[float, float, float]
     turn: float = 0.0
 
+    kind = "ellipsoid"
+    numbers_are_parameters = True
+    is_ellipsoid = True
+
     def __post_init__(self) -> None:
         if len(self.axes) != 3:
             raise InputError(f"axes {self.axes} of the ellipsoid: three semi-axes are needed")
@@ -156,9 +237,19 @@ class Ellipsoid(CentredShape):
             require_positive("ellipsoid", **{f"semi-axis {i}": value})
         check_centre(self.centre)
 
+    @property
+    def is_turned(self) -> bool:
+        """Whether the semi-axes are turned from the body axes."""
+        return self.turn != 0
+
+    @property
+    def axial_symmetry(self) -> AxialSymmetry:
+        """Where the first two semi-axes agree."""
+        support = sp.sqrt(b[0] ** 2 * (1 - g_3**2) + b[2] ** 2 * g_3**2)
+        return AxialSymmetry((b[0] - b[1],), support)
+
     def gauss(self) -> GaussMap:
         """The map r = c − Bγ/√(γ, Bγ), where B has the squared semi-axes as eigenvalues."""
-        b = tuple(real_symbol(f"b_{i}") for i in (1, 2, 3))
         squares = [x**2 for x in b]
         parameters = tuple(
             length(s, f"semi-axis {i} of the ellipsoid", x)
@@ -203,7 +294,7 @@ def _rim(radius: float, tube: sp.Expr, parameters: tuple[Parameter, ...], what: 
 
 @arguments_checked
 @dataclass(frozen=True)
-class Disk(CentredShape):
+class Disk(SupportShape):
     """A disk with a sharp circular edge of the given radius, normal to body axis 3.
 
     Parameters
@@ -229,9 +320,28 @@ class Disk(CentredShape):
 
     radius: float
 
+    kind = "disk"
+    numbers_are_parameters = True
+    has_flat_face = True
+
     def __post_init__(self) -> None:
         require_positive("disk", radius=self.radius)
         check_centre(self.centre)
+
+    @property
+    def edge_radius(self) -> float:
+        """The radius."""
+        return self.radius
+
+    @property
+    def axial_symmetry(self) -> AxialSymmetry:
+        """Always."""
+        return AxialSymmetry((), R * sp.sqrt(1 - g_3**2))
+
+    @property
+    def centre_outside(self) -> bool:
+        """Whether the centre of mass is farther from the axis than the rim."""
+        return bool(np.linalg.norm(np.array(self.centre)[:2]) > self.radius)
 
     def gauss(self) -> GaussMap:
         """The map r = c − R (γ₁, γ₂, 0)/√(γ₁² + γ₂²); lying flat is outside its domain."""
@@ -240,7 +350,7 @@ class Disk(CentredShape):
 
 @arguments_checked
 @dataclass(frozen=True)
-class Torus(CentredShape):
+class Torus(SupportShape):
     """A disk with a rounded edge: the convex outer part of a torus about body axis 3.
 
     Parameters
@@ -270,15 +380,31 @@ class Torus(CentredShape):
     radius: float
     tube: float
 
+    kind = "torus"
+    numbers_are_parameters = True
+    has_flat_face = True
+
     def __post_init__(self) -> None:
         require_positive("torus", radius=self.radius, tube=self.tube)
         check_centre(self.centre)
+
+    @property
+    def title(self) -> str:
+        """Its name in titles."""
+        return "Disk with a rounded edge"
+
+    @property
+    def axial_symmetry(self) -> AxialSymmetry:
+        """Always."""
+        return AxialSymmetry((), rho + R * sp.sqrt(1 - g_3**2))
+
+    @property
+    def centre_outside(self) -> bool:
+        """Whether the centre of mass is farther from the axis than the rim."""
+        return bool(np.linalg.norm(np.array(self.centre)[:2]) > self.radius + self.tube)
 
     def gauss(self) -> GaussMap:
         """The map of a disk, thickened by ρ: r = c − R (γ₁, γ₂, 0)/√(γ₁² + γ₂²) − ργ."""
         return _rim(
             self.radius, rho, (length(rho, "radius of the tube", self.tube),), "centre circle"
         )
-
-
-Shape = Ball | Ellipsoid | Disk | Torus | Revolution | Implicit

@@ -1,18 +1,161 @@
-"""Surfaces on which a body rolls."""
+"""Surfaces on which a body rolls: their protocol, the plane and the sphere."""
 
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import ClassVar, Literal, TypeAlias
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
+from flowlanes.system.system import Guard, Parameter
+from flowlanes.system.vectors import Vector, constant, cross, dot, real_symbol, to_components
+
+from .gauss_map import GaussMap
+from .kinds import Registered
+from .kinematics import (
+    LevelSurface,
+    NormalMotion,
+    Placement,
+    a,
+    gamma,
+    gammadot,
+    omega,
+    r,
+    rdot,
+    zeta,
+)
+
+place = Vector("place", 2)
+
+#: The matrix from body to space components.
+Rotation: TypeAlias = sp.ImmutableDenseMatrix
+
+
+class Surface(Registered, ABC):
+    """A fixed surface on which a body rolls; the base of all of them.
+
+    A new surface gives its curvature, by `swing` and `under_map`; where a body on it is in space,
+    by `placement` and `height`; and its equation, by which it is drawn.
+
+    Notes
+    -----
+    A class that sets `kind` is known by that word to experiment files as soon as its module is
+    imported; its fields are the keys of the table [surface].
+
+    Examples
+    --------
+    >>> import nonholonomic
+    >>> from nonholonomic.mechanics.shapes.surfaces import Surface
+    >>> isinstance(nonholonomic.Plane(), Surface), Surface.of_kind("sphere") is nonholonomic.Sphere
+    (True, True)
+    """
+
+    turntable: float = 0.0
+    numbers_are_parameters: ClassVar[bool] = False
+    """Whether two of the class with positive numbers have the same equations."""
+    is_flat: ClassVar[bool] = False
+    """Whether it is a horizontal plane, whose normal is the vertical."""
+    vertical: ClassVar[Vector] = zeta
+    """The vertical of space in body axes, as the equations call it."""
+    relations_of_vertical: ClassVar[tuple[sp.Expr, ...]] = ()
+    """Vanish for every position, besides ζ² − 1, where ζ belongs to the state."""
+    level: ClassVar[sp.Expr] = a
+    """(γ, x) of the points x of the surface, from the origin of space."""
+
+    @property
+    @abstractmethod
+    def words(self) -> str:
+        """The surface as a sentence names it."""
+
+    @property
+    def title(self) -> str:
+        """The surface as a title names it."""
+        return self.words
+
+    @property
+    def setting(self) -> str:
+        """The surface with its numbers, in a line on the setting of a motion."""
+        return self.words
+
+    @property
+    def signed_radius(self) -> float | None:
+        """Radius of a sphere, which the equations call a, negative inside; None of others."""
+        return None
+
+    @property
+    def is_even(self) -> bool:
+        """Whether its curvature is the same everywhere, in every direction: plane and sphere."""
+        return self.is_flat or self.signed_radius is not None
+
+    @property
+    @abstractmethod
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Its numbers, with their symbols."""
+
+    @abstractmethod
+    def swing(self, slip: MatrixExpr, radius: sp.Expr) -> MatrixExpr:
+        """γ×ω + K u: the rate of the normal but for the curvature of the body.
+
+        Parameters
+        ----------
+        slip : MatrixExpr
+            u, tangential, in body axes; zero without slip.
+        radius : sympy.Expr
+            The symbol a, or the radius of a concentric sphere; no other surface has it.
+        """
+
+    @abstractmethod
+    def under_map(self, body: GaussMap, swing: MatrixExpr, radius: sp.Expr) -> NormalMotion:
+        """The rate of the normal under a body with spread W: (E + KW) γ̇ = `swing`."""
+
+    def under_ball(self, ball: GaussMap, swing: MatrixExpr, radius: sp.Expr) -> NormalMotion:
+        """The same under a ball, whose spread is a number."""
+        return self.under_map(ball, swing, radius)
+
+    def under_level_surface(
+        self, body: LevelSurface, swing: MatrixExpr, radius: sp.Expr
+    ) -> NormalMotion:
+        """The same under a body f = 0, with r as state; ṙ is among the definitions."""
+        return _through_spread(self, body, swing, radius)
+
+    @abstractmethod
+    def placement(
+        self, reach: MatrixExpr, rate: MatrixExpr, height: sp.Expr, turn: Rotation
+    ) -> Placement:
+        """Where a body is in space whose contact point is at `reach`.
+
+        Parameters
+        ----------
+        reach, rate : MatrixExpr
+            Contact vector r and its rate, body axes.
+        height : sympy.Expr
+            −(r, γ).
+        turn : matrix
+            From body to space components, by the quaternion `attitude`.
+        """
+
+    def height(self, reach: MatrixExpr, height: sp.Expr) -> sp.Expr:
+        """Height of the centre of mass, for the potential energy of the weight."""
+        return dot(a * gamma - reach, zeta)
+
+    def refusal_of_normal(self, normal: Sequence[float]) -> str:
+        """Why the surface has no such normal in space, in words; empty if it has."""
+        return ""
+
+    @abstractmethod
+    def equation(self, point: Sequence[sp.Symbol]) -> sp.Expr:
+        """f of the surface f = 0 in space, in its parameters; positive where the body is."""
 
 
 @arguments_checked
 @dataclass(frozen=True)
-class Plane:
+class Plane(Surface):
     """The horizontal plane z = 0, with the body above it.
 
     Parameters
@@ -37,15 +180,79 @@ class Plane:
     """
 
     turntable: float = 0.0
-    words = "a horizontal plane"
+
+    kind = "plane"
+    numbers_are_parameters = True
+    is_flat = True
+    vertical = gamma
+    level = sp.S.Zero
 
     def __post_init__(self) -> None:
         _require_turn(self.turntable)
 
+    @property
+    def words(self) -> str:
+        """The surface as a sentence names it."""
+        return "a horizontal plane"
+
+    @property
+    def title(self) -> str:
+        """The surface as a title names it."""
+        return "a plane"
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """None."""
+        return ()
+
+    def swing(self, slip: MatrixExpr, radius: sp.Expr) -> MatrixExpr:
+        """γ×ω, as K = 0."""
+        return cross(gamma, omega)
+
+    def under_map(self, body: GaussMap, swing: MatrixExpr, radius: sp.Expr) -> NormalMotion:
+        """γ̇ = γ×ω."""
+        return NormalMotion(swing, _unchanged)
+
+    def under_level_surface(
+        self, body: LevelSurface, swing: MatrixExpr, radius: sp.Expr
+    ) -> NormalMotion:
+        """The same, with ṙ = −W(γ×ω)."""
+        wandering = (body.shape_operator(swing) - body.mean * swing) / body.gauss
+        return NormalMotion(
+            swing, _unchanged, ((rdot, wandering),), volume=(body.slope, body.gauss)
+        )
+
+    def placement(
+        self, reach: MatrixExpr, rate: MatrixExpr, height: sp.Expr, turn: Rotation
+    ) -> Placement:
+        """The centre of mass has the velocity r×ω in body axes; its height follows from γ."""
+        at = turn * to_components(reach)
+        velocity = turn * to_components(cross(reach, omega))
+        x, y = place.symbols
+        return Placement(
+            centre=constant([x, y, height]),
+            point=constant([x + at[0], y + at[1], 0]),
+            field=((place, constant(velocity[:2])),),
+        )
+
+    def height(self, reach: MatrixExpr, height: sp.Expr) -> sp.Expr:
+        """−(r, γ)."""
+        return height
+
+    def refusal_of_normal(self, normal: Sequence[float]) -> str:
+        """The normal is the vertical alone."""
+        if tuple(normal) == (0.0, 0.0, 1.0):
+            return ""
+        return "normal is for a sphere alone; on a plane it is always [0, 0, 1]"
+
+    def equation(self, point: Sequence[sp.Symbol]) -> sp.Expr:
+        """z."""
+        return point[2]
+
 
 @arguments_checked
 @dataclass(frozen=True)
-class Sphere:
+class Sphere(Surface):
     """A fixed sphere about the origin of space.
 
     Parameters
@@ -77,6 +284,9 @@ class Sphere:
     side: Literal["outside", "inside"] = "outside"
     turntable: float = 0.0
 
+    kind = "sphere"
+    numbers_are_parameters = True
+
     def __post_init__(self) -> None:
         _require_turn(self.turntable)
         if self.side not in ("outside", "inside"):
@@ -106,10 +316,125 @@ class Sphere:
         """The surface as a sentence names it."""
         return f"the {self.side} of a fixed sphere"
 
+    @property
+    def title(self) -> str:
+        """The surface as a title names it."""
+        return "a sphere" if self.side == "outside" else "the inside of a sphere"
+
+    @property
+    def setting(self) -> str:
+        """The sphere with its radius."""
+        return f"a sphere of radius {self.radius:g}, {self.side}"
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The signed radius a."""
+        meaning = "radius of the supporting sphere, negative inside"
+        return (Parameter(a, meaning, self.signed_radius, "m", (sp.Ne(a, 0),)),)
+
+    def swing(self, slip: MatrixExpr, radius: sp.Expr) -> MatrixExpr:
+        """γ×ω + u/a."""
+        return cross(gamma, omega) + slip / radius
+
+    def under_map(self, body: GaussMap, swing: MatrixExpr, radius: sp.Expr) -> NormalMotion:
+        """γ̇ (E + W/a) = `swing`: the inverse of a symmetric operator by Cayley and Hamilton."""
+        area, trace = real_symbol("A_a"), real_symbol("tau")
+
+        def solve(vector: MatrixExpr) -> MatrixExpr:
+            return ((radius**2 + radius * trace) / area) * vector - (radius / area) * body.spread(
+                vector
+            )
+
+        return NormalMotion(
+            gammadot,
+            solve,
+            (
+                (area, radius**2 + radius * body.trace + body.determinant),
+                (trace, body.trace),
+                (gammadot, solve(swing)),
+            ),
+            fits(area, 2 * radius**2 + radius * trace),
+            volume=(area,),
+        )
+
+    def under_ball(self, ball: GaussMap, swing: MatrixExpr, radius: sp.Expr) -> NormalMotion:
+        """γ̇ = k `swing` with k = a/(a + R)."""
+        k = real_symbol("k")
+        return NormalMotion(
+            k * swing, lambda force: k * force, ((k, radius / (radius + ball.support)),)
+        )
+
+    def under_level_surface(
+        self, body: LevelSurface, swing: MatrixExpr, radius: sp.Expr
+    ) -> NormalMotion:
+        """(S + E/a) ṙ = −`swing`, with the operator S of the curvature of the body."""
+        area = real_symbol("A_a")
+
+        def solve(vector: MatrixExpr) -> MatrixExpr:
+            """The inverse of S + E/a on tangent vectors."""
+            return (1 / area) * ((body.mean + 1 / radius) * vector - body.shape_operator(vector))
+
+        return NormalMotion(
+            gammadot,
+            lambda force: force - solve(force - dot(gamma, force) * gamma) / radius,
+            (
+                (area, body.gauss + body.mean / radius + 1 / radius**2),
+                (rdot, -solve(swing)),
+                (gammadot, swing + rdot / radius),
+            ),
+            fits(area * radius**2, body.mean + 2 / radius),
+            volume=(area, body.slope),
+        )
+
+    def placement(
+        self, reach: MatrixExpr, rate: MatrixExpr, height: sp.Expr, turn: Rotation
+    ) -> Placement:
+        """The contact is at aγ, whatever the way of the body."""
+        point = a * turn * to_components(gamma)
+        return Placement(centre=point - turn * to_components(reach), point=point)
+
+    def equation(self, point: Sequence[sp.Symbol]) -> sp.Expr:
+        """The distance from the origin less the radius, outwards; the opposite inside."""
+        distance = sp.sqrt(sum(s**2 for s in point))
+        return distance - a if self.side == "outside" else -a - distance
+
+
+def _through_spread(
+    surface: Surface, body: LevelSurface, swing: MatrixExpr, radius: sp.Expr
+) -> NormalMotion:
+    """The motion under a body f = 0, by that under a body with W = S⁻¹."""
+    as_map = GaussMap(
+        parameters=(),
+        definitions=(),
+        reach=r,
+        spread=body.spread,
+        trace=body.mean / body.gauss,
+        determinant=1 / body.gauss,
+        support=-dot(r, gamma),
+    )
+    moving = surface.under_map(as_map, swing, radius)
+    return NormalMotion(
+        moving.rate,
+        moving.pull,
+        (*moving.definitions, (rdot, -body.spread(moving.rate))),
+        moving.guards,
+        (body.slope, body.gauss, *moving.volume),
+        moving.state,
+        moving.relations,
+        moving.start,
+    )
+
+
+def fits(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
+    """Guards on product and sum of the eigenvalues of E + KW, up to positive factors."""
+    message = "the body does not fit into the sphere at the contact"
+    return Guard("fits", product, message), Guard("fits", total, message)
+
+
+def _unchanged(force: MatrixExpr) -> MatrixExpr:
+    return force
+
 
 def _require_turn(turntable: float) -> None:
     if not math.isfinite(turntable):
         raise InputError(f"turntable {turntable}: it must be a finite angular velocity")
-
-
-Surface = Plane | Sphere

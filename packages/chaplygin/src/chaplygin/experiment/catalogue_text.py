@@ -1,0 +1,83 @@
+"""The file of a system of the catalogue: its equations, laws, start and run."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from flowlanes.errors import InputError
+from flowlanes.system.system import System
+from nonholonomic.catalogue import entry
+from nonholonomic.catalogue.entry_files import entry_file, paths
+from nonholonomic.catalogue.file_systems import catalogue_system
+from nonholonomic.system_files.write import plan_table_of, system_text
+
+from .models.catalogue_models import StateExperiment, SystemExperiment
+from .models.experiment import loads
+from .study import Study, prepare
+
+
+def catalogue_text(study: Study) -> str:
+    """An experiment file that brings the same system, start and run without naming the catalogue.
+
+    Parameters
+    ----------
+    study : Study
+        Of a system of the catalogue.
+
+    Raises
+    ------
+    InputError
+        If the system has what no file can say, such as a matrix of n dimensions or a proof.
+    """
+    experiment = study.experiment
+    if not isinstance(experiment, SystemExperiment | StateExperiment):
+        return study.complete_toml()
+    name = experiment.system.name
+    if not experiment.overrides and name in paths() and not entry_file(name).python:
+        return entry_file(name).text
+    # whatever is printed reads back to the same system
+    try:
+        text = system_text(study.system, _further(study, name), catalogue_system)
+        if prepare(loads(text)).system != study.system:
+            raise InputError("it does not read back to the same system")
+        return text
+    except InputError as error:
+        reason = error.message.removeprefix(f"{name}: ")
+        raise InputError(
+            f"--as toml: {name} cannot be written as a file of equations, since {reason}; a file "
+            f'with system = {{ name = "{name}" }} names it'
+        ) from None
+
+
+def _further(study: Study, name: str) -> dict[str, Any]:
+    """What a file has besides the system."""
+    whole = study.system.lifted() if study.system.reconstruction else study.system
+    state = {str(variable) for variable in whole.state}
+    variables = {
+        key: {"meaning": meaning, "unit": unit} if unit else {"meaning": meaning}
+        for key, (meaning, unit) in study.variables.items()
+        if key in state
+    }
+    run = study.experiment.run.model_dump(exclude_unset=True) | {"until": study.until}
+    further: dict[str, Any] = {"variables": variables, "letters": dict(entry(name).letters)}
+    if study.subject.plan is not None:
+        further["plan"] = plan_table_of(study.subject.plan)
+    return further | {"start": _start(study, whole), "run": run}
+
+
+def _start(study: Study, whole: System) -> dict[str, Any]:
+    """The start as given, or where the equations need it the state that follows."""
+    given = {
+        key: list(value) if isinstance(value, tuple | list) else value
+        for key, value in study.start_values.items()
+    }
+    variables = [str(variable) for variable in whole.state]
+    if study.subject.starts_by_velocity or given.keys() <= set(variables):
+        return given
+    numbers = [float(x) for x in study.start]
+    return {
+        str(variable): numbers[place.start] if isinstance(variable, sp.Symbol) else numbers[place]
+        for variable, place in whole.slices
+    }

@@ -1,0 +1,1 @@
+"""New kinds, each in one file, with no change anywhere else."""

@@ -1,0 +1,55 @@
+"""The tables of a file that describes a system itself: by equations, or by a Lagrangian."""
+
+from __future__ import annotations
+
+from pydantic import Field, StrictBool
+
+from .law_tables import EquationsTables, SystemTables
+from .sourced import SourcedTables
+from .table import Table
+from .tables import (
+    ConstraintsTable,
+    FormulaValue,
+    FrameTable,
+    LagrangianTable,
+    MeaningTable,
+    PlanTable,
+    Text,
+)
+
+
+class CatalogueTable(Table):
+    """The place of a system in the catalogue."""
+
+    group: Text = Field(description="the name of a group of the catalogue")
+    integrable: StrictBool = Field(default=False, description="true or false")
+    """Whether the system is proven integrable with the values of its parameters."""
+    python: Text = Field(default="", description="the name of a module of the catalogue")
+    """Of what no file can say."""
+    general: Text = Field(default="", description="the name of a module and a function")
+    """Where the system is made with what is arbitrary left arbitrary."""
+
+
+class DescribedFile(SystemTables, SourcedTables):
+    """What a file has besides, whichever way it describes a system."""
+
+    variables: dict[str, MeaningTable] = Field(default={}, description="a table of tables")
+    """Meaning and unit of coordinates and velocities."""
+    letters: dict[str, Text] = Field(default={}, description="a table of texts in quotes")
+    """Meaning of letters in the equations."""
+    plan: PlanTable | None = Field(default=None, description="a table of what is drawn")
+    catalogue: CatalogueTable | None = Field(default=None, description="a table with group")
+
+
+class MechanismFile(DescribedFile):
+    """A Lagrangian in a frame, with forces and constraints."""
+
+    frame: FrameTable = Field(description="a table [frame] with coordinates or velocities")
+    lagrangian: LagrangianTable = Field(description="a table [lagrangian] with kinetic or L")
+    forces: dict[str, FormulaValue] = Field(default={}, description="a table of formulas")
+    """Generalised forces by velocity."""
+    constraints: ConstraintsTable = Field(default=ConstraintsTable(), description="a table")
+
+
+class EquationsFile(DescribedFile, EquationsTables):
+    """Equations of motion as they stand."""
