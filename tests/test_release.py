@@ -26,10 +26,9 @@ PROJECTS: dict[str, dict[str, Any]] = {
     for home in HOMES.values()
 }
 LABORATORY = PROJECTS["chaplygin"]
+VERSION = re.compile('^__version__ = "(.*)"$', re.M)
 VERSIONS = {
-    name: re.findall(
-        '^__version__ = "(.*)"$', (home / "_version.py").read_text(encoding="utf-8"), re.M
-    )
+    name: VERSION.findall((home / "_version.py").read_text(encoding="utf-8"))
     for name, home in HOMES.items()
 }
 STATIC = HOMES["chaplygin"] / "page" / "static"
@@ -111,14 +110,10 @@ def found_by_name(package: str) -> set[str]:
     return {
         # xarray writes NetCDF by these; matplotlib has Pillow, anywidget traitlets
         "chaplygin": {
-            "h5netcdf",
-            "h5py",
-            "borisov_mamaev_2008",
-            "PIL",
-            "traitlets",
-            "mpl_toolkits",
-            "pydantic_core",
+            *("borisov_mamaev_2008", "h5netcdf", "h5py", "mpl_toolkits"),
+            *("PIL", "pydantic_core", "traitlets"),
         },
+        "nonholonomic": {"pydantic_core"},
         # numba and JAX run the code that is written for them
         "flowlanes": {"jax", "numba"},
     }.get(package, set())

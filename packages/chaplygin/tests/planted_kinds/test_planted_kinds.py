@@ -365,7 +365,7 @@ def test_a_module_of_an_entry_point_is_imported_when_its_kind_is_named(
     open_kinds.import_entry_points.cache_clear()
     ch.loads(DIE)
     assert not loaded
-    with pytest.raises(ch.InputError, match=r"the plug-in lens = lens:Lens of chaplygin.kinds"):
+    with pytest.raises(ch.InputError, match=r"the plug-in lens = lens:Lens of nonholonomic.kinds"):
         ch.loads(DIE.replace('"die"', '"lens"'))
     open_kinds.import_entry_points.cache_clear()
 

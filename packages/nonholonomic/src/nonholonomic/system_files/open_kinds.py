@@ -2,7 +2,7 @@
 
 The tables of this package stand in its modules.  A class with a `kind` of its own, a dataclass of
 numbers, texts and truth values, is known as soon as its module is imported, and its table is made
-of its fields.  Modules that are named as entry points of the group ``chaplygin.kinds`` are imported
+of its fields.  Modules that are named as entry points of the group ``nonholonomic.kinds`` are imported
 when a file names a kind that nobody knows yet.
 """
 
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from ..mechanics.shapes.kinds import Registered
 
 #: Modules that add kinds are entry points of this group.
-GROUP = "chaplygin.kinds"
+GROUP = "nonholonomic.kinds"
 
 Register: TypeAlias = "Callable[[], type[Registered]]"
 
@@ -266,7 +266,7 @@ def _allowed(hint: Any, where: str) -> tuple[Any, str]:
 
 @cache
 def import_entry_points() -> None:
-    """Import the modules that are entry points of the group ``chaplygin.kinds``.
+    """Import the modules that are entry points of the group ``nonholonomic.kinds``.
 
     Raises
     ------
