@@ -177,6 +177,8 @@ class IdentityTable(_ValueTable):
 class IsomorphismTable(LawTable):
     """A change of variables and time onto another system."""
 
+    choices = (frozenset({"target", "system", "parameters", "without_conditions"}),)
+
     target: Text | None = Field(default=None, description="the name of a system of the catalogue")
     parameters: dict[str, NumberValue] = Field(default={}, description="a table of named numbers")
     """Parameters of the target that differ from the defaults of the catalogue."""

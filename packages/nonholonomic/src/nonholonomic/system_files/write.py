@@ -35,7 +35,7 @@ from flowlanes.system.vectors import Diagonal, Symmetric, Vector, to_components
 
 from ..mechanics.lagrangian.plan import Plan
 from .conditions import condition_text
-from .law_tables import BracketTable, HamiltonianTable, LawsTable, MeasureTable
+from .law_tables import BracketTable, HamiltonianTable, IsomorphismTable, LawsTable, MeasureTable
 from .laws import Targets
 from .sourced import identifier
 from .toml import Inline, Key, Tables, dumps
@@ -309,6 +309,9 @@ class _Writer:
             *system.symbols,
             *(s for s, _ in system.scalar_definitions),
         }
+        for name in self.whole:
+            if name in set(map(str, known)):
+                raise InputError(f"{name} is the name of a number and of a vector")
         return {
             name: type(quantity).__name__.lower()
             for name, quantity in sorted(self.whole.items())
@@ -343,6 +346,8 @@ class _Writer:
             other = {key: value for key, value in printed.items() if table.get(key) != value}
             gone = {key for key in table if key not in printed}
             for choice in _CHOICES:
+                if choice & other.keys():
+                    other |= {key: printed[key] for key in choice & printed.keys()}
                 gone -= choice if choice & printed.keys() else set()
             other |= {key: _EMPTY[type(table[key])] for key in gone}
             table["as_printed"] = other
@@ -466,7 +471,11 @@ class _Writer:
         return None
 
 
-_CHOICES = (*MeasureTable.choices, *HamiltonianTable.choices, *BracketTable.choices)
+_CHOICES = tuple(
+    choice
+    for table in (MeasureTable, HamiltonianTable, BracketTable, IsomorphismTable)
+    for choice in table.choices
+)
 
 #: What stands for a key that a printed form does not have.
 _EMPTY: Mapping[type, object] = {str: "", list: [], dict: {}}
