@@ -2,8 +2,8 @@
 
 The tables of this package stand in its modules.  A class with a `kind` of its own, a dataclass of
 numbers, texts and truth values, is known as soon as its module is imported, and its table is made
-of its fields.  Modules that are named as entry points of the group ``nonholonomic.kinds`` are imported
-when a file names a kind that nobody knows yet.
+of its fields.  Modules that are named as entry points of the group ``nonholonomic.kinds`` are
+imported when a file names a kind that nobody knows yet.
 """
 
 from __future__ import annotations
