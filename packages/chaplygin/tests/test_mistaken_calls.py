@@ -17,13 +17,16 @@ import numpy as np
 import pytest
 import sympy as sp
 
-import chaplygin
+import borisov_mamaev_2008
+import chaplygin as c
+import flowlanes
+import lawproof
+import nonholonomic
 from flowlanes.errors import InputError, RunError
 from flowlanes.system.vectors import real_symbol
 from nonholonomic.contact import ContensouErismann, FrictionalContact
 from nonholonomic.control import figure_of_eight
 
-c: Any = chaplygin
 BALL = """\
 [body]
 mass = 1.0
@@ -45,16 +48,16 @@ EXP = c.loads(BALL)
 T = c.integrate(S, X, [0, 1.0])
 DS = c.to_dataset(T)
 sec = c.poincare_section(S, "gamma_3", 0.0)
-AXES = [c.analysis.scans.Axis(name, 1.0, 2.0, 3) for name in ("I_1", "I_2")]
-GRID = c.analysis.scans.scan_grid(S, *AXES, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
-RETURNS = c.analysis.orbits.ReturnMap(c.PoincareMap(S, sec))
+AXES = [flowlanes.scans.Axis(name, 1.0, 2.0, 3) for name in ("I_1", "I_2")]
+GRID = flowlanes.scans.scan_grid(S, *AXES, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+RETURNS = flowlanes.orbits.ReturnMap(c.PoincareMap(S, sec))
 
 #: A call with one argument left out, and values of it that are mistakes.
 MISTAKES: tuple[tuple[Any, ...], ...] = (
     (EXP.path, object()),
     (lambda v: EXP.where("body", v), 1),
     (lambda v: c.measure_exists(source=v), "ball"),
-    (c.core.unit_vector, 4),
+    (flowlanes.system.unit_vector, 4),
     (c.Ball, "1", None, -1, nan, [1.0], np.array([1.0, 2.0]), 1j),
     (lambda v: c.Ball(1.0, centre=v), (0, 0), "up"),
     (lambda v: c.Ball(1.0, v), "yes"),
@@ -186,8 +189,8 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (lambda v: c.write(DS, v), "a.txt", "/none/a.nc", None, "dir.nc"),
     (c.to_dataset, None, "x"),
     (lambda v: c.to_dataset(T, v), "x"),
-    (c.audit, 99, "two"),
-    (lambda v: c.audit(2, workers=v), "x"),
+    (borisov_mamaev_2008.audit.audit, 99, "two"),
+    (lambda v: borisov_mamaev_2008.audit.audit(2, workers=v), "x"),
     (c.coordinates, 3, None),
     (lambda _: c.coordinates(), None),
     (lambda v: c.coordinates(x, v), x),
@@ -240,41 +243,41 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (lambda v: c.PoincareMap(S, sec, until=v), nan),
     (lambda v: c.PoincareMap(S, sec)(v), "x"),
     (lambda v: c.PoincareMap(S, sec).dimension(v), [None] * 6),
-    (lambda v: c.formulas.Formulas(S, [S.integrals[0].value])(v), 3),
-    (c.core.constant, -1.5),
-    (lambda _: c.control.ControlledSystem(*["x"] * 7), None),
-    (c.analysis.lyapunov.kaplan_yorke, "x"),
-    (lambda v: c.analysis.lyapunov.Megno(None, v), 10.0),
-    (lambda v: c.analysis.lyapunov.Megno(S, v), -10.0),
-    (lambda v: c.analysis.orbits.find_periodic(None, v), X[:6]),
-    (c.analysis.scans.axis, b"x"),
-    (lambda v: c.analysis.scans.Axis("a", 0.0, nan, v), 3),
-    (lambda v: c.analysis.scans.scan_grid(S, None, None, v), {}),
-    (lambda v: c.search.search_request(S, degree=v), "two"),
-    (lambda v: c.search.search_request(S, momenta=v), b"x"),
-    (lambda v: c.flow.level_sampler(S, {"energy": 1.0}, v), 3),
-    (lambda v: c.flow.relative_equilibrium(S, X[:6], digits=v), "x"),
-    (lambda v: c.formulas.ball_values([x], v), {}),
-    (c.explicit.bifurcation_diagram, None),
+    (lambda v: flowlanes.formulas.Formulas(S, [S.integrals[0].value])(v), 3),
+    (flowlanes.system.constant, -1.5),
+    (lambda _: nonholonomic.control.ControlledSystem(*["x"] * 7), None),
+    (flowlanes.lyapunov.kaplan_yorke, "x"),
+    (lambda v: flowlanes.lyapunov.Megno(None, v), 10.0),
+    (lambda v: flowlanes.lyapunov.Megno(S, v), -10.0),
+    (lambda v: flowlanes.orbits.find_periodic(None, v), X[:6]),
+    (flowlanes.scans.axis, b"x"),
+    (lambda v: flowlanes.scans.Axis("a", 0.0, nan, v), 3),
+    (lambda v: flowlanes.scans.scan_grid(S, None, None, v), {}),
+    (lambda v: lawproof.search.search_request(S, degree=v), "two"),
+    (lambda v: lawproof.search.search_request(S, momenta=v), b"x"),
+    (lambda v: flowlanes.flow.level_sampler(S, {"energy": 1.0}, v), 3),
+    (lambda v: flowlanes.flow.relative_equilibrium(S, X[:6], digits=v), "x"),
+    (lambda v: flowlanes.formulas.ball_values([x], v), {}),
+    (nonholonomic.closed_form.bifurcation_diagram, None),
     (lambda v: c.report.figures.state(DS, v), 3),
     (c.report.figures.drift, "x"),
     (lambda v: c.report.figures.relative_drift(DS, v), "enrgy"),
-    (lambda v: c.core.cross(3, v), 4),
-    (c.core.to_components, None),
-    (lambda v: c.core.Vector("a", v), None),
-    (c.catalogue.entry, None),
-    (lambda v: c.catalogue.entry("chaplygin-ball").settings(v), 3),
+    (lambda v: flowlanes.system.cross(3, v), 4),
+    (flowlanes.system.to_components, None),
+    (lambda v: flowlanes.system.Vector("a", v), None),
+    (nonholonomic.catalogue.entry, None),
+    (lambda v: nonholonomic.catalogue.entry("chaplygin-ball").settings(v), 3),
     (lambda v: figure_of_eight(1.0, 1.0, 1.0).places(v), "x"),
     (lambda v: c.System("a", "A", {x: x}, relations=v), (None,)),
-    (lambda v: c.parsing.nearest(None, v), ["a"]),
-    (lambda v: c.parsing.nearest("a", v), None, [b"x"]),
-    (c.formulas.ball, None, "x", 1j),
-    (lambda v: c.formulas.ball_function(None, v), (x,)),
-    (lambda v: c.formulas.ball_function((x,), v), "x"),
-    (lambda v: c.formulas.ball_function((x,), (x,), steps=v), "x"),
-    (lambda v: c.analysis.orbits.multipliers(RETURNS, v, np.eye(6)), np.ones(2)),
-    (lambda v: c.analysis.orbits.multipliers(RETURNS, v, np.eye(6)), np.full(6, np.nan)),
-    (lambda v: c.analysis.orbits.multipliers(RETURNS, np.array(X[:6]), v), np.eye(2)),
+    (lambda v: flowlanes.parsing.nearest(None, v), ["a"]),
+    (lambda v: flowlanes.parsing.nearest("a", v), None, [b"x"]),
+    (flowlanes.formulas.ball, None, "x", 1j),
+    (lambda v: flowlanes.formulas.ball_function(None, v), (x,)),
+    (lambda v: flowlanes.formulas.ball_function((x,), v), "x"),
+    (lambda v: flowlanes.formulas.ball_function((x,), (x,), steps=v), "x"),
+    (lambda v: flowlanes.orbits.multipliers(RETURNS, v, np.eye(6)), np.ones(2)),
+    (lambda v: flowlanes.orbits.multipliers(RETURNS, v, np.eye(6)), np.full(6, np.nan)),
+    (lambda v: flowlanes.orbits.multipliers(RETURNS, np.array(X[:6]), v), np.eye(2)),
     (RETURNS.sizes, np.ones((2, 2)), np.ones((0, 6)), np.ones(6)),
     (lambda _: c.CATALOGUE[None], None),
     (lambda _: c.CATALOGUE[[]], None),
@@ -338,7 +341,7 @@ def _public_functions() -> Iterator[tuple[str, Callable[..., Any]]]:
 
 def test_a_mere_object_is_refused() -> None:
     public = dict(_public_functions())
-    assert {"flowlanes.integrate", "flowlanes.parsing.nearest"} < public.keys()
+    assert {"chaplygin.integrate", "flowlanes.parsing.nearest"} < public.keys()
     assert len(public) > 100
     wrong = [fault for name, function in public.items() if (fault := _accepts(name, function))]
     assert not wrong, "\n".join(wrong)

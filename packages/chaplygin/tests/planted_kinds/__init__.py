@@ -1,1 +1,0 @@
-"""New kinds, each in one file, with no change anywhere else."""
