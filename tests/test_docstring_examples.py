@@ -122,7 +122,7 @@ def names_below(package: Any, seen: set[str]) -> dict[str, Any]:
 OFFERED = {
     name: inspect.unwrap(value)
     for name, value in {
-        **names_below(flowlanes, {"flowlanes"}),
+        **names_below(flowlanes, {"flowlanes", "flowlanes.formulas", "flowlanes.parsing"}),
         **names_below(lawproof, {"lawproof"}),
         **names_below(nonholonomic, {"nonholonomic"}),
         **names_below(chaplygin, {"chaplygin"}),

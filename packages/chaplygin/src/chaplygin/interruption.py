@@ -243,7 +243,7 @@ def _end_children() -> None:
 
 def _remove_partial_files() -> None:
     """Remove partially written files, if there are any."""
-    if f"{__package__}.partial_files" in sys.modules:
+    if "flowlanes.files.partial_files" in sys.modules:
         from flowlanes.files.partial_files import remove_own
 
         remove_own()

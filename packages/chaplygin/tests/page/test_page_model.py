@@ -84,7 +84,9 @@ def test_a_system_without_friction_has_no_modes():
 
 
 def test_live_pages_and_still_figures_have_the_same_colours_of_modes():
-    palette = (Path(__file__).parents[4] / "web/src/page/palette.ts").read_text("utf-8")
+    palette = (Path(__file__).parents[4] / "packages/chaplygin/web/src/page/palette.ts").read_text(
+        "utf-8"
+    )
     day, night = (
         dict(re.findall(r'"?([a-z ]+?)"?: "(#[0-9a-f]{6})"', block))
         for block in re.findall(r"  modes: \{\n(.*?)\n  \},", palette, flags=re.S)

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import chaplygin as ch
-from chaplygin import page as lab
+from chaplygin import server
 from needs import needs
 
 pytestmark = needs("anywidget")
@@ -24,7 +24,7 @@ def study() -> ch.Study:
 def shown(study: ch.Study, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, queue.Queue[Any]]:
     """A widget, and what it sends to its page."""
     sent: queue.Queue[Any] = queue.Queue()
-    made = lab.widget(study)
+    made = server.widget(study)
     monkeypatch.setattr(made, "send", lambda content, buffers=None: sent.put(content))
     return made, sent
 
@@ -41,7 +41,7 @@ def ask(made: Any, sent: queue.Queue[Any], number: int, request: object) -> list
 
 
 def test_the_module_brings_the_front_end_and_a_renderer(study: ch.Study) -> None:
-    made: Any = lab.widget(study)
+    made: Any = server.widget(study)
     assert "ChaplyginLab" in made._esm
     assert made._esm.rstrip().endswith("};")
     assert "export default" in made._esm
@@ -70,9 +70,9 @@ def test_what_a_notebook_cannot_answer_is_refused(
 
 
 def test_a_system_of_the_catalogue_has_a_start_and_others_need_a_study() -> None:
-    made: Any = lab.widget(ch.from_catalogue("veselova", I_1=1.7))
+    made: Any = server.widget(ch.from_catalogue("veselova", I_1=1.7))
     parameters = {p["name"]: p["value"] for p in json.loads(made.page)["parameters"]}
     assert parameters["I_1"] == 1.7
     ball = ch.Body(1.0, (1.0, 1.5, 2.1), ch.Ball(1.0))
     with pytest.raises(ch.InputError, match="give a Study"):
-        lab.widget(ch.roll(ball, ch.Plane(), "marble"))
+        server.widget(ch.roll(ball, ch.Plane(), "marble"))

@@ -6,7 +6,7 @@ Motions, ensembles, Poincaré sections, periodic orbits, Lyapunov exponents and 
 >>> import sympy as sp
 >>> import flowlanes
 >>> x, v = sp.symbols("x v", real=True)
->>> pendulum = flowlanes.System(name="pendulum", field={x: v, v: -sp.sin(x)})
+>>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
 >>> motion = flowlanes.integrate(pendulum, {"x": 1.0, "v": 0.0}, [0.0, 5.0])
 >>> motion["x"].shape
 (2,)

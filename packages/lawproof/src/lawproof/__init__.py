@@ -5,7 +5,7 @@
 >>> import sympy as sp
 >>> x, v = sp.symbols("x v", real=True)
 >>> energy = flowlanes.Integral("energy", v**2 / 2 - sp.cos(x))
->>> pendulum = flowlanes.System(name="pendulum", field={x: v, v: -sp.sin(x)}, laws=[energy])
+>>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)}, laws=[energy])
 >>> lawproof.prove(pendulum, energy).decision
 'proven'
 

@@ -71,7 +71,7 @@ def test_without_the_variable_it_is_the_users_own(monkeypatch, value):
         monkeypatch.delenv("FLOWLANES_CACHE", raising=False)
     else:
         monkeypatch.setenv("FLOWLANES_CACHE", value)
-    assert core_cache.folder() == Path(platformdirs.user_cache_dir("chaplygin"))
+    assert core_cache.folder() == Path(platformdirs.user_cache_dir("flowlanes"))
 
 
 def test_an_entry_is_made_once(place):

@@ -18,7 +18,7 @@ def test_doubles_need_nothing() -> None:
 
 def test_without_heyoka_34_digits_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "heyoka", None)
-    with pytest.raises(PrecisionError, match=r"install chaplygin\[taylor\], or use method 'gauss'"):
+    with pytest.raises(PrecisionError, match=r"install flowlanes\[taylor\], or use method 'gauss'"):
         number_type("quad")
 
 
