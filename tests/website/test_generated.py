@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-import borisov_mamaev_2008
+import borisov_mamaev_2008.audit
 import chaplygin
 from borisov_mamaev_2008 import Claim
 from borisov_mamaev_2008.audit import Judgement

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-import borisov_mamaev_2008
+import borisov_mamaev_2008.audit
 import chaplygin as c
 import flowlanes
 import lawproof
@@ -247,8 +247,8 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (flowlanes.system.constant, -1.5),
     (lambda _: nonholonomic.control.ControlledSystem(*["x"] * 7), None),
     (flowlanes.lyapunov.kaplan_yorke, "x"),
-    (lambda v: flowlanes.lyapunov.Megno(None, v), 10.0),
-    (lambda v: flowlanes.lyapunov.Megno(S, v), -10.0),
+    (lambda v: flowlanes.lyapunov.megno(None, v), 10.0),
+    (lambda v: flowlanes.lyapunov.megno(S, v), -10.0),
     (lambda v: flowlanes.orbits.find_periodic(None, v), X[:6]),
     (flowlanes.scans.axis, b"x"),
     (lambda v: flowlanes.scans.Axis("a", 0.0, nan, v), 3),

@@ -186,7 +186,7 @@ def audit(
 
     Examples
     --------
-    >>> import borisov_mamaev_2008
+    >>> import borisov_mamaev_2008.audit
     >>> judgements, left = borisov_mamaev_2008.audit.audit(section=11, workers=1)
     >>> sorted({judgement.printed.decision for judgement in judgements}), left
     (['proven', 'proven where', 'refuted'], 0)

@@ -10,6 +10,7 @@ from sympy.matrices.expressions import Identity, MatAdd, MatMul, MatrixExpr
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
+from ..arguments import arguments_checked
 from ..errors import InputError
 from ..system.laws import Rate
 from ..system.vector_operators import Gradient
@@ -153,8 +154,10 @@ class _FilePrinter(StrPrinter):
     _print_ImmutableDenseMatrix = _print_DenseMatrix = _print_MatrixBase  # noqa: N815
 
 
+@arguments_checked
 def formula_text(
-    formula: sp.Basic | float, definitions: Mapping[sp.Symbol, sp.Basic] | None = None
+    formula: sp.Basic | sp.MatrixBase | float,
+    definitions: Mapping[sp.Symbol, sp.Basic] | None = None,
 ) -> str:
     """A formula as a user would type it, its numbers exact.
 
@@ -167,7 +170,8 @@ def formula_text(
     Raises
     ------
     InputError
-        If a part of the formula has no form in a file, such as an unspecified function.
+        If an argument is of another type, or a part of the formula has no form in a file, such as
+        an unspecified function.
 
     Examples
     --------
