@@ -16,7 +16,7 @@ __all__ = ["Case", "Claim", "Finding", "Remark", "claims", "remarks"]
 
 
 def _modules() -> dict[str, int]:
-    """Modules of claims in reading order, each with the section of the paper it belongs to."""
+    """Modules of claims in reading order, each with its section of the paper."""
     folders = pkgutil.walk_packages(__path__, f"{__name__}.")
     names = sorted(m.name for m in folders if not m.ispkg and ".section_" in m.name)
     return {name: int(name.split(".section_")[1][:2]) for name in names}

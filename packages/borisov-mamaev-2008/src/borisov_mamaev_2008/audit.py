@@ -1,7 +1,7 @@
 """The audit of the paper: every claim judged as printed, and as corrected.
 
-Claims are judged in parallel processes; verdicts are stored, so that an interrupted audit resumes
-and a second one takes seconds.
+Claims are judged in parallel processes.  Verdicts are stored, so an interrupted audit resumes, and
+a second one takes seconds.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from ._version import __version__
 THOROUGH = 4 * EFFORT
 """Term operations that the proof of one claim may take."""
 
-#: What may come of a claim, in the order in which it is counted.
+#: Possible outcomes of a claim, in the order in which they are counted.
 DECISIONS: tuple[Decision, ...] = ("proven", "proven where", "refuted", "undecided")
 
 
@@ -43,7 +43,7 @@ DECISIONS: tuple[Decision, ...] = ("proven", "proven where", "refuted", "undecid
 class Judgement:
     """A claim with the verdicts on its printed and its corrected form.
 
-    `corrected` is None where the printed form holds, and where no right form is known.
+    `corrected` is None if the printed form holds, or if no correct form is known.
     """
 
     section: int
@@ -65,7 +65,7 @@ class Judgement:
         return "; ".join(dict.fromkeys(reason for reason in reasons if reason))
 
     def record(self) -> dict[str, Any]:
-        """The judgement for another program; formulas in LaTeX between dollar signs."""
+        """The judgement as data; formulas in LaTeX between dollar signs."""
         table: dict[str, Any] = {
             "source": self.claim.source,
             "statement": self.claim.statement,
@@ -138,7 +138,7 @@ def _verdict_on(claim: Claim, form: str, decide: Callable[[], Case]) -> Verdict:
 
 
 def judge(number: int, section: int | None) -> tuple[Verdict, Verdict | None]:
-    """Verdicts on the printed and the corrected form of one claim."""
+    """Judge the printed and the corrected form of one claim."""
     _, claim = claims(section)[number]
     printed = _verdict_on(claim, "printed", claim.printed)
     if claim.corrected is None:
@@ -224,7 +224,7 @@ def _judge_in_turn(
     total: int,
     report: Callable[[float], None],
 ) -> int:
-    """Fill `verdicts`; the number left undone by an interruption."""
+    """Fill `verdicts`; return the number left by an interruption."""
     try:
         for number in waiting:
             verdicts[number] = judge(number, section)
@@ -242,7 +242,7 @@ def _judge_in_processes(
     total: int,
     report: Callable[[float], None],
 ) -> int:
-    """Fill `verdicts`; the number left undone by an interruption."""
+    """Fill `verdicts`; return the number left by an interruption."""
     context = get_context("spawn")
     pool = ProcessPoolExecutor(workers, mp_context=context, initializer=follow_parent)
     try:
@@ -276,7 +276,7 @@ def _judgement(
 
 
 def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
-    """Numbers of claims with each of `DECISIONS`, as printed and as corrected."""
+    """The number of claims with each of `DECISIONS`, as printed and as corrected."""
     table: dict[str, dict[Decision, int]] = {
         form: dict.fromkeys(DECISIONS, 0) for form in ("printed", "corrected")
     }
@@ -288,7 +288,7 @@ def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
 
 
 def judged_findings(remark: Remark) -> tuple[tuple[Finding, Verdict], ...]:
-    """What is decided here of an open question, with the verdicts, which are stored."""
+    """The decisions on an open question, with their verdicts, which are stored."""
     return tuple(
         (
             finding,
@@ -301,7 +301,7 @@ def judged_findings(remark: Remark) -> tuple[tuple[Finding, Verdict], ...]:
 
 
 def remarks_by_section(section: int | None = None) -> dict[int, tuple[Remark, ...]]:
-    """The statements that were not computed, of one section or of each that has any."""
+    """The statements that were not computed, of one section or of all."""
     numbers = TITLES if section is None else (section,)
     return {number: found for number in numbers if (found := remarks(number))}
 

@@ -1,6 +1,6 @@
 """Claims of the paper: the printed and the corrected form, and their decisions.
 
-How a printed statement is read, of every claim alike:
+Rules by which every printed statement is read:
 
 1. Words and formulas are judged as they stand. A lost "not", a sign, an index, another letter:
    what they state is what is decided.
@@ -26,7 +26,8 @@ from flowlanes.system.laws import Law
 from flowlanes.system.system import System
 from lawproof.proof.verdict import Decision, Verdict
 
-#: A system with a law of it, several such pairs that must all hold, or a verdict computed directly.
+#: A system with one of its laws, several such pairs that must all hold, or a verdict computed
+#: directly.
 Case: TypeAlias = tuple[System, Law] | tuple[tuple[System, Law], ...] | Verdict
 
 
@@ -78,7 +79,7 @@ class Claim:
     where: tuple[str, ...] = ()
 
     def under_conditions(self, verdict: Verdict) -> Verdict:
-        """A verdict on a form of the claim, under the conditions of the claim.
+        """A verdict on a form of the claim, subject to the conditions of the claim.
 
         Parameters
         ----------
@@ -134,7 +135,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class Remark:
-    """A statement of the paper that was not computed: literature, history or judgement.
+    """A statement of the paper that was not computed: literature, history or opinion.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""Computations that several claims of Borisov and Mamaev (2008) share."""
+"""Computations shared by several claims of Borisov and Mamaev (2008)."""

@@ -1,4 +1,4 @@
-"""From a few coordinates to any number of them.
+"""Generalise from a few coordinates to any number of them.
 
 Let both sides of a formula be sums over k indices, each running from 1 to n, of products of
 functions, their derivatives and free rates, every index of the sum standing at one factor at least.

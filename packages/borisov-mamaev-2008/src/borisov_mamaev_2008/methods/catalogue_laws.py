@@ -1,4 +1,4 @@
-"""Laws of systems by their names, and as the paper prints them."""
+"""Laws of systems by name, and as the paper prints them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Verdicts that follow from a computation, from several others, or from what contradicts them."""
+"""Verdicts derived from a computation, from other verdicts, or from a contradicting statement."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def computed_verdict(
     decision: Decision = "proven",
     **details: Any,
 ) -> Verdict:
-    """The verdict of a computation: `decision` if it holds, else undecided, with a reason."""
+    """The verdict of a computation: `decision` if it holds, otherwise undecided, with a reason."""
     result: Decision = decision if holds else "undecided"
     return Verdict(name, result, finding=finding, reason="" if holds else otherwise, **details)
 
@@ -29,7 +29,7 @@ def computed_verdict(
 def conclusion_verdict(
     name: str, finding: str, rests_on: Iterable[Verdict | tuple[System, Law]]
 ) -> Verdict:
-    """Proven when everything that the conclusion rests on is.
+    """Proven if all premisses of the conclusion are proven.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ _OPPOSITE: dict[Decision, Decision] = {
 
 
 def contrary(verdict: Verdict) -> Verdict:
-    """The verdict on the opposite statement.
+    """The verdict on the negated statement.
 
     The text and the witness, if there is one, are kept.  A statement proven only under conditions
     does not decide the opposite.

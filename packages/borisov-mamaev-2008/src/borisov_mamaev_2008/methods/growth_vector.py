@@ -1,4 +1,4 @@
-"""The span of vector fields and their commutators, and the verdict on a claim about it."""
+"""The span of vector fields and their commutators, and verdicts on claims about it."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ def growth(
     coordinates: Sequence[sp.Symbol],
     point: Mapping[sp.Symbol, sp.Expr],
 ) -> tuple[int, ...]:
-    """Growth vector of a distribution, with its last entry twice."""
+    """Growth vector of a distribution, with its last entry repeated."""
     counts = mechanics.growth(fields, coordinates, point)
     return (*counts, counts[-1])
 
 
 def holonomic_count_verdict(claim: int, counts: tuple[int, ...], dimension: int) -> Verdict:
-    """The verdict on a number of holonomic constraints, from the growth of a distribution.
+    """The verdict on a claimed number of holonomic constraints, from the growth of a distribution.
 
     A function F with η(F) = 0 for every admissible field has dF annul their commutators too, so
     that there are as many independent ones as the dimension exceeds that of the span.

@@ -1,4 +1,4 @@
-"""Marble bodies of revolution: any, and those with an elementary integral linear in ω (§3.2, §5).
+"""Marble bodies of revolution: general ones, and those with an elementary integral linear in ω.
 
 With the height p(γ₃) of the centre of mass above the plane, the radii of curvature ρ₁ of the
 meridian and ρ₂ across it, r₃ and ξ² = r₁² + r₂², let the profile obey
@@ -24,7 +24,7 @@ from nonholonomic.mechanics.shapes.revolution import Revolution
 
 M, omega, gamma, r = vectors("M omega gamma r")
 m, I_1, I_2, I_3 = (real_symbol(s) for s in ("m", "I_1", "I_2", "I_3"))
-#: The names that the mechanics gives to the support function and its derivatives.
+#: The names used by the mechanics for the support function and its derivatives.
 height, slope, bend = real_symbol("p"), real_symbol("pprime"), real_symbol("pprime2")
 g_1, g_2, g_3 = gamma.symbols
 LEAN = 1 - g_3**2
@@ -48,7 +48,7 @@ def any_body() -> System:
 
 
 def _with_some_profile(potential: sp.Expr) -> System:
-    """A body of revolution, whose profile is to be replaced."""
+    """A body of revolution with a placeholder profile."""
     some = Revolution(1 + g_3**2 / 4)
     system = roll(Body(1.0, (0.3, 0.3, 0.2), some), field=Forces(9.81, potential))
     return replace(system, guards=(), observables=(), reconstruction=None, laws=())

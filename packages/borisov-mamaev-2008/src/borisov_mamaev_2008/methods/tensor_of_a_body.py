@@ -1,4 +1,4 @@
-"""Systems whose moments of inertia are those of a body: none exceeds the sum of the others."""
+"""Restrict the moments of inertia of a system to those of a body (triangle inequalities)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from flowlanes.system.system import System
 
 
 def with_tensor_of_a_body(system: System, moments: tuple[sp.Symbol, ...]) -> System:
-    """The system, with its moments of inertia confined to those that a body can have.
+    """The system with its moments of inertia restricted to those that a body can have.
 
     Parameters
     ----------

@@ -38,7 +38,7 @@ def fields(names: str, variables: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Exp
 
 
 def system(name: str, title: str, field: NamedFormulas, **more: Any) -> System:
-    """A System that is constructed for a proof alone."""
+    """A System that is constructed only for a proof."""
     return System(name=name, title=title, field=field, **more)
 
 

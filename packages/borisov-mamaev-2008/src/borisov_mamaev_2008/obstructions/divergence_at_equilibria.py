@@ -19,7 +19,7 @@ Point = Mapping[sp.Symbol, sp.Expr]
 
 
 def _jets(system: System, point: Point) -> tuple[dict[sp.Symbol, sp.Expr], dict[sp.Symbol, Point]]:
-    """Values of state, parameters and definitions, and their derivatives by the state."""
+    """Values of state, parameters and definitions, with their derivatives by the state."""
     values = dict(point)
     slopes: dict[sp.Symbol, Point] = {s: {s: sp.S.One} for s in system.symbols}
     for symbol, formula in system.scalar_definitions:

@@ -29,9 +29,9 @@ CASE: Case = (("0.5", "2.75", "2.8"), ("0.05", "-0.1", "0.15"), "0.95")
 #: α at which the displacement is negative and positive.
 BELOW, ABOVE = Fraction(13, 5), Fraction(11, 2)
 STEPS = 1500
-#: Of the numbers with which the polygons are computed.
+#: Precision of the polygons in bits.
 BITS = 64
-#: A bound of f that the boxes are checked against.
+#: A bound of f that is verified on the boxes.
 STEEPEST = 8
 
 
@@ -53,7 +53,7 @@ def _slope(alpha: arb, beta: arb, case: Case) -> arb:
 
 
 def displacement(start: Fraction, upwards: bool, case: Case = CASE, steps: int = STEPS) -> arb:
-    """A bound of α after one turn of β from zero, less its start and two turns.
+    """A bound of α after one turn of β from zero, minus its start and two turns.
 
     Parameters
     ----------

@@ -47,7 +47,7 @@ def _operator(value: sp.Expr, first: sp.Expr, second: sp.Expr) -> sp.Expr:
 
 
 def normal_equation() -> tuple[sp.Expr, sp.Expr]:
-    """Two formulas that vanish, by the equations of (9.16): what gives y_φ and y_φφ.
+    """Two formulas that vanish by the equations of (9.16): they determine y_φ and y_φφ.
 
     γ = (cos φ, sin φ, 0), M = (0, 0, −φ′), and a variation δγ₃ = y, δM₁, δM₂ with
     δγ₃′ = γ₁δM₂ − γ₂δM₁ that keeps (M, γ) = 0.
@@ -62,7 +62,7 @@ def normal_equation() -> tuple[sp.Expr, sp.Expr]:
     grown = speed * slope
     across = (-sine * grown + cosine * speed * y, cosine * grown + sine * speed * y)
     change = rates.jacobian(state).xreplace(place) * sp.Matrix([*across, 0, 0, 0, y])
-    # the variation of γ₃′ is the growth assumed, whose rate along the motion gives y_φφ
+    # The variation of γ₃′ is the assumed growth, whose rate along the motion gives y_φφ.
     turned = cosine * change[1] - sine * change[0] - speed * (sine * across[1] + cosine * across[0])
     second = (turned - speed * sp.diff(speed, phi) * slope) / speed**2
     return sp.simplify(change[5] - grown), sp.simplify(_operator(y, slope, second))

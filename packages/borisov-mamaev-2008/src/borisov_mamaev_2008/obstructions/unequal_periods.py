@@ -51,7 +51,7 @@ BALL: BallNumbers = (("0.2", "2", "2.1"), "5")
 #: Two values of e; the resonant torus lies between them.
 BETWEEN = ("1.20074", "1.20075")
 STEPS, ORDER = 64, 12
-#: A bound of dβ/dα that the boxes are checked against.
+#: A bound of dβ/dα that is verified on the boxes.
 STEEPEST = 8
 PRECISION = 128
 

@@ -1,1 +1,1 @@
-"""What is decided of the open problems of §12: findings, and where they are computed."""
+"""Decisions on the open problems of §12: findings, and their computations."""

@@ -1,6 +1,6 @@
-"""What is decided here of questions that the paper leaves open, by the rows of open-problems.md.
+"""Decisions on questions that the paper leaves open, by the rows of open-problems.md.
 
-Remarks of the audit refer to findings, the audit judges them as it does claims, and
+Remarks of the audit refer to findings.  The audit judges them like claims, and
 docs/open-problems.md quotes their statements and decisions.
 """
 
@@ -17,14 +17,14 @@ from .lost_integral import integral_of
 
 
 def _laws(name: str, *kinds: type, dimension: int | None = None) -> tuple[tuple[System, Law], ...]:
-    """The laws of these kinds of a system of the catalogue."""
+    """The laws of given kinds of a catalogue system."""
     numbers = {} if dimension is None else {"dimension": dimension}
     system = CATALOGUE[name].system(numbers)
     return tuple((system, law) for law in system.laws if isinstance(law, kinds))
 
 
 def measures_of_several_dimensions() -> Case:
-    """Those of the marble ball and the Veselova system, by theorems for every n."""
+    """The measures of the marble ball and the Veselova system, by theorems for every n."""
     names = ("chaplygin-ball-nd", "veselova-nd")
     return tuple(case for name in names for case in _laws(name, Measure, dimension=4))
 

@@ -1,4 +1,4 @@
-"""Whether the Poisson bracket of a rolling ball can be lifted to its whole attitude: exactly.
+"""Decide exactly whether the Poisson bracket of a rolling ball lifts to its whole attitude.
 
 A ball in a ball bearing has the momentum M = Bω, B = I + tr P − P, P = Σ D a⊗a over the directions
 a of its supports, fixed in space; the Chaplygin ball is the case P = D γ⊗γ.  Sought is a
@@ -79,7 +79,7 @@ def unknowns(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> 
 
 
 def lifts(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> bool:
-    """Whether the equations have a solution at :data:`ATTITUDE`; if not, no bracket is lifted.
+    """Whether the equations have a solution at :data:`ATTITUDE`; if not, no bracket lifts.
 
     Examples
     --------

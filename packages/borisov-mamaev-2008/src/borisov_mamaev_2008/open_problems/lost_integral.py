@@ -1,4 +1,4 @@
-"""The quadratic integral that rotors and Bruns' field keep apart and lose together.
+"""The quadratic integral preserved by rotors and by Bruns' field separately, but not by both.
 
 For the Chaplygin ball, F = |M + k|² − K det J (γ, J⁻¹γ) is an integral for K = 0 (Markeev) and for
 k = 0 (Kozlov).  With both its rate is 2K(k, γ×Iγ): proven as an identity, and F refuted at a point.
@@ -59,6 +59,6 @@ def cases() -> dict[str, tuple[System, sp.Expr, sp.Expr]]:
 
 
 def integral_of(name: str) -> tuple[System, Integral]:
-    """The integral of one of `cases`, with rotors and field together."""
+    """The integral of one of `cases`, with both rotors and field."""
     system, value, _ = cases()[name]
     return system, Integral("lost", value)

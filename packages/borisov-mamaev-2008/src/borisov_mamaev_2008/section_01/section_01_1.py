@@ -1,8 +1,8 @@
 """§1.1: nonholonomic constraints and Ferrers' equations.
 
-Computed with three coordinates, two constraints and everything unspecified: the matrix A(q) of the
-kinetic energy, the constraints a(q), b(q), and the forces Q(q, v).  Each claim says what carries
-this over to n coordinates and m constraints.
+Computed with three coordinates and two constraints, with everything else unspecified: the matrix
+A(q) of the kinetic energy, the constraints a(q), b(q), and the forces Q(q, v).  Each claim states
+the argument that extends it to n coordinates and m constraints.
 """
 
 from __future__ import annotations
@@ -134,13 +134,13 @@ def virtual_work() -> Case:
     return ferrers(), Identity("virtual_work", dot(balance, cross(a_1, a_2)))
 
 
-def degree_printed() -> Case:
+def kinetic_energy_degree_printed() -> Case:
     """T is homogeneous of degree two for A(q̇)."""
     return _degree(_matrix(v))
 
 
-def degree() -> Case:
-    """The statement for A(q)."""
+def kinetic_energy_degree() -> Case:
+    """T is homogeneous of degree two, for A(q)."""
     return _degree(MATRIX)
 
 
@@ -199,7 +199,7 @@ RATE_OF_CONSTRAINT = (
     r"\mathbf p) + (\dot{\mathbf q}, \partial f_\mu/\partial\mathbf q)$, since $\mathbf A$ is "
     "symmetric"
 )
-#: What (1.5) needs to have one solution.
+#: Conditions under which (1.5) has a unique solution.
 REGULAR = ("the constraints are independent and T is positive definite",)
 
 CLAIMS = (
@@ -229,8 +229,8 @@ CLAIMS = (
         r"the kinetic energy $T=\frac12(\dot{\mathbf q},\mathbf A(\mathbf q)\dot{\mathbf q})$ is a "
         r"homogeneous quadratic form of generalized velocities, where $\mathbf A(\dot{\mathbf q})$ "
         "is a symmetric matrix",
-        degree_printed,
-        degree,
+        kinetic_energy_degree_printed,
+        kinetic_energy_degree,
         r"where $\mathbf A(\mathbf q)$ is a symmetric matrix",
         "A must not depend on the velocities: then T is not a quadratic form (Euler's identity "
         "fails)",

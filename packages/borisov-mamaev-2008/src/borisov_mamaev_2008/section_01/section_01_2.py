@@ -44,7 +44,7 @@ def frame() -> sp.ImmutableDenseMatrix:
 
 @cache
 def motion() -> System:
-    """Any curve, by its velocity w in the frame."""
+    """An arbitrary curve, by its velocity w in the frame."""
     return _motion(frame())
 
 

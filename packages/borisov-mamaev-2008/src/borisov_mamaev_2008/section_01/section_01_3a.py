@@ -48,7 +48,7 @@ Q = sp.ImmutableDenseMatrix.hstack(*(to_components(u) for u in DIRECTIONS))
 
 @cache
 def body() -> System:
-    """A body in space that moves with any ω and v."""
+    """A body in space that moves with arbitrary ω and v."""
     return moving()
 
 
@@ -98,7 +98,7 @@ def rational_rotation() -> sp.ImmutableDenseMatrix:
 
 
 def turning() -> Case:
-    """The rate of any function of the attitude is Σ ω_k ξ_k of it."""
+    """The rate of any function of the attitude is Σ ω_k ξ_k applied to it."""
     function = sp.Function("h_f")(*COORDINATES[:9])
     total = sp.Add(*(w * lie_derivative(rotation_field(k), function) for k, w in enumerate(omega)))
     return body(), Identity("turning", Rate(function) - total)
@@ -111,7 +111,7 @@ def shifting_printed() -> Case:
 
 
 def shifting() -> Case:
-    """The rate of R is Σ v_k ζ_k of it."""
+    """The rate of any function of R is Σ v_k ζ_k applied to it."""
     fields = [_multiple(translation_field(k), w) for k, w in enumerate(v)]
     total = [sp.Add(*(field[symbol] for field in fields)) for symbol in R]
     return body(), Identity("shifting", rate(R) - constant(total))
@@ -158,7 +158,7 @@ def no_slip() -> Case:
 
 
 def inward_normal() -> Case:
-    """γ = −∇f/|∇f| for any f: a unit vector across the motions on f = 0, along which f falls."""
+    """γ = −∇f/|∇f| for any f: a unit vector normal to f = 0, in the direction of decreasing f."""
     surface = sp.Function("f_s")(*r.symbols)
     slope = gradient(surface, r)
     length = sp.sqrt(norm_squared(slope))

@@ -53,13 +53,13 @@ COUPLE = cross(gamma, gradient(POTENTIAL, gamma)) + cross(r, lambda_) + lambda_0
 
 @cache
 def free_with_reactions() -> System:
-    """The body of (1.17), with reactions of any value."""
+    """The body of (1.17), with arbitrary reactions."""
     return constrained()
 
 
 @cache
 def touching() -> System:
-    """A body in contact that moves in any way."""
+    """A body in contact with arbitrary motion."""
     return any_motion()
 
 
@@ -144,7 +144,7 @@ def contact_tensor() -> Case:
 
 
 def spin_torque() -> Case:
-    """With (1.19), (1.18) keeps (ω, γ), whatever symmetric tensor and bracket it contains."""
+    """With (1.19), (1.18) preserves (ω, γ) for every symmetric tensor and bracket."""
     system = driven(cross(gamma, omega), sp.S.Zero)
     return system, Identity("spin", Rate(dot(omega, gamma)))
 
@@ -197,7 +197,7 @@ def evolution() -> Case:
 
 
 def not_of_reactions() -> Verdict:
-    """λ₀ is no function of ω and λ: a rubber ball at rest, m = b = 1, in two attitudes.
+    """λ₀ is not a function of ω and λ: a rubber ball at rest, m = b = 1, in two attitudes.
 
     For ω = 0 the first equation of (1.17) is λ = ω̇×γ, so that ω̇ = γ×λ, and (1.18) is
     Ĩω̇ = τ + λ₀γ with Ĩ = I + E − γ⊗γ and a couple τ across γ, which a potential can have at

@@ -29,7 +29,7 @@ def _kernel() -> int:
 
 
 def kernel_printed() -> Verdict:
-    """dim Ker J = m = 2 for (3.8)."""
+    """The printed claim dim Ker J = m = 2 for (3.8)."""
     return Verdict(
         "kernel",
         "proven" if _kernel() == 2 else "refuted",
@@ -39,7 +39,7 @@ def kernel_printed() -> Verdict:
 
 
 def kernel_corrected() -> Verdict:
-    """dim Ker J > m."""
+    """The corrected claim dim Ker J > m."""
     return Verdict(
         "kernel",
         "proven" if _kernel() > 2 else "refuted",

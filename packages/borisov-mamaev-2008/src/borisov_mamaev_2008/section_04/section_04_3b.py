@@ -77,8 +77,8 @@ def legendre() -> Case:
     return dynamics, Reduction("legendre", momenta, equations)
 
 
-def linear() -> Case:
-    """A_i = Σ_j a_j (m⁻¹)_ji, B = b − (A, l)."""
+def coefficients_of_s() -> Case:
+    """The coefficients of (4.7): A_i = Σ_j a_j (m⁻¹)_ji, B = b − (A, l)."""
     dynamics, momenta, turning = _lagrangian()
     a_1, a_2, m11, m12, m22, l1, l2, b = unspecified_functions("a1 a2 m11 m12 m22 l1 l2 b", *q)
     first, second = a_1 * m11 + a_2 * m12, a_1 * m12 + a_2 * m22
@@ -255,7 +255,7 @@ CLAIMS = (
         "(4.7), S",
         r"$S = a_1\dot q_1 + a_2\dot q_2 + b = A_1(\mathbf{q})P_1 + A_2(\mathbf{q})P_2 + "
         r"B(\mathbf{q})$",
-        linear,
+        coefficients_of_s,
         note="A = m⁻¹a, B = b − (A, l)",
     ),
     Claim(

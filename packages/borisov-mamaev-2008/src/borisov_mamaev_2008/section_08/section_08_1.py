@@ -127,8 +127,8 @@ def radii(body: sp.Expr) -> Case:
     )
 
 
-def linear(shift: sp.Expr) -> Case:
-    """(AM, n) with A_i = ½ (ΣI + shift) − I_i, at k = −1."""
+def linear_integral(shift: sp.Expr) -> Case:
+    """The integral (AM, n) with A_i = ½ (ΣI + shift) − I_i, at k = −1."""
     tensor = (sp.Add(*I.symbols) + shift) / 2 * identity - I
     law = Integral("linear", dot(tensor * M, n), "linear integral", on=(k + 1,))
     return ball.equations_on_sphere(), law
@@ -208,8 +208,8 @@ CLAIMS = (
         r"For $k = -1$ there is the integral $F_2 = (\mathbf{A}\mathbf{M}, \mathbf{n})$ with "
         r"$\mathbf{A} = \text{diag}(\frac{1}{2}(-I_1 + I_2 + I_3), \frac{1}{2}(I_1 - I_2 + I_3), "
         r"\frac{1}{2}(I_1 + I_2 - I_3))$.",
-        lambda: linear(sp.S.Zero),
-        lambda: linear(d),
+        lambda: linear_integral(sp.S.Zero),
+        lambda: linear_integral(d),
         r"$\mathbf{A} = \text{diag}(\frac{1}{2}(-J_1 + J_2 + J_3), \frac{1}{2}(J_1 - J_2 + J_3), "
         r"\frac{1}{2}(J_1 + J_2 - J_3))$, $J_i = I_i + d$",
         "I stands for J = I + d",

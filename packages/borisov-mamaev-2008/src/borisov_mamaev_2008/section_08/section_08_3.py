@@ -29,7 +29,7 @@ s_1, s_2, P_1, P_2 = (real_symbol(name) for name in ("s_1", "s_2", "P_1", "P_2")
 
 @dataclass(frozen=True)
 class Turned:
-    """i^turns times a real formula."""
+    """A real formula times i^turns."""
 
     turns: int
     real: sp.Expr
@@ -236,7 +236,7 @@ def discriminant(alpha: sp.Expr) -> Case:
 
 
 def function(square: sp.Expr, factor: sp.Expr) -> Identity:
-    """(8.12) with 2ε²β or what stands for it, and a factor, against Liouville's form."""
+    """(8.12) with a given value of 2ε²β and a factor, against Liouville's form."""
     beta, gamma, epsilon = letters()
     z, d = chart.variable(chart.u[0]), chart.d
     cubic = 8 * z**3 + 8 * (d - epsilon) * z**2 + (square - 4 * d * epsilon) * z
@@ -245,13 +245,13 @@ def function(square: sp.Expr, factor: sp.Expr) -> Identity:
     return Identity("S", value + 8 * chart.function(chart.u[0]) / gamma, "function S of (8.12)")
 
 
-def printed_function() -> Case:
+def eq_8_12_printed() -> Case:
     """(8.12) as printed, with the sign of the root that belongs to the motion."""
     beta, _, epsilon = letters()
     return chart.coordinates_around_sphere(), function(2 * epsilon**2 * beta, sp.S.One)
 
 
-def right_function() -> Case:
+def eq_8_12_corrected() -> Case:
     """The separation of the ball, and (8.12) as the function of its Liouville form."""
     system = chart.coordinates_around_sphere()
     beta, _, epsilon = letters()
@@ -259,8 +259,8 @@ def right_function() -> Case:
     return ((ball.vanishing_area(), chart.of_ball()), *((system, law) for law in laws))
 
 
-def without_mass() -> Case:
-    """The function for d = 0."""
+def eq_8_12_without_mass() -> Case:
+    """The function (8.12) for d = 0."""
     beta, gamma, epsilon = letters()
     z = chart.variable(chart.u[0])
     first = 16 * sp.Mul(*(z - j for j in chart.J.symbols)) / (gamma * (2 * z - epsilon) ** 2)
@@ -345,8 +345,8 @@ CLAIMS = (
         "(8.12)",
         r"$S(x) = \frac{2(8x^3 + 8(d - \epsilon)x^2 + (2\epsilon^2\beta - 4d\epsilon)x - 4\gamma - "
         r"d\beta + \sqrt{\Delta})}{\gamma(2x - \epsilon + 2d)^2}$.",
-        printed_function,
-        right_function,
+        eq_8_12_printed,
+        eq_8_12_corrected,
         r"$S(x) = \frac{2\Delta(8x^3 + 8(d - \epsilon)x^2 + (2\epsilon^2 - \beta - 4d\epsilon)x - "
         r"4\gamma - d\beta + \sqrt{\Delta})}{\gamma(2x - \epsilon + 2d)^2}$ with the branch "
         r"$\sqrt{\Delta} = -4Q\frac{dx}{d\zeta}$",
@@ -358,7 +358,7 @@ CLAIMS = (
         "§8.3, S for d = 0",
         r"If $d = 0$, $S(x) = 16 \frac{(x - J_1)(x - J_2)(x - J_3)}{J_1J_2J_3(2x - J_1 - J_2 - "
         r"J_3)^2} (x(J_1^2 + J_2^2 + J_3^2 - 2J_1J_2 - 2J_2J_3 - 2J_3J_1) + 4J_1J_2J_3)^2$.",
-        without_mass,
+        eq_8_12_without_mass,
         note="with the normalisation of (8.12)",
     ),
     Claim(

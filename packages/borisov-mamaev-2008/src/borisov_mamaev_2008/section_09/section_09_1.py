@@ -118,8 +118,8 @@ def radii() -> Case:
     return system, Identity("ratio", k + 1, "ratio k of a hollow ball", on=(R - 2 * a,))
 
 
-def around() -> Case:
-    """k = −1: (9.4)."""
+def eq_9_4_integral() -> Case:
+    """(9.4), the integral at k = −1."""
     return ratio.rolling(), ratio.AROUND
 
 
@@ -221,7 +221,7 @@ CLAIMS = (
         r"\mathbf J\boldsymbol\omega)\mathbf n^2 + \det\mathbf J(\boldsymbol\omega,"
         r"\mathbf J\boldsymbol\omega)(\mathbf J^{-1}\mathbf n,\mathbf J^{-1}\mathbf n)}"
         r"{(\mathbf n,\mathbf J^{-1}\mathbf n)}$.",
-        around,
+        eq_9_4_integral,
     ),
     Claim(
         "§9.2, 2) one more integral is enough",

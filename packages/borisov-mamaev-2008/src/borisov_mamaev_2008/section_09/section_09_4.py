@@ -47,7 +47,7 @@ M_RATE, GAMMA_RATE = (constant([Rate(s) for s in vector.symbols]) for vector in 
 # --- §9.4 ----------------------------------------------------------------------------------
 
 ANY_F, ANY_G = sp.Function("F")(*M.symbols), sp.Function("G")(*gamma.symbols)
-#: H̃ of (9.16), with h a number of its own.
+#: H̃ of (9.16), with a separate symbol h for the value of the energy.
 REGULAR = ANY_F - h / ANY_G
 
 

@@ -1,4 +1,4 @@
-"""§12: open problems, as far as something is claimed of them."""
+"""§12: the claims made in connection with the open problems."""
 
 from __future__ import annotations
 
@@ -174,7 +174,7 @@ def straight_line() -> tuple[tuple[System, Law], ...]:
 
 
 def therefore_conformally_hamiltonian() -> Verdict:
-    """The assertion of Corollary 2 on every such system."""
+    """The assertion of Corollary 2 applied to each of these systems."""
     return contrary(not_hamiltonian())
 
 

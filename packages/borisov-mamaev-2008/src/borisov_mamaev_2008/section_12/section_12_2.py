@@ -1,4 +1,4 @@
-"""§12: what is said of the open problems and not computed, beside the claims."""
+"""§12: statements on the open problems that were not computed."""
 
 from __future__ import annotations
 

@@ -85,8 +85,8 @@ class _LinearRates:
         self.system = system
         self.value = str(mapping(claim_data["law"], what)["value"])
         self.relations = [str(f) for f in as_list(system["relations"], what)]
-        self.velocities = _words(data, "velocities")
-        self.accelerations = _words(data, "accelerations")
+        self.velocities = _names_in_field(data, "velocities")
+        self.accelerations = _names_in_field(data, "accelerations")
         size = len(self.velocities)
         if len(set(self.velocities)) != size or not {*self.velocities} <= {*claim.system.state}:
             raise CheckError(f"{what} are not those of different variables of the state")
@@ -115,7 +115,7 @@ class _LinearRates:
         ]:
             word, formula = items(pair, 2, f"a definition of {what}")
             self.definitions.append((text(word, what), _formula(formula)))
-        self.opaque = set(_words(data, "opaque"))
+        self.opaque = set(_names_in_field(data, "opaque"))
 
     def _positions(self, data: object, what: str) -> dict[int, int | None]:
         """Relations, each with the index of the constraint that is its rate, if any."""
@@ -235,7 +235,7 @@ def _formulas(data: object, size: int | None = None) -> list[str]:
     return [_formula(f) for f in (as_list(data, what) if size is None else items(data, size, what))]
 
 
-def _words(data: Mapping[str, object], key: str) -> list[str]:
+def _names_in_field(data: Mapping[str, object], key: str) -> list[str]:
     what = "the equations of the rates"
     return [text(word, f"the {key} of {what}") for word in as_list(field(data, key, what), what)]
 

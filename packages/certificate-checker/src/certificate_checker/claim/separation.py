@@ -92,7 +92,7 @@ def check_separation(claim: Claim) -> None:
         common = above.gcd(below)
         for poly in (above / common, below / common):
             for factor, _ in poly.factor()[1]:
-                if {*_words(ring, factor)} - still not in ({first}, {second}, set()):
+                if {*_variables_of(ring, factor)} - still not in ({first}, {second}, set()):
                     raise CheckError(f"the rates of {first} and {second} do not separate")
 
 
@@ -130,5 +130,5 @@ def _square(ring: Ring, above: Poly, speed: str, word: str) -> Quotient:
     return (-constant, lead) if degree == 2 else (constant * constant, lead * lead)
 
 
-def _words(ring: Ring, poly: Poly) -> list[str]:
+def _variables_of(ring: Ring, poly: Poly) -> list[str]:
     return [word for word, degree in zip(ring.names, poly.degrees(), strict=True) if degree]

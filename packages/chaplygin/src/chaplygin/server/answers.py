@@ -86,7 +86,7 @@ def _study(task: Assignment) -> Study:
     return study_of(task.request.subject, task.experiment)
 
 
-def _bounded(study: Study) -> Study:
+def _checked_study(study: Study) -> Study:
     """The study, if its motion is short enough to be sent."""
     samples = study.experiment.run.samples
     if samples > MOST_SAMPLES:
@@ -102,14 +102,16 @@ def _open(task: Assignment) -> Answer:
 
     assert isinstance(task.request, Opening)
     yield {"doing": "computing the motion"}
-    yield {"model": laboratory_model(_bounded(_study(task)), task.request.subject.model_dump())}
+    yield {
+        "model": laboratory_model(_checked_study(_study(task)), task.request.subject.model_dump())
+    }
 
 
 def _motion(task: Assignment) -> Answer:
     from ..experiment.study import dataset_of
     from .json_numbers import columns
 
-    study = _bounded(_study(task))
+    study = _checked_study(_study(task))
     dataset = dataset_of(study, study.trajectory())
     yield {"motion": {"times": dataset["time"].values.tolist(), "columns": columns(dataset)}}
 
@@ -120,7 +122,7 @@ def _data(task: Assignment) -> Answer:
 
     request = task.request
     assert isinstance(request, Data)
-    study = _bounded(_study(task))
+    study = _checked_study(_study(task))
     dataset = dataset_of(study, study.trajectory())
     content = netcdf(dataset) if request.format == "nc" else csv_text(dataset).encode()
     name = f"{study.system.name}.{request.format}"

@@ -190,7 +190,7 @@ class BatchIntegrator:
         deviations: npt.ArrayLike | None,
     ) -> tuple[FloatArray, FloatArray]:
         """Initial values with deviations (motions, numbers, words), and parameters in words."""
-        words = reduced_rows(self.system, self._words("starts", starts))
+        words = reduced_rows(self.system, self._as_doubles("starts", starts))
         points = words[..., 0]
         check_state_shape(self.system, points)
         constants = parameter_pairs(self.system, parameters, len(points))[..., : self.words]
@@ -202,7 +202,7 @@ class BatchIntegrator:
                 )
             return np.ascontiguousarray(words), np.ascontiguousarray(constants)
         needed = (len(points), self.deviations, self.size)
-        tangents = self._words("deviations", np.asarray(deviations))
+        tangents = self._as_doubles("deviations", np.asarray(deviations))
         if tangents.shape[:-1] != needed:
             shape = tangents.shape[:-1]
             raise InputError(f"deviations have the shape {shape}; {needed} is needed")
@@ -219,7 +219,7 @@ class BatchIntegrator:
         """Number of doubles that represent one number."""
         return 1 if self.digits == 16 else 2
 
-    def _words(self, name: str, numbers: npt.ArrayLike) -> FloatArray:
+    def _as_doubles(self, name: str, numbers: npt.ArrayLike) -> FloatArray:
         """Add a last axis that holds the doubles of each number."""
         if self.digits == 16:
             words: FloatArray = as_float_array(name, numbers)[..., None]

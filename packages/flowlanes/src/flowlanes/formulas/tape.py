@@ -195,7 +195,7 @@ def _on_circles(value: sp.Expr, angles: Iterable[sp.Expr]) -> sp.Expr:
 
 def _on_circle(value: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
     """An expanded formula without squares of the sine or without those of the cosine."""
-    squares = {p for p in value.atoms(sp.Pow) if p.base in (sine, cosine) and _whole(p.exp)}
+    squares = {p for p in value.atoms(sp.Pow) if p.base in (sine, cosine) and _is_power(p.exp)}
     candidates = [value]
     for one, other in ((sine, cosine), (cosine, sine)):
         table = {
@@ -206,5 +206,5 @@ def _on_circle(value: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
     return min(candidates, key=_operations)
 
 
-def _whole(exponent: sp.Expr) -> bool:
+def _is_power(exponent: sp.Expr) -> bool:
     return bool(exponent.is_Integer and exponent >= 2)

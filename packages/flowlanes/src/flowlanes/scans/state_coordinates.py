@@ -132,7 +132,7 @@ class StateCoordinates:
     def with_fixed(self, values: Mapping[str, float]) -> StateCoordinates:
         """The chart with some coordinates fixed at given values."""
         for name in values:
-            self._place(name)
+            self._row_of(name)
         free = [i for i, name in enumerate(self.names) if name not in values]
 
         def every(points: FloatArray) -> tuple[IntArray, FloatArray]:
@@ -168,7 +168,7 @@ class StateCoordinates:
         InputError
             If there is no such coordinate or integral, or one was solved for already.
         """
-        place = self._place(name)
+        place = self._row_of(name)
         if not self._single:
             raise InputError(f"{self.system.name}: one coordinate can be solved for, not two")
         laws = {law.name: law.value for law in self.system.integrals}
@@ -190,7 +190,7 @@ class StateCoordinates:
 
     # --- inside --------------------------------------------------------------------------------
 
-    def _place(self, name: str) -> int:
+    def _row_of(self, name: str) -> int:
         if name not in self.names:
             raise InputError(
                 f"{self.system.name}: no coordinate {name!r} in this chart; it has "
@@ -358,14 +358,14 @@ class _Search:
         nodes[0], nodes[-1] = 2 * _STEP, 1 - 2 * _STEP
         which, way = crossings(along, count, nodes)
         solved = self._newton_refined(points[:, which], at(which, way)[0])
-        owner, states = chart._every(self._whole(points[:, which], solved))
+        owner, states = chart._every(self._all_coordinates(points[:, which], solved))
         return which[owner], states
 
-    def _whole(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
+    def _all_coordinates(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
         return np.insert(points, self.place, unknowns, axis=0)
 
     def _defect(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
-        owner, states = self.chart._every(self._whole(points, unknowns))
+        owner, states = self.chart._every(self._all_coordinates(points, unknowns))
         defect = np.full(unknowns.size, np.nan)
         values = self.formula(np.ascontiguousarray(states.T), self.chart.parameters)[:, 0]
         defect[owner] = values - self.value

@@ -116,11 +116,11 @@ def _place_with_levels(
         general = [law for law in laws.general if _holds(system, law, on, budget)]
         words = condition_text(replace(special[0], on=on), system, text)
         try:
-            place = _place(RankSample(system, on), (*special, *general), budget)
+            place = _classification_of(RankSample(system, on), (*special, *general), budget)
         except (OutOfReachError, InputError) as reason:
             place = _unknown_place(replace(system, laws=special), verdicts, str(reason))
         levels.append(replace(place, level=words))
-    main = _place(whole, laws.general, budget, model, _open_questions(system, verdicts))
+    main = _classification_of(whole, laws.general, budget, model, _open_questions(system, verdicts))
     return replace(main, ignored_laws=laws.ignored_laws, levels=tuple(levels))
 
 
@@ -145,7 +145,7 @@ def _holds(system: System, law: Law, on: tuple[Any, ...], budget: ProofBudget) -
 # --- one phase space -----------------------------------------------------------------------
 
 
-def _place(
+def _classification_of(
     sample: RankSample,
     laws: Sequence[Law],
     budget: ProofBudget,
@@ -181,7 +181,7 @@ def _place(
         lie=lie_symmetries(sample, sample.dimension - count - 1, chosen, symmetries, budget),
         liouville=forms.liouville,
         reversal=(),
-        reductions=tuple(map(_words, of_kind(laws, Reduction))),
+        reductions=tuple(map(_law_fact, of_kind(laws, Reduction))),
         open=(*left, existence.open) if existence.open else left,
     )
     missing = structure.remaining - 2
@@ -206,13 +206,15 @@ def _place(
         brackets=structure.brackets,
         symmetries=structure.symmetries,
         reversal=structure.reversal,
-        reductions=tuple(_words(law) for law in laws if isinstance(law, Reduction | Isomorphism)),
+        reductions=tuple(
+            _law_fact(law) for law in laws if isinstance(law, Reduction | Isomorphism)
+        ),
         kinds=kinds,
         dynamics=dynamics,
     )
 
 
-def _words(law: Law) -> Fact:
+def _law_fact(law: Law) -> Fact:
     meaning = str(getattr(law, "meaning", ""))
     return Fact(law.name, f"{law.heading}: {meaning}" if meaning else law.heading, law.source)
 

@@ -167,7 +167,7 @@ def _is_spherical(problem: Problem, name: Vector) -> bool:
 
 def _is_potential(problem: Problem, name: Vector) -> bool:
     """Whether N = K(ξ + Cω) vanishes, up to rounding of doubles."""
-    if all(exact(problem.start[i]) == 0 for i in _place(problem.system, name)):
+    if all(exact(problem.start[i]) == 0 for i in _components_of(problem.system, name)):
         return True
     C, W = _tensor(problem, "C", name), _tensor(problem, "W", name)
     sizes = [
@@ -177,7 +177,7 @@ def _is_potential(problem: Problem, name: Vector) -> bool:
     return sizes[0] <= float(Fraction(int(ROUNDING.p), int(ROUNDING.q))) * sizes[1]
 
 
-def _place(system: System, name: Vector) -> range:
+def _components_of(system: System, name: Vector) -> range:
     (place,) = (place for each, place in system.slices if each == name)
     return range(place.start, place.stop)
 

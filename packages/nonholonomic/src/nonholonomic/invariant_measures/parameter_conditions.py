@@ -107,7 +107,7 @@ def branches(
     distinct = {
         _solved_form(level): None
         for level in levels
-        if all(_on(level, volume) != 0 for volume in regular)
+        if all(_restricted_to(level, volume) != 0 for volume in regular)
     }
     return Branches(tuple(distinct), complete and clean)
 
@@ -127,7 +127,7 @@ def solved_parameters(level: Level) -> dict[sp.Symbol, sp.Expr]:
     return table
 
 
-def _on(level: Level, formula: sp.Expr) -> sp.Expr:
+def _restricted_to(level: Level, formula: sp.Expr) -> sp.Expr:
     return sp.cancel(formula.xreplace(solved_parameters(level)))
 
 

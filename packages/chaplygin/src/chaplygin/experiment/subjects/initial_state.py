@@ -282,14 +282,14 @@ def _nearest(
     fast = [i for i, s in enumerate(names) if s in velocities]
     places = [i for i, s in enumerate(names) if s not in velocities and s != TIME]
     every = range(len(names))
-    point = _projected(lifted, of_places, state, (places, every))
+    point = _project(lifted, of_places, state, (places, every))
     return point and (
-        _projected(lifted, of_velocities, point, (fast,))
-        or _projected(lifted, relations, state, (every,))
+        _project(lifted, of_velocities, point, (fast,))
+        or _project(lifted, relations, state, (every,))
     )
 
 
-def _projected(
+def _project(
     lifted: System,
     relations: Sequence[sp.Expr],
     state: Sequence[mpmath.mpf],

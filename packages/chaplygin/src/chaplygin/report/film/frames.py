@@ -103,7 +103,7 @@ def frames(
         def draw(sheet: Canvas, until: int) -> None:
             paint_ball_scene(sheet, seen, _part(track, until), outline)
 
-        window = _whole(draw, view, len(track.times), size)
+        window = _largest_window(draw, view, len(track.times), size)
         return _films(dataset, track.times, window, view, draw, every, size)
     if plan is not None:
         return _plan_frames(dataset, plan, every, size)
@@ -127,7 +127,7 @@ def frames(
         half = _fit(np.full(2, _WHOLE * body.diameter / 2), size)
         window = _Window(view.project(track.centre), half)
     else:
-        window = _whole(draw_body, view, len(track.times), size)
+        window = _largest_window(draw_body, view, len(track.times), size)
     return _films(dataset, track.times, window, view, draw_body, every, size)
 
 
@@ -150,7 +150,9 @@ def _fit(half: FloatArray, size: Size) -> FloatArray:
     return np.array(size) * scale
 
 
-def _whole(draw: Callable[[Canvas, int], None], view: View, count: int, size: Size) -> _Window:
+def _largest_window(
+    draw: Callable[[Canvas, int], None], view: View, count: int, size: Size
+) -> _Window:
     """Everything drawn at the end, which must stay visible."""
     with mpl.rc_context(STYLE):
         sheet = Canvas(blank_axes(Figure(figsize=(4.0, 4.0))), view)

@@ -70,9 +70,9 @@ def mode_scale(figure: Figure, axes: Axes, dataset: xr.Dataset, span: tuple[floa
     units = unit_of(dataset, "time")
     handles = mode_key(names)
     if span[0] > dataset["time"].values[0]:
-        handles.append(_words(f"from $t$ = {span[0]:.3g} {units}"))
+        handles.append(_legend_entry(f"from $t$ = {span[0]:.3g} {units}"))
     elif span[1] < dataset.attrs.get("end_time", span[1]):
-        handles.append(_words(f"until $t$ = {span[1]:.3g} {units}"))
+        handles.append(_legend_entry(f"until $t$ = {span[1]:.3g} {units}"))
     labels = [str(handle.get_label()) for handle in handles]
     columns = len(labels) if sum(map(len, labels)) <= _LINE else 2
     rows = -(-len(labels) // columns)
@@ -93,7 +93,7 @@ def mode_scale(figure: Figure, axes: Axes, dataset: xr.Dataset, span: tuple[floa
     figure.set_label(f"{figure.get_label()}; t from {span[0]:.4g} to {span[1]:.4g} {units}".strip())
 
 
-def _words(words: str) -> Patch:
+def _legend_entry(words: str) -> Patch:
     """A legend entry without a colour."""
     return Patch(facecolor="none", edgecolor="none", label=words)
 

@@ -269,24 +269,24 @@ class _Writer:
         for place, rate in zip(self.rate_places, self.rates, strict=True):
             number.store(coefficients.get(id(rate), zero), "%memory", place)
         for place, term in zip(self.event_places, self.events, strict=True):
-            self._put(number, coefficients.get(id(term), zero), place, n)
+            self._store(number, coefficients.get(id(term), zero), place, n)
 
     def _keep(self, number: Double, node: Term, value: str, n: str, order: str = "") -> None:
         """Store a coefficient wherever it is needed later."""
         w, key = number.writer, id(node)
         if key in self.forward:
-            self._put(number, value, self.forward[key], n)
+            self._store(number, value, self.forward[key], n)
         if n == "0":
             if key in self.first:
                 number.store(value, "%memory", self.first[key])
             return
         if key in self.slopes:
-            self._put(number, w.op("fmul", order, value), self.slopes[key], n)
+            self._store(number, w.op("fmul", order, value), self.slopes[key], n)
         if key in self.backward:
             place = w.emit(f"sub i64 {self.backward[key] + self.order}, {n}")
             number.store(value, "%memory", place)
 
-    def _put(self, number: Double, value: str, place: int, n: str) -> None:
+    def _store(self, number: Double, value: str, place: int, n: str) -> None:
         index = str(place) if n == "0" else number.writer.emit(f"add i64 {place}, {n}")
         number.store(value, "%memory", index)
 

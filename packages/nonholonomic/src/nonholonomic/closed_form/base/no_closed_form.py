@@ -211,7 +211,7 @@ def _shape(problem: Problem, rolling: Rolling) -> _Obstacle | None:
     force = " under gravity" if rolling.field.gravity else ""
     body = "unbalanced ball" if shape.is_ball else shape.kind
     return _Obstacle(
-        f"the {body} {_place(rolling)}{force}, {_contact(rolling)},",
+        f"the {body} {_surface_name(rolling)}{force}, {_contact(rolling)},",
         "are a balanced ball, and a body of revolution with rubber contact on a plane",
     )
 
@@ -220,7 +220,7 @@ def _gravity_on_sphere(problem: Problem, rolling: Rolling) -> _Obstacle | None:
     if not rolling.field.gravity or rolling.surface.is_flat:
         return None
     return _Obstacle(
-        f"the ball {_place(rolling)} under gravity, {_contact(rolling)},",
+        f"the ball {_surface_name(rolling)} under gravity, {_contact(rolling)},",
         "is a ball on a sphere without gravity",
     )
 
@@ -240,10 +240,10 @@ _RULES: tuple[Rule, ...] = (_shape, _rotors, _potential, _gravity_on_sphere, _ra
 
 
 def _body(rolling: Rolling) -> str:
-    return f"the ball {_place(rolling)}, {_contact(rolling)},"
+    return f"the ball {_surface_name(rolling)}, {_contact(rolling)},"
 
 
-def _place(rolling: Rolling) -> str:
+def _surface_name(rolling: Rolling) -> str:
     return f"on a {rolling.surface.kind}"
 
 

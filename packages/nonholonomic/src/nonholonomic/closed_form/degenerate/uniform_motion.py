@@ -132,7 +132,7 @@ def _turns_rigidly(
     speed: arb,
 ) -> bool:
     """Whether the rates of all vectors x are −Ω×x at a state, relative to |ω||x|."""
-    known = with_definitions(system, values, _flat(vectors))
+    known = with_definitions(system, values, _midpoints(vectors))
     rates = ball_values(system.rates, known)
     sides = [cross(turning, vector) for vector in vectors]
     return all(
@@ -146,7 +146,7 @@ def _length(vector: Balls) -> arb:
     return dot(vector, vector).sqrt()
 
 
-def _flat(vectors: Sequence[Balls]) -> list[arb]:
+def _midpoints(vectors: Sequence[Balls]) -> list[arb]:
     return [x.mid() for vector in vectors for x in vector]
 
 

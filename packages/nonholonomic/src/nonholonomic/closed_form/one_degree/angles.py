@@ -1,6 +1,6 @@
 """Angles and paths after many periods: Theorem 4's change of variables in the group of motions.
 
-In one period of θ the body over_two_turns by Δφ about its axis and by Δψ about the vertical,
+In one period of θ the body turns by Δφ about its axis and by Δψ about the vertical,
 and its position is displaced by D.  After n periods the displacement is
 
     D (e^{inΔψ} − 1)/(e^{iΔψ} − 1),

@@ -8,9 +8,8 @@ at the ends of the panel and half-axes of (ρ ± 1/ρ)/2 half-widths, then
 
 (L. N. Trefethen, Approximation Theory and Approximation Practice, chapter 8).  Ball arithmetic
 encloses f on the boxes, which gives M, and finite values prove that f is analytic there, since
-roots take no value across a branch cut.  A panel on which no M is found, or too large a one, is
-halved: near a singularity panels shrink geometrically, so almost singular integrals cost little
-more than others.
+roots take no value across a branch cut.  A panel with no M, or too large a one, is halved, so
+near a singularity panels shrink geometrically.
 """
 
 from __future__ import annotations
@@ -258,10 +257,8 @@ class _Build:
         return panels
 
     # The panel between `start` and `stop`; None if it must be halved.
-    #
-    # 1. The rates are evaluated on the boxes around the panel.  Their upper bounds M, one per
-    #    function, fail if a box value is not finite or much larger than the value in the middle
-    #    (`_bounds`): the interpolation error would exceed the requested one.
+    # 1. The boxes around the panel give upper bounds M of the rates.  They fail if a value is not
+    #    finite or much larger than that in the middle (`_bounds`).
     # 2. Values at the Chebyshev points times the matrix of `_transform` give the coefficients c_k.
     #    ∫T_k = (T_{k+1}/(k + 1) − T_{k−1}/(k − 1))/2 gives those of the integral, whose constant is
     #    fixed by `totals` at the end where the panel before stopped; the error bound of the

@@ -29,12 +29,9 @@ from .paradox import paradox_words
 #: Relative size below which gaps, normal velocities and normal accelerations count as zero.
 _LEVEL = 1e-9
 
-#: Smallest factor applied to the slip floor when a slip passes close to zero.  Below it the slip
-#: would be 1e-14 of the typical speed, which is rounding error.
-_LOWEST = 1e-6
-
-#: Smallest factor applied to the slip floor when a slip decays slowly.
-_WEAK_FLOOR = 1e-3
+#: Smallest factors of the slip floor when a slip passes close to zero (a slip of 1e-14 of the
+#: typical speed, which is rounding error), and when a slip decays slowly.
+_LOWEST, _WEAK_FLOOR = 1e-6, 1e-3
 
 
 class Course(CreepTransitions):
@@ -75,7 +72,7 @@ class Course(CreepTransitions):
         if known.gap > (_LEVEL if slow else 1e-12) * self._length:
             self.mode, self._height = FLIGHT, known.gap
         elif slow:
-            self._stay_in_contact(None, self.state)
+            self._keep_contact(None, self.state)
         elif normal > 0:
             self._take_off()
         else:
@@ -262,7 +259,7 @@ class Course(CreepTransitions):
         normal = float(known.mobility.gamma @ known.contact_velocity)
         if normal > -NO_SLIP * self._speed:
             # a grazing contact
-            self._stay_in_contact("landing", before)
+            self._keep_contact("landing", before)
             return
         self._rebound("landing", before, self._collide(self.rules.restitution))
 
@@ -280,14 +277,12 @@ class Course(CreepTransitions):
             self._record(kind, before, result)
             return
         if rebound <= none:
-            self._stay_in_contact(kind, before, result)
+            self._keep_contact(kind, before, result)
             return
         self._pass_bounces(rebound, ratio)
-        self._stay_in_contact(kind, before, result, self._collide(0.0))
+        self._keep_contact(kind, before, result, self._collide(0.0))
 
-    def _stay_in_contact(
-        self, kind: EventKind | None, before: FloatArray, *impacts: Impact
-    ) -> None:
+    def _keep_contact(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Continue in contact with zero normal velocity."""
         known = self._numbers()
         # With infinite μ there are no equations of sliding, and an impact stops any slip.
@@ -384,8 +379,7 @@ class Course(CreepTransitions):
             self.state = jam[0]
             self.time += jam[1]
             self._project(self.mode)
-            # The work of so large a force varies with the slip that it stops; restore the energy
-            # balance.
+            # The work of so large a force varies with the slip it stops: restore the balance.
             self.state[column] += balance - self._balance()
         known = self._numbers()
         response = normal_response(self._integrator(self.mode), known, self.state)

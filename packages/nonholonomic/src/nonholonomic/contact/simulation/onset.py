@@ -1,8 +1,7 @@
 """The onset of sliding or rolling: motion from zero slip in a direction to be determined.
 
-If the direction of friction is prescribed as a polynomial in time, the motion is smooth.  The
-coefficients are determined by collocation: at Chebyshev points, the slip (or the rolling) must
-have the prescribed direction.
+Friction in the direction of a polynomial in time gives a smooth motion.  The coefficients are
+determined by collocation (`_collocation`).
 """
 
 from __future__ import annotations
@@ -32,20 +31,16 @@ from .compiled import OMEGA, VELOCITY, CompiledContact
 from .mode_integrator import ModeIntegrator, with_values
 from .rolling_end import direction_of_couple
 
-#: Chebyshev points on (0, 1]; the last one is the end.
+#: Chebyshev points on (0, 1], and points between them at which the direction is verified.
 _POINTS = (1 - np.cos(np.pi * np.arange(1, DEGREE + 1) / DEGREE)) / 2
-
-#: Points between them at which the direction is verified.
 _TESTS = np.array([0.35, 0.65, 0.97])
 
 #: Maximum number of steps of a trial, and the largest angle (rad) by which the direction may turn.
 _MOST_STEPS, _LARGEST_TURN = 500, 3.0
 
-#: Maximum number of corrections of the coefficients, and the step of the difference quotients.
-_MOST_CHANGES, _STEP = 20, 1e-5
-
-#: Maximum number of times the duration of an onset is divided by four.
-_ATTEMPTS = 12
+#: Maximum number of corrections of the coefficients, and of divisions of the duration by four;
+#: step of the difference quotients.
+_MOST_CHANGES, _ATTEMPTS, _STEP = 20, 12, 1e-5
 
 #: Relative velocity error below which the polynomial fit of the power law is accepted.
 _NO_PUSH = 1e-13
@@ -321,20 +316,16 @@ def _collocation(trial: _Trial, time: float, state: FloatArray, duration: float)
 
     With the friction direction n(s) prescribed by angles φ(s) = Σ_k c_k sᵏ, k = 1, …, DEGREE (for
     a patch also the latitudes θ(s) of slip and spin), s the time in units of the duration, the
-    equations of motion are smooth and give a slip u(s; c).  The unknowns c solve
+    motion has a slip u(s; c).  At Chebyshev points s_i, with n⊥ ⊥ n and a typical slip |u|, solve
 
         g_i(c) = (u(s_i; c) · n⊥(s_i))/(|u| s_i²) = 0
 
-    at the Chebyshev points s_i, where n⊥ is perpendicular to the prescribed direction and |u| is a
-    fixed typical slip.  The division by s_i² makes the equations comparable, since φ − φ(0) and
-    the slip each grow at least like s.  The Jacobian starts from `_first_jacobian`, is updated by
-    Broyden's method (Dennis and Schnabel, Numerical Methods for Unconstrained Optimization and
-    Nonlinear Equations, chapter 8), and is recomputed by differences when the steps do not halve.
-
-    The result is accepted only if the slip along n grows monotonically from zero to well above its
-    rounding error, and has the prescribed direction at _TESTS too.  It fails if the slip returns to
-    zero within the duration, or if the direction turns too much for a polynomial of this degree;
-    `_with_shortened_duration` then tries a shorter one.
+    where s_i² makes the equations comparable: φ − φ(0) and the slip grow at least like s.  The
+    Jacobian starts from `_first_jacobian`, is updated by Broyden's method (Dennis and Schnabel,
+    Numerical Methods for Unconstrained Optimization and Nonlinear Equations, chapter 8), and is
+    recomputed by differences when the steps do not halve.  The result is accepted only if the slip
+    along n grows from zero to well above its rounding error, with the prescribed direction at
+    _TESTS too; otherwise `_with_shortened_duration` tries a shorter duration.
     """
     start = np.append(state, 0.0)
     count = DEGREE * (2 if trial.patch else 1)
