@@ -27,7 +27,9 @@ PROJECTS: dict[str, dict[str, Any]] = {
 }
 LABORATORY = PROJECTS["chaplygin"]
 VERSIONS = {
-    name: re.findall('^__version__ = "(.*)"$', (home / "_version.py").read_text(encoding="utf-8"), re.M)
+    name: re.findall(
+        '^__version__ = "(.*)"$', (home / "_version.py").read_text(encoding="utf-8"), re.M
+    )
     for name, home in HOMES.items()
 }
 STATIC = HOMES["chaplygin"] / "page" / "static"
@@ -108,7 +110,15 @@ def found_by_name(package: str) -> set[str]:
     """What a package needs without an import of its own, or has with something else."""
     return {
         # xarray writes NetCDF by these; matplotlib has Pillow, anywidget traitlets
-        "chaplygin": {"h5netcdf", "h5py", "borisov_mamaev_2008", "PIL", "traitlets", "mpl_toolkits", "pydantic_core"},
+        "chaplygin": {
+            "h5netcdf",
+            "h5py",
+            "borisov_mamaev_2008",
+            "PIL",
+            "traitlets",
+            "mpl_toolkits",
+            "pydantic_core",
+        },
         # numba and JAX run the code that is written for them
         "flowlanes": {"jax", "numba"},
     }.get(package, set())

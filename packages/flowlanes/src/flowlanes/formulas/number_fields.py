@@ -1,7 +1,7 @@
 """Fields of numbers in which laws are tried at a point: exact rationals, and balls.
 
-Both offer what :class:`lawproof.proof.fields.function_field.FunctionField` offers, so that one
-evaluation of a law serves its proof and its refutation.
+Both have the operations of a field of rational functions, so that one evaluation of a law serves
+its proof and its refutation.
 """
 
 from __future__ import annotations
