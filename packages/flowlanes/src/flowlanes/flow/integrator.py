@@ -50,9 +50,9 @@ def integrate(
     system : System
         If it has a motion in space, that is integrated with it.
     start : sequence of numbers, or mapping of str to number or numbers
-        State at ``times[0]`` in flat order, with the motion in space behind it or
-        without; or by name (ω and γ, or the variables of the state).  The motion in space begins at zero where
-        it is left out, with γ pointing upward.
+        State at ``times[0]`` in flat order, with the motion in space behind it or without; or by
+        name (ω and γ, or the variables of the state).  The motion in space begins at zero where it
+        is left out, with γ pointing upward.
     times : sequence of numbers
         At least two, all increasing or all decreasing (backward integration), in s.
     parameters : mapping of Symbol or name to number, optional
