@@ -10,7 +10,7 @@ and their ratios to that of flowlanes.
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -29,8 +29,8 @@ REHEARSED, SCORED, TIMED = 1, 2, 3
 class Textbook(Body):
     """A system whose starts are uniform in a box about a state."""
 
-    centre: Sequence[float] = field(kw_only=True)
-    width: Sequence[float] | float = field(kw_only=True)
+    centre: np.ndarray = field(kw_only=True)
+    width: np.ndarray = field(kw_only=True)
 
     def starts(self, seed: int, count: int) -> np.ndarray:
         """Random states of the box."""
