@@ -97,7 +97,7 @@ def _lanes(body: Body, lanes: int) -> Any:
         stages=len(table.a),
         stage_loops="\n".join(f"            {line}" for line in loops),
     )
-    return _jit(defined(text, {"np": np, "sqrt": np.sqrt})["march"])
+    return _jit(defined(text, {"np": np, "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos})["march"])
 
 
 def numba_adaptive(body: Body, until: float) -> Program:
@@ -120,7 +120,7 @@ def _jit(function: Any) -> Any:
 
 
 def _adaptive(body: Body) -> Any:
-    names: dict[str, Any] = {"np": np, "sqrt": np.sqrt}
+    names: dict[str, Any] = {"np": np, "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos}
     names["field"] = _jit(defined(field_text(body), names)["field"])
     names["step"] = _jit(defined(step_text(body.size), names)["step"])
     each = range(body.size)

@@ -24,6 +24,8 @@ _TEMPLATES: Mapping[str, str] = {
     "neg": "-{}",
     "recip": "1.0 / {}",
     "sqrt": "sqrt({})",
+    "sin": "sin({})",
+    "cos": "cos({})",
 }
 
 

@@ -18,7 +18,9 @@ __all__ = ["scipy_method"]
 
 def scipy_method(body: Body, until: float, method: str) -> Program:
     """A method of `solve_ivp`; the rates are computed by Python with floats, its quickest way."""
-    field: Callable[..., Any] = defined(field_text(body), {"sqrt": math.sqrt})["field"]
+    field: Callable[..., Any] = defined(
+        field_text(body), {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos}
+    )["field"]
 
     def rates(_: float, state: np.ndarray) -> Any:
         return field(*state.tolist())

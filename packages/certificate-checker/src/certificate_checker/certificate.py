@@ -38,11 +38,29 @@ def check(certificate: object) -> None:
 
     Examples
     --------
-    >>> import lawproof
-    >>> import nonholonomic
-    >>> veselova = nonholonomic.from_catalogue("veselova")
-    >>> verdict = lawproof.proof.prove_with_certificate(veselova, veselova.integrals[0])
-    >>> check(verdict.certificate)
+    >>> import certificate_checker
+    >>> claim = {
+    ...     "system": {
+    ...         "name": "oscillator",
+    ...         "state": ["x", "v"],
+    ...         "rates": ["v", "-x"],
+    ...         "definitions": [],
+    ...         "parameters": [],
+    ...         "relations": [],
+    ...         "guards": [],
+    ...         "admissible": [],
+    ...     },
+    ...     "law": {"kind": "Integral", "name": "x", "on": [], "value": "x"},
+    ... }
+    >>> witness = {"point": {"x": "1", "v": "2"}, "what": "v(F)", "index": 0, "residual": "2"}
+    >>> certificate_checker.check(
+    ...     {
+    ...         "format": certificate_checker.FORMAT,
+    ...         "verdict": "refuted",
+    ...         "claim": claim,
+    ...         "witness": witness,
+    ...     }
+    ... )
     """
     if not isinstance(certificate, Mapping) or certificate.get("format") != FORMAT:
         raise BadInputError(f"this is no certificate of the format {FORMAT!r}")

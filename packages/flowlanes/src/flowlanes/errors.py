@@ -94,12 +94,14 @@ class InputError(ValueError):
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
+    >>> import sympy as sp
+    >>> x, k = sp.symbols("x k", real=True)
     >>> try:
-    ...     nonholonomic.Ball(-1.0)
+    ...     flowlanes.System("decay", "Decay", {x: -k * x})
     ... except flowlanes.InputError as error:
     ...     print(error)
-    radius -1.0 of the ball: it must be a positive finite number
+    decay: the rate of x uses k, which is neither a state variable, an earlier definition nor a
+    parameter
     """
 
     def __init__(self, message: str, where: str = "") -> None:

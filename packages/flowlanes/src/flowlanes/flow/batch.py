@@ -312,12 +312,15 @@ def batch_integrator(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
-    >>> starts = flowlanes.sample_level(ball, 100, {"energy": 2.0}, seed=1)
-    >>> motions = flowlanes.batch_integrator(ball).propagate(starts, [5.0, 10.0])
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> energy = flowlanes.Integral("energy", a**2 + b**2 / 2 + c**2 / 3)
+    >>> field = {a: -b * c, b: 4 * a * c, c: -3 * a * b}
+    >>> top = flowlanes.System("top", "Euler's top", field, laws=(energy,))
+    >>> starts = flowlanes.sample_level(top, 100, {"energy": 2.0}, seed=1)
+    >>> motions = flowlanes.batch_integrator(top).propagate(starts, [5.0, 10.0])
     >>> motions.states.shape, int((motions.outcome == 0).sum())
-    ((100, 2, 6), 100)
+    ((100, 2, 3), 100)
     """
     _require_numbers(tolerance, deviations)
     if digits not in (16, 30):

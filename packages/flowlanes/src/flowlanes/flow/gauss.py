@@ -217,12 +217,15 @@ def gauss_integrator(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
-    >>> starts = flowlanes.sample_level(ball, 1, {"energy": 2.0}, seed=1)
-    >>> there = flowlanes.gauss_integrator(ball, starts[0]).propagate(starts, [10.0]).states[:, -1]
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> energy = flowlanes.Integral("energy", a**2 + b**2 / 2 + c**2 / 3)
+    >>> field = {a: -b * c, b: 4 * a * c, c: -3 * a * b}
+    >>> top = flowlanes.System("top", "Euler's top", field, laws=(energy,))
+    >>> starts = flowlanes.sample_level(top, 1, {"energy": 2.0}, seed=1)
+    >>> there = flowlanes.gauss_integrator(top, starts[0]).propagate(starts, [10.0]).states[:, -1]
     >>> back = (
-    ...     flowlanes.gauss_integrator(ball, there[0], backward=True)
+    ...     flowlanes.gauss_integrator(top, there[0], backward=True)
     ...     .propagate(there, [-10.0])
     ...     .states[:, -1]
     ... )

@@ -43,7 +43,7 @@ def reduced_start(
     start : mapping of str to number or numbers, or sequence of numbers
         By name (ω and γ, or the variables of the state; of an n-dimensional body also its
         attitude, of which γ is the last row, and contact), or in flat order, with the motion in
-        space, as :func:`nonholonomic.initial_state` gives it, or without.
+        space behind it or without.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the defaults where the state follows from ω and γ.
 

@@ -38,10 +38,9 @@ def integrate(
     system : System
         If it has a motion in space, that is integrated with it.
     start : sequence of numbers, or mapping of str to number or numbers
-        State at ``times[0]`` in flat order, with the motion in space, as
-        :func:`nonholonomic.mechanics.rolling.initial_state.initial_state` gives it, or without; or
-        by name (ω and γ, or the variables of the state).  The motion in space begins at zero where
-        it is left out, with γ pointing upward.
+        State at ``times[0]`` in flat order, with the motion in space behind it or without; or by
+        name (ω and γ, or the variables of the state).  The motion in space begins at zero where it
+        is left out, with γ pointing upward.
     times : sequence of numbers
         At least two, all increasing or all decreasing (backward integration), in s.
     parameters : mapping of Symbol or name to number, optional
@@ -84,15 +83,15 @@ def integrate(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> motion = flowlanes.integrate(
-    ...     ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0]
-    ... )
-    >>> motion["gamma"].shape
-    (3, 3)
-    >>> energy = motion["law_energy"]
-    >>> bool(abs(energy - energy[0]).max() < 1e-13)
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> energy = flowlanes.Integral("energy", v**2 / 2 + x**4 / 4)
+    >>> quartic = flowlanes.System("quartic", "Quartic", {x: v, v: -(x**3)}, laws=(energy,))
+    >>> motion = flowlanes.integrate(quartic, {"x": 1.0, "v": 0.5}, [0.0, 5.0, 10.0])
+    >>> motion["x"].shape
+    (3,)
+    >>> drift = motion["law_energy"] - 0.375
+    >>> bool(abs(drift).max() < 1e-13)
     True
     """
     chosen = method_named(method)

@@ -60,17 +60,15 @@ def project_to_level(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
     >>> import numpy as np
+    >>> import sympy as sp
     >>> from flowlanes.formulas.array_formulas import Formulas
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> M, gamma = ball.state
-    >>> length = Formulas(ball, (flowlanes.system.norm_squared(gamma),))
-    >>> states, met = flowlanes.flow.project_to_level(
-    ...     length, np.array([[1.0, 0, 0, 0, 0, 2.0]]), 1.0
-    ... )
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = flowlanes.System("oscillator", "Oscillator", {x: v, v: -x})
+    >>> square = Formulas(oscillator, (x**2 + v**2,))
+    >>> states, met = flowlanes.flow.project_to_level(square, np.array([[0.0, 2.0]]), 1.0)
     >>> states.round(12).tolist(), met.tolist()
-    ([[1.0, 0.0, 0.0, 0.0, 0.0, 1.0]], [True])
+    ([[0.0, 1.0]], [True])
     """
     moving = np.array(states, dtype=np.float64)
     free = np.flatnonzero(np.ones(moving.shape[1], bool) if movable is None else movable)

@@ -89,13 +89,13 @@ class Event:
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> disk = nonholonomic.from_catalogue("heavy-disk")
-    >>> motion = flowlanes.integrate(
-    ...     disk, nonholonomic.CATALOGUE["heavy-disk"].start.values, [0.0, 1.0]
-    ... )
-    >>> motion.events
-    ()
+    >>> import sympy as sp
+    >>> h, v = sp.symbols("h v", real=True)
+    >>> ground = flowlanes.system.Guard("ground", h, "the stone hits the ground")
+    >>> stone = flowlanes.System("stone", "Stone", {h: v, v: -1}, guards=(ground,))
+    >>> motion = flowlanes.integrate(stone, {"h": 2.0, "v": 0.0}, [0.0, 10.0])
+    >>> round(float(motion.events[0].time), 9), motion.events[0].is_terminal
+    (2.0, True)
     """
 
     time: float
@@ -217,13 +217,13 @@ class Trajectory(WithOverview):
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> motion = flowlanes.integrate(
-    ...     ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0]
-    ... )
-    >>> motion["omega"].shape, motion["attitude"].shape, motion["law_energy"].shape
-    ((3, 3), (3, 4), (3,))
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> energy = flowlanes.Integral("energy", v**2 / 2 + x**4 / 4)
+    >>> quartic = flowlanes.System("quartic", "Quartic", {x: v, v: -(x**3)}, laws=(energy,))
+    >>> motion = flowlanes.integrate(quartic, {"x": 1.0, "v": 0.5}, [0.0, 5.0, 10.0])
+    >>> motion.states.shape, motion["x"].shape, motion["law_energy"].shape
+    ((3, 2), (3,), (3,))
     """
 
     system: System

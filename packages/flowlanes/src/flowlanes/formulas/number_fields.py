@@ -1,7 +1,7 @@
 """Number fields in which laws are tested at a point: exact rationals, and balls.
 
-Both have the interface of :class:`lawproof.proof.fields.function_field.FunctionField`, so the same
-evaluation of a law serves its proof and its refutation.
+Both have the operations of a field of rational functions, so that one evaluation of a law serves
+its proof and its refutation.
 """
 
 from __future__ import annotations

@@ -46,9 +46,13 @@ def parameters_to_state(system: System, *names: str) -> System:
 
     Examples
     --------
-    >>> from nonholonomic.catalogue import from_catalogue
-    >>> print(parameters_to_state(from_catalogue("rattleback"), "g").symbols[-1])
-    g
+    >>> import flowlanes
+    >>> import sympy as sp
+    >>> x, v, k = sp.symbols("x v k", real=True)
+    >>> stiffness = flowlanes.Parameter(k, "stiffness over mass", 4.0)
+    >>> spring = flowlanes.System("spring", "Spring", {x: v, v: -k * x}, (stiffness,))
+    >>> parameters_to_state(spring, "k").symbols
+    (x, v, k)
     """
     known = {str(p.symbol): p for p in system.parameters}
     require_parameters(system.name, known, names)
@@ -189,10 +193,13 @@ class Circle:
     --------
     >>> import flowlanes
     >>> import numpy as np
-    >>> from nonholonomic.catalogue.bodies.unbalanced_rubber_ball_centred import torus
-    >>> flow = torus()
-    >>> across = flowlanes.PoincareMap(flow, flowlanes.poincare_section(flow, "beta", angle=True))
-    >>> circle = flowlanes.orbits.Circle(across, "alpha", "lambda", {"beta": 0.0})
+    >>> import sympy as sp
+    >>> alpha, beta, k = sp.symbols("alpha beta k", real=True)
+    >>> speed = flowlanes.Parameter(k, "mean speed of the first angle", 1.0)
+    >>> field = {alpha: k + sp.sin(alpha) * sp.cos(beta) / 2, beta: 1}
+    >>> torus = flowlanes.System("torus", "Flow on a torus", field, (speed,))
+    >>> across = flowlanes.PoincareMap(torus, flowlanes.poincare_section(torus, "beta", angle=True))
+    >>> circle = flowlanes.orbits.Circle(across, "alpha", "k", {"beta": 0.0})
     >>> circle(np.array([0.3]), np.array([1.0]), 4).shape
     (1, 5)
     """

@@ -52,10 +52,11 @@ class Reversor:
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> disk = nonholonomic.from_catalogue("heavy-disk")
-    >>> flowlanes.reversors(disk)[0].odd
-    (M_1, gamma_1)
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> [reversor.odd for reversor in flowlanes.reversors(pendulum)]
+    [(x,), (v,)]
     """
 
     odd: tuple[sp.Symbol, ...]
@@ -107,10 +108,13 @@ def reversors(system: System) -> tuple[Reversor, ...]:
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
-    >>> [reversor.words(ball) for reversor in flowlanes.reversors(ball)][:2]
-    ['M changes sign', 'M₁, γ₁ change sign where c₁ = 0']
+    >>> import sympy as sp
+    >>> x, v, k = sp.symbols("x v k", real=True)
+    >>> damping = flowlanes.Parameter(k, "damping", 0.1)
+    >>> field = {x: v, v: -sp.sin(x) - k * v}
+    >>> pendulum = flowlanes.System("pendulum", "Damped pendulum", field, (damping,))
+    >>> [reversor.words(pendulum) for reversor in flowlanes.reversors(pendulum)]
+    ['x changes sign where k = 0', 'v changes sign where k = 0']
     """
     accepted: list[Reversor] = []
     for candidate in sorted(_candidates(system), key=lambda r: (len(r.vanishing), len(r.odd))):

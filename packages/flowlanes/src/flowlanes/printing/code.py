@@ -61,10 +61,12 @@ def lambdify(system: System, target: str = "numpy") -> Field:
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> rate = flowlanes.lambdify(nonholonomic.from_catalogue("chaplygin-ball"))
-    >>> [float(x) for x in rate(0.0, [0.0, 0.0, 2.0, 0.0, 1.0, 0.0]).round(6)]
-    [0.0, 0.0, 0.0, 0.645161, 0.0, 0.0]
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> rate = flowlanes.lambdify(pendulum)
+    >>> [float(number) for number in rate(0.0, [1.0, 2.0]).round(6)]
+    [2.0, -0.841471]
     """
     if target not in TARGETS:
         raise InputError(f"target {target!r}: it must be one of {', '.join(map(repr, TARGETS))}")
@@ -79,9 +81,9 @@ def source_code(system: System, language: str) -> str:
     ----------
     system : System
     language : ``"c"`` or ``"julia"``
-        ``"c"``: C99, ``void chaplygin_ball(double t, const double *x, const double *p,
-        double *dx)``.  ``"julia"``: ``chaplygin_ball!(dx, x, p, t)``, as DifferentialEquations.jl
-        takes it.  The name comes from the name of the system.
+        ``"c"``: C99, ``void pendulum(double t, const double *x, const double *p,
+        double *dx)``.  ``"julia"``: ``pendulum!(dx, x, p, t)``, as DifferentialEquations.jl takes
+        it.  The name comes from the name of the system.
 
     Returns
     -------
@@ -96,10 +98,12 @@ def source_code(system: System, language: str) -> str:
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> code = flowlanes.source_code(nonholonomic.from_catalogue("chaplygin-ball"), "julia")
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> code = flowlanes.source_code(pendulum, "julia")
     >>> [line for line in code.splitlines() if line.startswith("function")]
-    ['function chaplygin_ball!(dx, x, p, t)']
+    ['function pendulum!(dx, x, p, t)']
     """
     if language not in LANGUAGES:
         allowed = ", ".join(map(repr, LANGUAGES))

@@ -260,13 +260,15 @@ def scan_grid(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> x = flowlanes.scans.axis("I_1=1:2:3")
-    >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
-    >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
+    >>> import sympy as sp
+    >>> x, v, k = sp.symbols("x v k", real=True)
+    >>> damping = flowlanes.Parameter(k, "damping", 0.1)
+    >>> field = {x: v, v: -sp.sin(x) - k * v}
+    >>> pendulum = flowlanes.System("pendulum", "Damped pendulum", field, (damping,))
+    >>> axes = flowlanes.scans.axis("k=0:1:3"), flowlanes.scans.axis("v=0.5:1:2")
+    >>> grid = flowlanes.scans.scan_grid(pendulum, *axes, {"x": 0.5, "v": 0.0})
     >>> isinstance(grid, flowlanes.scans.ScanGrid), grid.cells(0, 2).starts.shape
-    (True, (6, 6))
+    (True, (6, 2))
     """
     described, base = _described_system(system, start)
     if x.name == y.name:

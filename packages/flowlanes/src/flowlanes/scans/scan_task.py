@@ -78,12 +78,14 @@ class Scan:
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> x = flowlanes.scans.axis("I_1=1:2:3")
-    >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
-    >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
-    >>> rule = flowlanes.scans.time_average(ball, 5.0, ball.symbols[0] ** 2)
+    >>> import sympy as sp
+    >>> x, v, k = sp.symbols("x v k", real=True)
+    >>> damping = flowlanes.Parameter(k, "damping", 0.1)
+    >>> field = {x: v, v: -sp.sin(x) - k * v}
+    >>> pendulum = flowlanes.System("pendulum", "Damped pendulum", field, (damping,))
+    >>> axes = flowlanes.scans.axis("k=0:1:3"), flowlanes.scans.axis("v=0.5:1:2")
+    >>> grid = flowlanes.scans.scan_grid(pendulum, *axes, {"x": 0.5, "v": 0.0})
+    >>> rule = flowlanes.scans.time_average(pendulum, 5.0, v**2)
     >>> flowlanes.scans.Scan(grid, rule, "square", "Mean of the square").name
     'square'
     """
@@ -148,17 +150,19 @@ def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> x = flowlanes.scans.axis("I_1=1:2:3")
-    >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
-    >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
-    >>> rule = flowlanes.scans.time_average(ball, 5.0, ball.symbols[0] ** 2)
+    >>> import sympy as sp
+    >>> x, v, k = sp.symbols("x v k", real=True)
+    >>> damping = flowlanes.Parameter(k, "damping", 0.1)
+    >>> field = {x: v, v: -sp.sin(x) - k * v}
+    >>> pendulum = flowlanes.System("pendulum", "Damped pendulum", field, (damping,))
+    >>> axes = flowlanes.scans.axis("k=0:1:3"), flowlanes.scans.axis("v=0.5:1:2")
+    >>> grid = flowlanes.scans.scan_grid(pendulum, *axes, {"x": 0.5, "v": 0.0})
+    >>> rule = flowlanes.scans.time_average(pendulum, 5.0, v**2)
     >>> task = flowlanes.scans.scan(
     ...     flowlanes.scans.Scan(grid, rule, "square", "Mean of the square")
     ... )
     >>> dict(flowlanes.flow.ensemble.compute(task).sizes)
-    {'I_2': 2, 'I_1': 3}
+    {'v': 2, 'k': 3}
     """
     plane, rule = task.plane, task.rule
     columns = (plane.x.name,)

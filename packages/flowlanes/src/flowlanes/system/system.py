@@ -65,9 +65,14 @@ class Observable:
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> disk = nonholonomic.from_catalogue("heavy-disk")
-    >>> disk.observables[0].unit, isinstance(disk.guards[0], flowlanes.system.Guard)
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> speed = flowlanes.system.Observable("speed", v, "angular velocity", "rad/s")
+    >>> upright = flowlanes.system.Guard("upright", sp.cos(x), "the pendulum is level")
+    >>> pendulum = flowlanes.System(
+    ...     "pendulum", "Pendulum", {x: v, v: sp.sin(x)}, observables=(speed,), guards=(upright,)
+    ... )
+    >>> pendulum.observables[0].unit, isinstance(pendulum.guards[0], flowlanes.system.Guard)
     ('rad/s', True)
     """
 
@@ -283,13 +288,14 @@ class System(Displayed):
     Examples
     --------
     >>> import flowlanes
-    >>> import lawproof
     >>> import sympy as sp
     >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
     >>> energy = flowlanes.Integral("energy", v**2 / 2 - sp.cos(x))
-    >>> lawproof.prove(pendulum.with_laws(energy), "energy").decision
-    'proven'
+    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)}, laws=(energy,))
+    >>> pendulum.symbols, pendulum.rates
+    ((x, v), (v, -sin(x)))
+    >>> flowlanes.integrate(pendulum, {"x": 0.0, "v": 1.0}, [0.0, 5.0])["x"].shape
+    (2,)
     """
 
     name: str

@@ -60,11 +60,12 @@ def prove(
     --------
     >>> import flowlanes
     >>> import lawproof
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> lawproof.prove(ball, "measure").decision
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
+    >>> lawproof.prove(top, flowlanes.Integral("square", a**2 + b**2 + c**2)).decision
     'proven'
-    >>> lawproof.prove(ball, flowlanes.Integral("M_3", ball.symbols[2])).decision
+    >>> lawproof.prove(top, flowlanes.Integral("a", a)).decision
     'refuted'
     """
     checked_effort(effort)

@@ -62,9 +62,10 @@ class Verdict(WithOverview):
     --------
     >>> import flowlanes
     >>> import lawproof
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> verdict = lawproof.prove(ball, flowlanes.Integral("M_3", ball.symbols[2]))
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
+    >>> verdict = lawproof.prove(top, flowlanes.Integral("a", a))
     >>> verdict.decision, bool(verdict), verdict.witness["what"]
     ('refuted', False, 'v(F)')
     """

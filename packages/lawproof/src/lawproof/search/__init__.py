@@ -3,12 +3,15 @@
 A question names an ansatz.  Its linear algebra is done modulo a large prime at random points of the
 phase space; a solution is converted to a formula in the parameters and proved.
 
->>> from nonholonomic.catalogue import from_catalogue
+>>> import flowlanes
+>>> import sympy as sp
 >>> from lawproof.search import search_request, integrals
->>> for found in integrals(search_request(from_catalogue("veselova"))):
+>>> a, b, c = sp.symbols("a b c", real=True)
+>>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
+>>> for found in integrals(search_request(top)):
 ...     print(found.formula, found.verdict.decision)
-Dot(omega, I*omega) proven
-Dot(I*omega, I*omega) - Dot(omega, I*gamma)**2 proven
+4*a**2 + b**2 proven
+3*a**2 - c**2 proven
 """
 
 from .integrals import integrals

@@ -55,12 +55,14 @@ def integrals(question: Question, progress: Progress = no_progress) -> Iterator[
 
     Examples
     --------
+    >>> import flowlanes
     >>> import lawproof
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
+    >>> question = lawproof.search.search_request(top)
     >>> [str(found.law.value) for found in lawproof.search.integrals(question)]
-    ['Dot(M, gamma)']
+    ['4*a**2 + b**2', '3*a**2 - c**2']
     """
     families = (question.ansatz, *question.also)
     for family in families:

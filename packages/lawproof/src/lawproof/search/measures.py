@@ -53,10 +53,12 @@ def measures(question: Question, progress: Progress = no_progress) -> Iterator[S
 
     Examples
     --------
+    >>> import flowlanes
     >>> import lawproof
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
+    >>> question = lawproof.search.search_request(top)
     >>> [found.verdict.decision for found in lawproof.search.measures(question)][:1]
     ['proven']
     """

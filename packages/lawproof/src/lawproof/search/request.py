@@ -77,12 +77,14 @@ def search_request(
 
     Examples
     --------
+    >>> import flowlanes
     >>> import lawproof
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
-    >>> len(question.divisors)
-    3
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
+    >>> question = lawproof.search.search_request(top, divisors=["a", "b"])
+    >>> question.divisors
+    (a, b)
     """
     for value, name, least in (
         (degree, "degree", 0),

@@ -49,10 +49,12 @@ class Question:
 
     Examples
     --------
+    >>> import flowlanes
     >>> import lawproof
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
+    >>> question = lawproof.search.search_request(top)
     >>> question.powers, question.parameter_degree
     (1, 3)
     """
@@ -85,11 +87,12 @@ class SearchResult:
 
     Examples
     --------
+    >>> import flowlanes
     >>> import lawproof
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
-    >>> found = next(lawproof.search.integrals(question))
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
+    >>> found = next(lawproof.search.integrals(lawproof.search.search_request(top)))
     >>> found.kind, found.verdict.decision
     ('integral', 'proven')
     """

@@ -49,12 +49,14 @@ def symmetries(question: Question, progress: Progress = no_progress) -> Iterator
 
     Examples
     --------
+    >>> import flowlanes
     >>> import lawproof
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> import sympy as sp
+    >>> x, y, u, v = sp.symbols("x y u v", real=True)
+    >>> oscillator = flowlanes.System("oscillator", "Plane oscillator", {x: u, y: v, u: -x, v: -y})
+    >>> question = lawproof.search.search_request(oscillator, degree=1, gamma_degree=1)
     >>> [found.verdict.decision for found in lawproof.search.symmetries(question)][:1]
-    []
+    ['proven']
     """
     question.ansatz.check(len(question.stage.system.symbols))
     progress(0.0, "integrals")

@@ -63,7 +63,7 @@ class Controllability:
 
     Examples
     --------
-    >>> import chaplygin as ch
+    >>> import nonholonomic
     >>> from nonholonomic.control import Rotor, SphericalRobot, controllability
     >>> axes = ((1, 0, 0), (0, 1, 0))
     >>> robot = SphericalRobot(1.0, (0.4, 0.5, 0.6), 1.0, tuple(Rotor(e, 0.1) for e in axes))

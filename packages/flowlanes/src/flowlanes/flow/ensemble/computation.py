@@ -61,12 +61,14 @@ def compute(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> x = flowlanes.scans.axis("I_1=1:2:3")
-    >>> y = flowlanes.scans.axis("I_2=1.5:2:2")
-    >>> grid = flowlanes.scans.scan_grid(ball, x, y, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
-    >>> rule = flowlanes.scans.survival_time(ball, 5.0)
+    >>> import sympy as sp
+    >>> x, v, k = sp.symbols("x v k", real=True)
+    >>> damping = flowlanes.Parameter(k, "damping", 0.1)
+    >>> field = {x: v, v: -sp.sin(x) - k * v}
+    >>> pendulum = flowlanes.System("pendulum", "Damped pendulum", field, (damping,))
+    >>> axes = flowlanes.scans.axis("k=0:1:3"), flowlanes.scans.axis("v=0.5:1:2")
+    >>> grid = flowlanes.scans.scan_grid(pendulum, *axes, {"x": 0.5, "v": 0.0})
+    >>> rule = flowlanes.scans.survival_time(pendulum, 5.0)
     >>> task = flowlanes.scans.scan(flowlanes.scans.Scan(grid, rule, "survival", "Survival time"))
     >>> flowlanes.flow.ensemble.compute(task)["survival"].values.tolist()
     [[5.0, 5.0, 5.0], [5.0, 5.0, 5.0]]

@@ -100,12 +100,15 @@ def ensemble(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
-    >>> starts = flowlanes.sample_level(ball, 100, {"energy": 2.0}, seed=1)
-    >>> runs = flowlanes.ensemble(ball, starts, [0.0, 10.0], record=["energy"])
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> energy = flowlanes.Integral("energy", a**2 + b**2 / 2 + c**2 / 3)
+    >>> field = {a: -b * c, b: 4 * a * c, c: -3 * a * b}
+    >>> top = flowlanes.System("top", "Euler's top", field, laws=(energy,))
+    >>> starts = flowlanes.sample_level(top, 100, {"energy": 2.0}, seed=1)
+    >>> runs = flowlanes.ensemble(top, starts, [0.0, 10.0], record=["energy"])
     >>> dict(runs.sizes), bool(abs(runs["law_energy"] - 2.0).max() < 1e-9)
-    ({'run': 100, 'time': 2, 'axis': 3}, True)
+    ({'run': 100, 'time': 2}, True)
     """
     task = ensemble_task(
         system,

@@ -32,10 +32,9 @@ class Section:
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> flowlanes.flow.Section(ball.symbols[5], direction=1)
-    Section(value=gamma_3, direction=1, where=None)
+    >>> import sympy as sp
+    >>> flowlanes.flow.Section(sp.Symbol("x"), direction=1)
+    Section(value=x, direction=1, where=None)
     """
 
     value: sp.Expr
@@ -72,12 +71,15 @@ def poincare_section(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
-    >>> section = flowlanes.poincare_section(ball, "gamma_3")
-    >>> starts = flowlanes.sample_level(ball, 4, {"energy": 2.0}, seed=1)
-    >>> flowlanes.batch_integrator(ball, section=section).crossings(starts, 10).states.shape
-    (4, 10, 6)
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> energy = flowlanes.Integral("energy", a**2 + b**2 / 2 + c**2 / 3)
+    >>> field = {a: -b * c, b: 4 * a * c, c: -3 * a * b}
+    >>> top = flowlanes.System("top", "Euler's top", field, laws=(energy,))
+    >>> section = flowlanes.poincare_section(top, "b")
+    >>> starts = flowlanes.sample_level(top, 4, {"energy": 2.0}, seed=1)
+    >>> flowlanes.batch_integrator(top, section=section).crossings(starts, 10).states.shape
+    (4, 10, 3)
     """
     if not math.isfinite(value):
         raise InputError(f"value = {value}: it must be a finite number")

@@ -141,12 +141,12 @@ def linear_stability(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> about_middle_axis = {"M": (0, 1, 0), "gamma": (0, 1, 0)}
-    >>> growth_rates = flowlanes.linear_stability(ball, about_middle_axis).eigenvalues
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> well = flowlanes.System("well", "Double well", {x: v, v: 3 * x - x**3})
+    >>> growth_rates = flowlanes.linear_stability(well, {"x": 0, "v": 0}).eigenvalues
     >>> round(float(growth_rates[0].real), 6)
-    0.146647
+    1.732051
     """
     with mpmath.workdps(_working(digits)):
         point = _LinearisedSystem(system, state, parameters, digits)
@@ -201,11 +201,11 @@ def relative_equilibrium(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> spin = {"M": (0.0, 0.0, 1.0), "gamma": (0.0, 0.0, 1.0)}
-    >>> state = flowlanes.flow.relative_equilibrium(ball, spin)
-    >>> isinstance(flowlanes.linear_stability(ball, state), flowlanes.flow.Linearisation)
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> well = flowlanes.System("well", "Double well", {x: v, v: x - x**3})
+    >>> state = flowlanes.flow.relative_equilibrium(well, {"x": 0.9, "v": 0.1})
+    >>> isinstance(flowlanes.linear_stability(well, state), flowlanes.flow.Linearisation)
     True
     """
     with mpmath.workdps(_working(digits)):

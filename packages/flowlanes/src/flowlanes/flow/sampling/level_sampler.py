@@ -88,10 +88,13 @@ def sample_level(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
-    >>> flowlanes.sample_level(ball, 1000, {"energy": 2.0}, seed=1).shape
-    (1000, 6)
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> energy = flowlanes.Integral("energy", a**2 + b**2 / 2 + c**2 / 3)
+    >>> field = {a: -b * c, b: 4 * a * c, c: -3 * a * b}
+    >>> top = flowlanes.System("top", "Euler's top", field, laws=(energy,))
+    >>> flowlanes.sample_level(top, 1000, {"energy": 2.0}, seed=1).shape
+    (1000, 3)
     """
     return level_sampler(system, level, parameters).draw(count, seed=seed, first=first)
 
@@ -267,11 +270,14 @@ def level_sampler(
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> sampler = flowlanes.flow.level_sampler(ball, {"energy": 2.0})
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> energy = flowlanes.Integral("energy", a**2 + b**2 / 2 + c**2 / 3)
+    >>> field = {a: -b * c, b: 4 * a * c, c: -3 * a * b}
+    >>> top = flowlanes.System("top", "Euler's top", field, laws=(energy,))
+    >>> sampler = flowlanes.flow.level_sampler(top, {"energy": 2.0})
     >>> sampler.draw(5, seed=1).shape
-    (5, 6)
+    (5, 3)
     """
     values = parameter_rows(system, parameters, 1)[0]
     validate_level(system, level, values)

@@ -90,12 +90,15 @@ class PoincareMap:
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
-    >>> returns = flowlanes.PoincareMap(ball, flowlanes.poincare_section(ball, "gamma_3"))
-    >>> point = returns(flowlanes.sample_level(ball, 1, {"energy": 2.0}, seed=1)[0])
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> energy = flowlanes.Integral("energy", a**2 + b**2 / 2 + c**2 / 3)
+    >>> field = {a: -b * c, b: 4 * a * c, c: -3 * a * b}
+    >>> top = flowlanes.System("top", "Euler's top", field, laws=(energy,))
+    >>> returns = flowlanes.PoincareMap(top, flowlanes.poincare_section(top, "b"))
+    >>> point = returns(flowlanes.sample_level(top, 1, {"energy": 2.0}, seed=1)[0])
     >>> bool(abs(returns.inverse(returns(point)) - point).max() < 1e-10), returns.dimension(point)
-    (True, 2)
+    (True, 1)
     """
 
     system: System

@@ -72,10 +72,13 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
 
     Examples
     --------
+    >>> import flowlanes
     >>> import lawproof
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> verdict = lawproof.proof.prove_with_certificate(ball, ball.integrals[1])
+    >>> import sympy as sp
+    >>> a, b, c = sp.symbols("a b c", real=True)
+    >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
+    >>> square = flowlanes.Integral("square", a**2 + b**2 + c**2)
+    >>> verdict = lawproof.proof.prove_with_certificate(top, square)
     >>> verdict.decision, verdict.certificate is not None
     ('proven', True)
     """
