@@ -26,7 +26,7 @@ from chaplygin.page.page_systems import page_system, reduced_system
 from chaplygin.page.wasm_module import page_module
 from flowlanes.flow.batch import batch_integrator
 from flowlanes.flow.kernel.equations import poincare_section
-from flowlanes.lyapunov.indicators import Megno
+from flowlanes.lyapunov.indicators import megno
 
 SYSTEMS = ("unbalanced-ball", "rubber-body", "marble-ball-on-torus", "clebsch")
 SAMPLES, POINTS, UNTIL, TILE, ROW = 601, 1000, 100.0, 8, 200
@@ -110,7 +110,7 @@ def row(name: str, times: int) -> dict[str, object]:
     cut = poincare_section(reduced, text, section["value"], 1)
     motions = batch_integrator(whole, tolerance=model["tolerance"])
     returns = batch_integrator(reduced, section=cut)
-    megno = Megno(reduced, UNTIL)
+    rule = megno(reduced, UNTIL)
     many = np.repeat(here, ROW, axis=0)
     common = {"parameters": {}, "start": model["start"]}
     tile = {"motions": [common] * TILE, "until": UNTIL, "kind": "megno"}
@@ -128,7 +128,7 @@ def row(name: str, times: int) -> dict[str, object]:
                 times,
             ),
             "megno": per_motion(
-                compared(lambda: page.seconds("indicators", tile), lambda: megno(many, {}), times)
+                compared(lambda: page.seconds("indicators", tile), lambda: rule(many, {}), times)
             ),
         }
         started = page.start

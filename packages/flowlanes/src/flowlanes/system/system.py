@@ -190,12 +190,13 @@ class ScalarForm:
 
     Examples
     --------
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> ball.scalar.relations
-    (gamma_1**2 + gamma_2**2 + gamma_3**2 - 1,)
-    >>> ball.scalar.laws[0].name == ball.laws[0].name
-    True
+    >>> import flowlanes
+    >>> from flowlanes.system import Vector, constant, cross, norm_squared
+    >>> u = Vector("u")
+    >>> field, relations = {u: cross(u, constant([0, 0, 1]))}, (norm_squared(u) - 1,)
+    >>> system = flowlanes.System("turning", "A turning direction", field, relations=relations)
+    >>> system.scalar.relations
+    (u_1**2 + u_2**2 + u_3**2 - 1,)
     """
 
     system: System

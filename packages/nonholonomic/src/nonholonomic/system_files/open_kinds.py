@@ -113,12 +113,6 @@ class OpenKinds(_Open):
         The tables of this package.
     register : callable
         () ↦ the base of the classes that are described.
-
-    Examples
-    --------
-    >>> from chaplygin.experiment.file.body_tables import SHAPES
-    >>> [table.__name__ for table in SHAPES.tables()][:2]
-    ['BallTable', 'EllipsoidTable']
     """
 
     def __init__(
@@ -214,12 +208,10 @@ def table_of(kind: type[Registered], base: type[KindTable]) -> type[KindTable]:
 
     Examples
     --------
-    >>> import chaplygin as ch
     >>> import nonholonomic
-    >>> from chaplygin.experiment.file.body_tables import ShapeTable
-    >>> from nonholonomic.system_files.open_kinds import table_of
-    >>> list(table_of(nonholonomic.Disk, ShapeTable).model_fields)
-    ['parameters', 'kind', 'centre', 'radius']
+    >>> from nonholonomic.system_files.open_kinds import KindTable, table_of
+    >>> list(table_of(nonholonomic.Disk, KindTable).model_fields)
+    ['centre', 'radius']
     """
     hints = get_type_hints(kind)
     fields: dict[str, Any] = {}
