@@ -10,6 +10,7 @@ from sympy.matrices.expressions import Identity, MatAdd, MatMul, MatrixExpr
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
+from ..arguments import Formula, arguments_checked
 from ..errors import InputError
 from ..system.laws import Rate
 from ..system.vector_operators import Gradient
@@ -153,9 +154,8 @@ class _FilePrinter(StrPrinter):
     _print_ImmutableDenseMatrix = _print_DenseMatrix = _print_MatrixBase  # noqa: N815
 
 
-def formula_text(
-    formula: sp.Basic | float, definitions: Mapping[sp.Symbol, sp.Basic] | None = None
-) -> str:
+@arguments_checked
+def formula_text(formula: Formula, definitions: Mapping[sp.Symbol, sp.Basic] | None = None) -> str:
     """A formula as a user would type it, its numbers exact.
 
     Parameters

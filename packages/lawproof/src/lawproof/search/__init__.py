@@ -4,8 +4,8 @@ A question names an ansatz.  Its linear algebra is done modulo a large prime at 
 phase space; a solution is converted to a formula in the parameters and proved.
 
 >>> from nonholonomic.catalogue import from_catalogue
->>> from lawproof.search import search_request, integrals
->>> for found in integrals(search_request(from_catalogue("veselova"))):
+>>> from lawproof.search import search_space, integrals
+>>> for found in integrals(search_space(from_catalogue("veselova"))):
 ...     print(found.formula, found.verdict.decision)
 Dot(omega, I*omega) proven
 Dot(I*omega, I*omega) - Dot(omega, I*gamma)**2 proven
@@ -13,8 +13,8 @@ Dot(I*omega, I*omega) - Dot(omega, I*gamma)**2 proven
 
 from .integrals import integrals
 from .measures import measures
-from .request import search_request
-from .result import Question, SearchResult
+from .request import search_space
+from .result import SearchResult, SearchSpace
 from .symmetries import symmetries
 
-__all__ = ["Question", "SearchResult", "integrals", "measures", "search_request", "symmetries"]
+__all__ = ["SearchResult", "SearchSpace", "integrals", "measures", "search_space", "symmetries"]

@@ -20,7 +20,7 @@ from .modular_jets import Integers, inverse, power, prime
 from .modular_linalg import combination, independent_columns, nullspace, product, rank
 from .phase_space import Sample
 from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, reconstructed_laws
-from .result import Progress, Question, SearchResult, no_progress
+from .result import Progress, SearchResult, SearchSpace, no_progress
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import VectorInvariants, component_scalars
 
@@ -32,7 +32,7 @@ _SEED = 20080830
 
 
 @arguments_checked
-def integrals(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:
+def integrals(question: SearchSpace, progress: Progress = no_progress) -> Iterator[SearchResult]:
     """First integrals of the form P/Qˢ with a polynomial P and a divisor Q, one after the other.
 
     An integral that is a polynomial in earlier ones and functions of the parameters is not
@@ -40,7 +40,7 @@ def integrals(question: Question, progress: Progress = no_progress) -> Iterator[
 
     Parameters
     ----------
-    question : Question
+    question : SearchSpace
     progress : callable, optional
         Called with the fraction done and what is being done.
 
@@ -58,7 +58,7 @@ def integrals(question: Question, progress: Progress = no_progress) -> Iterator[
     >>> import lawproof
     >>> import nonholonomic
     >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> question = lawproof.search.search_space(ball, degree=1, gamma_degree=1)
     >>> [str(found.law.value) for found in lawproof.search.integrals(question)]
     ['Dot(M, gamma)']
     """
@@ -88,7 +88,7 @@ def integrals(question: Question, progress: Progress = no_progress) -> Iterator[
     progress(1.0, "")
 
 
-def _divisions(question: Question) -> list[tuple[sp.Expr, int]]:
+def _divisions(question: SearchSpace) -> list[tuple[sp.Expr, int]]:
     return [
         (sp.S.One, 0),
         *((d, s) for d in question.divisors for s in range(1, question.powers + 1)),
@@ -132,7 +132,7 @@ class _KnownIntegrals:
 class _Search:
     """One search: the common sample, the known integrals, and the vocabulary of formulas."""
 
-    def __init__(self, question: Question) -> None:
+    def __init__(self, question: SearchSpace) -> None:
         self.question = question
         self.space = question.stage
         self.points = max(a.size for a in (question.ansatz, *question.also)) + _RESERVE
@@ -298,7 +298,7 @@ class _Search:
 
     def _finding(self, formula: sp.Expr, degree: int) -> SearchResult:
         name = f"F_{len(self.formulas)}"
-        law = Integral(name, formula, on=self.space.on)
+        law = Integral(name, formula, level=self.space.on)
         verdict = prove(self.space.system, law, effort=self.question.effort)
         return SearchResult(
             "integral", law, verdict, catalogue_law=self._catalogue_name(formula, degree)

@@ -13,7 +13,7 @@ from flowlanes.system.laws import Integral, Measure, Symmetry
 from ..proof.fields.budget import EFFORT
 from ..proof.verdict import Verdict
 from .ansatz import Ansatz
-from .phase_space import SearchSpace
+from .phase_space import RestrictedSystem
 
 Kind = Literal["integral", "measure", "symmetry"]
 Progress = Callable[[float, str], None]
@@ -25,12 +25,12 @@ def no_progress(fraction: float, words: str) -> None:
 
 
 @dataclass(frozen=True)
-class Question:
+class SearchSpace:
     """The laws of a system among which to search.
 
     Attributes
     ----------
-    stage : SearchSpace
+    stage : RestrictedSystem
         The system, conditions on its parameters, a level.
     ansatz : Ansatz
         Polynomials in momenta and coordinates.
@@ -52,12 +52,12 @@ class Question:
     >>> import lawproof
     >>> import nonholonomic
     >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> question = lawproof.search.search_space(ball, degree=1, gamma_degree=1)
     >>> question.powers, question.parameter_degree
     (1, 3)
     """
 
-    stage: SearchSpace
+    stage: RestrictedSystem
     ansatz: Ansatz
     also: tuple[Ansatz, ...] = ()
     divisors: tuple[sp.Expr, ...] = ()
@@ -88,7 +88,7 @@ class SearchResult:
     >>> import lawproof
     >>> import nonholonomic
     >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> question = lawproof.search.search_request(ball, degree=1, gamma_degree=1)
+    >>> question = lawproof.search.search_space(ball, degree=1, gamma_degree=1)
     >>> found = next(lawproof.search.integrals(question))
     >>> found.kind, found.verdict.decision
     ('integral', 'proven')

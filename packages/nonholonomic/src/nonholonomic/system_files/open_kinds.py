@@ -217,7 +217,7 @@ def table_of(kind: type[Registered], base: type[KindTable]) -> type[KindTable]:
     >>> import chaplygin as ch
     >>> import nonholonomic
     >>> from chaplygin.experiment.file.body_tables import ShapeTable
-    >>> from chaplygin.experiment.file.open_kinds import table_of
+    >>> from nonholonomic.system_files.open_kinds import table_of
     >>> list(table_of(nonholonomic.Disk, ShapeTable).model_fields)
     ['parameters', 'kind', 'centre', 'radius']
     """

@@ -54,7 +54,7 @@ class Reversor:
     >>> import flowlanes
     >>> import nonholonomic
     >>> disk = nonholonomic.from_catalogue("heavy-disk")
-    >>> flowlanes.reversors(disk)[0].odd
+    >>> flowlanes.reversing_symmetries(disk)[0].odd
     (M_1, gamma_1)
     """
 
@@ -84,7 +84,7 @@ class Reversor:
 
 
 @arguments_checked
-def reversors(system: System) -> tuple[Reversor, ...]:
+def reversing_symmetries(system: System) -> tuple[Reversor, ...]:
     """All sign changes that are proven to reverse a system.
 
     Parameters
@@ -109,7 +109,7 @@ def reversors(system: System) -> tuple[Reversor, ...]:
     >>> import flowlanes
     >>> import nonholonomic
     >>> ball = nonholonomic.from_catalogue("unbalanced-ball")
-    >>> [reversor.words(ball) for reversor in flowlanes.reversors(ball)][:2]
+    >>> [reversor.words(ball) for reversor in flowlanes.reversing_symmetries(ball)][:2]
     ['M changes sign', 'M₁, γ₁ change sign where c₁ = 0']
     """
     accepted: list[Reversor] = []
