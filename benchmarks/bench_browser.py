@@ -22,9 +22,9 @@ from statistics import median
 import numpy as np
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from chaplygin import loads, prepare
+from chaplygin import Study, parse_experiment
 from chaplygin.experiment.friction_studies.chart_task import chart_task
-from chaplygin.experiment.study import Study, dataset_of
+from chaplygin.experiment.study import dataset_of
 from chaplygin.page.element import page
 from chaplygin.page.page_model import live_page_model
 from chaplygin.page.study_page import study_model
@@ -86,7 +86,7 @@ def native_chart_seconds(study: Study, x: str, y: str) -> float:
     """The same by native code."""
     inputs = {row["name"]: row for row in live_page_model(study)["start_inputs"]}
     axes = [Axis(n, inputs[n]["low"], inputs[n]["high"], SIZE) for n in (x, y)]
-    task, _ = chart_task(study, "megno", *axes, until=UNTIL)
+    task, _ = chart_task(study, "megno", *axes, t_end=UNTIL)
     task.work(0, 2)
     began = time.perf_counter()
     for block in range(task.blocks):
@@ -121,7 +121,7 @@ def peer_frames(chromium: Browser, python: str, peer: str, poses: Path) -> float
 def row(
     chromium: Browser, name: str, count: int, peers: str | None, chart: bool, folder: Path
 ) -> dict[str, object]:
-    study = prepare(loads(f'system = {{name = "{name}"}}'))
+    study = Study.from_experiment(parse_experiment(f'system = {{name = "{name}"}}'))
     motion = dataset_of(study, study.trajectory())
     path = folder / f"{name}.html"
     path.write_text(page(study_model(study, motion)))

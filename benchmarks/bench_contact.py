@@ -26,7 +26,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 from chaplygin import lambdify
 from contact.situations import CASES, situation, start
 from nonholonomic.contact import CompiledContact, FrictionalContact, contact_motion
-from nonholonomic.contact.equations.equations_of_motion import equations_of_motion
+from nonholonomic.contact.equations.equations_of_motion import contact_equations
 from nonholonomic.contact.friction.modes import Mode
 
 CASE = CASES["loaded ball"]
@@ -68,7 +68,7 @@ def ours(contact: FrictionalContact, state: np.ndarray) -> Run:
 
 def regularised(contact: FrictionalContact, state: np.ndarray, width: float) -> Run:
     """SciPy's LSODA with friction μN u/√(u² + width²) in one piece."""
-    system = equations_of_motion(contact, Mode())
+    system = contact_equations(contact, Mode())
     speed = next(i for i, (n, _) in enumerate(system.definitions) if str(n) == "slip_speed")
     smooth = list(system.definitions)
     smooth[speed] = (smooth[speed][0], (smooth[speed][1] ** 2 + width**2) ** 0.5)

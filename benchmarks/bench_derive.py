@@ -29,7 +29,7 @@ TURNS = 3
 
 def own(shape: chaplygin.Ball | chaplygin.Ellipsoid) -> int:
     body = chaplygin.Body(1.0, (1.0, 1.5, 2.1), shape)
-    system = chaplygin.roll(body, field=chaplygin.Forces(9.81))
+    system = chaplygin.rolling_system(body, field=chaplygin.Forces(9.81))
     steps = system.required_definitions(system.rates)
     return int(sum(sp.count_ops(e) for e in (*system.rates, *(value for _, value in steps))))
 

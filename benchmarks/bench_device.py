@@ -19,7 +19,7 @@ import numpy as np
 import chaplygin as ch
 from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.scan import chart_of
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from flowlanes.flow.devices.graphics import Device
 from flowlanes.scans.grid import axis
@@ -48,16 +48,16 @@ def section(count: int) -> dict[Device, Callable[[], Any]]:
         d: ch.batch_integrator(body, tolerance=TOLERANCE, section=cut, device=d) for d in DEVICES
     }
     return {
-        device: lambda flow=flow: flow.crossings(starts, 10, until=100.0)
+        device: lambda flow=flow: flow.crossings(starts, 10, t_end=100.0)
         for device, flow in flows.items()
     }
 
 
 def chart(number: str, rows: int) -> dict[Device, Callable[[], Any]]:
     """Rows of a chart with 2000 columns of the unbalanced ball, to t = 100."""
-    study = prepare(catalogue_experiment("unbalanced-ball"))
+    study = Study.from_experiment(catalogue_experiment("unbalanced-ball"))
     x, y = axis("c_1=-0.4:0.4:2000"), axis("c_3=-0.4:0.4:2000")
-    charts = {d: chart_of(study, number, x, y, until=100.0, device=d) for d in DEVICES}
+    charts = {d: chart_of(study, number, x, y, t_end=100.0, device=d) for d in DEVICES}
     return {device: lambda scan=scan: scan(0, rows) for device, scan in charts.items()}
 
 

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from chaplygin import ensemble, from_catalogue
-from flowlanes.flow.ensemble import random_starts
+from flowlanes.flow.ensembles import random_starts
 
 SIZES = (1_000, 10_000, 100_000)
 TIMES = np.linspace(0, 10, 101)
@@ -35,7 +35,7 @@ def run(size: int, client: str) -> dict[str, object]:
             random_starts(size, {"energy": 20.0}, seed=1),
             TIMES,
             record=("energy",),
-            where=place,
+            store=place,
             client=client or None,
         )
         seconds = time.perf_counter() - began

@@ -24,7 +24,7 @@ import numpy as np
 import sympy as sp
 from kane_bicycle import kane_bicycle
 
-from chaplygin import System, equations, from_sympy, lambdify, linear_stability
+from chaplygin import System, equations_of_motion, from_sympy, lambdify, linear_stability
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "examples"))
 import whipple_bicycle
@@ -41,7 +41,7 @@ def operations(system: System) -> int:
 
 def own() -> System:
     whipple_bicycle.bicycle.cache_clear()
-    return equations(whipple_bicycle.bicycle())
+    return equations_of_motion(whipple_bicycle.bicycle())
 
 
 def kane() -> Any:

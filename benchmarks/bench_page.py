@@ -20,7 +20,7 @@ from statistics import median
 
 import numpy as np
 
-from chaplygin import loads, prepare
+from chaplygin import Study, parse_experiment
 from chaplygin.page.page_model import live_page_model
 from chaplygin.page.page_systems import page_system, reduced_system
 from chaplygin.page.wasm_module import page_module
@@ -96,7 +96,7 @@ def per_motion(both: list[float]) -> list[float]:
 
 
 def row(name: str, times: int) -> dict[str, object]:
-    study = prepare(loads(f'system = {{name = "{name}"}}'))
+    study = Study.from_experiment(parse_experiment(f'system = {{name = "{name}"}}'))
     compile_seconds = seconds(lambda: page_module(study))
     model = live_page_model(study)
     module = page_module(study)
@@ -110,7 +110,7 @@ def row(name: str, times: int) -> dict[str, object]:
     cut = poincare_section(reduced, text, section["value"], 1)
     motions = batch_integrator(whole, tolerance=model["tolerance"])
     returns = batch_integrator(reduced, section=cut)
-    rule = megno(reduced, UNTIL)
+    growth = megno(reduced, UNTIL)
     many = np.repeat(here, ROW, axis=0)
     common = {"parameters": {}, "start": model["start"]}
     tile = {"motions": [common] * TILE, "until": UNTIL, "kind": "megno"}
@@ -128,7 +128,7 @@ def row(name: str, times: int) -> dict[str, object]:
                 times,
             ),
             "megno": per_motion(
-                compared(lambda: page.seconds("indicators", tile), lambda: rule(many, {}), times)
+                compared(lambda: page.seconds("indicators", tile), lambda: growth(many, {}), times)
             ),
         }
         started = page.start

@@ -37,7 +37,7 @@ def by_sympy(name: str, law_name: str) -> bool:
 
     system = from_catalogue(name)
     law = next(law for law in system.integrals if law.name == law_name)
-    ground = LevelSet(system, law.on)
+    ground = LevelSet(system, law.level)
     value = ground.expand(to_components(law.value))
     rate = sp.Add(
         *(

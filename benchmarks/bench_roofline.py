@@ -96,8 +96,8 @@ def measured(body: Body, most: float) -> dict[str, float]:
 
     where = poincare_section(body.system, body.system.symbols[-1])
     flow = batch_integrator(body.system, tolerance=1e-11, section=where)
-    crossed = flow.crossings(starts, 200, until=body.span, threads=1)
-    with_section = seconds(lambda: flow.crossings(starts, 200, until=body.span, threads=1))
+    crossed = flow.crossings(starts, 200, t_end=body.span, threads=1)
+    with_section = seconds(lambda: flow.crossings(starts, 200, t_end=body.span, threads=1))
     points, steps = int(crossed.counts.sum()), int(crossed.steps.sum())
     found["sections: points of a motion"] = points / len(starts)
     found["sections: time with and without"] = with_section / spent
@@ -118,11 +118,11 @@ def measured(body: Body, most: float) -> dict[str, float]:
     found["ensembles: kB of stages"] = len(explicit().a) * body.size * width() * 8 / 1000
 
     cycle = 1 / (most / (4 * min(8, width() // 2)))
-    for digits in (16, 30):
-        single = gauss_integrator(body.system, starts[0], digits=digits)
+    for digits, precision in ((16, "double"), (30, "quad")):
+        single = gauss_integrator(body.system, starts[0], precision=precision)
         one = [body.starts(4, 1)[0]]
         short = seconds(lambda s=single, x=one: s.propagate(x, [1e-3], threads=1))
-        long = body.short if digits == 30 else 20.0
+        long = body.short if precision == "quad" else 20.0
         count = int(single.propagate(one, [long], threads=1).steps[0])
         step = (seconds(lambda s=single, x=one, t=long: s.propagate(x, [t], threads=1)) - short) / (
             count

@@ -16,7 +16,7 @@ import time
 from pathlib import Path
 
 from chaplygin import ensemble, from_catalogue
-from flowlanes.flow.ensemble import random_starts
+from flowlanes.flow.ensembles import random_starts
 
 SIZES = (100_000, 1_000_000, 10_000_000)
 
@@ -33,7 +33,7 @@ def run(size: int, workers: int, block: int | None) -> dict[str, float]:
             record=("energy",),
             tolerance=1e-10,
             block=block,
-            where=place,
+            store=place,
             client=workers,
         )
         complete = int((data["outcome"] == 0).sum())

@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from chaplygin import CATALOGUE, RunError, Study, Trajectory, integrate, prepare
+from chaplygin import CATALOGUE, RunError, Study, Trajectory, integrate
 from chaplygin.experiment.models.experiment import catalogue_experiment
 
 UNTIL = 1e5
@@ -133,7 +133,7 @@ def main() -> None:
     for number, name in enumerate(options.only, 1):
         path = options.folder / f"{name}.json"
         print(f"{number}/{len(options.only)} {name}", end=" ", flush=True)
-        continue_run(prepare(catalogue_experiment(name)), path, options.share)
+        continue_run(Study.from_experiment(catalogue_experiment(name)), path, options.share)
         record = json.loads(path.read_text())
         size, _ = relative(record)
         print(f"t = {record['time']:g}, drift {size:.1e} {record['end']}", flush=True)

@@ -28,12 +28,12 @@ from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES
 from chaplygin.report.figures import save
 from chaplygin.report.figures.scan import chart as draw_chart
 from flowlanes.flow import Section, project_to_level
-from flowlanes.flow.ensemble import compute
+from flowlanes.flow.ensembles import compute
 from flowlanes.formulas import Formulas
 from flowlanes.lyapunov import Spectrum, maximal_exponent, megno
 from flowlanes.scans import Scan, axis, scan, scan_grid
 from flowlanes.system import dot, to_components
-from lawproof.search import integrals, search_request
+from lawproof.search import integrals, search_space
 from nonholonomic.catalogue.ball_on_sphere.ball_on_sphere_equations import (
     M,
     equations_on_sphere,
@@ -42,8 +42,8 @@ from nonholonomic.catalogue.ball_on_sphere.ball_on_sphere_equations import (
 )
 
 #: The integrals of the cases k = 1 and k = 0; that of k = −1 is among the laws of the equations.
-AREA = Integral("area", dot(M, n), "area integral", on=(k - 1,))
-FIXED = tuple(Integral(str(s), s, "fixed normal", on=(k,)) for s in n.symbols)
+AREA = Integral("area", dot(M, n), "area integral", level=(k - 1,))
+FIXED = tuple(Integral(str(s), s, "fixed normal", level=(k,)) for s in n.symbols)
 SYSTEM: System = equations_on_sphere().with_laws(AREA, *FIXED)
 
 #: The level on which everything happens: M² in kg² m⁴/s², and an energy, in J, that is possible
@@ -82,7 +82,7 @@ SHOWN = (-1.0, -0.7, -0.3, 0.3, 0.7, 1.0)
 
 def proven_integrals(condition: str, degree: int) -> list[str]:
     """Integrals polynomial in M and n up to a degree in each, at a condition on k; all proven."""
-    question = search_request(
+    question = search_space(
         equations_on_sphere(), degree=degree, gamma_degree=degree, at=[condition] * bool(condition)
     )
     findings = [(finding.formula, finding.proven) for finding in integrals(question)]
@@ -125,7 +125,7 @@ def shares(size: Size, ratios: Sequence[float] = RATIOS) -> Iterator[Row]:
 def exponents(row: Row, until: float) -> Spectrum:
     """The Lyapunov spectrum of the wildest motion at one k."""
     intervals = max(200, round(until / 50))
-    return lyapunov_spectrum(SYSTEM, row.wildest, {k: row.ratio}, until=until, intervals=intervals)
+    return lyapunov_spectrum(SYSTEM, row.wildest, {k: row.ratio}, t_end=until, intervals=intervals)
 
 
 def table_row(row: Row, spectrum: Spectrum) -> str:
@@ -186,7 +186,7 @@ def sections(size: Size) -> Figure:
         figure.set_label("Sections of a ball on a sphere")
         panels = figure.subplots(2, 3, sharex=True, sharey=True)
         for axes, ratio in zip(panels.flat, SHOWN, strict=True):
-            run = flow.crossings(begun, size.returns, {k: ratio}, until=100.0 * size.returns)
+            run = flow.crossings(begun, size.returns, {k: ratio}, t_end=100.0 * size.returns)
             for orbit, points in enumerate(run.states):
                 axes.plot(
                     np.arctan2(points[:, 4], points[:, 3]),

@@ -18,14 +18,14 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin import Body, Disk, Forces, Rolling, Solution, initial_state
+from chaplygin import Body, Disk, Forces, RollingBody, Solution, initial_state
 from chaplygin.report import figures
 from chaplygin.report.drawing.style import COMPONENTS, INK, STYLE, WIDTH
 from nonholonomic.closed_form import revolution_diagram
 from nonholonomic.closed_form.revolution import solve_rolling
 
 #: A homogeneous disk: kg, m.
-DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
+DISK = RollingBody(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
 OMEGA, GAMMA = (0.4, 0.8, 2.0), (1.0, -0.5, 0.0)
 
 #: Seconds.

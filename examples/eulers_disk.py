@@ -24,7 +24,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.optimize import curve_fit
 
-from chaplygin import Body, load, prepare
+from chaplygin import Body, Study, load_experiment
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 from nonholonomic.contact import (
     AirFilm,
@@ -78,7 +78,7 @@ def decay(
     words: str, law: FrictionLaw, power: float, grip: float = GRIP, samples: int = 3000
 ) -> Decay:
     """The disk of the file under a law, with the exponent that theory predicts."""
-    subject = prepare(load(FILE)).subject
+    subject = Study.from_experiment(load_experiment(FILE)).subject
     body, field = subject.contact.body, subject.contact.field
     disk = FrictionalContact(body, laws=(Coulomb(grip), law), field=field)
     start = subject.start_values
@@ -98,7 +98,7 @@ def decay(
     (exponent, end, _), _ = curve_fit(
         logarithm, motion.times[clear], np.log(angles[clear]), guess, maxfev=20000
     )
-    values = motion.observables()
+    values = motion
     ratio = np.linalg.norm(values["friction_force"], axis=1) / values["normal_force"]
     return Decay(words, motion.times, angles, theory, exponent, end, float(ratio.max()))
 
@@ -116,7 +116,7 @@ def ending(law: FrictionLaw, first: float, body: Body, gravity: float) -> float:
 
 def decays() -> list[Decay]:
     """The disk under each of the laws."""
-    radius = prepare(load(FILE)).subject.contact.body.shape.radius
+    radius = Study.from_experiment(load_experiment(FILE)).subject.contact.body.shape.radius
     return [
         decay("wandering of the contact", ContourResistance(CONTOUR), 2 / 3),
         decay("resistance to rolling", RollingResistance(ROLLING), 2.0),
@@ -153,7 +153,9 @@ def report(folder: Path) -> None:
         print(f"  end t₁ = {run.end:.5f} s; for small angles {run.theory:.5f} s")
         print(f"  followed to α = {run.angles[-1]:.3g}, t = {run.times[-1]:.6f} s")
         print(f"  friction is at most {run.largest_friction:.4f} times the normal force")
-    run = prepare(load(FILE, ("run.until=4.75", "run.samples=2"))).trajectory()
+    run = Study.from_experiment(
+        load_experiment(FILE, ("run.until=4.75", "run.samples=2"))
+    ).trajectory()
     print(f"with μ = 0.3, by the file: {run.changes[0]}")
     with plt.rc_context(STYLE):
         folder.mkdir(parents=True, exist_ok=True)

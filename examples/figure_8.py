@@ -26,7 +26,7 @@ from chaplygin.experiment.poincare import coordinates_of
 from chaplygin.report.figures import save
 from chaplygin.report.figures.poincare import draw_section
 from flowlanes.flow import project_to_level
-from flowlanes.flow.ensemble import compute
+from flowlanes.flow.ensembles import compute
 from flowlanes.flow.sections.poincare_dataset import section_task
 from flowlanes.formulas import Formulas
 from flowlanes.system import to_components
@@ -53,7 +53,7 @@ AWAY = 1e-3
 SEED = 1
 
 SYSTEM = entry("unbalanced-ball").system(BODY)
-RETURN = PoincareMap(SYSTEM, poincare_section(SYSTEM, "gamma_3"), until=3e4)
+RETURN = PoincareMap(SYSTEM, poincare_section(SYSTEM, "gamma_3"), t_end=3e4)
 NAMES, _PLAIN, _ = coordinates_of(SYSTEM, COORDINATES)
 QUANTITIES = tuple(
     replace(item, label=label) for item, label in zip(_PLAIN, ("l", "L/G", "H/G"), strict=True)

@@ -17,7 +17,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.spatial.transform import Rotation
 
-from chaplygin import load, prepare
+from chaplygin import Study, load_experiment
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, STYLE
 
 EXAMPLES = Path(__file__).parent
@@ -34,7 +34,9 @@ UNTIL = 120.0
 def directions(axes: tuple[float, float, float]) -> np.ndarray:
     """N/|N| in space axes along the motion, (n, 3), for a cavity with these semi-axes."""
     options = [f"body.cavity.axes={list(axes)}", f"run.until={UNTIL}", "run.samples=4801"]
-    run = prepare(load(EXAMPLES / "ball_with_fluid.toml", options)).trajectory()
+    run = Study.from_experiment(
+        load_experiment(EXAMPLES / "ball_with_fluid.toml", options)
+    ).trajectory()
     turn = Rotation.from_quat(run.records["attitude"], scalar_first=True)
     circulation = np.array(run["N"])
     directed: np.ndarray = turn.apply(circulation / np.linalg.norm(circulation, axis=1)[:, None])

@@ -18,7 +18,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.spatial.transform import Rotation
 
-from chaplygin import load, prepare
+from chaplygin import Study, load_experiment
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from nonholonomic.contact import MODE_NAMES
@@ -34,7 +34,7 @@ Picture = tuple[Figure, list[str]]
 
 def motion(name: str, *overrides: str) -> ContactTrajectory:
     """The motion of an experiment file."""
-    run = prepare(load(EXAMPLES / f"{name}.toml", overrides)).trajectory()
+    run = Study.from_experiment(load_experiment(EXAMPLES / f"{name}.toml", overrides)).trajectory()
     assert isinstance(run, ContactTrajectory)
     return run
 

@@ -11,7 +11,7 @@ import argparse
 from chaplygin import CATALOGUE, classify
 from lawproof.proof.fields.budget import EFFORT
 from nonholonomic.catalogue import entry
-from nonholonomic.classification import Classification, ProofBudget
+from nonholonomic.classification import Classification
 
 HEAD = ("system", "dim", "integrals", "left", "measure", "Poisson", "symmetry", "class")
 
@@ -21,8 +21,7 @@ SIGNS = {"kept": "positive", "changes": "singular", "unknown": "sign undecided"}
 def classification(name: str) -> Classification:
     """The place of a system of the catalogue, with its suggested parameters."""
     system = entry(name).system()
-    budget = ProofBudget(EFFORT)
-    return classify(system, budget.verdicts(system), budget, entry(name).rolling())
+    return classify(system, source=entry(name).rolling(), effort=EFFORT, total_budget=None)
 
 
 def rows(name: str) -> list[str]:

@@ -186,7 +186,7 @@ def cycles(ball: Ball, level: float = LEVEL, settle: int = 200) -> tuple[Orbit, 
     returns = ball.returns
     near = returns.section.iterate(ball.start(level, 2.0)[None], settle)[0]
     orbit = find_periodic(returns, near, hold={"energy": 0.5, "quadratic": level})
-    return orbit, continue_orbit(returns, orbit, "quadratic", 2.0, {"energy": 0.5}, longest=0.3)
+    return orbit, continue_orbit(returns, orbit, "quadratic", 2.0, {"energy": 0.5}, max_step=0.3)
 
 
 def control(ball: Ball, level: float, period: int) -> Orbit:
@@ -234,8 +234,8 @@ class Story:
 def measure(count: int = 400, longest: int = LONGEST) -> Story:
     """Staircase, widths, limit cycles and controls."""
     full, even = circles(J, KAPPA), circles(J, 0 * KAPPA)
-    stairs = staircase(full, levels(J, count), target=1e-9, most=2048)
-    flat = staircase(even, levels(J, count // 4), target=1e-9, most=2048)
+    stairs = staircase(full, levels(J, count), tolerance=1e-9, max_iterations=2048)
+    flat = staircase(even, levels(J, count // 4), tolerance=1e-9, max_iterations=2048)
     two = resonance(even, Fraction(2), flat)
     orbit, branch = cycles(Ball.of(J, KAPPA))
     line = np.array([0.19, 0.0, 0.0])
@@ -245,7 +245,9 @@ def measure(count: int = 400, longest: int = LONGEST) -> Story:
     }
     moments, kappa = central(*(EVERYDAY[name] for name in ("m", "R", "I", "c")))
     usual = circles(moments, kappa)
-    usual_stairs = staircase(usual, levels(moments, count // 4), target=1e-9, most=2048)
+    usual_stairs = staircase(
+        usual, levels(moments, count // 4), tolerance=1e-9, max_iterations=2048
+    )
 
     def lift(steps: int) -> np.ndarray:
         return full(np.array([0.3]), np.array([LEVEL]), steps)[0]

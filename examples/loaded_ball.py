@@ -46,7 +46,7 @@ mechanism = Mechanism(
             "jellett",
             dot(I * omega, r) + m * dot(cross(r, cross(omega, r)), r),
             "Jellett's integral",
-            on=(I.symbols[0] - I.symbols[1],),
+            level=(I.symbols[0] - I.symbols[1],),
         ),
     ),
 )

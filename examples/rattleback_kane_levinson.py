@@ -41,7 +41,7 @@ import sympy as sp
 from scipy.optimize import brentq, minimize_scalar
 
 import chaplygin
-from chaplygin import Forces, Parameter, Rolling, System, equations, rolling_mechanism
+from chaplygin import Forces, Parameter, RollingBody, System, equations_of_motion, rolling_mechanism
 from flowlanes.system import dot, real_symbol, to_components
 from flowlanes.system.vectors import vectors
 
@@ -58,7 +58,7 @@ UNTIL = 20.0
 DIGITS = 11
 """Decimals of the times that are printed: those on which double and 34 digits agree."""
 
-STONE = Rolling(
+STONE = RollingBody(
     chaplygin.Body(
         mass=1.0,
         inertia=((2.0e-4, -2.0e-5, 0.0), (-2.0e-5, 16.0e-4, 0.0), (0.0, 0.0, 17.0e-4)),
@@ -78,7 +78,7 @@ def damped_stone(coefficient: float) -> System:
     """The stone under the couple −σω, derived from its Lagrangian."""
     free = rolling_mechanism(STONE, "damped-rattleback")
     drag = Parameter(sigma, "coefficient of the couple −σω", coefficient, "N m s")
-    return equations(
+    return equations_of_motion(
         replace(free, forces={omega: -sigma * omega}, parameters=(*free.parameters, drag), laws=())
     )
 

@@ -43,7 +43,7 @@ from chaplygin import (
     System,
     Trajectory,
     Verdict,
-    equations,
+    equations_of_motion,
     from_sympy,
     integrate,
     linear_stability,
@@ -290,7 +290,7 @@ def verdict_text(verdict: Verdict, fails: str = "is off by") -> str:
 
 def report(folder: Path) -> None:
     """The whole story, and the figure."""
-    disc_itself, model = equations(mechanism()), mechanism()
+    disc_itself, model = equations_of_motion(mechanism()), mechanism()
     printed, mistaken = substituted(-1), substituted(1)
     exact = in_cosines(disc_itself)
     print("The constraint\n")

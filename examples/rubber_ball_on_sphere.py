@@ -110,7 +110,7 @@ def measure(k: float, count: int = 72, length: int = 4000, until: float = UNTIL)
     points = section.crossings(starts(k, line, across), length).states
     _, errors = average(points[..., 3] ** 2)
     (start,) = starts(k, *np.array(START)[:, None])
-    exponents = lyapunov_spectrum(SYSTEM, start, section.parameters, until=until)
+    exponents = lyapunov_spectrum(SYSTEM, start, section.parameters, t_end=until)
     return Measurements(
         points,
         drifts(section, points),

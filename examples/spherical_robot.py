@@ -90,7 +90,7 @@ def still(plans: dict[str, MotionPlan]) -> Figure:
     for (title, plan), (left, middle, right) in zip(plans.items(), rows, strict=True):
         wanted = plan.path.places(plan.times)
         left.plot(*wanted.T, color=FAINT, lw=4)
-        left.plot(*plan.motion[:, 4:6].T, color=SERIES[0], lw=0.9)
+        left.plot(*plan.states[:, 4:6].T, color=SERIES[0], lw=0.9)
         left.set(aspect="equal", xlabel="$x$ (m)", ylabel="$y$ (m)")
         left.set_title(title, fontsize=9.5, loc="left")
         fine = np.linspace(0.0, plan.path.period, 801)
@@ -130,7 +130,7 @@ def _frame(sheet: Axes, title: str, plan: MotionPlan, share: float) -> None:
     sheet.set_axis_off()
     sheet.set_aspect("equal")
     here = round(share * (len(plan.times) - 1))
-    radius, state = plan.robot.radius, plan.motion[here]
+    radius, state = plan.robot.radius, plan.states[here]
     turn = rotation_matrices(state[:4])
     centre = np.array([*state[4:6], radius])
     wanted = plan.path.places(np.linspace(0, plan.path.period, 400))
@@ -143,7 +143,7 @@ def _frame(sheet: Axes, title: str, plan: MotionPlan, share: float) -> None:
     )
     _ground(sheet, span)
     _line(sheet, _on_ground(wanted), FAINT, 3.0)
-    _line(sheet, _on_ground(plan.motion[: here + 1, 4:6]), SERIES[1], 1.4)
+    _line(sheet, _on_ground(plan.states[: here + 1, 4:6]), SERIES[1], 1.4)
     disc = np.linspace(0, 2 * np.pi, 97)
     shadow = np.stack([np.cos(disc), np.sin(disc), 0 * disc], axis=1) * 0.8 * radius
     sheet.fill(*VIEW.project(np.add(shadow, [*state[4:6], 0.0])).T, color=INK, alpha=0.10, lw=0)

@@ -27,13 +27,13 @@ from chaplygin import (
     Body,
     Ellipsoid,
     Forces,
-    Rolling,
+    RollingBody,
     RunError,
     System,
     batch_integrator,
     lyapunov_spectrum,
     poincare_section,
-    reversors,
+    reversing_symmetries,
     sample_level,
 )
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
@@ -54,7 +54,9 @@ def rattleback() -> System:
 
 def _free(body: Body, name: str, title: str) -> System:
     """The reduced system of a heavy body, its contact not watched."""
-    return replace(Rolling(body, field=GRAVITY).system(name, title), reconstruction=None, guards=())
+    return replace(
+        RollingBody(body, field=GRAVITY).system(name, title), reconstruction=None, guards=()
+    )
 
 
 @dataclass(frozen=True)
@@ -81,7 +83,7 @@ class Attractor:
 
     case: Case
     spectrum: Spectrum
-    reversors: tuple[Reversor, ...]
+    reversing_symmetries: tuple[Reversor, ...]
     points: np.ndarray
 
 
@@ -117,8 +119,8 @@ def attractor_of(case: Case, until: float, count: int) -> Attractor:
     """Spectrum and section of one case."""
     system = case.build()
     state = state_on_attractor(system, case)
-    spectrum = lyapunov_spectrum(system, state, until=until)
-    holding = tuple(r for r in reversors(system) if r.holds(spectrum.parameters))
+    spectrum = lyapunov_spectrum(system, state, t_end=until)
+    holding = tuple(r for r in reversing_symmetries(system) if r.holds(spectrum.parameters))
     return Attractor(case, spectrum, holding, section_points(system, state, count))
 
 
@@ -149,7 +151,7 @@ def _running(axes: Axes, spectrum: Spectrum) -> None:
     # the values of the first instants are part of the picture
     low, high = np.nanmin(shown), np.nanmax(shown)
     axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
-    axes.set_xlim(0, spectrum.until)
+    axes.set_xlim(0, spectrum.t_end)
     axes.set_xlabel("time (s)")
     axes.set_ylabel("exponent (1/s)")
 

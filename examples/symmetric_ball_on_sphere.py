@@ -49,7 +49,7 @@ def integrals(n: int, r: int, slip: sp.Expr = sp.S.Zero) -> tuple[ch.System, ch.
             entry = p[i] * gamma[j] - p[j] * gamma[i]
             rates.append(phi * ch.Rate(entry) + power * ch.Rate(phi) * entry)
     meaning = "linear integrals of an operator of inertia with the symmetry SO(r)×SO(n − r)"
-    return system, ch.Identity("linear", tuple(rates), meaning, on=on)
+    return system, ch.Identity("linear", tuple(rates), meaning, level=on)
 
 
 def main() -> None:

@@ -24,7 +24,7 @@ from scipy.optimize import brentq
 import chaplygin as ch
 from chaplygin.experiment.friction_studies.chart import contact_chart, contact_chart_task
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
-from flowlanes.flow.ensemble import compute
+from flowlanes.flow.ensembles import compute
 from flowlanes.scans import axis
 from nonholonomic.contact import (
     CompiledContact,
@@ -130,7 +130,9 @@ def end(contact: CompiledContact, spin: float, until: float = CHART_TIME) -> flo
 
 def chart(cells: int) -> xr.DataArray:
     """γ₃ over the last fifth of the time, for tops of several eccentricities alpha and spins."""
-    study = ch.prepare(ch.load(Path(__file__).with_name("tippe_tops.toml")))
+    study = ch.Study.from_experiment(
+        ch.load_experiment(Path(__file__).with_name("tippe_tops.toml"))
+    )
     start = {
         "centre_3": "radius*alpha",
         "omega_1": f"-spin*sin({LEAN})",
@@ -225,7 +227,7 @@ def report(folder: Path, cells: int = 24) -> None:
             print(f"    {event}, γ₃ = {event.after[GAMMA_3]:.6f}")
             rolled = contact_motion(contact, event.after, np.linspace(0.0, 60.0, 6001))
             low, high = rolled.states[:, GAMMA_3].min(), rolled.states[:, GAMMA_3].max()
-            values = rolled.observables()
+            values = rolled
             force = np.linalg.norm(values["friction_force"], axis=1) / values["normal_force"]
             print(f"    in the next 60 s of rolling γ₃ = {low:.6f} … {high:.6f},")
             print(

@@ -39,7 +39,7 @@ from chaplygin import (
     Parameter,
     System,
     Trajectory,
-    equations,
+    equations_of_motion,
     integrate,
     linear_stability,
 )
@@ -260,7 +260,7 @@ def drawn() -> Plan:
 @cache
 def model() -> System:
     """The closed equations of motion."""
-    return equations(bicycle())
+    return equations_of_motion(bicycle())
 
 
 # --- straight upright running ------------------------------------------------------------------

@@ -61,7 +61,7 @@ def walk_of(name: str, folder: str) -> Callable[[], object]:
     """A walk by its name, with all that comes before it done."""
     veselova = ch.from_catalogue("veselova")
     walks: dict[str, Callable[[], object]] = {
-        "study": lambda: ch.prepare(ch.load(EXAMPLE)),
+        "study": lambda: ch.Study.from_experiment(ch.load_experiment(EXAMPLE)),
         "report": lambda: write_report(folder),
         "verdict": lambda: ch.prove(veselova, veselova.integrals[0]),
         "solution": lambda: ch.solve(veselova, ch.CATALOGUE["veselova"].start.values),

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from chaplygin.experiment.models.experiment import catalogue_experiment
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.study import Study
 from chaplygin.report.summary import drift
 from flowlanes.flow.integrator import integrate
 from nonholonomic.catalogue import CATALOGUE
@@ -39,7 +39,7 @@ def test_what_the_page_counts_is_in_its_table() -> None:
 
 @pytest.mark.parametrize("name", ["chaplygin-sleigh", "marble-ball", "suslov"])
 def test_short_runs_drift_no_more(name: str) -> None:
-    study = prepare(catalogue_experiment(name))
+    study = Study.from_experiment(catalogue_experiment(name))
     found = integrate(
         study.system_on_level, study.start, np.linspace(0, 300.0, 31), on_liftoff="warn"
     )

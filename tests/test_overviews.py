@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import chaplygin as ch
-from flowlanes.flow.ensemble.run import ensemble_task
+from flowlanes.flow.ensembles.run import ensemble_task
 from flowlanes.system.overview import Overview
 from nonholonomic.closed_form import bifurcation_diagram
 
@@ -25,8 +25,8 @@ def ball() -> tuple[ch.System, tuple[Any, ...]]:
     return system, ch.initial_state(system, (1.0, 0.2, 0.1), (0.0, 0.6, 0.8))
 
 
-def rolling() -> ch.Rolling:
-    return ch.Rolling(
+def rolling() -> ch.RollingBody:
+    return ch.RollingBody(
         ch.Body(1.0, (1.0, 2.0, 2.5), ch.Ball(1.0)), ch.Plane(), "marble", ch.Forces()
     )
 
@@ -44,8 +44,7 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
     ),
     "states": (
         lambda: ch.solve(*ball())(np.linspace(0.0, 1.0, 1001)),
-        "States(system=<System chaplygin-ball: M, gamma, attitude, place; 5 parameters, 9 laws>, "
-        "times=array(1001,), values=array(1001, 12))",
+        "Chaplygin ball: 1,001 times",
     ),
     "bracket": (
         lambda: next(law for law in ball()[0].laws if law.name == "bracket"),
@@ -66,7 +65,7 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
         "end_times=array(50,), steps=array(50,))",
     ),
     "spectrum": (
-        lambda: ch.lyapunov_spectrum(*ball(), until=50.0),
+        lambda: ch.lyapunov_spectrum(*ball(), t_end=50.0),
         "Lyapunov exponents of Chaplygin ball, t = 10 to 50",
     ),
     "verdict": (lambda: ch.prove(ball()[0], ball()[0].integrals[0]), "energy: proven"),
@@ -74,7 +73,10 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
         lambda: ch.classify(ball()[0]),
         "Chaplygin ball: place in the hierarchy of dynamics",
     ),
-    "study": (lambda: ch.prepare(ch.loads('system = {name = "veselova"}')), "Veselova system"),
+    "study": (
+        lambda: ch.Study.from_experiment(ch.parse_experiment('system = {name = "veselova"}')),
+        "Veselova system",
+    ),
     "nonholonomy": (
         lambda: ch.nonholonomy(ch.rolling_mechanism(rolling())),
         "3 constraints on 6 velocities leave 3; ",
@@ -82,7 +84,7 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
     "batch integrator": (
         lambda: ch.batch_integrator(ball()[0]),
         "BatchIntegrator(system=<System chaplygin-ball: M, gamma; 5 parameters, 9 laws>, "
-        "tolerance=1e-13, deviations=0, section=None, backward=False, digits=16)",
+        "tolerance=1e-13, deviations=0, section=None, backward=False, precision='double')",
     ),
 }
 

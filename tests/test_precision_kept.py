@@ -12,15 +12,15 @@ import mpmath
 import pytest
 
 from borisov_mamaev_2008.obstructions.limit_cycle import displacement
-from chaplygin import measure_exists, nonholonomy, prove, solve
+from chaplygin import invariant_measure, nonholonomy, prove_all, solve
 from flowlanes.system.vectors import real_symbol
-from lawproof.search import integrals, search_request
+from lawproof.search import integrals, search_space
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.mechanics.lagrangian.mechanism import Mechanism, coordinates
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.mechanics.reduction.chaplygin import chaplygin_form
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 from nonholonomic.mechanics.shapes.shapes import Ball
 from workspace import files, nodes_of
 
@@ -31,8 +31,8 @@ def settings() -> tuple[int, ...]:
     return (mpmath.mp.prec, mpmath.mp.dps, mpmath.iv.prec, flint.ctx.prec, flint.ctx.dps)
 
 
-def rolling() -> Rolling:
-    return Rolling(Body(1.0, (1.0, 1.5, 2.1), Ball(1.0)), contact="rubber")
+def rolling() -> RollingBody:
+    return RollingBody(Body(1.0, (1.0, 1.5, 2.1), Ball(1.0)), contact="rubber")
 
 
 def knife() -> Mechanism:
@@ -44,14 +44,14 @@ def knife() -> Mechanism:
 
 CALLS: dict[str, Callable[[], object]] = {
     "limit cycle": lambda: displacement(Fraction(13, 5), upwards=True, steps=20),
-    "equations": lambda: equations(knife()),
-    "measure of a mechanism": lambda: measure_exists(knife()),
-    "measure of a body": lambda: measure_exists(rolling()),
+    "equations": lambda: equations_of_motion(knife()),
+    "measure of a mechanism": lambda: invariant_measure(knife()),
+    "measure of a body": lambda: invariant_measure(rolling()),
     "nonholonomy": lambda: nonholonomy(knife()),
     "reduction": lambda: chaplygin_form(knife()),
-    "proof": lambda: prove(from_catalogue("chaplygin-sleigh-reduced"))[:1],
+    "proof": lambda: prove_all(from_catalogue("chaplygin-sleigh-reduced"))[:1],
     "search": lambda: next(
-        integrals(search_request(from_catalogue("chaplygin-sleigh-reduced"), degree=2))
+        integrals(search_space(from_catalogue("chaplygin-sleigh-reduced"), degree=2))
     ),
     "closed form": lambda: solve(from_catalogue("lagrange-top"), (1, 2, 3, 0, 0.6, 0.8)).states(
         [1.0]

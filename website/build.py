@@ -128,7 +128,8 @@ def generated(most: int | None) -> Iterator[tuple[str, str]]:
     found = list(exhibits(store, most, asked, say))
     yield from gallery.pages(found, store, FILES / "live")
     say("audit of the paper")
-    judgements, left = audit(report=tenths("audit of the paper"))
+    done = audit(progress=tenths("audit of the paper"))
+    judgements, left = done.judgements, done.unjudged
     if left:
         sys.exit("interrupted: the same command resumes")
     yield from claims.pages(judgements)

@@ -129,7 +129,7 @@ def compute(name: str, what: str, store: Path) -> None:
     from chaplygin.report.subject_figures import subject_figures
     from flowlanes.errors import RunError
     from flowlanes.printing.system import law_html, system_html
-    from nonholonomic.classification.classifier import classify
+    from nonholonomic.classification.classifier import classify_laws
     from nonholonomic.classification.facts import ProofBudget
 
     os.chdir(ROOT)
@@ -147,7 +147,7 @@ def compute(name: str, what: str, store: Path) -> None:
     if not subject.changes_equations:
         budget = ProofBudget(EFFORT_PER_PROOF, TIMES * EFFORT_PER_PROOF)
         verdicts = budget.verdicts(system)
-        stands = classify(system, verdicts, budget, subject.model)
+        stands = classify_laws(system, verdicts, budget, subject.model)
         places = (stands, *stands.levels)
     closed, sentence = (False, "") if subject.changes_equations else closed_form(study)
     pictures = subject_figures(

@@ -37,7 +37,7 @@ def crossings(body: Body, until: float, most: int) -> Program:
         made = batch_integrator(body.system, tolerance=tolerance, section=where)
 
         def run(starts: np.ndarray) -> np.ndarray:
-            return np.asarray(made.crossings(starts, most, until=until, threads=1).states)
+            return np.asarray(made.crossings(starts, most, t_end=until, threads=1).states)
 
         return run
 
@@ -81,7 +81,7 @@ def thirty(body: Body, until: float) -> Program:
     """The same in two doubles for each number."""
 
     def build(_: float) -> Run:
-        made = gauss_integrator(body.system, body.starts(0, 1)[0], digits=30)
+        made = gauss_integrator(body.system, body.starts(0, 1)[0], precision="quad")
 
         def run(starts: np.ndarray) -> np.ndarray:
             found = made.propagate(starts, [until], threads=1)

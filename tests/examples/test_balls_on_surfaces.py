@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.experiment.models.experiment import load
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import load_experiment
+from chaplygin.experiment.study import Study
 from chaplygin.report.summary import drift
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -16,13 +16,15 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 @pytest.mark.parametrize("name", ["ball_in_a_pipe", "ball_on_waves"])
 def test_an_example_runs_to_its_end(name):
-    found = prepare(load(EXAMPLES / f"{name}.toml")).trajectory()
+    found = Study.from_experiment(load_experiment(EXAMPLES / f"{name}.toml")).trajectory()
     assert not found.events
     assert drift(found.records["law_energy"]) < 1e-14
 
 
 def test_the_ball_in_the_pipe_comes_up_again():
-    found = prepare(load(EXAMPLES / "ball_in_a_pipe.toml")).trajectory(pieces=20)
+    found = Study.from_experiment(load_experiment(EXAMPLES / "ball_in_a_pipe.toml")).trajectory(
+        pieces=20
+    )
     height, times = found.records["centre"][:, 2], np.asarray(found.times)
     inner = (height[1:-1] > height[:-2]) & (height[1:-1] > height[2:])
     tops = times[1:-1][inner]

@@ -19,7 +19,7 @@ from scipy.optimize import brentq
 
 import chaplygin
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
-from chaplygin.experiment.models.experiment import load
+from chaplygin.experiment.models.experiment import load_experiment
 from contact.reference_bodies import rotation
 from contact.reference_forces import Direction, Mode, Problem
 from nonholonomic.contact import CompiledContact, Coulomb, contact_motion
@@ -72,7 +72,7 @@ def test_every_test_of_the_page_exists() -> None:
 
 @pytest.mark.parametrize("name", sorted(set(re.findall(r"examples/(\w+)\.toml", PAGE))))
 def test_every_file_of_the_page_is_valid_and_has_friction(name: str) -> None:
-    experiment = load(ROOT / "examples" / f"{name}.toml")
+    experiment = load_experiment(ROOT / "examples" / f"{name}.toml")
     assert experiment.contact.model == "friction"
     assert experiment.title
 
@@ -333,7 +333,7 @@ def test_the_impact_without_collision(examples: dict[str, ModuleType]) -> None:
 
 
 def test_the_start_of_eulers_disk_is_a_steady_motion(examples: dict[str, ModuleType]) -> None:
-    experiment = load(examples["eulers_disk"].FILE)
+    experiment = load_experiment(examples["eulers_disk"].FILE)
     gamma, omega = np.array(experiment.start.gamma), np.array(experiment.start.omega)
     assert omega[0] ** 2 == pytest.approx(4 * 9.81 * gamma[0] / 0.0375, rel=1e-12)
     assert np.count_nonzero(omega) == 1

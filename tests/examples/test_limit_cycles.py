@@ -59,7 +59,7 @@ def test_controls_have_multiplier_one(example):
 
 def test_widths_are_linear_in_the_displacement(example):
     flat = example.staircase(
-        example.circles(example.J, 0 * example.KAPPA), example.levels(example.J, 60), target=1e-6
+        example.circles(example.J, 0 * example.KAPPA), example.levels(example.J, 60), tolerance=1e-6
     )
     found = example.widths(flat, Fraction(3, 2), (2.0**-6, 2.0**-7))
     assert found.power == pytest.approx(1.0, abs=1e-2)

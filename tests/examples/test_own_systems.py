@@ -13,11 +13,11 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from chaplygin.cli import main
-from chaplygin.experiment.dataset import read
+from chaplygin.experiment.dataset import open_dataset
 from chaplygin.experiment.models.described_models import OwnExperiment
-from chaplygin.experiment.models.experiment import load, loads
+from chaplygin.experiment.models.experiment import load_experiment, parse_experiment
 from chaplygin.experiment.python_file import load_python
-from chaplygin.experiment.study import Study, dataset_of, prepare
+from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.report.summary import drift
 from lawproof.proof.prover import prove
 from nonholonomic.catalogue import from_catalogue
@@ -34,7 +34,11 @@ BALL = EXAMPLES / "loaded_ball.py"
 
 
 def study(path: Path, *overrides: str) -> Study:
-    made = load_python(path, overrides) if path.suffix == ".py" else prepare(load(path, overrides))
+    made = (
+        load_python(path, overrides)
+        if path.suffix == ".py"
+        else Study.from_experiment(load_experiment(path, overrides))
+    )
     assert isinstance(made.experiment, OwnExperiment)
     return made
 
@@ -58,7 +62,7 @@ def test_every_example_runs_and_its_laws_are_proven(path: Path) -> None:
         assert drift(trajectory.records[f"law_{law.name}"]) < 1e-11
     dataset = dataset_of(made, trajectory)
     assert all({"units", "long_name", "source"} <= set(v.attrs) for v in dataset.data_vars.values())
-    again = prepare(load(dataset.attrs["experiment"]))
+    again = Study.from_experiment(load_experiment(dataset.attrs["experiment"]))
     assert again.start == made.start
 
 
@@ -148,7 +152,7 @@ samples = 11
 @pytest.mark.slow
 def test_the_loaded_ball_moves_as_the_body_of_the_package() -> None:
     options = ("run.until=1", "run.samples=11", "parameters.I_2=0.005", "start.omega=[1, 2, 20]")
-    mine, theirs = study(BALL, *options), prepare(loads(ROLLING))
+    mine, theirs = study(BALL, *options), Study.from_experiment(parse_experiment(ROLLING))
     one = dataset_of(mine, mine.trajectory())
     other = dataset_of(theirs, theirs.trajectory())
     assert "law_jellett" not in one
@@ -202,7 +206,7 @@ def test_every_command_takes_a_system_of_ones_own(ask: Ask, path: Path, tmp_path
     options = ("--set", "run.until=1", "--set", "run.samples=5")
     assert ask("run", path, "-o", "first.nc", *options)[0] == 0
     assert ask("run", "again.toml", "-o", "second.nc", *options)[0] == 0
-    first, second = read("first.nc"), read("second.nc")
+    first, second = open_dataset("first.nc"), open_dataset("second.nc")
     assert list(first.data_vars) == list(second.data_vars)
     assert all(np.array_equal(first[name], second[name]) for name in first.data_vars)
     code, out, _ = ask("prove", path, "--json")

@@ -14,7 +14,7 @@ import pytest
 from flowlanes.system.system import System
 from flowlanes.system.vectors import real_symbol
 from lawproof.proof.prover import prove
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -33,7 +33,7 @@ def disc() -> Iterator[ModuleType]:
 
 @pytest.fixture(scope="module")
 def itself(disc: ModuleType) -> System:
-    return equations(disc.mechanism())
+    return equations_of_motion(disc.mechanism())
 
 
 @pytest.mark.slow

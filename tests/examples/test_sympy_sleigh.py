@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from chaplygin.cli import main
-from chaplygin.experiment.dataset import read
+from chaplygin.experiment.dataset import open_dataset
 
 SLEIGH = Path(__file__).parents[2] / "examples" / "sympy_sleigh.py"
 
@@ -33,7 +33,7 @@ def test_it_runs_and_keeps_to_its_blade(
 ):
     path = tmp_path / "sleigh.nc"
     assert ask(monkeypatch, "run", SLEIGH, "-o", path) == 0
-    run = read(path)
+    run = open_dataset(path)
     angle = run["phi"].values
     across = run["ydot"].values * np.cos(angle) - run["xdot"].values * np.sin(angle)
     assert np.abs(across).max() < 1e-14

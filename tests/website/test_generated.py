@@ -36,7 +36,7 @@ def test_an_exhibit_has_laws_file_and_live_page(tmp_path: Path) -> None:
     page = written["gallery/experiments/example-volterra.md"]
     assert page.count('class="verdict proven"') == 3
     assert "<!-- live: example-volterra -->" in page
-    assert chaplygin.loads((live / "example-volterra.toml").read_text(encoding="utf-8"))
+    assert chaplygin.parse_experiment((live / "example-volterra.toml").read_text(encoding="utf-8"))
     assert 'src="lab.js"' in (live / "example-volterra.html").read_text(encoding="utf-8")
     assert 'href="experiments/example-volterra.html"' in written["gallery/index.md"]
 
@@ -53,7 +53,7 @@ def test_every_system_and_every_experiment_is_an_exhibit() -> None:
 @pytest.mark.slow
 def test_every_claim_has_an_anchor_of_its_own() -> None:
     claims = import_module("claims")
-    judgements, _ = borisov_mamaev_2008.audit.audit(section=11, workers=1)
+    judgements = borisov_mamaev_2008.audit.audit(section=11, workers=1).judgements
     written = dict(claims.pages(judgements))
     anchors = re.findall(r'<li id="([^"]+)" class="claim"', written["audit/index.md"])
     assert len(set(anchors)) == len(judgements)
@@ -77,7 +77,7 @@ def test_a_claim_that_is_proven_where_conditions_hold_is_no_misprint() -> None:
 
 def test_the_reference_has_every_name_command_and_key() -> None:
     written: dict[str, Any] = dict(import_module("reference_pages").pages(experiment_schema()))
-    for name in ("roll", "integrate", "prove", "Body", "InputError"):
+    for name in ("rolling_system", "integrate", "prove", "Body", "InputError"):
         assert f"reference/names/{name}.md" in written
     assert "## chaplygin section" in written["reference/command-line.md"]
     assert "<code>keep_integrals</code>" in written["reference/experiment-keys.md"]

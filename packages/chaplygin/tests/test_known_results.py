@@ -17,7 +17,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import constant, cross, dot, norm_squared, vectors
 from nonholonomic.catalogue import CATALOGUE, from_catalogue
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
@@ -53,7 +53,7 @@ MASS = 1.7
 
 def disk(radius: float, across: float, along: float) -> System:
     moments = np.array([across, across, along]) * MASS * radius**2
-    return roll(Body(MASS, tuple(moments), Disk(radius)), field=Forces(G))
+    return rolling_system(Body(MASS, tuple(moments), Disk(radius)), field=Forces(G))
 
 
 def square_of_growth(system: System, spin: float) -> float:
@@ -140,7 +140,7 @@ HOMOGENEOUS = Body(1.4, (0.4 * 1.4 * RADIUS**2,) * 3, Ball(RADIUS))
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 def test_a_homogeneous_ball_on_a_plane_rolls_straight(contact, gravity):
     """Proposition 2 without a horizontal force: uniformly, and ω is constant in space."""
-    system = roll(HOMOGENEOUS, Plane(), contact, Forces(gravity))
+    system = rolling_system(HOMOGENEOUS, Plane(), contact, Forces(gravity))
     spin = (0.8, -0.4, -0.6) if contact == "rubber" else (0.7, 0.4, 1.1)
     times = np.linspace(0.0, 50.0, 51)
     motion = follow(system, spin, (0.36, -0.48, 0.8), times)
@@ -152,7 +152,7 @@ def test_a_homogeneous_ball_on_a_plane_rolls_straight(contact, gravity):
 
 
 def bowl(contact: str) -> System:
-    return roll(HOMOGENEOUS, Sphere(BOWL, side="inside"), contact, Forces(G))
+    return rolling_system(HOMOGENEOUS, Sphere(BOWL, side="inside"), contact, Forces(G))
 
 
 #: 5g/(7(|a| − R)), the square of the frequency of small oscillations in a bowl.
@@ -199,7 +199,7 @@ def test_a_homogeneous_rubber_ball_in_a_bowl_is_a_spherical_pendulum():
 
 def test_a_homogeneous_ball_on_a_free_sphere_draws_a_circle():
     """Without forces the contact point of a marble ball goes around a circle uniformly."""
-    system = roll(HOMOGENEOUS, Sphere(1.1))
+    system = rolling_system(HOMOGENEOUS, Sphere(1.1))
     motion = follow(system, (2.0, 1.0, 3.0), (0.36, -0.48, 0.8), np.linspace(0, 20, 201))
     steps = np.diff(motion["contact"], axis=0)
     lengths = np.linalg.norm(steps, axis=1)
@@ -218,7 +218,7 @@ ROLY_POLY = Body(1.3, (0.4, 0.5, 0.45), Ball(0.8, centre=(0.0, 0.0, SHIFT)))
 
 def test_small_oscillations_of_a_displaced_ball():
     """Frequencies √(m g d / (I + m(R − d)²)) about both horizontal axes, by linearisation."""
-    system = roll(ROLY_POLY, field=Forces(G))
+    system = rolling_system(ROLY_POLY, field=Forces(G))
     state = np.array([float(x) for x in initial_state(system, (0, 0, 0), (0, 0, 1))[:6]])
     matrix = jacobian(numeric(system, system.rates), state)
     found = np.sort(np.linalg.eigvals(matrix).imag)[-2:]
@@ -244,7 +244,7 @@ def test_period_of_a_displaced_ball_rocking_in_a_plane(contact, angle, slack):
     period = 4 / np.sqrt(mass * G * SHIFT) * quad(integrand, 0, np.pi / 2, epsrel=1e-14)[0]
     linear = 2 * np.pi * np.sqrt((moment + mass * (radius - SHIFT) ** 2) / (mass * G * SHIFT))
     assert (abs(period / linear - 1) < 1e-8) == (angle < 0.1)
-    system = roll(ROLY_POLY, Plane(), contact, Forces(G))
+    system = rolling_system(ROLY_POLY, Plane(), contact, Forces(G))
     motion = follow(
         system,
         (0, 0, 0),
@@ -258,7 +258,9 @@ def test_period_of_a_displaced_ball_rocking_in_a_plane(contact, angle, slack):
 
 def test_integrals_of_jellett_and_routh():
     """A heavy ball with its centre of mass on the axis of symmetry: two integrals linear in ω."""
-    system = roll(Body(1.3, (0.4, 0.4, 0.55), Ball(0.8, centre=(0.0, 0.0, SHIFT))), field=Forces(G))
+    system = rolling_system(
+        Body(1.3, (0.4, 0.4, 0.55), Ball(0.8, centre=(0.0, 0.0, SHIFT))), field=Forces(G)
+    )
     I_1, I_3, m = sp.symbols("I_1 I_3 m", real=True)
     inertia = constant(sp.diag(I_1, I_1, I_3))
     jellett = dot(inertia * omega, r)
@@ -315,10 +317,10 @@ def test_a_very_large_sphere_is_a_plane(contact, side):
     if contact == "rubber":
         spin -= (spin @ up) * up
     times = np.linspace(0.0, 5.0, 11)
-    flat = follow(roll(body, Plane(), contact, Forces(G)), spin, up, times)
+    flat = follow(rolling_system(body, Plane(), contact, Forces(G)), spin, up, times)
     gaps = []
     for radius in (1e5, 1e6):
-        system = roll(body, Sphere.of_signed_radius(side * radius), contact, Forces(G))
+        system = rolling_system(body, Sphere.of_signed_radius(side * radius), contact, Forces(G))
         curved = follow(system, spin, up, times)
         gaps.append(max(np.abs(curved[name] - flat[name]).max() for name in ("omega", "gamma")))
     assert gaps[1] < 1e-4
@@ -332,7 +334,7 @@ def test_a_round_ellipsoid_is_a_ball_and_a_thin_torus_a_disk():
     shapes = Ball(0.8, centre=centre), Ellipsoid((0.8, 0.8, 0.8), turn=0.4, centre=centre)
     one, other = (
         follow(
-            roll(Body(1.3, (0.4, 0.5, 0.45), shape), field=Forces(G)),
+            rolling_system(Body(1.3, (0.4, 0.5, 0.45), shape), field=Forces(G)),
             spin,
             up,
             times,

@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.computation import compute
-from flowlanes.flow.ensemble.task import Coordinate, Task, Variable
+from flowlanes.flow.ensembles.computation import compute
+from flowlanes.flow.ensembles.task import Coordinate, Task, Variable
 
 
 @dataclass(frozen=True)

@@ -35,5 +35,5 @@ def test_a_system_with_lists_is_proved_and_refuted() -> None:
         flowlanes.Integral("half", y),
     ]
     system = flowlanes.System("wheel", "Wheel", {x: y, y: -x}, relations=[], laws=laws)
-    decisions = [verdict.decision for verdict in lawproof.prove(system)]
+    decisions = [verdict.decision for verdict in lawproof.prove_all(system)]
     assert decisions == ["proven", "refuted", "refuted"]

@@ -8,7 +8,7 @@ import sympy as sp
 
 from flowlanes.system.system import System
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
@@ -40,7 +40,7 @@ CASES = tuple(
 def bare(shape: str, surface: str, contact: str) -> System:
     """A free body, with principal axes of inertia as body axes."""
     body = Body(1.0, (1.0, 1.5, 2.1), SHAPES[shape])
-    return roll(body, SURFACES[surface], contact)
+    return rolling_system(body, SURFACES[surface], contact)
 
 
 def laden(shape: str, surface: str, contact: str) -> System:
@@ -48,4 +48,6 @@ def laden(shape: str, surface: str, contact: str) -> System:
     inertia = ((1.0, 0.1, 0.0), (0.1, 1.5, -0.05), (0.0, -0.05, 2.1))
     body = Body(1.3, inertia, SHAPES[shape], gyrostat=(0.1, 0.0, -0.2))
     field = Forces(9.81, gamma_1**2 / 2 + sp.sin(gamma_3))
-    return roll(body, SURFACES[surface], contact, field, name=f"{shape}-{surface}-{contact}")
+    return rolling_system(
+        body, SURFACES[surface], contact, field, name=f"{shape}-{surface}-{contact}"
+    )

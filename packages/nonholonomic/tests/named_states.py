@@ -39,8 +39,8 @@ def sleigh(p: Numbers) -> System:
                 "energy",
                 unit="J",
             ),
-            Integral("straight", theta, "direction", on=(omega,)),
-            Measure("density", {omega: -1}, "measure", on=(a,)),
+            Integral("straight", theta, "direction", level=(omega,)),
+            Measure("density", {omega: -1}, "measure", level=(a,)),
         ),
     )
 

@@ -22,7 +22,7 @@ from flowlanes.child_processes import follow_parent, signals_blocked
 from flowlanes.errors import InputError
 from flowlanes.files.cache import entry_name
 from flowlanes.files.source_digest import package_digest
-from flowlanes.flow.ensemble.task import IncompleteError
+from flowlanes.flow.ensembles.task import IncompleteError
 from flowlanes.printing.mathml import mathml
 from lawproof.proof.fields.budget import EFFORT
 from lawproof.proof.prover import prove
@@ -150,12 +150,38 @@ def _name(claim: Claim, form: str) -> str:
     return entry_name(claim.source, claim.statement, form, _program())
 
 
+@dataclass(frozen=True)
+class Audit:
+    """The judgements of an audit.
+
+    Attributes
+    ----------
+    judgements : tuple of Judgement
+        In reading order; those that were done, if the audit was interrupted.
+    unjudged : int
+        Number of claims left unjudged by an interruption.
+
+    Examples
+    --------
+    >>> import borisov_mamaev_2008
+    >>> print(borisov_mamaev_2008.audit.audit(section=11, workers=1))
+    16 claims judged
+    """
+
+    judgements: tuple[Judgement, ...]
+    unjudged: int = 0
+
+    def __str__(self) -> str:
+        left = f", {self.unjudged} not judged" if self.unjudged else ""
+        return f"{len(self.judgements)} claims judged{left}"
+
+
 @arguments_checked
 def audit(
     section: int | None = None,
     workers: int | None = None,
-    report: Callable[[float], None] = lambda _: None,
-) -> tuple[tuple[Judgement, ...], int]:
+    progress: Callable[[float], None] = lambda _: None,
+) -> Audit:
     """Judge the claims of one section, or of the whole paper.
 
     Several processes import the script that calls this, so that the call must stand there below
@@ -167,15 +193,12 @@ def audit(
         1 to 12; by default all of them.
     workers : int, optional
         Processes; by default one for each processor, but not more than claims.
-    report : callable
+    progress : callable
         Called with the share of claims that are judged.
 
     Returns
     -------
-    judgements : tuple of Judgement
-        In reading order; those that were done, when it was interrupted.
-    left : int
-        Number of claims left unjudged by an interruption.
+    Audit
 
     Raises
     ------
@@ -187,8 +210,8 @@ def audit(
     Examples
     --------
     >>> import borisov_mamaev_2008.audit
-    >>> judgements, left = borisov_mamaev_2008.audit.audit(section=11, workers=1)
-    >>> sorted({judgement.printed.decision for judgement in judgements}), left
+    >>> audit = borisov_mamaev_2008.audit.audit(section=11, workers=1)
+    >>> sorted({judgement.printed.decision for judgement in audit.judgements}), audit.unjudged
     (['proven', 'proven where', 'refuted'], 0)
     """
     if workers is not None and workers < 1:
@@ -210,11 +233,11 @@ def audit(
             verdicts[number] = printed, corrected
     workers = min(workers or os.cpu_count() or 1, len(waiting))
     if workers > 1:
-        left = _judge_in_processes(waiting, section, workers, verdicts, len(chosen), report)
+        left = _judge_in_processes(waiting, section, workers, verdicts, len(chosen), progress)
     else:
-        left = _judge_in_turn(waiting, section, verdicts, len(chosen), report)
+        left = _judge_in_turn(waiting, section, verdicts, len(chosen), progress)
     done = tuple(_judgement(*chosen[n], *verdicts[n]) for n in sorted(verdicts))
-    return done, left
+    return Audit(done, left)
 
 
 def _judge_in_turn(
@@ -222,13 +245,13 @@ def _judge_in_turn(
     section: int | None,
     verdicts: dict[int, tuple[Verdict, Verdict | None]],
     total: int,
-    report: Callable[[float], None],
+    progress: Callable[[float], None],
 ) -> int:
     """Fill `verdicts`; return the number left by an interruption."""
     try:
         for number in waiting:
             verdicts[number] = judge(number, section)
-            report(len(verdicts) / total)
+            progress(len(verdicts) / total)
     except KeyboardInterrupt:
         return total - len(verdicts)
     return 0
@@ -240,7 +263,7 @@ def _judge_in_processes(
     workers: int,
     verdicts: dict[int, tuple[Verdict, Verdict | None]],
     total: int,
-    report: Callable[[float], None],
+    progress: Callable[[float], None],
 ) -> int:
     """Fill `verdicts`; return the number left by an interruption."""
     context = get_context("spawn")
@@ -254,7 +277,7 @@ def _judge_in_processes(
         while open_tasks:
             ended, open_tasks = wait(open_tasks, timeout=0.5, return_when=FIRST_COMPLETED)
             verdicts.update((tasks[task], task.result()) for task in ended)
-            report(len(verdicts) / total)
+            progress(len(verdicts) / total)
     except KeyboardInterrupt:
         pool.shutdown(wait=False, cancel_futures=True)
         return total - len(verdicts)

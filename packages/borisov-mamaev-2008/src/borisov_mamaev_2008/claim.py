@@ -19,8 +19,8 @@ Rules by which every printed statement is read:
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import TypeAlias
+from dataclasses import dataclass, field, replace
+from typing import NoReturn, TypeAlias
 
 from flowlanes.system.laws import Law
 from flowlanes.system.system import System
@@ -29,6 +29,12 @@ from lawproof.proof.verdict import Decision, Verdict
 #: A system with one of its laws, several such pairs that must all hold, or a verdict computed
 #: directly.
 Case: TypeAlias = tuple[System, Law] | tuple[tuple[System, Law], ...] | Verdict
+
+
+_NOT_PICKLED = (
+    "what decides a claim is a function, which cannot be pickled: pickle the source and the "
+    "statement, or the record() of a judgement"
+)
 
 
 @dataclass(frozen=True)
@@ -70,13 +76,16 @@ class Claim:
 
     source: str
     statement: str
-    printed: Callable[[], Case]
-    corrected: Callable[[], Case] | None = None
+    printed: Callable[[], Case] = field(repr=False)
+    corrected: Callable[[], Case] | None = field(default=None, repr=False)
     correction: str = ""
     note: str = ""
     erratum: str = ""
     argument: str = ""
     where: tuple[str, ...] = ()
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError(_NOT_PICKLED)
 
     def under_conditions(self, verdict: Verdict) -> Verdict:
         """A verdict on a form of the claim, subject to the conditions of the claim.
@@ -130,7 +139,10 @@ class Finding:
     key: str
     statement: str
     decision: Decision
-    decide: Callable[[], Case]
+    decide: Callable[[], Case] = field(repr=False)
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError(_NOT_PICKLED)
 
 
 @dataclass(frozen=True)

@@ -128,7 +128,8 @@ def test_conditions_restrict_what_is_proven_alone():
 @pytest.mark.slow
 def test_counts_are_those_of_the_judgements():
     section = min(TITLES, key=lambda n: len(claims(n)))
-    judgements, left = audit(section, workers=1)
+    result = audit(section, workers=1)
+    judgements, left = result.judgements, result.unjudged
     assert left == 0
     assert [(j.section, j.claim.source) for j in judgements] == [
         (n, claim.source) for n, claim in claims(section)

@@ -16,7 +16,7 @@ from nonholonomic.catalogue.bodies.any_shape import POTENTIAL, SUPPORT
 from nonholonomic.catalogue.bodies.marble_body import any_marble_body
 from nonholonomic.catalogue.bodies.rubber_body import a, any_rubber_body
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.shapes.shapes import Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 
@@ -66,7 +66,7 @@ GENERAL = {"marble": any_marble_body, "rubber": any_rubber_body}
 def test_a_body_of_any_shape_is_the_ellipsoid_for_its_support_function(radius, contact):
     body = Body(MASS, INERTIA, Ellipsoid(AXES, centre=CENTRE))
     surface = Plane() if radius is None else Sphere.of_signed_radius(radius)
-    rolled = roll(body, surface, contact, Forces(potential=FIELD))
+    rolled = rolling_system(body, surface, contact, Forces(potential=FIELD))
     numbers = {"m": MASS, "a": radius}
     numbers |= {f"I_{i}": x for i, x in enumerate(INERTIA, 1)}
     numbers |= {f"c_{i}": x for i, x in enumerate(CENTRE, 1)}

@@ -27,7 +27,7 @@ from flowlanes.system.vectors import (
 )
 from lawproof.proof.prover import prove
 from nonholonomic.invariant_measures.closed_form import closed_form, density
-from nonholonomic.invariant_measures.existence import measure_exists
+from nonholonomic.invariant_measures.existence import invariant_measure
 from nonholonomic.invariant_measures.implicit_shapes import log_density_on_surface
 from nonholonomic.invariant_measures.one_form import one_form
 from nonholonomic.mechanics.lagrangian.mechanism import (
@@ -38,7 +38,7 @@ from nonholonomic.mechanics.lagrangian.mechanism import (
     rotations,
 )
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
@@ -49,7 +49,7 @@ omega, v, gamma = Vector("omega"), Vector("v"), Vector("gamma")
 
 
 def rolling(shape, moments=MOMENTS, surface=PLANE, contact="rubber", **more):
-    return Rolling(Body(1.0, moments, shape), surface, contact, **more)
+    return RollingBody(Body(1.0, moments, shape), surface, contact, **more)
 
 
 def kept(body):
@@ -57,8 +57,8 @@ def kept(body):
     form = one_form(body)
     numbers = tuple(p.symbol - exact_number(p.default) for p in form.system.parameters)
     system, law = form.density_law(closed_form(body, form, numbers))
-    spin = True if form.spin is None else prove(form.system, replace(form.spin, on=numbers))
-    return spin and prove(system, replace(law, on=numbers))
+    spin = True if form.spin is None else prove(form.system, replace(form.spin, level=numbers))
+    return spin and prove(system, replace(law, level=numbers))
 
 
 def parameter(name, value, *, positive=False):
@@ -74,38 +74,40 @@ def parameter(name, value, *, positive=False):
 class TestBall:
     @pytest.mark.slow
     def test_balanced(self, contact, surface):
-        found = measure_exists(rolling(Ball(1.0), surface=surface, contact=contact))
+        found = invariant_measure(rolling(Ball(1.0), surface=surface, contact=contact))
         assert found
-        assert found.density.on == ()
+        assert found.density.level == ()
 
     @pytest.mark.slow
     def test_on_its_axis(self, contact, surface):
         ball = Ball(1.0, centre=(0.0, 0.0, 0.3))
         body = rolling(ball, (1.0, 1.0, 1.5), surface, contact)
-        found = measure_exists(body)
+        found = invariant_measure(body)
         assert found
         assert prove(found.system, found.density)
 
     def test_axis_in_any_direction(self, contact, surface):
         tensor = ((1.25, 0.25, 0.0), (0.25, 1.25, 0.0), (0.0, 0.0, 1.0))
         ball = Ball(1.0, centre=(0.3, 0.3, 0.0))
-        assert measure_exists(rolling(ball, tensor, surface, contact))
+        assert invariant_measure(rolling(ball, tensor, surface, contact))
 
     @pytest.mark.parametrize("centre", [(0.0, 0.0, 0.3), (0.3, 0.0, 0.1), (0.1, 0.2, 0.3)])
     def test_unbalanced(self, contact, surface, centre):
-        found = measure_exists(rolling(Ball(1.0, centre=centre), (1.0, 1.2, 1.2), surface, contact))
+        found = invariant_measure(
+            rolling(Ball(1.0, centre=centre), (1.0, 1.2, 1.2), surface, contact)
+        )
         assert found.decision == "none"
         assert found.obstruction["point"]
 
     def test_axis_beside_the_centre(self, contact, surface):
         ball = Ball(1.0, centre=(0.3, 0.0, 0.1))
-        assert not measure_exists(rolling(ball, (1.0, 1.0, 1.5), surface, contact))
+        assert not invariant_measure(rolling(ball, (1.0, 1.0, 1.5), surface, contact))
 
 
 def test_rubber_ball_on_a_ball_of_its_size():
     ball = Ball(1.0, centre=(0.1, 0.2, 0.3))
     assert kept(rolling(ball, surface=Sphere(1.0)))
-    assert not measure_exists(rolling(ball, surface=Sphere(1.01)))
+    assert not invariant_measure(rolling(ball, surface=Sphere(1.01)))
 
 
 def test_the_ball_with_limit_cycles_keeps_none():
@@ -119,7 +121,7 @@ def test_the_ball_with_limit_cycles_keeps_none():
         )
         for i in range(3)
     )
-    found = measure_exists(rolling(Ball(radius, centre=tuple(c)), tensor))
+    found = invariant_measure(rolling(Ball(radius, centre=tuple(c)), tensor))
     assert found.decision == "none"
 
 
@@ -139,7 +141,7 @@ def test_equal_moments_are_enough(contact, surface, centre):
 
 def test_equal_moments_are_not_enough_for_rubber_on_a_sphere():
     shape = Ellipsoid((1.0, 0.8, 0.6), centre=(0.1, 0.2, 0.05))
-    assert not measure_exists(rolling(shape, (1.0, 1.0, 1.0), SPHERE))
+    assert not invariant_measure(rolling(shape, (1.0, 1.0, 1.0), SPHERE))
 
 
 @pytest.mark.slow
@@ -147,14 +149,14 @@ def test_equal_moments_are_not_enough_for_rubber_on_a_sphere():
 @pytest.mark.parametrize("shape", [Disk(1.0), Torus(1.0, 0.3, centre=(0.0, 0.0, 0.1))])
 def test_bodies_of_revolution(contact, shape):
     assert kept(rolling(shape, (1.0, 1.0, 1.5), contact=contact))
-    assert not measure_exists(rolling(shape, contact=contact))
+    assert not invariant_measure(rolling(shape, contact=contact))
 
 
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 def test_the_rattleback_keeps_none(contact):
     shape = Ellipsoid((0.2, 0.03, 0.02), turn=0.1, centre=(0.0, 0.0, 0.01))
     body = rolling(shape, (2e-4, 16e-4, 17e-4), contact=contact, field=Forces(9.81))
-    found = measure_exists(body)
+    found = invariant_measure(body)
     assert found.decision == "none"
     assert "point" in found.obstruction
 
@@ -174,7 +176,7 @@ class TestEllipsoid:
 
     def test_points_off_a_line(self):
         first, *others = line_of(self.AXES, 0.0, 1.0, -4.0)
-        found = measure_exists(rolling(Ellipsoid(self.AXES), (first + 0.001, *others)))
+        found = invariant_measure(rolling(Ellipsoid(self.AXES), (first + 0.001, *others)))
         assert found.decision == "none"
 
     def test_general_line(self):
@@ -183,20 +185,20 @@ class TestEllipsoid:
         assert moments == (2.0, 2.75, 3.5)
         form = one_form(rolling(Ellipsoid(axes), moments))
         numbers = tuple(p.symbol - exact_number(p.default) for p in form.system.parameters)
-        assert prove(form.system, replace(form.closed, on=numbers))
+        assert prove(form.system, replace(form.closed, level=numbers))
         # σ = −½ log (γ, (B + 4E)γ)
         squares = sp.Add(
             *((b**2 + 4) * g**2 for b, g in zip((1, 2, 4), gamma.symbols, strict=True))
         )
         slope = [-g * (b**2 + 4) / squares for b, g in zip((1, 2, 4), gamma.symbols, strict=True)]
-        law = Identity("sigma", cross(gamma, form.form - constant(slope)), on=numbers)
+        law = Identity("sigma", cross(gamma, form.form - constant(slope)), level=numbers)
         assert prove(form.system, law)
 
     def test_homogeneous(self):
         squares = [b**2 for b in self.AXES]
         moments = tuple((sum(squares) - s) / 5 for s in squares)
-        assert not measure_exists(rolling(Ellipsoid(self.AXES), moments))
-        assert not measure_exists(rolling(Ellipsoid(self.AXES), moments, contact="marble"))
+        assert not invariant_measure(rolling(Ellipsoid(self.AXES), moments))
+        assert not invariant_measure(rolling(Ellipsoid(self.AXES), moments, contact="marble"))
 
     @pytest.mark.slow
     @pytest.mark.parametrize("surface", [PLANE, SPHERE])
@@ -209,13 +211,13 @@ class TestEllipsoid:
 def test_shape_given_by_an_equation():
     x, y, z = Implicit.coordinates
     shape = Implicit(x**2 + 2 * y**2 + 3 * z**2 + x**4 - 1)
-    assert not measure_exists(rolling(shape, contact="marble"))
-    assert not measure_exists(rolling(shape))
+    assert not invariant_measure(rolling(shape, contact="marble"))
+    assert not invariant_measure(rolling(shape))
 
 
 def test_density_by_quadrature():
     tensor = ((1.25, 0.25, 0.0), (0.25, 1.25, 0.0), (0.0, 0.0, 1.0))
-    turned = measure_exists(rolling(Ball(1.0, centre=(0.3, 0.3, 0.0)), tensor))
+    turned = invariant_measure(rolling(Ball(1.0, centre=(0.3, 0.3, 0.0)), tensor))
     # the same ball with its axis along body axis 3: σ = −½ log(J₃ − kγ₃ + γ₃²(J₁ − J₃))
     k, square = 2 * 0.18**0.5, 0.18
     J1, J3 = 1.0 + square + 1, 1.5 + 1
@@ -318,13 +320,13 @@ def sleigh(offset):
 
 
 def test_chaplygin_sleigh():
-    found = measure_exists(sleigh(0.3))
+    found = invariant_measure(sleigh(0.3))
     assert found.decision == "conditional"
     assert found.conditions == ((real_symbol("a"),),)
     assert found.complete
     assert not found
     assert "if and only if a = 0" in str(found)
-    assert measure_exists(sleigh(0.0))
+    assert invariant_measure(sleigh(0.0))
 
 
 def test_suslov():
@@ -333,7 +335,7 @@ def test_suslov():
         {gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega)
     )
     numbers = zip(I.symbols, (2.0, 0.1, 0.2, 2.5, 0.3, 3.0), strict=True)
-    found = measure_exists(
+    found = invariant_measure(
         Mechanism(
             "suslov",
             frame,
@@ -355,7 +357,7 @@ def test_veselova():
         {gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega)
     )
     numbers = zip(I.symbols, MOMENTS, strict=True)
-    found = measure_exists(
+    found = invariant_measure(
         Mechanism(
             "veselova",
             frame,
@@ -378,7 +380,7 @@ def test_chaplygin_ball_from_its_lagrangian():
         {gamma: cross(gamma, omega)}, (omega, v), (norm_squared(gamma) - 1,), euclidean(omega, v)
     )
     numbers = zip((*I.symbols, m, R), (*MOMENTS, 1.0, 1.0), strict=True)
-    found = measure_exists(
+    found = invariant_measure(
         Mechanism(
             "ball",
             frame,
@@ -396,7 +398,7 @@ def test_vertical_disk():
     frame = coordinates(x, y, psi, theta)
     xdot, ydot, psidot, thetadot = frame.w
     kinetic = m / 2 * (xdot**2 + ydot**2) + I / 2 * psidot**2 + J / 2 * thetadot**2
-    found = measure_exists(
+    found = invariant_measure(
         Mechanism(
             "vertical-disk",
             frame,
@@ -410,5 +412,5 @@ def test_vertical_disk():
 
 
 def test_what_it_needs_is_said():
-    with pytest.raises(InputError, match="source must be a Rolling or a Mechanism"):
-        measure_exists("ball")
+    with pytest.raises(InputError, match="source must be a RollingBody or a Mechanism"):
+        invariant_measure("ball")

@@ -2,7 +2,7 @@
 
 >>> import chaplygin
 >>> ball = chaplygin.Body(1.0, (1.0, 1.5, 2.1), chaplygin.Ball(1.0))
->>> system = chaplygin.roll(ball, chaplygin.Plane(), "marble")
+>>> system = chaplygin.rolling_system(ball, chaplygin.Plane(), "marble")
 >>> print(system.title)
 Rolling body
 

@@ -5,7 +5,7 @@ from flowlanes.errors import (
 from flowlanes.flow.batch import (
     batch_integrator as batch_integrator,
 )
-from flowlanes.flow.ensemble.run import (
+from flowlanes.flow.ensembles.run import (
     ensemble as ensemble,
 )
 from flowlanes.flow.gauss import (
@@ -32,8 +32,8 @@ from flowlanes.flow.trajectory import (
 from flowlanes.lyapunov.spectrum import (
     lyapunov_spectrum as lyapunov_spectrum,
 )
-from flowlanes.orbits.reversing_symmetries import (
-    reversors as reversors,
+from flowlanes.orbits.reversor import (
+    reversing_symmetries as reversing_symmetries,
 )
 from flowlanes.orbits.rotation import (
     rotation_number as rotation_number,
@@ -62,6 +62,7 @@ from flowlanes.system.system import (
 )
 from lawproof.proof.prover import (
     prove as prove,
+    prove_all as prove_all,
 )
 from lawproof.proof.verdict import (
     Verdict as Verdict,
@@ -80,7 +81,7 @@ from nonholonomic.closed_form.solver import (
     solve as solve,
 )
 from nonholonomic.invariant_measures.existence import (
-    measure_exists as measure_exists,
+    invariant_measure as invariant_measure,
 )
 from nonholonomic.mechanics.ball.ball import (
     RollingBall as RollingBall,
@@ -94,7 +95,7 @@ from nonholonomic.mechanics.lagrangian.mechanism import (
     coordinates as coordinates,
 )
 from nonholonomic.mechanics.lagrangian.poincare_suslov import (
-    equations as equations,
+    equations_of_motion as equations_of_motion,
 )
 from nonholonomic.mechanics.reduction.chaplygin import (
     chaplygin_form as chaplygin_form,
@@ -107,8 +108,8 @@ from nonholonomic.mechanics.rolling.cavity import (
 )
 from nonholonomic.mechanics.rolling.equations import (
     Forces as Forces,
-    Rolling as Rolling,
-    roll as roll,
+    RollingBody as RollingBody,
+    rolling_system as rolling_system,
 )
 from nonholonomic.mechanics.rolling.initial_state import (
     initial_state as initial_state,
@@ -145,15 +146,13 @@ from . import (
 )
 from ._version import __version__ as __version__
 from .experiment.dataset import (
-    read as read,
-    to_dataset as to_dataset,
-    write as write,
+    open_dataset as open_dataset,
+    write_dataset as write_dataset,
 )
 from .experiment.models.experiment import (
-    load as load,
-    loads as loads,
+    load_experiment as load_experiment,
+    parse_experiment as parse_experiment,
 )
 from .experiment.study import (
     Study as Study,
-    prepare as prepare,
 )

@@ -126,6 +126,20 @@ class Remark(Protocol):
         ...
 
 
+class Judgements(Protocol):
+    """What came of judging the claims."""
+
+    @property
+    def judgements(self) -> Sequence[Judgement]:
+        """The judgements in reading order."""
+        ...
+
+    @property
+    def unjudged(self) -> int:
+        """The number of claims that an interruption left unjudged."""
+        ...
+
+
 class Audit(Protocol):
     """The audit of a paper: its claims judged, counted and put on a page."""
 
@@ -137,8 +151,8 @@ class Audit(Protocol):
         section: int | None = None,
         workers: int | None = None,
         report: Callable[[float], None] = ...,
-    ) -> tuple[Sequence[Judgement], int]:
-        """Judgements in reading order, and the number of claims that were not reached."""
+    ) -> Judgements:
+        """The claims judged in several processes."""
         ...
 
     def page(self, judgements: Sequence[Judgement], section: int | None = None) -> str:

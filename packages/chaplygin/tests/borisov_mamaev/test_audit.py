@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from borisov_mamaev_2008 import Claim, audit as module, claims, remarks
-from borisov_mamaev_2008.audit import DECISIONS, TITLES, Judgement, audit, counts, page
+from borisov_mamaev_2008.audit import DECISIONS, TITLES, Audit, Judgement, audit, counts, page
 from borisov_mamaev_2008.methods.derived_verdicts import contrary
 from chaplygin.cli import main
 from flowlanes.system.laws import Integral
@@ -22,7 +22,7 @@ SECTION = 6
 
 @pytest.fixture(scope="module")
 def judged():
-    return audit(SECTION)[0]
+    return audit(SECTION).judgements
 
 
 @pytest.mark.slow
@@ -37,7 +37,8 @@ def test_a_second_audit_computes_nothing(judged, monkeypatch):
         raise AssertionError("computed again")
 
     monkeypatch.setattr(module, "ProcessPoolExecutor", refused)
-    again, left = audit(SECTION)
+    result = audit(SECTION)
+    again, left = result.judgements, result.unjudged
     assert left == 0
     assert [j.printed for j in again] == [j.printed for j in judged]
 
@@ -55,7 +56,8 @@ def test_an_interrupted_audit_keeps_what_is_done(monkeypatch, tmp_path):
         return ended, rest
 
     monkeypatch.setattr(module, "wait", interrupted)
-    done, left = audit(SECTION, workers=2)
+    result = audit(SECTION, workers=2)
+    done, left = result.judgements, result.unjudged
     assert len(done) == rounds[0] > 0
     assert left == len(claims(SECTION)) - len(done) > 0
     assert all(j.printed.decision in DECISIONS for j in done)
@@ -65,7 +67,7 @@ def test_the_page_of_an_interrupted_audit_is_not_in_the_way_of_the_next(
     monkeypatch, tmp_path, capsys
 ):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(module, "audit", lambda *_: ([], 5))
+    monkeypatch.setattr(module, "audit", lambda *_: Audit((), 5))
     monkeypatch.setattr("sys.argv", ["chaplygin", "audit", "-o", "a.html"])
     with pytest.raises(SystemExit) as end:
         main()
@@ -89,7 +91,8 @@ def test_one_worker_is_no_other_process_and_can_be_interrupted(monkeypatch, tmp_
         return verdict, None
 
     monkeypatch.setattr(module, "judge", judge)
-    done, left = audit(SECTION, workers=1, report=shares.append)
+    result = audit(SECTION, workers=1, progress=shares.append)
+    done, left = result.judgements, result.unjudged
     total = len(claims(SECTION))
     assert [j.printed for j in done] == [verdict] * 2
     assert left == total - 2
@@ -151,8 +154,9 @@ def test_conditions_of_a_claim_are_in_its_judgement(monkeypatch, tmp_path):
     claim = Claim("(1)", "$x$", lambda: proven, argument="in $n$ dimensions", where=("$n > 2$",))
     monkeypatch.setattr(module, "claims", lambda section=None: ((SECTION, claim),))
     for _ in range(2):
-        (judgement,), left = audit(SECTION, workers=1)
-        assert left == 0
+        result = audit(SECTION, workers=1)
+        (judgement,) = result.judgements
+        assert result.unjudged == 0
         assert judgement.printed.decision == "proven where"
         record = judgement.record()
         assert record["conditions"] == ["$n > 2$"]

@@ -9,7 +9,7 @@ import numpy as np
 
 from catalogue import built
 from chaplygin.experiment.models.catalogue_models import StateExperiment, SystemExperiment
-from chaplygin.experiment.study import Study, prepare
+from chaplygin.experiment.study import Study
 from evaluation import on_conditions, parameter_values
 from flowlanes.system.system import System
 from flowlanes.system.vectors import to_components, vectors
@@ -50,9 +50,11 @@ def random_study(
     system = entry.system(parameters)
     if entry.start.state is None:
         start = _random_velocity(system, entry, rng)
-        return prepare(SystemExperiment.model_validate({"system": table, "start": start}))
+        return Study.from_experiment(
+            SystemExperiment.model_validate({"system": table, "start": start})
+        )
     start = _random_state(system, entry, rng)
-    return prepare(StateExperiment.model_validate({"system": table, "start": start}))
+    return Study.from_experiment(StateExperiment.model_validate({"system": table, "start": start}))
 
 
 def _random_velocity(

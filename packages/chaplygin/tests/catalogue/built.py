@@ -5,16 +5,16 @@ from __future__ import annotations
 from functools import cache
 
 from chaplygin.experiment.models.experiment import catalogue_experiment
-from chaplygin.experiment.study import Study, prepare
+from chaplygin.experiment.study import Study
 from flowlanes.system.system import System
 from nonholonomic.catalogue import CATALOGUE
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 
 NAMES = tuple(CATALOGUE)
 
 
 @cache
-def made(name: str) -> Rolling | System:
+def made(name: str) -> RollingBody | System:
     """What an entry builds with its defaults."""
     item = CATALOGUE[name]
     return item.build(item.numbers())
@@ -30,7 +30,7 @@ def system(name: str) -> System:
 @cache
 def study(name: str) -> Study:
     """The example of the catalogue, ready to be followed."""
-    return prepare(catalogue_experiment(name))
+    return Study.from_experiment(catalogue_experiment(name))
 
 
 #: Bodies on a surface, which ``test_catalogue`` compares with the catalogue.

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from chaplygin.experiment.models.experiment import catalogue_experiment
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.study import Study
 from flowlanes.flow.integrator import integrate
 from lawproof.proof.prover import prove
-from lawproof.search import integrals, search_request
+from lawproof.search import integrals, search_space
 from mechanics.balls import SURFACES, on
 from nonholonomic.catalogue import CATALOGUE
 from nonholonomic.catalogue.balls.ball_laws import known_ball_laws
@@ -82,7 +82,7 @@ def test_a_potential_of_the_user_leaves_no_law():
 
 
 def trajectory(name):
-    return prepare(catalogue_experiment(name)).trajectory(pieces=4)
+    return Study.from_experiment(catalogue_experiment(name)).trajectory(pieces=4)
 
 
 def test_a_solid_ball_in_a_pipe_oscillates_at_the_root_of_two_sevenths():
@@ -131,7 +131,7 @@ FOUND = {
 def test_the_search_finds_the_integrals_and_no_others(name, asked):
     options, expected = asked
     system = CATALOGUE[name].system()
-    question = search_request(system, momenta="omega", coordinates="R", **options)
+    question = search_space(system, momenta="omega", coordinates="R", **options)
     found = list(integrals(question))
     assert all(finding.proven for finding in found)
     assert {finding.catalogue_law.split(",")[0] for finding in found} == expected

@@ -14,7 +14,7 @@ from flowlanes.flow.batch import batch_integrator
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.system import System
 from nonholonomic.catalogue import CATALOGUE, entry, from_catalogue
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 
 
 def whole(system: System) -> System:
@@ -73,7 +73,7 @@ def test_defaults_are_admissible() -> None:
 
 
 def test_bodies_on_a_surface_are_listed() -> None:
-    found = {name for name in CATALOGUE if isinstance(built.made(name), Rolling)}
+    found = {name for name in CATALOGUE if isinstance(built.made(name), RollingBody)}
     assert found == set(built.ROLLING), "mend ROLLING in tests/catalogue/built.py"
 
 
@@ -94,7 +94,7 @@ def test_the_example_runs_to_its_end(name):
 def test_only_a_rolling_body_has_a_rolling(name):
     item = CATALOGUE[name]
     made = item.build(item.numbers())
-    assert item.rolling() is None or isinstance(made, Rolling)
+    assert item.rolling() is None or isinstance(made, RollingBody)
     assert isinstance(made, System) == (item.rolling() is None)
 
 

@@ -11,8 +11,8 @@ import pytest
 
 from catalogue import built
 from chaplygin.experiment.catalogue_text import catalogue_text
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from nonholonomic.catalogue import CATALOGUE, file_systems
 from nonholonomic.catalogue.entry_files import entry_file, entry_files, read_head
@@ -57,7 +57,7 @@ def reads_back(name: str) -> str:
         text = catalogue_text(study)
     except InputError as error:
         return str(error)
-    again = prepare(loads(text))
+    again = Study.from_experiment(parse_experiment(text))
     assert again.system == study.system
     # the start of a ball is written as the state that follows from its place
     assert list(map(float, again.start)) == pytest.approx(list(map(float, study.start)), rel=1e-14)

@@ -22,7 +22,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import dot, norm_squared, to_components, vectors
 from nonholonomic.catalogue import CATALOGUE, known_laws_of
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Torus
@@ -72,7 +72,7 @@ def derivative(system: System, law: Integral, start: Any, seed: int) -> Any:
     `start` is a state near which the point is chosen, unless it is rational.
     """
     simple = {norm_squared(gamma) - 1, dot(omega, gamma)} >= set(system.relations)
-    level = tuple(c for c in law.on if set(to_components(c).free_symbols) - set(system.defaults))
+    level = tuple(c for c in law.level if set(to_components(c).free_symbols) - set(system.defaults))
     if simple and not level and is_rational(system, [law.value]):
         (dual,) = rates_of_change(system, [law.value], rational_point(system, seed))
         return dual.rate
@@ -129,11 +129,11 @@ TURNED = ((1.0, 0.1, 0.0), (0.1, 1.5, -0.05), (0.0, -0.05, 2.1))
 
 VARIANTS = {
     "marble ball in Bruns' field": (
-        Rolling(Body(1.2, MOMENTS, Ball(0.9)), field=Forces(0.0, BRUNS, ((K, 0.7),))),
+        RollingBody(Body(1.2, MOMENTS, Ball(0.9)), field=Forces(0.0, BRUNS, ((K, 0.7),))),
         {"energy", "area", "momentum"},
     ),
     "rubber ball in Bruns' field": (
-        Rolling(
+        RollingBody(
             Body(1.2, MOMENTS, Ball(0.9)),
             contact="rubber",
             field=Forces(0.0, BRUNS, ((K, 0.7),)),
@@ -141,47 +141,49 @@ VARIANTS = {
         {"energy", "momentum"},
     ),
     "marble ball with rotors": (
-        Rolling(Body(1.2, MOMENTS, Ball(0.9), gyrostat=ROTORS)),
+        RollingBody(Body(1.2, MOMENTS, Ball(0.9), gyrostat=ROTORS)),
         {"energy", "area", "momentum"},
     ),
     "rubber ball with rotors": (
-        Rolling(Body(1.2, MOMENTS, Ball(0.9), gyrostat=ROTORS), contact="rubber"),
+        RollingBody(Body(1.2, MOMENTS, Ball(0.9), gyrostat=ROTORS), contact="rubber"),
         {"energy", "momentum"},
     ),
     "marble ball with rotors on a sphere": (
-        Rolling(Body(1.2, MOMENTS, Ball(0.9), gyrostat=ROTORS), Sphere(2.3)),
+        RollingBody(Body(1.2, MOMENTS, Ball(0.9), gyrostat=ROTORS), Sphere(2.3)),
         {"energy", "momentum"},
     ),
     "marble ball inside a sphere": (
-        Rolling(Body(1.2, MOMENTS, Ball(0.9)), Sphere(2.3, side="inside")),
+        RollingBody(Body(1.2, MOMENTS, Ball(0.9)), Sphere(2.3, side="inside")),
         {"energy", "momentum"},
     ),
     "marble ball with a full tensor": (
-        Rolling(Body(1.2, TURNED, Ball(0.9))),
+        RollingBody(Body(1.2, TURNED, Ball(0.9))),
         {"energy", "area", "momentum"},
     ),
     "rubber ball with a full tensor": (
-        Rolling(Body(1.2, TURNED, Ball(0.9)), contact="rubber"),
+        RollingBody(Body(1.2, TURNED, Ball(0.9)), contact="rubber"),
         {"energy", "momentum"},
     ),
     "unbalanced marble ball with a full tensor": (
-        Rolling(Body(1.2, TURNED, Ball(0.9, centre=(0.1, -0.2, 0.05)))),
+        RollingBody(Body(1.2, TURNED, Ball(0.9, centre=(0.1, -0.2, 0.05)))),
         {"energy", "quadratic"},
     ),
     "unbalanced rubber ball with a full tensor": (
-        Rolling(Body(1.2, TURNED, Ball(0.9, centre=(0.1, -0.2, 0.05))), contact="rubber"),
+        RollingBody(Body(1.2, TURNED, Ball(0.9, centre=(0.1, -0.2, 0.05))), contact="rubber"),
         {"energy", "quadratic"},
     ),
     "symmetric unbalanced rubber ball": (
-        Rolling(Body(1.2, (1.0, 1.0, 1.7), Ball(0.9, centre=(0.0, 0.0, 0.25))), contact="rubber"),
+        RollingBody(
+            Body(1.2, (1.0, 1.0, 1.7), Ball(0.9, centre=(0.0, 0.0, 0.25))), contact="rubber"
+        ),
         {"energy", "quadratic", "spin"},
     ),
     "heavy rubber disk": (
-        Rolling(Body(1.2, (0.3, 0.3, 0.5), Disk(0.9)), contact="rubber", field=Forces(9.81)),
+        RollingBody(Body(1.2, (0.3, 0.3, 0.5), Disk(0.9)), contact="rubber", field=Forces(9.81)),
         {"energy", "spin"},
     ),
     "heavy rubber torus with its centre of mass on the axis": (
-        Rolling(
+        RollingBody(
             Body(1.2, (0.6, 0.6, 0.8), Torus(0.9, 0.2, centre=(0.0, 0.0, 0.1))),
             contact="rubber",
             field=Forces(9.81, gamma.symbols[2] ** 3),
@@ -189,7 +191,7 @@ VARIANTS = {
         {"energy", "spin"},
     ),
     "rubber body of revolution by its support function": (
-        Rolling(
+        RollingBody(
             Body(1.2, (0.6, 0.6, 0.8), Revolution(1 + gamma.symbols[2] ** 2 / 5)),
             contact="rubber",
             field=Forces(9.81),
@@ -197,11 +199,11 @@ VARIANTS = {
         {"energy", "spin"},
     ),
     "heavy balanced ball": (
-        Rolling(Body(1.2, MOMENTS, Ball(0.9)), field=Forces(9.81)),
+        RollingBody(Body(1.2, MOMENTS, Ball(0.9)), field=Forces(9.81)),
         {"energy", "area", "momentum"},
     ),
     "ball in another potential": (
-        Rolling(
+        RollingBody(
             Body(1.2, MOMENTS, Ball(0.9)),
             field=Forces(0.0, gamma.symbols[0] ** 2 + gamma.symbols[1] * gamma.symbols[2]),
         ),

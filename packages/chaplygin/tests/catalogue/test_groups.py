@@ -9,7 +9,7 @@ from catalogue import built
 from nonholonomic.catalogue import CATALOGUE
 from nonholonomic.catalogue.entry_files import entry_file, entry_files
 from nonholonomic.catalogue.groups import GROUPS, in_section
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 
 PAGE = (Path(__file__).parents[4] / "docs" / "hierarchy.md").read_text()
 #: Classes of docs/hierarchy.md that mean an integrable system.
@@ -28,7 +28,7 @@ def test_the_contact_is_that_of_the_system() -> None:
             assert contacts[name] == item.ball(item.numbers()).contact, name
     for name in built.ROLLING:
         made = built.made(name)
-        assert isinstance(made, Rolling)
+        assert isinstance(made, RollingBody)
         assert contacts[name] == made.contact, name
 
 

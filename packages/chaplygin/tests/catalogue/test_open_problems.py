@@ -9,12 +9,13 @@ import pytest
 import sympy as sp
 
 from chaplygin.experiment.models.experiment import catalogue_experiment
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.study import Study
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.system import System
 from lawproof.proof.fields.budget import EFFORT
 from nonholonomic.catalogue import entry
-from nonholonomic.classification import ProofBudget, classify
+from nonholonomic.classification.classifier import classify_laws
+from nonholonomic.classification.facts import ProofBudget
 
 UP = np.array([0.0, 0.0, 1.0])
 STEP = 1e-5
@@ -72,7 +73,7 @@ def test_the_guide_holds_the_ball_on_its_line() -> None:
 
 
 def test_the_ball_stays_on_its_line() -> None:
-    made = prepare(catalogue_experiment("straight-line-ball"))
+    made = Study.from_experiment(catalogue_experiment("straight-line-ball"))
     motion = integrate(made.system, made.start, np.linspace(0.0, 20.0, 201))
     turned = np.array(
         [rows(q) @ w for q, w in zip(motion["attitude"], motion["omega"], strict=True)]
@@ -85,8 +86,8 @@ def test_the_ball_stays_on_its_line() -> None:
 
 def test_momenta_and_angular_velocity_describe_one_motion() -> None:
     one, other = (entry(f"straight-line-ball{name}") for name in ("", "-momenta"))
-    first = prepare(catalogue_experiment(one.name))
-    second = prepare(catalogue_experiment(other.name))
+    first = Study.from_experiment(catalogue_experiment(one.name))
+    second = Study.from_experiment(catalogue_experiment(other.name))
     times = np.linspace(0.0, 10.0, 11)
     a, b = (integrate(made.system, made.start, times) for made in (first, second))
     assert a["attitude"] == pytest.approx(b["attitude"], abs=1e-11)
@@ -199,7 +200,7 @@ def test_the_densities_of_bearing_and_line_are_positive() -> None:
 def test_their_measures_are_positive_everywhere(name: str) -> None:
     system = entry(name).system()
     patience = ProofBudget(EFFORT)
-    place = classify(system, patience.verdicts(system), patience)
+    place = classify_laws(system, patience.verdicts(system), patience)
     assert [density.sign for density in place.measures] == ["kept"]
     kinds = {kind.name for kind in place.kinds}
     assert ("euler-jacobi" in kinds) == (name == "ball-bearing")

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import Study, prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from chaplygin.report.summary import drift
 from evaluation import numeric
 from flowlanes.flow.integrator import integrate
@@ -64,7 +64,7 @@ ROUND = {"inertia": [1.0, 1.0, 1.7]}
 
 
 def study(**changes: object) -> Study:
-    return prepare(loads(BODY.format(**{**PLAIN, **changes})))
+    return Study.from_experiment(parse_experiment(BODY.format(**{**PLAIN, **changes})))
 
 
 def names(made: Study) -> set[str]:

@@ -15,8 +15,8 @@ import pytest
 
 from catalogue import built
 from chaplygin.cli import main
-from chaplygin.experiment.dataset import read
-from chaplygin.experiment.models.experiment import load
+from chaplygin.experiment.dataset import open_dataset
+from chaplygin.experiment.models.experiment import load_experiment
 from named_states import named_states
 from nonholonomic.catalogue import CATALOGUE
 from spread import spread
@@ -94,8 +94,8 @@ def test_show_as_wasm_writes_a_module(tmp_path: Path) -> None:
 def test_show_as_toml_is_a_complete_experiment(ask: Ask, tmp_path: Path) -> None:
     _, out, _ = ask("show", EXAMPLES / "egg.toml", "--as", "toml")
     (tmp_path / "egg.toml").write_text(out)
-    original = load(EXAMPLES / "egg.toml")
-    assert load(tmp_path / "egg.toml") == original
+    original = load_experiment(EXAMPLES / "egg.toml")
+    assert load_experiment(tmp_path / "egg.toml") == original
 
 
 @pytest.mark.slow
@@ -114,7 +114,7 @@ def test_run_writes_a_trajectory(ask: Ask) -> None:
     # a slow machine is told what it is waiting for
     assert (code, err.removeprefix("Chaplygin ball …\n")) == (0, "")
     assert "drift" in out
-    dataset = read("ball.nc")
+    dataset = open_dataset("ball.nc")
     assert dataset.sizes["time"] == 101
     assert float(dataset.time[-1]) == 5.0
     assert dataset.attrs["complete"] == 1
@@ -129,16 +129,16 @@ def test_run_json_in_quad_has_thirty_digits(ask: Ask) -> None:
     facts = json.loads(out)
     assert all(len(text.strip("-0.")) >= 30 for text in facts["final"].values())
     assert facts["drift"]["energy"] < 1e-30
-    dataset = read("v.nc")
+    dataset = open_dataset("v.nc")
     assert np.abs(dataset.omega_low).max() < 1e-15
 
 
 @pytest.mark.slow
 def test_the_stored_experiment_makes_the_same_bits(ask: Ask, tmp_path: Path) -> None:
     ask("run", EXAMPLES / "egg.toml", "-o", "first.nc", "--set", "run.until=1")
-    (tmp_path / "again.toml").write_text(read("first.nc").attrs["experiment"])
+    (tmp_path / "again.toml").write_text(open_dataset("first.nc").attrs["experiment"])
     ask("run", "again.toml", "-o", "second.nc")
-    assert read("first.nc").identical(read("second.nc"))
+    assert open_dataset("first.nc").identical(open_dataset("second.nc"))
 
 
 @pytest.mark.slow
@@ -160,7 +160,7 @@ def test_study_writes_its_folder(ask: Ask, tmp_path: Path) -> None:
     assert re.findall(r"http-equiv=\"([\w-]+)", page) == ["Content-Security-Policy"]
     assert 'src="' not in page and "@import" not in page
     assert (folder / "trajectory.nc").exists()
-    assert load(folder / "experiment.toml").run.until == 2.0
+    assert load_experiment(folder / "experiment.toml").run.until == 2.0
     suffixes = {path.suffix for path in (folder / "figures").iterdir()}
     assert suffixes == {".svg", ".png"}
     code, _, err = ask("study", "heavy-disk")
@@ -195,7 +195,7 @@ def test_a_time_limit_keeps_what_was_computed(ask: Ask) -> None:
     assert code == 1
     assert "time limit" in err
     assert "last good time" in err
-    dataset = read("long.nc")
+    dataset = open_dataset("long.nc")
     assert dataset.attrs["complete"] == 0
     assert 1 < dataset.sizes["time"] < 1_000_000
 
@@ -290,10 +290,10 @@ def test_systems_started_by_their_state(ask: Ask, named_states: None, name: str)
     code, out, _ = ask("run", name, "-o", "motion.nc", "--set", "run.until=1")
     assert code == 0
     assert "energy: drift" in out
-    assert float(read("motion.nc").time[-1]) == 1.0
+    assert float(open_dataset("motion.nc").time[-1]) == 1.0
     code, out, _ = ask("study", name, "--set", "run.until=1")
     assert code == 0
-    assert load(Path(name) / "experiment.toml").run.until == 1.0
+    assert load_experiment(Path(name) / "experiment.toml").run.until == 1.0
     code, _, err = ask("run", name, "-o", "other.nc", "--set", "start.speed=1")
     assert code == 2
     assert "--set start.speed: unknown variable" in err

@@ -10,7 +10,7 @@ import pytest
 import chaplygin as ch
 from asking import Ask, ask
 from contact.case_files import CASES, experiment_text
-from flowlanes.flow.ensemble.zarr_store import read_store
+from flowlanes.flow.ensembles.zarr_store import read_store
 
 __all__ = ["ask"]
 
@@ -33,7 +33,7 @@ def test_a_run_tells_its_events_in_narrow_lines(ask: Ask, billiard: Path) -> Non
     moment = CASES["billiard ball"]["events"][0]["time"]
     assert f"    t = {moment:.9g}: stick, then rolling" in lines
     assert max(map(len, lines)) <= COLUMNS
-    dataset = ch.read("a.nc")
+    dataset = ch.open_dataset("a.nc")
     assert dataset["event_time"].values == pytest.approx([moment], abs=1e-10)
     assert dataset.attrs["complete"] == 1
 
@@ -56,7 +56,7 @@ def test_show_says_which_equations_it_shows(ask: Ask, billiard: Path) -> None:
     code, output, _ = ask("show", billiard, "--json")
     assert json.loads(output)["place"] is None
     code, output, _ = ask("show", billiard, "--as", "toml")
-    assert ch.loads(output).toml() == ch.loads(output, overrides=[]).toml()
+    assert ch.parse_experiment(output).toml() == ch.parse_experiment(output, overrides=[]).toml()
     assert 'impact_law = "stronge"' in output
 
 
@@ -178,7 +178,7 @@ def test_a_run_that_ends_early_says_why(ask: Ask, tmp_path: Path) -> None:
     code, output, _ = ask("run", path, "-o", "a.nc", "--set", "run.on_liftoff=stop")
     assert code == 0
     assert "the motion ends at t = " in output
-    assert ch.read("a.nc").attrs["end_reason"] in " ".join(output.split())
+    assert ch.open_dataset("a.nc").attrs["end_reason"] in " ".join(output.split())
 
 
 @pytest.mark.slow
@@ -187,4 +187,4 @@ def test_a_study_has_a_report(ask: Ask, billiard: Path) -> None:
     assert code == 0
     assert "1 event: 1 stick" in output
     assert "stick, then rolling" in Path("billiard/report.html").read_text()
-    assert ch.read("billiard/trajectory.nc").sizes["event"] == 1
+    assert ch.open_dataset("billiard/trajectory.nc").sizes["event"] == 1

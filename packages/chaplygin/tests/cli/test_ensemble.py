@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from chaplygin.cli import main
-from flowlanes.flow.ensemble.zarr_store import read_store
+from flowlanes.flow.ensembles.zarr_store import read_store
 
 Ask = Callable[..., tuple[int, str, str]]
 

@@ -14,7 +14,7 @@ import pytest
 from chaplygin.cli import main
 from chaplygin.cli.find import special
 from lawproof import search
-from lawproof.search import Question, SearchResult
+from lawproof.search import SearchResult, SearchSpace
 from nonholonomic.catalogue import from_catalogue
 
 Answer = tuple[int, str, str]
@@ -125,7 +125,7 @@ def test_mistakes_end_with_2(find: Ask, arguments: tuple[str, ...], words: str) 
 def test_ctrl_c_keeps_what_is_found(find: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     original = search.integrals
 
-    def interrupted(question: Question, progress: Any) -> Iterator[SearchResult]:
+    def interrupted(question: SearchSpace, progress: Any) -> Iterator[SearchResult]:
         yield next(original(question, progress))
         raise KeyboardInterrupt
 
@@ -150,7 +150,7 @@ def test_a_proof_out_of_reach_is_said_so(find: Ask) -> None:
 def test_conditions_of_a_proof_are_told(find: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     original = search.integrals
 
-    def where(question: Question, progress: Any) -> Iterator[SearchResult]:
+    def where(question: SearchSpace, progress: Any) -> Iterator[SearchResult]:
         for finding in original(question, progress):
             assert finding.verdict is not None
             verdict = replace(finding.verdict, decision="proven where", conditions=("k > 0",))

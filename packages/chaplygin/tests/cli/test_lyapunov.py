@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from chaplygin.cli import main
-from chaplygin.experiment.dataset import read
+from chaplygin.experiment.dataset import open_dataset
 
 Answer = tuple[int, str, str]
 Ask = Callable[..., Answer]
@@ -88,7 +88,7 @@ def test_a_file_with_the_way_it_settled(ask: Ask, tmp_path: Path) -> None:
     code, _, err = ask("suslov", "--until", 50, "-o", "found.nc")
     assert code == 0
     assert "written to found.nc" in err
-    data = read(tmp_path / "found.nc")
+    data = open_dataset(tmp_path / "found.nc")
     assert data.sizes["exponent"] == 2
     assert list(data.removed.values) == ["γ² = 1", "(ω, e₃) = 0", "energy", "flow"]
     assert ask("suslov", "--until", 50, "-o", "found.nc")[0] == 2

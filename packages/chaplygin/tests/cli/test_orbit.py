@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from asking import Ask, ask
-from chaplygin.experiment.dataset import read
+from chaplygin.experiment.dataset import open_dataset
 
 __all__ = ["ask"]
 
@@ -23,7 +23,7 @@ def test_a_limit_cycle_and_its_branch(ask: Ask) -> None:
     assert "a periodic orbit of 1 return, attracting (observed)" in out
     assert "continued through " in out
     assert "trivial multipliers (equal to 1): flow, energy, quadratic" in out
-    data = read("cycle.nc")
+    data = open_dataset("cycle.nc")
     assert abs(data.gamma[0] - data.gamma[-1]).max() < 1e-10
     assert Path("branch.png").stat().st_size > 10_000
 

@@ -226,7 +226,7 @@ def test_the_audit_tells_what_is_proven_in_part(ask, monkeypatch):
     made = tuple(
         judged.Judgement(1, claim, *pair, 0.5) for claim, pair in zip(claims, verdicts, strict=True)
     )
-    monkeypatch.setattr(judged, "audit", lambda *_: (made, 0))
+    monkeypatch.setattr(judged, "audit", lambda *_: judged.Audit(made))
     code, out, _ = ask("audit")
     assert code == 0
     assert "x > 0, not y = 0" in out
@@ -239,7 +239,7 @@ def test_the_audit_tells_what_is_proven_in_part(ask, monkeypatch):
 def test_what_was_not_computed_is_counted_listed_and_in_json(ask, monkeypatch):
     judged = import_module("borisov_mamaev_2008.audit")
     found = remarks(7)
-    monkeypatch.setattr(judged, "audit", lambda *_: ((), 0))
+    monkeypatch.setattr(judged, "audit", lambda *_: judged.Audit(()))
     code, out, _ = ask("audit", "--section", "7")
     assert code == 0
     counted = f"{len(found)} further statements, of literature or judgement, were not computed: "
@@ -271,7 +271,7 @@ def test_an_erratum_is_told_beside_the_verdict(ask, monkeypatch):
     proven = Verdict("a", "proven", finding="a proof")
     claim = Claim("(1)", "(6.1) holds", lambda: proven, erratum="(6.1) is printed for (7.1)")
     made = (judged.Judgement(7, claim, proven, None, 0.5),)
-    monkeypatch.setattr(judged, "audit", lambda *_: (made, 0))
+    monkeypatch.setattr(judged, "audit", lambda *_: judged.Audit(made))
     _, out, _ = ask("audit")
     assert "erratum    (6.1) is printed for (7.1)" in out
     assert made[0].record()["erratum"] == "(6.1) is printed for (7.1)"

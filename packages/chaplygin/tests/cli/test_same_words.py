@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from chaplygin.cli import main
-from lawproof.proof.prover import prove
+from lawproof.proof.prover import prove, prove_all
 from nonholonomic.catalogue import CATALOGUE, entry
 
 Say = Callable[..., str]
@@ -42,7 +42,7 @@ def test_show_says_the_same_cold_warm_and_after_proofs(
     cold = say("show", name)
     assert say("show", name) == cold
     monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / "after proofs"))
-    prove(entry(name).system())
+    prove_all(entry(name).system())
     assert say("show", name) == cold
     assert say("show", name, "--json") == say("show", name, "--json")
 
@@ -76,5 +76,5 @@ def test_a_report_says_the_same_cold_warm_and_after_proofs(
     cold = verdicts("cold")
     assert verdicts("warm") == cold
     monkeypatch.setenv("FLOWLANES_CACHE", str(tmp_path / "after proofs"))
-    prove(entry("veselova").system())
+    prove_all(entry("veselova").system())
     assert verdicts("after") == cold

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from chaplygin.cli import main
-from flowlanes.flow.ensemble.zarr_store import read_store
+from flowlanes.flow.ensembles.zarr_store import read_store
 
 Answer = tuple[int, str, str]
 Ask = Callable[..., Answer]
@@ -158,7 +158,7 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
         raise KeyboardInterrupt
 
     names = ["ball.zarr", "forced.zarr"]
-    monkeypatch.setattr("flowlanes.flow.ensemble.computation.compute", interrupted)
+    monkeypatch.setattr("flowlanes.flow.ensembles.computation.compute", interrupted)
     code, out, err = ask(*BALL, "-o", "ball.zarr")
     assert (code, out) == (130, "")
     sentence = (

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from chaplygin.cli import main
-from chaplygin.experiment.dataset import read
+from chaplygin.experiment.dataset import open_dataset
 
 Answer = tuple[int, str, str]
 Ask = Callable[..., Answer]
@@ -70,10 +70,12 @@ def test_the_record_agrees_with_the_integration(ask: Ask) -> None:
     assert len(record["equations"]) == 8
     frequencies = [item for item in record["figures"] if item["symbol"].startswith("Omega")]
     assert all(float(item["error"]) < 1e-15 and item["unit"] == "turns/s" for item in frequencies)
-    from chaplygin.experiment.models.experiment import loads
-    from chaplygin.experiment.study import prepare
+    from chaplygin.experiment.models.experiment import parse_experiment
+    from chaplygin.experiment.study import Study
 
-    study = prepare(loads('[system]\nname = "veselova"\n', "x", ["run.samples=2"]))
+    study = Study.from_experiment(
+        parse_experiment('[system]\nname = "veselova"\n', "x", ["run.samples=2"])
+    )
     last = study.trajectory()
     for name in ("omega", "gamma", "attitude"):
         assert np.abs(np.array(record["states"][1][name]) - last[name][-1]).max() < 1e-12
@@ -85,7 +87,7 @@ def test_files(ask: Ask, tmp_path: Path) -> None:
     code, _, err = ask("ball.toml", "--at", "0,1e3,1e6", "-o", "ball.nc", "--figure", "ball.svg")
     assert code == 0
     assert "written to ball.nc" in err
-    dataset = read("ball.nc")
+    dataset = open_dataset("ball.nc")
     assert dataset.time.values.tolist() == [0.0, 1e3, 1e6]
     for name in ("omega", "gamma", "M", "attitude", "centre", "contact", "normal_force"):
         assert dataset[name].sizes["time"] == 3

@@ -39,7 +39,7 @@ def forbid(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr("nonholonomic.classification.facts.prove", refused)
     monkeypatch.setattr(
-        "nonholonomic.classification.configuration_measures.measure_exists", refused
+        "nonholonomic.classification.configuration_measures.invariant_measure", refused
     )
 
 

@@ -11,7 +11,7 @@ import pytest
 from asking import Ask, ask
 from chaplygin.cli.sweep import values_of
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.zarr_store import read_store
+from flowlanes.flow.ensembles.zarr_store import read_store
 from flowlanes.flow.integrator import integrate
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.mechanics.rolling.initial_state import initial_state

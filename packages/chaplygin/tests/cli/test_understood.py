@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from asking import Ask, ask
-from chaplygin.experiment.dataset import read
-from chaplygin.experiment.models.experiment import load
-from chaplygin.experiment.study import Study, prepare
+from chaplygin.experiment.dataset import open_dataset
+from chaplygin.experiment.models.experiment import load_experiment
+from chaplygin.experiment.study import Study
 
 __all__ = ["ask"]
 
@@ -130,7 +130,7 @@ def test_a_centre_of_mass_outside_is_seen_where_a_study_is_printed(
     text = BALL.replace("radius = 1.0", "radius = 1.0\ncentre = [0, 0, 3]")
     Path("ball.toml").write_text(text)
     assert "    note    body.shape.centre puts the centre of mass outside the body" in str(
-        prepare(load("ball.toml"))
+        Study.from_experiment(load_experiment("ball.toml"))
     )
 
 
@@ -200,7 +200,7 @@ def test_a_run_is_written_as_its_name_ends(ending: str, ask: Ask) -> None:
         assert lines[0].startswith("time,M_1,M_2,M_3,gamma_1,gamma_2,gamma_3,")
         assert len(lines) == 4
     else:
-        assert read(f"v.{ending}").sizes["time"] == 3
+        assert open_dataset(f"v.{ending}").sizes["time"] == 3
     code, _, err = ask("run", "chaplygin-ball", "-o", f"v.{ending}", *options)
     assert code == 2
     assert f"v.{ending} exists already" in err

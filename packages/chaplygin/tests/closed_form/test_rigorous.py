@@ -372,7 +372,7 @@ def test_without_fixed_directions_there_are_bounds_of_the_reduced_state_alone() 
     values = {p.symbol: p.default for p in separable.system.parameters}
     start = initial_state(separable.system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
     solution = solve_on_torus(separable, values, start)
-    assert "no direction is known" in solution.left_open
+    assert "no direction is known" in solution.not_rigorous
     balls = solution.rigorous(30.0, 8)
     assert len(balls) == len(start)
     assert max(float(x.rad()) for x in balls[:6]) < 1e-8
@@ -387,8 +387,8 @@ def test_a_place_that_is_left_open_is_said_to_be() -> None:
     system = from_catalogue("rubber-chaplygin-ball-bruns")
     start = initial_state(system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
     solution = solve(system, start)
-    assert "one direction alone is known that stays in space" in solution.left_open
-    assert solve(from_catalogue("veselova"), start[:10]).left_open == ""
+    assert "one direction alone is known that stays in space" in solution.not_rigorous
+    assert solve(from_catalogue("veselova"), start[:10]).not_rigorous == ""
 
 
 @pytest.mark.slow

@@ -15,8 +15,8 @@ import sympy as sp
 from flint import arb
 
 from chaplygin import solve
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.formulas.balls import exact
@@ -27,7 +27,7 @@ from nonholonomic.closed_form.base.problem import Problem, same_field
 from nonholonomic.closed_form.recover_body import rolling_of
 from nonholonomic.closed_form.solvable_cases import find_match, solution_of
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Sphere
@@ -38,7 +38,7 @@ MOMENTS = (1.0, 1.5, 2.1)
 FULL = ((1.0, 0.1, 0.05), (0.1, 1.5, -0.2), (0.05, -0.2, 2.1))
 
 
-def problem_of(rolling: Rolling, omega: Any = NO_SPIN, words: bool = True) -> Problem:
+def problem_of(rolling: RollingBody, omega: Any = NO_SPIN, words: bool = True) -> Problem:
     """A rolling body with a start; `told` whether what rolls on what is known."""
     system = rolling.system()
     start = initial_state(system, omega, GAMMA)
@@ -48,11 +48,11 @@ def problem_of(rolling: Rolling, omega: Any = NO_SPIN, words: bool = True) -> Pr
 def catalogue(name: str, **parameters: float) -> Problem:
     """A system of the catalogue with its start."""
     options = [f"system.parameters.{key}={value}" for key, value in parameters.items()]
-    study = prepare(loads(f'[system]\nname = "{name}"\n', name, options))
+    study = Study.from_experiment(parse_experiment(f'[system]\nname = "{name}"\n', name, options))
     return Problem(study.system, study.system.defaults, study.start, study.rolling)
 
 
-BALL = Rolling(Body(1.3, MOMENTS, Ball(0.9)))
+BALL = RollingBody(Body(1.3, MOMENTS, Ball(0.9)))
 
 
 @pytest.mark.parametrize(
@@ -63,13 +63,13 @@ BALL = Rolling(Body(1.3, MOMENTS, Ball(0.9)))
         (replace(BALL, contact="rubber"), "rubber-chaplygin-ball"),
         (replace(BALL, contact="rubber", field=Forces(9.81)), "rubber-chaplygin-ball"),
         (
-            Rolling(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(0.45), "rubber"),
+            RollingBody(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(0.45), "rubber"),
             "rubber-ball-around-sphere",
         ),
     ],
     ids=["ball", "heavy ball", "rubber ball", "heavy rubber ball", "around a sphere, k = −1"],
 )
-def test_rolling_bodies(rolling: Rolling, name: str) -> None:
+def test_rolling_bodies(rolling: RollingBody, name: str) -> None:
     found = find_match(problem_of(rolling))
     assert found is not None
     assert (found.known_system.name, found.level) == (name, ())
@@ -120,7 +120,7 @@ def test_the_area_constant_chooses_the_separation() -> None:
 
 @pytest.mark.parametrize("radius", [0.45, 0.4500001])
 def test_the_ratio_of_radii_is_taken_exactly(radius: float) -> None:
-    ball = Rolling(
+    ball = RollingBody(
         Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere.of_signed_radius(radius), "rubber"
     )
     found = find_match(problem_of(ball))
@@ -173,13 +173,13 @@ def test_a_system_in_other_letters() -> None:
     [
         # its parameter g is gravity, and the constant g of the separation is another one
         replace(BALL, field=Forces(9.81)),
-        Rolling(Body(1.3, FULL, Ball(0.9)), contact="rubber", field=Forces(9.81)),
-        Rolling(Body(1.3, (1.0, 1.5, 1.5), Ball(0.9)), contact="rubber"),
-        Rolling(Body(1.3, (1.5, 1.0, 1.5), Ball(0.9)), contact="rubber"),
+        RollingBody(Body(1.3, FULL, Ball(0.9)), contact="rubber", field=Forces(9.81)),
+        RollingBody(Body(1.3, (1.0, 1.5, 1.5), Ball(0.9)), contact="rubber"),
+        RollingBody(Body(1.3, (1.5, 1.0, 1.5), Ball(0.9)), contact="rubber"),
     ],
     ids=["heavy", "full tensor", "symmetric about axis 1", "symmetric about axis 2"],
 )
-def test_solutions_are_told_in_the_axes_of_the_body(ball: Rolling) -> None:
+def test_solutions_are_told_in_the_axes_of_the_body(ball: RollingBody) -> None:
     problem = problem_of(ball)
     solution = solution_of(problem)
     trajectory = integrate(problem.system, problem.start, np.linspace(0.0, 20.0, 5))
@@ -192,13 +192,13 @@ def test_solutions_are_told_in_the_axes_of_the_body(ball: Rolling) -> None:
     [
         BALL,
         replace(BALL, contact="rubber", field=Forces(9.81)),
-        Rolling(Body(1.3, FULL, Ball(0.9)), contact="rubber"),
-        Rolling(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(0.45)),
-        Rolling(Body(1.3, MOMENTS, Ball(0.9, centre=(0.1, 0.2, 0.3)))),
+        RollingBody(Body(1.3, FULL, Ball(0.9)), contact="rubber"),
+        RollingBody(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(0.45)),
+        RollingBody(Body(1.3, MOMENTS, Ball(0.9, centre=(0.1, 0.2, 0.3)))),
     ],
     ids=["ball", "heavy rubber ball", "full tensor", "around a sphere", "displaced"],
 )
-def test_bodies_are_found_in_their_equations(rolling: Rolling) -> None:
+def test_bodies_are_found_in_their_equations(rolling: RollingBody) -> None:
     system = rolling.system()
     found = rolling_of(system, system.defaults)
     assert found is not None
@@ -209,7 +209,7 @@ def test_bodies_are_found_in_their_equations(rolling: Rolling) -> None:
 def test_axes_that_a_tensor_does_not_determine() -> None:
     tensor = ((1.5, 0.5, 0.0), (0.5, 1.5, 0.0), (0.0, 0.0, 1.0))
     with pytest.raises(InputError, match="give the body in principal axes"):
-        solution_of(problem_of(Rolling(Body(1.3, tensor, Ball(0.9)), contact="rubber")))
+        solution_of(problem_of(RollingBody(Body(1.3, tensor, Ball(0.9)), contact="rubber")))
 
 
 def veselova_start() -> tuple[System, tuple[Any, ...]]:

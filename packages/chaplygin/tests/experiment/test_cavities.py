@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from chaplygin.experiment.closed_form import solution_of_study
-from chaplygin.experiment.dataset import to_dataset
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from lawproof.proof.prover import prove
@@ -38,30 +37,32 @@ TWO = TWO.replace("[0.4, 0, 0]", "[0.4, 0.0, 0.0]").replace("[-0.4, 0, 0]", "[-0
 
 @pytest.mark.parametrize("text", [ONE, TWO], ids=["one", "two"])
 def test_a_file_reads_back(text):
-    experiment = loads(text)
-    again = loads(experiment.toml())
+    experiment = parse_experiment(text)
+    again = parse_experiment(experiment.toml())
     assert again == experiment
     header = "[body.cavity]" if text is ONE else "[[body.cavity]]"
     assert experiment.toml().count(header) == (1 if text is ONE else 2)
-    assert "cavity" not in loads(BODY + START).toml()
+    assert "cavity" not in parse_experiment(BODY + START).toml()
 
 
 def test_fluids_by_default_rest_in_the_body():
-    start = prepare(loads(TWO)).start_values
+    start = Study.from_experiment(parse_experiment(TWO)).start_values
     assert start["fluid1"] == start["fluid2"] == (0.0, 0.0, 0.0)
 
 
 def test_fluids_of_several_cavities():
-    study = prepare(loads(TWO + "fluid = [[0.1, 0.2, 0.3], [-1.0, 0.5, 0.0]]\n"))
+    study = Study.from_experiment(
+        parse_experiment(TWO + "fluid = [[0.1, 0.2, 0.3], [-1.0, 0.5, 0.0]]\n")
+    )
     assert list(map(str, study.system.state)) == ["M", "gamma", "N1", "N2"]
     assert study.start_values["fluid2"] == (-1.0, 0.5, 0.0)
     assert "0.2 kg of ideal fluid" in study.subject.setting
-    dataset = to_dataset(study.trajectory())
+    dataset = study.trajectory().to_dataset()
     for name in ("fluid1", "N1", "fluid2", "N2"):
         assert dataset[name].dims == ("time", "axis")
         assert dataset[name].attrs["frame"] == "body axes"
     assert np.allclose(dataset.fluid2[0], (-1.0, 0.5, 0.0), atol=1e-15)
-    assert prepare(loads(study.complete_toml())).start == study.start
+    assert Study.from_experiment(parse_experiment(study.complete_toml())).start == study.start
 
 
 @pytest.mark.parametrize("name", ["free-body", "veselova", "suslov", "rubber-chaplygin-ball"])
@@ -82,8 +83,10 @@ mass = 0.3
 centre = [0.0, -0.4, -0.2]
 """
     fluid = "[[1.0, 2.0, 3.0], [0.0, 0.0, 0.0], [0.1, 0.0, 0.2]]"
-    study = prepare(loads(f'[system]\nname = "{name}"{cavities}[start]\nfluid = {fluid}\n'))
-    again = prepare(loads(study.complete_toml()))
+    study = Study.from_experiment(
+        parse_experiment(f'[system]\nname = "{name}"{cavities}[start]\nfluid = {fluid}\n')
+    )
+    again = Study.from_experiment(parse_experiment(study.complete_toml()))
     assert again.system == study.system
     assert again.start == study.start
     assert again.complete_toml() == study.complete_toml()
@@ -91,9 +94,9 @@ centre = [0.0, -0.4, -0.2]
 
 
 def test_an_empty_cavity_needs_no_fluid():
-    dry = prepare(loads(BODY + START)).system
-    empty = loads(ONE + "fluid = [1.0, 0.0, 0.0]\n", overrides=["body.cavity.mass=0.0"])
-    assert prepare(empty).system == dry
+    dry = Study.from_experiment(parse_experiment(BODY + START)).system
+    empty = parse_experiment(ONE + "fluid = [1.0, 0.0, 0.0]\n", overrides=["body.cavity.mass=0.0"])
+    assert Study.from_experiment(empty).system == dry
 
 
 MISTAKES = {
@@ -158,7 +161,7 @@ MISTAKES = {
 def test_a_mistake_is_one_sentence(case):
     text, sentence = MISTAKES[case]
     with pytest.raises(InputError) as caught:
-        prepare(loads(text))
+        Study.from_experiment(parse_experiment(text))
     assert str(caught.value) == sentence
 
 
@@ -170,12 +173,14 @@ SYSTEM = 'system = {{name = "{}"}}\nbody = {{cavity = {{axes = [0.5, 0.4, 0.3], 
     "name", ["veselova", "suslov", "chaplygin-ball", "rubber-chaplygin-ball", "ball-on-sphere"]
 )
 def test_a_body_of_the_catalogue_is_filled(name):
-    study = prepare(loads(SYSTEM.format(name) + "start = {fluid = [1.0, 2.0, 3.0]}\n"))
+    study = Study.from_experiment(
+        parse_experiment(SYSTEM.format(name) + "start = {fluid = [1.0, 2.0, 3.0]}\n")
+    )
     assert study.system.title.endswith("with fluid")
     assert str(study.system.state[-1]) == "N"
     assert {"energy", "circulation"} <= {law.name for law in study.system.integrals}
     assert all(prove(study.system, law) for law in study.system.laws)
-    assert prepare(loads(study.complete_toml())).system == study.system
+    assert Study.from_experiment(parse_experiment(study.complete_toml())).system == study.system
 
 
 SYSTEM_MISTAKES = {
@@ -214,13 +219,13 @@ SYSTEM_MISTAKES = {
 def test_a_mistake_with_the_catalogue_is_one_sentence(case):
     text, sentence = SYSTEM_MISTAKES[case]
     with pytest.raises(InputError) as caught:
-        prepare(loads(text))
+        Study.from_experiment(parse_experiment(text))
     assert str(caught.value) == sentence
 
 
 def test_a_body_with_a_sphere_of_fluid_is_solved_as_the_rigid_body():
     text = SYSTEM.format("rubber-body-of-revolution").replace("0.5, 0.4, 0.3", "0.1, 0.1, 0.1")
-    study = prepare(loads(text))
+    study = Study.from_experiment(parse_experiment(text))
     solution = solution_of_study(study)
     motion = integrate(study.system, study.start, [0.0, 1.0, 10.0])
     assert solution.system.symbols == motion.system.symbols
@@ -230,4 +235,4 @@ def test_a_body_with_a_sphere_of_fluid_is_solved_as_the_rigid_body():
 def test_no_closed_form_of_the_rigid_body_is_taken_for_a_body_with_vorticity():
     text = SYSTEM.format("rubber-body-of-revolution").replace("0.5, 0.4, 0.3", "0.1, 0.1, 0.11")
     with pytest.raises(InputError, match="fluid has vorticity in a cavity that is no sphere"):
-        solution_of_study(prepare(loads(text)))
+        solution_of_study(Study.from_experiment(parse_experiment(text)))

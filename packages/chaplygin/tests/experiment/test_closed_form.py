@@ -26,17 +26,15 @@ from chaplygin.experiment.closed_form import (
     solution_of_study,
     units,
 )
-from chaplygin.experiment.dataset import read, write
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import Study, prepare
+from chaplygin.experiment.dataset import open_dataset, write_dataset
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from chaplygin.report.figures import closed_form, svg_text
 from chaplygin.report.study_output import write_study
 from flowlanes.errors import InputError
 from flowlanes.system.system import System
-from nonholonomic.classification.facts import ProofBudget
 from nonholonomic.closed_form.base.problem import Problem
 from nonholonomic.closed_form.base.solution import ClosedForm, NamedConstant, Solution
-from unheard import Unheard
 
 FORM = ClosedForm(
     title="A turning ball",
@@ -67,7 +65,7 @@ class Spinning(Solution):
         return FORM
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         return self.rate
 
     def states(self, times: Any) -> Any:
@@ -84,8 +82,8 @@ class Spinning(Solution):
 
 
 def spinning() -> tuple[Study, Solution]:
-    study = prepare(
-        loads(
+    study = Study.from_experiment(
+        parse_experiment(
             '[system]\nname = "chaplygin-ball"\n[start]\nomega = [0, 0, 1.1]\ngamma = [0, 0, 1]\n'
             "[run]\nuntil = 20.0\nsamples = 9\n"
         )
@@ -111,7 +109,7 @@ def test_what_is_recorded_is_what_a_run_records() -> None:
 def test_a_file_says_that_a_closed_form_is_no_integration(tmp_path: Path) -> None:
     study, solution = spinning()
     made = dataset(study, closed_form_trajectory(study, solution, study.times), solution)
-    assert read(write(made, tmp_path / "a.nc")).attrs["integrator"] == (
+    assert open_dataset(write_dataset(made, tmp_path / "a.nc")).attrs["integrator"] == (
         "none: closed form, A turning ball"
     )
 
@@ -177,9 +175,11 @@ def test_a_motion_without_ovals_has_no_figure() -> None:
 
 @pytest.mark.slow
 def test_the_report_has_the_section(tmp_path: Path) -> None:
-    study = prepare(loads('[system]\nname = "neumann"\n[run]\nuntil = 5.0\nsamples = 11\n'))
+    study = Study.from_experiment(
+        parse_experiment('[system]\nname = "neumann"\n[run]\nuntil = 5.0\nsamples = 11\n')
+    )
     (tmp_path / "figures").mkdir()
-    write_study(study, tmp_path, False, ProofBudget(1, 0), Unheard())
+    write_study(study, tmp_path, force=False, total_budget=0)
     page = (tmp_path / "report.html").read_text()
     assert '<h2 id="closed-form">Closed form</h2>' in page
     assert "two-frequency motion on a torus" in page
@@ -188,13 +188,13 @@ def test_the_report_has_the_section(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_no_closed_form_no_section() -> None:
-    study = prepare(loads('[system]\nname = "unbalanced-ball"\n'))
+    study = Study.from_experiment(parse_experiment('[system]\nname = "unbalanced-ball"\n'))
     assert known_solution(study) is None
 
 
 @pytest.mark.slow
 def test_a_study_is_solved_as_its_system_is() -> None:
-    study = prepare(loads('[system]\nname = "neumann"\n'))
+    study = Study.from_experiment(parse_experiment('[system]\nname = "neumann"\n'))
     solution = solution_of_study(study)
     direct = solve(study.system, study.start)
     assert solution.states([3.0]).tolist() == direct.states([3.0]).tolist()
@@ -202,15 +202,17 @@ def test_a_study_is_solved_as_its_system_is() -> None:
 
 @pytest.mark.slow
 def test_the_diagram_of_a_ball_and_none_of_a_symmetric_one():
-    ball_ = prepare(loads('[system]\nname = "chaplygin-ball"\n'))
+    ball_ = Study.from_experiment(parse_experiment('[system]\nname = "chaplygin-ball"\n'))
     placed = diagram_if_known(ball_)
     assert placed is not None
     diagram, (h, g) = placed
     energy, area = (law.value for law in ball_.system.integrals[:2])
     assert (h, g) == pytest.approx([float(x) for x in values(ball_, energy, area)], rel=1e-12)
     assert diagram.region(h, g).tori == 2
-    symmetric = prepare(
-        loads('[system]\nname = "chaplygin-ball"\n[system.parameters]\nI_1 = 1.5\nI_2 = 1.5\n')
+    symmetric = Study.from_experiment(
+        parse_experiment(
+            '[system]\nname = "chaplygin-ball"\n[system.parameters]\nI_1 = 1.5\nI_2 = 1.5\n'
+        )
     )
     assert diagram_if_known(symmetric) is None
 

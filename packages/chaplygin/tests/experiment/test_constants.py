@@ -9,11 +9,11 @@ import pytest
 import sympy as sp
 
 from chaplygin import nonholonomy
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
-from lawproof.search import integrals, search_request
-from nonholonomic.invariant_measures.existence import measure_exists
+from lawproof.search import integrals, search_space
+from nonholonomic.invariant_measures.existence import invariant_measure
 from nonholonomic.mechanics.reduction.chaplygin import chaplygin_form
 
 OSCILLATOR = """
@@ -49,11 +49,13 @@ phidot = 1.0
 
 def oscillator(formula="k", value="1.0", start="1.0"):
     text = OSCILLATOR.format(formula=formula, value=value, start=start)
-    return prepare(loads(text)).system
+    return Study.from_experiment(parse_experiment(text)).system
 
 
 def knife(formula, name="m"):
-    return prepare(loads(KNIFE.format(formula=formula, name=name))).subject.model
+    return Study.from_experiment(
+        parse_experiment(KNIFE.format(formula=formula, name=name))
+    ).subject.model
 
 
 @pytest.mark.parametrize("formula", ["pi", "pi**2", "exp(1)", "sqrt(pi)", "pi**0.25", "sin(pi/7)"])
@@ -62,7 +64,7 @@ def test_constants_are_searched_with(formula):
     assert system.rates[1].subs(system.symbols[0], -1).evalf() == pytest.approx(
         eval(formula, {"pi": math.pi, "exp": math.exp, "sqrt": math.sqrt, "sin": math.sin})
     )
-    found = list(integrals(search_request(system, parameter_degree=0)))
+    found = list(integrals(search_space(system, parameter_degree=0)))
     # seen modulo primes; no rational number times x² makes an integral of it
     assert all(not finding.proven for finding in found)
     assert found
@@ -82,9 +84,9 @@ def test_a_reduction_says_what_to_write_instead(formula):
 
 def test_roots_of_numbers_are_refused_by_the_search():
     with pytest.raises(InputError, match="give the root of a number a name, as a parameter"):
-        search_request(oscillator("sqrt(3)"))
+        search_space(oscillator("sqrt(3)"))
     with pytest.raises(InputError, match=re.escape("2**(1/3) is not one")):
-        search_request(oscillator("2**(1/3)"))
+        search_space(oscillator("2**(1/3)"))
 
 
 @pytest.mark.parametrize(
@@ -115,7 +117,7 @@ def test_names_of_sympy_have_no_meaning(name, hint):
 def test_names_of_sympy_are_names_like_others(name):
     mechanism = knife(name, name)
     assert mechanism.parameters[0].symbol == sp.Symbol(name, real=True)
-    assert measure_exists(mechanism).decision == "exists"
+    assert invariant_measure(mechanism).decision == "exists"
 
 
 @pytest.mark.parametrize("key", ["value", "start"])
@@ -143,4 +145,4 @@ def test_values_are_finite_decimals(key, written, message):
 def test_names_that_sines_need_are_refused_where_they_matter():
     with pytest.raises(InputError, match="the name sin_phi is needed for a sine or cosine"):
         chaplygin_form(knife("sin_phi", "sin_phi"))
-    assert measure_exists(knife("z_sigma", "z_sigma")).decision == "exists"
+    assert invariant_measure(knife("z_sigma", "z_sigma")).decision == "exists"

@@ -12,7 +12,6 @@ import xarray as xr
 
 import chaplygin as ch
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
-from chaplygin.experiment.dataset import to_dataset
 from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.experiment.subjects.contact_subject import ContactSubject
 from contact.case_files import CASES, experiment_text
@@ -46,7 +45,7 @@ samples = 26
 
 
 def study_of(text: str, *options: str) -> Study:
-    return ch.prepare(ch.loads(text, overrides=options))
+    return ch.Study.from_experiment(ch.parse_experiment(text, overrides=options))
 
 
 def subject_of(text: str) -> ContactSubject:
@@ -99,16 +98,16 @@ def test_surface_and_rules_are_read() -> None:
 
 @pytest.mark.parametrize("text", [BILLIARD, experiment_text(CASES["ball on a turntable"])])
 def test_a_complete_file_reads_back(text: str) -> None:
-    experiment = ch.loads(text)
-    assert ch.loads(experiment.toml()) == experiment
-    study = ch.prepare(experiment)
+    experiment = ch.parse_experiment(text)
+    assert ch.parse_experiment(experiment.toml()) == experiment
+    study = ch.Study.from_experiment(experiment)
     again = study_of(study.complete_toml())
     np.testing.assert_array_equal(again.start, study.start)
 
 
 def test_an_unlimited_coefficient_reads_back() -> None:
-    experiment = ch.loads(BILLIARD, overrides=["contact.mu=inf", "start.slip=[0, 0, 0]"])
-    assert ch.loads(experiment.toml()) == experiment
+    experiment = ch.parse_experiment(BILLIARD, overrides=["contact.mu=inf", "start.slip=[0, 0, 0]"])
+    assert ch.parse_experiment(experiment.toml()) == experiment
 
 
 def test_a_billiard_ball_rolls_when_it_must(
@@ -183,7 +182,7 @@ def test_what_is_written_is_read(
     billiard: tuple[ContactTrajectory, xr.Dataset], tmp_path: Path, ending: str
 ) -> None:
     _, dataset = billiard
-    read = ch.read(ch.write(dataset, tmp_path / f"a.{ending}"))
+    read = ch.open_dataset(ch.write_dataset(dataset, tmp_path / f"a.{ending}"))
     for name in dataset.variables:
         np.testing.assert_array_equal(read[name], dataset[name])
     assert read["mode"].dtype == np.int8
@@ -197,18 +196,20 @@ def test_a_motion_without_events_is_written(
     billiard: tuple[ContactTrajectory, xr.Dataset], tmp_path: Path
 ) -> None:
     still = replace(billiard[0], changes=())
-    dataset = to_dataset(still)
+    dataset = still.to_dataset()
     assert dataset.sizes["event"] == 0
     for ending in ("nc", "zarr"):
-        assert ch.read(ch.write(dataset, tmp_path / f"a.{ending}")).sizes["event"] == 0
+        assert (
+            ch.open_dataset(ch.write_dataset(dataset, tmp_path / f"a.{ending}")).sizes["event"] == 0
+        )
 
 
 def test_the_dataset_of_a_motion_is_that_of_its_run(
     billiard: tuple[ContactTrajectory, xr.Dataset],
 ) -> None:
     trajectory, written = billiard
-    again = to_dataset(
-        trajectory, {name: written.attrs[name] for name in ("experiment", "complete")}
+    again = trajectory.to_dataset(
+        {name: written.attrs[name] for name in ("experiment", "complete")}
     )
     xr.testing.assert_identical(again, written)
 
@@ -216,7 +217,7 @@ def test_the_dataset_of_a_motion_is_that_of_its_run(
 def test_a_table_has_the_samples_alone(
     billiard: tuple[ContactTrajectory, xr.Dataset], tmp_path: Path
 ) -> None:
-    text = ch.write(billiard[1], tmp_path / "a.csv").read_text()
+    text = ch.write_dataset(billiard[1], tmp_path / "a.csv").read_text()
     rows = [line for line in text.splitlines() if not line.startswith("#")]
     assert len(rows) == 1 + 26
     assert "mode" in rows[0].split(",")
@@ -357,7 +358,7 @@ samples = 41
 
 @pytest.mark.slow
 def test_no_bounce_is_missed() -> None:
-    motion = ch.prepare(ch.loads(BOUNCES, "f.toml")).trajectory()
+    motion = ch.Study.from_experiment(ch.parse_experiment(BOUNCES, "f.toml")).trajectory()
     assert motion.records["gap"].min() > -1e-12
     assert len(motion.changes) > 15
 
@@ -392,7 +393,7 @@ on_liftoff = "fly"
 
 @pytest.mark.slow
 def test_friction_without_bound_lets_a_body_leave() -> None:
-    motion = ch.prepare(ch.loads(THROWN, "f.toml")).trajectory()
+    motion = ch.Study.from_experiment(ch.parse_experiment(THROWN, "f.toml")).trajectory()
     first = motion.changes[0]
     assert (first.kind, first.time) == ("lift-off", 0.0)
     assert motion.drift < 1e-12

@@ -272,7 +272,7 @@ MISTAKES: dict[str, tuple[str, str]] = {
 def test_a_mistake_is_one_sentence_with_its_place(name: str) -> None:
     text, sentence = MISTAKES[name]
     with pytest.raises(ch.InputError) as error:
-        _ = ch.prepare(ch.loads(text, "f.toml")).start
+        _ = ch.Study.from_experiment(ch.parse_experiment(text, "f.toml")).start
     assert str(error.value) == f"f.toml, {sentence}"
 
 
@@ -312,7 +312,7 @@ def test_a_number_too_far_from_one_is_named(name: str) -> None:
     """They were tracebacks, or energies that are no numbers."""
     text, sentence = EXTREMES[name]
     with pytest.raises(ch.InputError) as error:
-        ch.prepare(ch.loads(text, "f.toml")).trajectory()
+        ch.Study.from_experiment(ch.parse_experiment(text, "f.toml")).trajectory()
     assert str(error.value) == f"f.toml, {sentence}: choose other units or numbers"
 
 
@@ -321,20 +321,24 @@ BILLIARD = Path(__file__).parents[4] / "examples" / "billiard_ball.toml"
 
 def test_of_a_motion_that_ends_at_once_the_number_farthest_from_one_is_named() -> None:
     """The state stopped being a number after 7e-11 s, and nobody knew why."""
-    study = ch.prepare(ch.load(BILLIARD, ["contact.mu=1e9"]))
+    study = ch.Study.from_experiment(ch.load_experiment(BILLIARD, ["contact.mu=1e9"]))
     with pytest.raises(ch.RunError, match=r"number; of the numbers given, mu = 1e\+09 is the fart"):
         study.trajectory()
 
 
 def test_a_time_without_end_is_refused() -> None:
     """It ran for ever, and no Ctrl-C came through."""
-    study = ch.prepare(ch.loads(PLAIN + "[run]\nuntil = 1e300\n", "f.toml"))
+    study = ch.Study.from_experiment(
+        ch.parse_experiment(PLAIN + "[run]\nuntil = 1e300\n", "f.toml")
+    )
     with pytest.raises(ch.InputError, match=r"^f.toml, line 13, run.until: to follow a motion for"):
         study.trajectory()
 
 
 def test_an_interrupted_motion_is_kept() -> None:
-    study = ch.prepare(ch.loads(PLAIN + "[run]\nuntil = 3000\nsamples = 301\n", "f.toml"))
+    study = ch.Study.from_experiment(
+        ch.parse_experiment(PLAIN + "[run]\nuntil = 3000\nsamples = 301\n", "f.toml")
+    )
     whole, done = study.trajectory(), []
 
     def interrupt(fraction: float) -> None:
@@ -355,7 +359,9 @@ def test_an_interrupted_motion_is_kept() -> None:
 def test_a_body_that_touches_with_its_centre_of_mass() -> None:
     """Its typical length was the distance from the contact, and zero a divisor."""
     text = PLAIN.replace("radius = 1.0", "radius = 1.0\ncentre = [0, 0, 1]")
-    study = ch.prepare(ch.loads(text.replace('"friction"', '"friction"\nmu = 0.3'), "f.toml"))
+    study = ch.Study.from_experiment(
+        ch.parse_experiment(text.replace('"friction"', '"friction"\nmu = 0.3'), "f.toml")
+    )
     assert study.trajectory().drift < 1e-14
 
 
@@ -364,4 +370,6 @@ def test_a_body_that_touches_where_it_is_flat() -> None:
     shape = 'kind = "implicit"\nsurface = "x**4 + y**4 + z**4 - 1"'
     text = PLAIN.replace('kind = "ball"\nradius = 1.0', shape)
     with pytest.raises(ch.InputError, match="strictly convex where it touches, and its formulas"):
-        ch.prepare(ch.loads(text.replace('"friction"', '"friction"\nmu = 0.3'))).trajectory()
+        ch.Study.from_experiment(
+            ch.parse_experiment(text.replace('"friction"', '"friction"\nmu = 0.3'))
+        ).trajectory()

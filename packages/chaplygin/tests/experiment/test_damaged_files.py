@@ -14,20 +14,20 @@ import pytest
 import sympy as sp
 import xarray as xr
 
-from chaplygin.experiment.dataset import read, write
-from chaplygin.experiment.models.experiment import load, loads
+from chaplygin.experiment.dataset import open_dataset, write_dataset
+from chaplygin.experiment.models.experiment import load_experiment, parse_experiment
 from chaplygin.experiment.python_file import load_python
-from chaplygin.experiment.study import dataset_of, prepare
+from chaplygin.experiment.study import Study, dataset_of
 from counted import task
 from flowlanes.errors import LONGEST, InputError, RunError, readable
-from flowlanes.flow.ensemble import zarr_store as store
-from flowlanes.flow.ensemble.computation import compute
+from flowlanes.flow.ensembles import zarr_store as store
+from flowlanes.flow.ensembles.computation import compute
 from flowlanes.parsing import parse, parse_formula
 from flowlanes.system.vectors import Vector
 from mutations import EXAMPLES, VALUES, check_message, damaged, mutated, within
 
 TEXTS = [path.read_text() for path in sorted(EXAMPLES.glob("*.toml"))]
-TEXTS += [loads(text).toml() for text in TEXTS[::4]]
+TEXTS += [parse_experiment(text).toml() for text in TEXTS[::4]]
 TEXTS += [
     f'[system]\nname = "{name}"\n[run]\nuntil = 2.0\n{start}'
     for name, start in (
@@ -44,15 +44,15 @@ def read_experiment(text: str, further: bool = False) -> None:
     """An experiment that its own text gives again, or one that is made ready; or a sentence."""
     try:
         with within(PATIENCE):
-            experiment = loads(text, "body.toml")
+            experiment = parse_experiment(text, "body.toml")
             again = experiment.toml()
-            assert loads(again) == experiment
-            assert loads(again).toml() == again
+            assert parse_experiment(again) == experiment
+            assert parse_experiment(again).toml() == again
             if further:
-                study = prepare(experiment)
+                study = Study.from_experiment(experiment)
                 assert len(study.start) >= len(study.system.symbols)
                 assert study.remarks is not None
-                loads(study.complete_toml())
+                parse_experiment(study.complete_toml())
     except InputError as error:
         check_message(str(error))
 
@@ -102,7 +102,9 @@ def test_every_key_with_a_strange_value(value: str) -> None:
 def test_a_start_too_large_for_doubles_is_refused(value: str) -> None:
     """It was a traceback: the slopes of the relation are infinite, and have no inverse."""
     with pytest.raises(InputError, match="is missed by") as caught:
-        _ = prepare(load(EXAMPLES / "driven_pendulum.toml", [f"start.x={value}"])).start
+        _ = Study.from_experiment(
+            load_experiment(EXAMPLES / "driven_pendulum.toml", [f"start.x={value}"])
+        ).start
     assert "inf" not in str(caught.value)
 
 
@@ -110,7 +112,7 @@ def test_a_long_array_is_refused_at_once() -> None:
     """It took minutes: each of its elements was wrong, and the whole was written for each."""
     text = f"[frame]\ncoordinates = [{'1, ' * 20_000}]\n[lagrangian]\nL = 'x'\n"
     with within(PATIENCE / 6), pytest.raises(InputError, match=r"not \[1, 1, 1") as caught:
-        loads(text, "body.toml")
+        parse_experiment(text, "body.toml")
     check_message(str(caught.value))
 
 
@@ -119,7 +121,7 @@ def test_an_empty_formula_is_refused() -> None:
     text = (EXAMPLES / "volterra.toml").read_text()
     for blank in ("''", "'  '", '"\\n"'):
         with pytest.raises(InputError, match="must be a formula in quotes, not the text"):
-            loads(text.replace('"1/(x*y*z)"', blank))
+            parse_experiment(text.replace('"1/(x*y*z)"', blank))
 
 
 @pytest.mark.parametrize("character", ["\x00", "\x07", "\x1b", "\x7f", "\x9b", "\u202e", "\u200b"])
@@ -134,10 +136,10 @@ def test_control_characters_do_not_pass(character: str) -> None:
     )
     for text in changed:
         with pytest.raises(InputError, match="control character U") as caught:
-            loads(text, "body.toml")
+            parse_experiment(text, "body.toml")
         check_message(str(caught.value))
     with pytest.raises(InputError) as raised:
-        loads(ball, "body.toml", [f"start.{character}=1"])
+        parse_experiment(ball, "body.toml", [f"start.{character}=1"])
     check_message(str(raised.value))
 
 
@@ -198,21 +200,25 @@ def test_many_damaged_formulas(seed: int) -> None:
 
 @pytest.fixture(scope="module")
 def trajectory(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    study = prepare(loads('[system]\nname = "chaplygin-ball"\n[run]\nuntil = 1.0\nsamples = 11\n'))
-    return write(dataset_of(study, study.trajectory()), tmp_path_factory.mktemp("d") / "whole.nc")
+    study = Study.from_experiment(
+        parse_experiment('[system]\nname = "chaplygin-ball"\n[run]\nuntil = 1.0\nsamples = 11\n')
+    )
+    return write_dataset(
+        dataset_of(study, study.trajectory()), tmp_path_factory.mktemp("d") / "whole.nc"
+    )
 
 
 def read_trajectories(whole: Path, seed: int, count: int) -> None:
     """What can be read still has the same numbers: all of them have a checksum."""
     random, content = Random(seed), whole.read_bytes()
-    expected = read(whole)
+    expected = open_dataset(whole)
     path = whole.with_name(f"damaged{seed}.nc")
     refused = 0
     for _ in range(count):
         path.write_bytes(damaged(content, random))
         try:
             with within(PATIENCE):
-                found = read(path)
+                found = open_dataset(path)
         except InputError as error:
             check_message(str(error))
             refused += 1
@@ -244,8 +250,8 @@ def test_a_file_in_which_hdf5_comes_to_no_end_is_refused(
     path.write_bytes(content)
     monkeypatch.setattr("chaplygin.experiment.dataset._READ_TIMEOUT", 5.0)
     with pytest.raises(InputError, match=r"circle\.nc: not a readable NetCDF file"):
-        read(path)
-    assert read(trajectory).sizes["time"] == 11
+        open_dataset(path)
+    assert open_dataset(trajectory).sizes["time"] == 11
 
 
 @pytest.mark.parametrize(
@@ -255,7 +261,7 @@ def test_foreign_files_are_no_trajectories(tmp_path: Path, content: bytes) -> No
     path = tmp_path / "foreign.nc"
     path.write_bytes(content)
     with pytest.raises(InputError, match="not a readable NetCDF file"):
-        read(path)
+        open_dataset(path)
 
 
 @pytest.fixture(scope="module")

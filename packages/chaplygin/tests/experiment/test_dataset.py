@@ -15,9 +15,9 @@ import xarray as xr
 
 from catalogue import built
 from catalogue.built import ROLLING
-from chaplygin.experiment.dataset import read, to_dataset, write
-from chaplygin.experiment.models.experiment import catalogue_experiment, loads
-from chaplygin.experiment.study import dataset_of, prepare
+from chaplygin.experiment.dataset import open_dataset, write_dataset
+from chaplygin.experiment.models.experiment import catalogue_experiment, parse_experiment
+from chaplygin.experiment.study import Study, dataset_of
 from flowlanes.errors import InputError
 from needs import optional
 from nonholonomic.catalogue import CATALOGUE
@@ -45,7 +45,7 @@ samples = 5
 
 
 def short(name: str = "unbalanced-ball", more: str = "") -> xr.Dataset:
-    study = prepare(loads(SHORT.format(name=name, more=more)))
+    study = Study.from_experiment(parse_experiment(SHORT.format(name=name, more=more)))
     return dataset_of(study, study.trajectory())
 
 
@@ -101,9 +101,11 @@ def test_every_variable_says_what_it_is(name):
 
 
 def test_values_are_those_of_the_trajectory():
-    study = prepare(loads(SHORT.format(name="ball-around-sphere", more="")))
+    study = Study.from_experiment(
+        parse_experiment(SHORT.format(name="ball-around-sphere", more=""))
+    )
     motion = study.trajectory()
-    made = to_dataset(motion)
+    made = motion.to_dataset()
     for name in ("omega", "gamma", "M", "centre", "contact", "attitude", "normal_force"):
         assert made[name].values.tolist() == motion[name].tolist()
     assert made["energy"].values.tolist() == motion["law_energy"].tolist()
@@ -143,13 +145,13 @@ def test_global_attributes_tell_how_it_was_made(dataset):
 
 
 def test_the_experiment_in_the_dataset_makes_the_same_dataset(dataset):
-    study = prepare(loads(dataset.attrs["experiment"]))
+    study = Study.from_experiment(parse_experiment(dataset.attrs["experiment"]))
     xr.testing.assert_identical(dataset, dataset_of(study, study.trajectory()))
 
 
 def test_what_happened_is_noted():
-    study = prepare(
-        loads(
+    study = Study.from_experiment(
+        parse_experiment(
             """
 [system]
 name = "heavy-disk"
@@ -167,8 +169,8 @@ until = 2.0
 
 
 def test_further_attributes_are_added():
-    study = prepare(catalogue_experiment("veselova"))
-    assert to_dataset(study.trajectory(), {"mood": "good"}).attrs["mood"] == "good"
+    study = Study.from_experiment(catalogue_experiment("veselova"))
+    assert study.trajectory().to_dataset({"mood": "good"}).attrs["mood"] == "good"
 
 
 # --- numbers of 34 digits --------------------------------------------------------------------
@@ -186,7 +188,7 @@ def test_every_number_of_34_digits_has_its_low_part(fine):
 
 
 def test_both_parts_together_have_all_digits(fine):
-    study = prepare(loads(fine.attrs["experiment"]))
+    study = Study.from_experiment(parse_experiment(fine.attrs["experiment"]))
     motion = study.trajectory()
     for name in ("M", "omega", "attitude", "energy"):
         exact = motion["law_energy" if name == "energy" else name]
@@ -215,32 +217,32 @@ def test_doubles_have_no_low_part(dataset):
 def test_what_is_written_is_read(tmp_path, name):
     made = short(name)
     target = tmp_path / "motion.nc"
-    assert write(made, target) == target
-    xr.testing.assert_identical(read(target), made)
+    assert write_dataset(made, target) == target
+    xr.testing.assert_identical(open_dataset(target), made)
     assert [path.name for path in tmp_path.iterdir()] == ["motion.nc"]
 
 
 def test_thirty_digits_are_written_and_read(tmp_path, fine):
-    write(fine, tmp_path / "motion.nc")
-    xr.testing.assert_identical(read(tmp_path / "motion.nc"), fine)
+    write_dataset(fine, tmp_path / "motion.nc")
+    xr.testing.assert_identical(open_dataset(tmp_path / "motion.nc"), fine)
 
 
 def test_a_file_is_read_by_xarray_alone(tmp_path, dataset):
-    write(dataset, str(tmp_path / "motion.nc"))
+    write_dataset(dataset, str(tmp_path / "motion.nc"))
     with xr.open_dataset(tmp_path / "motion.nc", engine="h5netcdf") as found:
         xr.testing.assert_identical(found.load(), dataset)
 
 
 def test_permissions_are_those_of_any_new_file(tmp_path, dataset):
     (tmp_path / "other").write_text("")
-    write(dataset, tmp_path / "motion.nc")
+    write_dataset(dataset, tmp_path / "motion.nc")
     assert (tmp_path / "motion.nc").stat().st_mode == (tmp_path / "other").stat().st_mode
 
 
 def refusal(dataset: xr.Dataset, target: Path, **options: bool) -> str:
     before = sorted(target.parent.iterdir()) if target.parent.is_dir() else None
     with pytest.raises(InputError) as caught:
-        write(dataset, target, **options)
+        write_dataset(dataset, target, **options)
     after = sorted(target.parent.iterdir()) if target.parent.is_dir() else None
     assert before == after
     return str(caught.value)
@@ -254,8 +256,8 @@ def test_another_file_is_not_replaced_unasked(tmp_path, dataset):
         "(--force, in Python force=True)"
     )
     assert target.read_text() == "precious"
-    write(dataset, target, force=True)
-    xr.testing.assert_identical(read(target), dataset)
+    write_dataset(dataset, target, force=True)
+    xr.testing.assert_identical(open_dataset(target), dataset)
 
 
 @pytest.mark.parametrize("force", [False, True])
@@ -292,14 +294,14 @@ def test_a_full_disk_leaves_nothing_behind(tmp_path, dataset, monkeypatch, step)
 
 def test_a_full_disk_spares_the_older_file(tmp_path, dataset, monkeypatch):
     target = tmp_path / "motion.nc"
-    write(dataset, target)
+    write_dataset(dataset, target)
 
     def refuse(*_: object) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
     monkeypatch.setattr(Path, "write_bytes", refuse)
     refusal(dataset, target, force=True)
-    xr.testing.assert_identical(read(target), dataset)
+    xr.testing.assert_identical(open_dataset(target), dataset)
 
 
 PROGRAM = """
@@ -321,7 +323,7 @@ def test_a_file_that_may_not_grow_leaves_nothing_behind(tmp_path, dataset, limit
     """A real failure in the midst of writing, as on a full disk."""
     (tmp_path / "out").mkdir()
     source, target = tmp_path / "whole.nc", tmp_path / "out" / "motion.nc"
-    write(dataset, source)
+    write_dataset(dataset, source)
     assert source.stat().st_size > limit
     done = subprocess.run(
         [sys.executable, "-c", PROGRAM, source, target, str(limit)],
@@ -336,7 +338,7 @@ def test_a_file_that_may_not_grow_leaves_nothing_behind(tmp_path, dataset, limit
 
 def test_a_missing_file_is_named(tmp_path):
     with pytest.raises(InputError) as caught:
-        read(tmp_path / "motion.nc")
+        open_dataset(tmp_path / "motion.nc")
     assert str(caught.value) == f"{tmp_path / 'motion.nc'}: there is no such file"
 
 
@@ -345,17 +347,17 @@ def test_a_file_of_another_kind_is_refused(tmp_path, content):
     target = tmp_path / "motion.nc"
     target.write_bytes(content)
     with pytest.raises(InputError) as caught:
-        read(target)
+        open_dataset(target)
     assert str(caught.value) == f"{target}: not a readable NetCDF file"
 
 
 def test_half_a_file_is_refused(tmp_path, dataset):
-    target = write(dataset, tmp_path / "motion.nc")
+    target = write_dataset(dataset, tmp_path / "motion.nc")
     target.write_bytes(target.read_bytes()[: target.stat().st_size // 2])
     with pytest.raises(InputError, match="not a readable NetCDF file"):
-        read(target)
+        open_dataset(target)
 
 
 def test_a_folder_is_no_file(tmp_path):
     with pytest.raises(InputError, match="not a readable Zarr store"):
-        read(tmp_path)
+        open_dataset(tmp_path)

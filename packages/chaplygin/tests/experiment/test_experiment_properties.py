@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from chaplygin.experiment.models.catalogue_models import SystemExperiment
-from chaplygin.experiment.models.experiment import Experiment, loads
+from chaplygin.experiment.models.experiment import Experiment, parse_experiment
 from chaplygin.experiment.models.rolling_model import RollingExperiment
 from flowlanes.errors import InputError
 
@@ -135,19 +135,19 @@ system_tables = st.fixed_dictionaries(
 def test_round_trip(tables: dict[str, Any]) -> None:
     model = SystemExperiment if "system" in tables else RollingExperiment
     experiment: Experiment = model.model_validate(tables)
-    again = loads(experiment.toml())
+    again = parse_experiment(experiment.toml())
     assert again == experiment
     assert again.toml() == experiment.toml()
 
 
 def only_input_errors(text: str, *overrides: str) -> None:
     try:
-        experiment = loads(text, "body.toml", overrides)
+        experiment = parse_experiment(text, "body.toml", overrides)
     except InputError as error:
         for line in str(error).split("\n"):
             assert line.startswith(("body.toml", "--set ", "    "))
     else:
-        assert loads(experiment.toml()) == experiment
+        assert parse_experiment(experiment.toml()) == experiment
 
 
 @given(st.text())

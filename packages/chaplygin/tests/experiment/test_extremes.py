@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from chaplygin.report.summary import drift
 from flowlanes.errors import InputError, RunError
 from mutations import check_message, within
@@ -66,7 +66,7 @@ def motion(shape: str, contact: str, bowl: bool, scale: tuple[float, float, floa
         f"[start]\ngamma = [1.0, 0.5, 1.5]\nomega = {listed(*(rate * w for w in OMEGA[contact]))}\n"
         f'[run]\nuntil = {2.0 / rate}\nsamples = 5\non_liftoff = "warn"\n'
     )
-    found = prepare(loads(text)).trajectory()
+    found = Study.from_experiment(parse_experiment(text)).trajectory()
     return np.hstack([found["gamma"], found["omega"] / rate])
 
 
@@ -173,7 +173,7 @@ def test_an_answer_or_one_sentence(name: str, capfd: pytest.CaptureFixture[str])
     )
     try:
         with within(60):
-            found, good = prepare(loads(text)).trajectory(), slice(None)
+            found, good = Study.from_experiment(parse_experiment(text)).trajectory(), slice(None)
     except InputError as error:
         check_message(str(error))
         return

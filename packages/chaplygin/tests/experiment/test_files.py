@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin import load
+from chaplygin import load_experiment
 from chaplygin.experiment.files import atomic_file, check_target
 from chaplygin.report.study_folder import begin, check_folder, end
 from flowlanes.errors import InputError
@@ -33,13 +33,13 @@ def test_names_of_devices_are_refused_on_windows(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / name).write_text('system = {name = "veselova"}')
-    load(tmp_path / name)
+    load_experiment(tmp_path / name)
     check_target(tmp_path / name, force=True)
     monkeypatch.setattr(partial_files, "WINDOWS", True)
     check_target(tmp_path / "console.toml")
     refused(tmp_path / name, "is the name of a device on Windows")
     with pytest.raises(InputError, match="is the name of a device on Windows"):
-        load(tmp_path / name)
+        load_experiment(tmp_path / name)
 
 
 def test_only_regular_files_are_replaced(tmp_path: Path) -> None:

@@ -9,20 +9,22 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 
-from chaplygin.experiment.models.experiment import loads
+from chaplygin.experiment.models.experiment import parse_experiment
 from chaplygin.experiment.poincare import SectionSurface, Starts, coordinates_of, section_of
-from chaplygin.experiment.study import Study, prepare
+from chaplygin.experiment.study import Study
 from chaplygin.report.figures import poincare as section_figure
 from chaplygin.report.figures.poincare import draw_section
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.computation import compute
+from flowlanes.flow.ensembles.computation import compute
 from nonholonomic.catalogue import entry
 
 BALL = entry("unbalanced-ball").system({})
 
 
 def study(name: str = "unbalanced-ball", *options: str) -> Study:
-    return prepare(loads(f'[system]\nname = "{name}"\n', "x", list(options)))
+    return Study.from_experiment(
+        parse_experiment(f'[system]\nname = "{name}"\n', "x", list(options))
+    )
 
 
 def test_coordinates() -> None:
@@ -47,7 +49,7 @@ def test_coordinates() -> None:
 
 
 def test_a_single_motion_starts_where_the_experiment_does() -> None:
-    task, names = section_of(study(), SectionSurface("M_1"), Starts(), 3, until=1e3)
+    task, names = section_of(study(), SectionSurface("M_1"), Starts(), 3, t_end=1e3)
     assert names == ("l", "L_over_G")
     own = [float(value) for value in study().start[:6]]
     assert np.array_equal(task.work.starts, [own])
@@ -56,10 +58,10 @@ def test_a_single_motion_starts_where_the_experiment_does() -> None:
 
 @pytest.mark.slow
 def test_many_start_on_the_level_of_the_experiment() -> None:
-    task, _ = section_of(study(), SectionSurface("gamma_3"), Starts(7, seed=2), 3, until=100.0)
+    task, _ = section_of(study(), SectionSurface("gamma_3"), Starts(7, seed=2), 3, t_end=100.0)
     assert task.size == 7
     found = compute(task)
-    own = compute(section_of(study(), SectionSurface("M_1"), Starts(), 1, until=1e3)[0])
+    own = compute(section_of(study(), SectionSurface("M_1"), Starts(), 1, t_end=1e3)[0])
     for law in ("law_energy", "law_quadratic"):
         expected = float(own[law][0, 0])
         assert np.nanmax(np.abs(found[law] - expected)) < 1e-10 * abs(expected)
@@ -72,7 +74,7 @@ def test_a_body_under_gravity_is_followed_beyond_lift_off_only_when_that_is_wish
     names = {}
     for wish in ("stop", "warn"):
         made = study("rattleback", *options, f"run.on_liftoff={wish}")
-        task, _ = section_of(made, SectionSurface("gamma_3"), Starts(), 3, until=5.0)
+        task, _ = section_of(made, SectionSurface("gamma_3"), Starts(), 3, t_end=5.0)
         names[wish] = [guard.name for guard in task.work.returns.system.guards]
     assert set(names["warn"]) < set(names["stop"])
 
@@ -83,7 +85,7 @@ def many() -> xr.Dataset:
         study(),
         *(SectionSurface("gamma_3"), Starts(5, {"energy": 1.0}), 30),
         "phi = atan2(gamma_2, gamma_1), h = M_3/2",
-        until=300.0,
+        t_end=300.0,
     )
     return compute(task)
 

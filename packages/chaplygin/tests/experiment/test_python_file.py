@@ -8,9 +8,9 @@ import pytest
 import sympy as sp
 
 from chaplygin.experiment.models.described_models import EquationsExperiment
-from chaplygin.experiment.models.experiment import loads
+from chaplygin.experiment.models.experiment import parse_experiment
 from chaplygin.experiment.python_file import load_python
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Integral, Measure, PoissonStructure, Symmetry
 from flowlanes.system.system import Guard, Observable, Parameter, System
@@ -65,7 +65,7 @@ def test_a_mechanism_with_its_start(cart: Path) -> None:
 
 def test_the_complete_file_needs_no_python(cart: Path) -> None:
     made = load_python(cart, ["start.phi=0.5", "parameters.m=2"])
-    again = prepare(loads(made.complete_toml()))
+    again = Study.from_experiment(parse_experiment(made.complete_toml()))
     assert again.start == tuple(made.start)
     assert again.system.lifted().rates == made.system.lifted().rates
     assert again.system.defaults == made.system.defaults
@@ -139,8 +139,8 @@ def test_a_study_is_taken_as_it_is(tmp_path: Path) -> None:
     path = tmp_path / "mine.py"
     path.write_text(
         "from chaplygin.experiment.models.experiment import catalogue_experiment\n"
-        "from chaplygin.experiment.study import prepare\n"
-        "study = prepare(catalogue_experiment('chaplygin-ball'))\n"
+        "from chaplygin.experiment.study import Study\n"
+        "study = Study.from_experiment(catalogue_experiment('chaplygin-ball'))\n"
     )
     assert load_python(path).system.name == "chaplygin-ball"
     assert "a study made in Python cannot be changed by --set" in refused(path, "run.until=2")
@@ -161,7 +161,7 @@ def spinning() -> System:
         parameters=(Parameter(k, "inverse moment", 2.0),),
         relations=(norm_squared(M) - 1,),
         laws=(
-            Integral("length", norm_squared(M), "length", on=(k - 1,)),
+            Integral("length", norm_squared(M), "length", level=(k - 1,)),
             Measure("volume", {norm_squared(M): sp.Rational(-1, 2)}),
             Symmetry("turn", {angle: sp.S.One}),
             PoissonStructure("none", sp.zeros(4)),
@@ -173,11 +173,11 @@ def spinning() -> System:
 
 def test_systems_as_tables_read_back() -> None:
     experiment = EquationsExperiment.model_validate(tables_of(spinning()))
-    again = prepare(loads(experiment.toml())).system
+    again = Study.from_experiment(parse_experiment(experiment.toml())).system
     assert again.symbols == spinning().symbols
     assert again.rates == (*spinning().rates[:3], sp.sqrt(1 + real_symbol("M_1") ** 2) / 10)
     assert [type(law) for law in again.laws] == [Integral, Measure, Symmetry, PoissonStructure]
-    assert again.integrals[0].on == (real_symbol("k") - 1,)
+    assert again.integrals[0].level == (real_symbol("k") - 1,)
     assert [guard.message for guard in again.guards] == ["the angle is too large"]
     assert [item.name for item in again.observables] == ["spin"]
 
@@ -192,7 +192,9 @@ def test_absolute_values_read_back() -> None:
     x, y = real_symbol("x"), real_symbol("y")
     rates = {x: sp.Abs(x) * sp.sign(y), y: sp.Max(x, y) - sp.Min(x, 2)}
     tables = tables_of(System("odd", "Odd", rates))
-    again = prepare(loads(EquationsExperiment.model_validate(tables).toml())).system
+    again = Study.from_experiment(
+        parse_experiment(EquationsExperiment.model_validate(tables).toml())
+    ).system
     assert again.rates == tuple(rates.values())
 
 
@@ -200,7 +202,9 @@ def test_rolling_bodies_can_be_written_too() -> None:
     ball = from_catalogue("chaplygin-ball")
     tables = tables_of(ball)
     assert tables["equations"]["state"][:2] == ["M[3]", "gamma[3]"]
-    again = prepare(loads(EquationsExperiment.model_validate(tables).toml())).system
+    again = Study.from_experiment(
+        parse_experiment(EquationsExperiment.model_validate(tables).toml())
+    ).system
     assert (again.field, again.definitions) == (ball.field, ball.definitions)
     assert again.lifted().rates == ball.lifted().rates
     assert again.start == ball.start

@@ -5,16 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from chaplygin.experiment.models.experiment import loads
+from chaplygin.experiment.models.experiment import parse_experiment
 from chaplygin.experiment.scan import chart_of, plane_of
-from chaplygin.experiment.study import Study, prepare
+from chaplygin.experiment.study import Study
 from flowlanes.formulas.array_evaluation import values
 from flowlanes.scans.grid import axis
 
 
 def study(text: str) -> Study:
     """The study of an experiment."""
-    return prepare(loads(text, "test.toml"))
+    return Study.from_experiment(parse_experiment(text, "test.toml"))
 
 
 def test_a_rolling_body_starts_by_its_angular_velocity() -> None:

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from chaplygin.experiment.models.experiment import catalogue_experiment, loads
+from chaplygin.experiment.models.experiment import catalogue_experiment, parse_experiment
 from chaplygin.experiment.poincare import coordinates_of
 from chaplygin.experiment.section_coordinates import is_angle, usual, within_a_turn
 from chaplygin.experiment.single_system import without_reconstruction
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.study import Study
 from flowlanes.formulas.array_evaluation import values
 from nonholonomic.catalogue import entry
 
@@ -36,12 +36,12 @@ def test_bodies(name, on, expected):
 
 
 def test_three_where_a_level_has_no_further_integral():
-    system = without_reconstruction(prepare(catalogue_experiment("rattleback")))
+    system = without_reconstruction(Study.from_experiment(catalogue_experiment("rattleback")))
     assert usual(system, "gamma_1") == "andoyer-ratio: l, L/G, H"
 
 
 def test_angles_are_those_whose_whole_turns_count_for_nothing():
-    system = prepare(loads(PENDULUM)).system
+    system = Study.from_experiment(parse_experiment(PENDULUM)).system
     assert [str(s) for s in system.symbols if is_angle(system, s)] == ["phi"]
     names, quantities, _ = coordinates_of(system, "", condition="s")
     assert names == ("phi_in_turn", "p")
@@ -53,6 +53,6 @@ def test_angles_are_those_whose_whole_turns_count_for_nothing():
 
 
 def test_a_place_that_enters_nothing_is_no_angle():
-    system = without_reconstruction(prepare(catalogue_experiment("chaplygin-sleigh")))
+    system = without_reconstruction(Study.from_experiment(catalogue_experiment("chaplygin-sleigh")))
     assert [str(s) for s in system.symbols if is_angle(system, s)] == ["phi"]
     assert within_a_turn(system.symbols[2]).meaning == "phi, within a turn"

@@ -9,9 +9,8 @@ import pytest
 import sympy as sp
 
 from catalogue import built
-from chaplygin.experiment.dataset import to_dataset
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import Study, dataset_of, prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.report.summary import drift
 from flowlanes.errors import InputError, RunError
 from flowlanes.system.system import System
@@ -60,14 +59,14 @@ def text(**changes: str) -> str:
 
 
 def study(**changes: str) -> Study:
-    return prepare(loads(text(**changes), "body.toml"))
+    return Study.from_experiment(parse_experiment(text(**changes), "body.toml"))
 
 
 def refusal(source: str) -> str:
     """What is said of an experiment that cannot be prepared or begun."""
-    experiment = loads(source, "body.toml")
+    experiment = parse_experiment(source, "body.toml")
     with pytest.raises(InputError) as caught:
-        prepare(experiment).trajectory()
+        Study.from_experiment(experiment).trajectory()
     return str(caught.value)
 
 
@@ -169,7 +168,8 @@ def test_a_potential_acts():
     step = 1e-5
     source = text(omega="[0.0, 0.0, 0.0]").replace("until = 2.0", f"until = {step}")
     free, loaded = (
-        prepare(loads(source.replace("q = 0.3", f"q = {q}"))).trajectory() for q in (0.0, 0.3)
+        Study.from_experiment(parse_experiment(source.replace("q = 0.3", f"q = {q}"))).trajectory()
+        for q in (0.0, 0.3)
     )
     gamma = np.array([0.48, -0.6, 0.64])
     couple = np.cross(gamma, [0.0, 0.0, 2 * 0.3 * gamma[2]])
@@ -194,8 +194,8 @@ def test_a_name_is_enough(name):
 
 
 def test_what_a_file_says_goes_before_the_catalogue():
-    made = prepare(
-        loads(
+    made = Study.from_experiment(
+        parse_experiment(
             """
 [system]
 name = "chaplygin-ball"
@@ -222,7 +222,9 @@ samples = 4
 
 
 def test_gamma_is_normalised_with_a_remark():
-    made = prepare(loads(text().replace("[0.48, -0.6, 0.64]", "[0.96, -1.2, 1.28]")))
+    made = Study.from_experiment(
+        parse_experiment(text().replace("[0.48, -0.6, 0.64]", "[0.96, -1.2, 1.28]"))
+    )
     assert made.remarks == (
         "start.gamma has length 2; it was normalised to "
         "[0.47999999999999998, -0.59999999999999998, 0.64000000000000001]",
@@ -232,7 +234,9 @@ def test_gamma_is_normalised_with_a_remark():
 
 
 def test_heading_turns_the_body_about_the_vertical():
-    turned = prepare(loads(text().replace("[run]", "heading = 1.5707963267948966\n[run]")))
+    turned = Study.from_experiment(
+        parse_experiment(text().replace("[run]", "heading = 1.5707963267948966\n[run]"))
+    )
     plain, other = study().trajectory(), turned.trajectory()
     x, y, z = plain["centre"].T - plain["contact"][0][:, None]
     turned_place = other["centre"].T - other["contact"][0][:, None]
@@ -241,12 +245,16 @@ def test_heading_turns_the_body_about_the_vertical():
 
 def test_normal_places_the_contact_on_a_sphere():
     source = text(surface='kind = "sphere"\nradius = 2.0')
-    made = prepare(loads(source.replace("[run]", "normal = [3.0, 0.0, 4.0]\n[run]")))
+    made = Study.from_experiment(
+        parse_experiment(source.replace("[run]", "normal = [3.0, 0.0, 4.0]\n[run]"))
+    )
     assert made.trajectory()["contact"][0] == pytest.approx([1.2, 0.0, 1.6], abs=1e-15)
 
 
 def test_backward_in_time():
-    made = prepare(loads(text().replace("[run]", '[run]\ndirection = "backward"')))
+    made = Study.from_experiment(
+        parse_experiment(text().replace("[run]", '[run]\ndirection = "backward"'))
+    )
     assert made.times.tolist() == [0.0, -0.5, -1.0, -1.5, -2.0]
     assert made.trajectory().times[-1] == -2.0
 
@@ -260,13 +268,13 @@ def test_the_wishes_of_run_are_granted():
     }
     for wish, granted in wishes.items():
         source = text().replace("[run]", f"[run]\n{wish}")
-        assert granted(prepare(loads(source)).trajectory()), wish
+        assert granted(Study.from_experiment(parse_experiment(source)).trajectory()), wish
 
 
 def test_a_time_limit_is_kept():
     source = text().replace("until = 2.0", "until = 1e7\ntime_limit = 0.01")
     with pytest.raises(RunError, match=r"the time limit of 0\.01 s was reached"):
-        prepare(loads(source)).trajectory()
+        Study.from_experiment(parse_experiment(source)).trajectory()
 
 
 def test_finer_samples_do_not_disturb_the_given_ones():
@@ -292,7 +300,7 @@ def test_a_dense_trajectory_on_request():
 @pytest.mark.parametrize("name", spread(CATALOGUE))
 def test_the_complete_file_of_the_catalogue_makes_the_same_study(name):
     made = built.study(name)
-    again = prepare(loads(made.complete_toml()))
+    again = Study.from_experiment(parse_experiment(made.complete_toml()))
     assert again.system == made.system
     assert again.start == made.start
     assert again.times.tolist() == made.times.tolist()
@@ -302,7 +310,7 @@ def test_the_complete_file_of_the_catalogue_makes_the_same_study(name):
 @pytest.mark.parametrize("kind", SHAPES)
 def test_the_complete_file_of_a_body_makes_the_same_motion(kind):
     made = study(shape=SHAPES[kind][0])
-    again = prepare(loads(made.complete_toml()))
+    again = Study.from_experiment(parse_experiment(made.complete_toml()))
     assert again.trajectory().states.tolist() == made.trajectory().states.tolist()
 
 
@@ -313,7 +321,7 @@ def test_the_dataset_holds_the_complete_file():
     assert dataset.attrs["experiment"] == made.complete_toml()
     assert dataset.attrs["complete"] == 1
     assert dataset_of(made, motion, complete=False).attrs["complete"] == 0
-    assert dataset.equals(to_dataset(motion))
+    assert dataset.equals(motion.to_dataset())
 
 
 # --- mistakes --------------------------------------------------------------------------------
@@ -391,8 +399,10 @@ def test_a_mistake_that_only_mechanics_sees_has_its_place(source, place, message
 
 @pytest.mark.slow
 def test_one_word_chooses_the_method():
-    taylor = prepare(loads(text())).trajectory()
-    gauss = prepare(loads(text().replace("[run]", '[run]\nmethod = "gauss"'))).trajectory()
+    taylor = Study.from_experiment(parse_experiment(text())).trajectory()
+    gauss = Study.from_experiment(
+        parse_experiment(text().replace("[run]", '[run]\nmethod = "gauss"'))
+    ).trajectory()
     assert (taylor.statistics.order, gauss.statistics.order) == (19, 16)
     assert np.abs(taylor.states - gauss.states).max() < 1e-12
 
@@ -400,4 +410,4 @@ def test_one_word_chooses_the_method():
 @pytest.mark.parametrize("key", ["tolerance = 1e-10", "time_limit = 5.0"])
 def test_collocation_has_no_tolerance_and_no_time_limit(key: str) -> None:
     with pytest.raises(InputError, match=r'there is none with run\.method = "gauss"'):
-        loads(text().replace("[run]", f'[run]\nmethod = "gauss"\n{key}'))
+        parse_experiment(text().replace("[run]", f'[run]\nmethod = "gauss"\n{key}'))

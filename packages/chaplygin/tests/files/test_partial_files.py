@@ -21,8 +21,7 @@ from counted import task
 from flowlanes.errors import InputError
 from flowlanes.files.partial_files import write_lock
 from flowlanes.files.private_files import write_private
-from flowlanes.flow.ensemble.computation import compute
-from nonholonomic.classification.facts import ProofBudget
+from flowlanes.flow.ensembles.computation import compute
 
 WRITER = """
 import sys, time
@@ -123,20 +122,14 @@ def test_a_store_that_is_being_written_is_not_replaced(tmp_path: Path) -> None:
     assert not store.exists()
 
 
-class _Silent:
-    def __call__(self, share: float, /) -> None:
-        pass
-
-    def say(self, what: str) -> None:
-        pass
-
-
 def test_a_folder_holds_one_study_at_a_time(tmp_path: Path) -> None:
     """Two with --force both said that theirs was there."""
-    study = ch.prepare(ch.loads('system = {name = "veselova"}', overrides=["run.until=1"]))
+    study = ch.Study.from_experiment(
+        ch.parse_experiment('system = {name = "veselova"}', overrides=["run.until=1"])
+    )
     folder = tmp_path / "v"
     folder.mkdir()
     words = f"^{folder} is being written by another process: wait for it, or choose another name$"
     with write_lock(folder, inside=True), pytest.raises(InputError, match=words):
-        write_study(study, folder, True, ProofBudget(1, 0), _Silent())
+        write_study(study, folder, force=True, total_budget=0)
     assert names(folder) == []

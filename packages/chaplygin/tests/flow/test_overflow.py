@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.experiment.dataset import to_dataset
 from chaplygin.report.figures.integral_drift import drift as drift_figure
 from chaplygin.report.summary import summary, summary_text
 from flowlanes.flow.integrator import integrate
@@ -47,7 +46,7 @@ def test_overflow_is_told_with_its_first_moment(growing):
         "difference is recorded as inf or nan at 7 of 11 samples, first at t = 12: a number in "
         "its formula is larger than 1.8e308, the largest in double precision",
     )
-    assert to_dataset(growing).attrs["warnings"] == "\n".join(growing.warnings)
+    assert growing.to_dataset().attrs["warnings"] == "\n".join(growing.warnings)
 
 
 def test_overflow_has_no_drift(growing):
@@ -65,7 +64,7 @@ def test_overflow_has_no_drift(growing):
 def test_the_figure_of_the_drift_leaves_overflow_out(growing):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        figure = drift_figure(to_dataset(growing))
+        figure = drift_figure(growing.to_dataset())
     lines = {line.get_label(): line.get_ydata() for line in figure.axes[0].get_lines()}
     assert np.isfinite(lines["difference"]).tolist() == [True] * 4 + [False] * 7
 

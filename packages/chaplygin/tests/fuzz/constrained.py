@@ -104,7 +104,7 @@ def energy_with_constraints(rng: random.Random) -> Case:
             definitions=definitions,
             parameters=(parameter(k, 0.7, k > 0),),
         )
-        return ch.equations(mechanism), Integral("law", told)
+        return ch.equations_of_motion(mechanism), Integral("law", told)
 
     holds = not spoilt or _holds_still(make()[0], told)
     truth: Truth = "true" if holds else "false"

@@ -237,21 +237,21 @@ def _kinds(setting: Setting, world: World) -> list[str]:
 
 
 def _identity(rng: random.Random, formula: sp.Expr, world: World) -> Law:
-    return Identity("law", formula, on=world.on)
+    return Identity("law", formula, level=world.on)
 
 
 def _integral(rng: random.Random, formula: sp.Expr, world: World) -> Law:
     """The clock times F grows as F does."""
-    return Integral("law", world.clock * formula, on=world.on)
+    return Integral("law", world.clock * formula, level=world.on)
 
 
 def _rate(rng: random.Random, formula: sp.Expr, world: World) -> Law:
-    return Identity("law", (Rate(world.clock * formula), sp.S.Zero), on=world.on)
+    return Identity("law", (Rate(world.clock * formula), sp.S.Zero), level=world.on)
 
 
 def _symmetry(rng: random.Random, formula: sp.Expr, world: World) -> Law:
     """A push along a free variable that grows as F does."""
-    return Symmetry("law", {world.free[0]: world.clock * formula}, on=world.on)
+    return Symmetry("law", {world.free[0]: world.clock * formula}, level=world.on)
 
 
 def _bracket(world: World, pairs: list[tuple[sp.Symbol, sp.Symbol]], **others: Any) -> Any:
@@ -260,7 +260,7 @@ def _bracket(world: World, pairs: list[tuple[sp.Symbol, sp.Symbol]], **others: A
     for a, b in pairs:
         i, j = names.index(a), names.index(b)
         matrix[i, j], matrix[j, i] = 1, -1
-    return PoissonStructure("law", matrix, on=world.on, **others)
+    return PoissonStructure("law", matrix, level=world.on, **others)
 
 
 def _casimir(rng: random.Random, formula: sp.Expr, world: World) -> Law:
@@ -275,25 +275,25 @@ def _hamiltonian(rng: random.Random, formula: sp.Expr, world: World) -> Law:
     structure = _bracket(world, [(world.clock, first)])
     factor = sp.Integer(rng.choice([1, 1, -1, 2, 7]))
     return ConformallyHamiltonian(
-        "law", factor, structure, first * (1 + formula) / factor, on=world.on
+        "law", factor, structure, first * (1 + formula) / factor, level=world.on
     )
 
 
 def _measure(rng: random.Random, formula: sp.Expr, world: World) -> Law:
     """The density exp(F · clock) of a flow without divergence grows as F does."""
-    return Measure("law", {sp.exp(world.clock * formula): 1}, on=world.on)
+    return Measure("law", {sp.exp(world.clock * formula): 1}, level=world.on)
 
 
 def _reduction(rng: random.Random, formula: sp.Expr, world: World) -> Law:
     quantity = world.spare[0]
-    return Reduction("law", {quantity: world.clock * formula}, (Rate(quantity),), on=world.on)
+    return Reduction("law", {quantity: world.clock * formula}, (Rate(quantity),), level=world.on)
 
 
 def _reduction_of_two(rng: random.Random, formula: sp.Expr, world: World) -> Law:
     """A quantity with the rate F, and the clock."""
     one, other = world.spare[0], world.clock
     quantities = {one: other * formula + world.free[1]}
-    return Reduction("law", quantities, (Rate(one), Rate(other) - 1), on=world.on)
+    return Reduction("law", quantities, (Rate(one), Rate(other) - 1), level=world.on)
 
 
 def _isomorphism(rng: random.Random, formula: sp.Expr, world: World) -> Law:
@@ -307,7 +307,7 @@ def _isomorphism(rng: random.Random, formula: sp.Expr, world: World) -> Law:
         relations=(*world.relations, *level),
     )
     shifted = {**{s: s for s in world.field}, world.free[0]: world.free[0] + world.clock * formula}
-    return Isomorphism("law", target, shifted, on=world.on)
+    return Isomorphism("law", target, shifted, level=world.on)
 
 
 _LAWS: dict[str, Callable[[random.Random, sp.Expr, World], Law]] = {

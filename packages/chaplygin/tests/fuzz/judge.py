@@ -141,7 +141,7 @@ def _allowed(made: tuple[System, Law], witness: Mapping[str, Any] | None) -> boo
     asked += [_written(guard.value, steps) > 0 for guard in system.guards]
     if any(condition.subs(point, simultaneous=True) == sp.false for condition in asked):
         return False
-    level = [_written(c, steps) for c in (*system.relations, *law.on)]
+    level = [_written(c, steps) for c in (*system.relations, *law.level)]
     values = [c.subs(point, simultaneous=True) for c in level]
     return not any(v.is_Rational and v != 0 for v in values) or not _exact(witness["point"])
 

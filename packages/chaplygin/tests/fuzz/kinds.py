@@ -423,7 +423,7 @@ def restless_levels(rng: random.Random) -> Case:
     made_in_relations = rng.random() < 0.5
     relations = (condition,) if made_in_relations else ()
     made = system({**rates, z: sp.S.Zero}, relations=relations)
-    others: dict[str, Any] = {"on": () if made_in_relations else (condition,)}
+    others: dict[str, Any] = {"level": () if made_in_relations else (condition,)}
     law = rng.choice(
         [
             Identity("law", sp.S.Zero, **others),

@@ -342,11 +342,11 @@ def _planted(rng: random.Random, name: str, mechanism: Mechanism) -> Case:
 
 
 def _as_integral(formula: sp.Expr, on: tuple[sp.Expr, ...]) -> Law:
-    return Integral("law", formula, on=on)
+    return Integral("law", formula, level=on)
 
 
 def _as_rate(formula: sp.Expr, on: tuple[sp.Expr, ...]) -> Law:
-    return Identity("law", Rate(formula), on=on)
+    return Identity("law", Rate(formula), level=on)
 
 
 def _shown(

@@ -84,7 +84,7 @@ def volume_of_a_relation(rng: random.Random) -> Case:
         made = system(
             dict(zip(SPACE, rates, strict=True)), relations=() if under_on else (surface**2,)
         )
-        law = Measure("volume", {sp.S.One: 1}, on=on)
+        law = Measure("volume", {sp.S.One: 1}, level=on)
         return _case(made, law, "malformed", "dF² vanishes where F does: there is no volume")
     if form == "far":
         # two surfaces of one field, each with its own multiple of the volume by F
@@ -96,7 +96,7 @@ def volume_of_a_relation(rng: random.Random) -> Case:
         return _case(made, law, "true" if right else "false", "g moves, F − c does not")
     power = {"true": 1, "none": 0, "inverse": -1, "twice": 2}[form]
     density = {factor: power} if power else {sp.S.One: 1}
-    law = Measure("volume", density, on=on)
+    law = Measure("volume", density, level=on)
     return _case(made, law, "true" if power == 1 else "false", "the volume by g F is that by F/g")
 
 

@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.experiment.models.experiment import catalogue_experiment
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.study import Study
 from flow.motions import carousel, henon_heiles, henon_heiles_start, lorenz, saddle, top
 from flowlanes.errors import InputError, RunError
 from flowlanes.flow.linearisation.linear_stability import linear_stability
@@ -29,11 +29,11 @@ from nonholonomic.catalogue import CATALOGUE
 
 @pytest.fixture(scope="module")
 def butterfly() -> Spectrum:
-    return lyapunov_spectrum(lorenz(), [1.0, 1.0, 20.0], until=1000.0)
+    return lyapunov_spectrum(lorenz(), [1.0, 1.0, 20.0], t_end=1000.0)
 
 
 def _start(name: str) -> tuple[System, list[float]]:
-    study = prepare(catalogue_experiment(name))
+    study = Study.from_experiment(catalogue_experiment(name))
     return study.system, [float(x) for x in study.start[: len(study.system.symbols)]]
 
 
@@ -71,7 +71,7 @@ def test_dimension_of_lorenz(butterfly: Spectrum) -> None:
 @pytest.mark.slow
 def test_henon_heiles() -> None:
     start = henon_heiles_start(1 / 8, -0.25, 1e-3)
-    found = lyapunov_spectrum(henon_heiles(), start, until=3000.0)
+    found = lyapunov_spectrum(henon_heiles(), start, t_end=3000.0)
     assert _removed(found) == ["energy", "flow"]
     assert found.chaotic and found.symmetric
     assert found.total.zero
@@ -80,7 +80,7 @@ def test_henon_heiles() -> None:
 
 
 def test_hyperbolic_linear_system() -> None:
-    found = lyapunov_spectrum(saddle(), [0.0, 0.0, 0.0], until=50.0)
+    found = lyapunov_spectrum(saddle(), [0.0, 0.0, 0.0], t_end=50.0)
     assert found.values == pytest.approx([0.3, -1.1], abs=1e-3)
     assert _removed(found) == ["z"]
     assert found.dependent == ("flow",)
@@ -90,7 +90,7 @@ def test_hyperbolic_linear_system() -> None:
 @pytest.mark.parametrize("name", ["chaplygin-ball", "rubber-chaplygin-ball", "veselova", "clebsch"])
 def test_integrable_systems_have_only_zeros(name: str) -> None:
     system, start = _start(name)
-    found = lyapunov_spectrum(system, start, until=500.0, intervals=200)
+    found = lyapunov_spectrum(system, start, t_end=500.0, intervals=200)
     assert found.halves_agree
     assert all(item.zero for item in found.exponents)
     assert all(item.error < 0.05 for item in found.exponents)
@@ -99,7 +99,7 @@ def test_integrable_systems_have_only_zeros(name: str) -> None:
 
 @pytest.mark.slow
 def test_limit_cycle() -> None:
-    found = lyapunov_spectrum(carousel(), [0.3, 0.1, 0.0], until=60.0)
+    found = lyapunov_spectrum(carousel(), [0.3, 0.1, 0.0], t_end=60.0)
     # u and v are measured by sizes of their own, equal but for where the cycle was looked at
     assert found.values == pytest.approx([-2.0], abs=1e-4)
     assert set(_removed(found)) == {"s", "flow"} or set(_removed(found)) == {"s", "turning"}
@@ -111,7 +111,7 @@ def test_steady_turns_of_a_top(axis: int, growth: float) -> None:
     system = dataclasses.replace(top(), laws=())
     start = [0.0, 0.0, 0.0]
     start[axis] = 1.0
-    found = lyapunov_spectrum(system, start, until=100.0)
+    found = lyapunov_spectrum(system, start, t_end=100.0)
     linear = linear_stability(system, start)
     expected = sorted((float(value.real) for value in linear.eigenvalues), reverse=True)
     assert found.values == pytest.approx(expected, abs=0.02)
@@ -123,7 +123,7 @@ def test_separatrix_of_a_top() -> None:
     # M² = 2 E I₂: the motion tends to the turn about the middle axis, where the flow vanishes and
     # both integrals have parallel gradients, like 1/cosh(t/√12)
     start = [sqrt(1 / 4), 0.0, sqrt(3 / 4)]
-    found = lyapunov_spectrum(top(), start, until=80.0)
+    found = lyapunov_spectrum(top(), start, t_end=80.0)
     assert set(found.fading) == {"flow", "square"}
     assert _removed(found) == ["energy"]
     assert found.values == pytest.approx([sqrt(1 / 12), -sqrt(1 / 12)], abs=1e-3)
@@ -142,7 +142,7 @@ def test_exponents_and_divergence_agree_to_rounding(name: str) -> None:
     system, start = _start(name)
     system = dataclasses.replace(system, guards=())
     # short, since some run into singular points and others vary fast
-    found = lyapunov_spectrum(system, start, until=CATALOGUE[name].start.until / 40, intervals=100)
+    found = lyapunov_spectrum(system, start, t_end=CATALOGUE[name].start.until / 40, intervals=100)
     size = 1 + abs(found.volume.divergence.value)
     assert abs(found.volume.balance) < 1e-8 * size
     assert all(abs(defect) < 1e-8 * size for defect in found.volume.measures.values())
@@ -182,7 +182,7 @@ def test_levels_of_integrals_are_respected() -> None:
         "turn",
         "Turn",
         {x: -y * (1 + x), y: x * (1 + x)},
-        laws=(Integral("somewhere", x - y, on=(x**2 + y**2 - 1,)),),
+        laws=(Integral("somewhere", x - y, level=(x**2 + y**2 - 1,)),),
     )
     assert [item.name for item in trivial_directions(system, [1.0, 0.5]).trivial] == ["flow"]
 
@@ -219,7 +219,7 @@ def test_combinations_of_symmetries_within_a_level() -> None:
 @pytest.mark.slow
 def test_a_short_motion_is_said_not_to_have_settled() -> None:
     # the first part of the motion leaves a saddle, the rest falls onto a cycle
-    found = lyapunov_spectrum(carousel(), [1e-30, 0.0, 0.0], until=110.0)
+    found = lyapunov_spectrum(carousel(), [1e-30, 0.0, 0.0], t_end=110.0)
     assert not found.halves_agree
     assert any("has not converged" in text for text in remarks(found))
 
@@ -264,7 +264,7 @@ def test_dataset(butterfly: Spectrum) -> None:
 
 def test_the_same_bits_again() -> None:
     runs = [
-        lyapunov_spectrum(saddle(), [0.1, 0.2, 0.0], until=20.0, intervals=100) for _ in range(2)
+        lyapunov_spectrum(saddle(), [0.1, 0.2, 0.0], t_end=20.0, intervals=100) for _ in range(2)
     ]
     assert np.array_equal(runs[0].growth, runs[1].growth)
 
@@ -296,17 +296,17 @@ def test_kaplan_yorke(exponents: list[float], dimension: float) -> None:
 )
 def test_mistakes(start: list[float], until: float, intervals: int, message: str) -> None:
     with pytest.raises(InputError, match=message):
-        lyapunov_spectrum(lorenz(), start, until=until, intervals=intervals)
+        lyapunov_spectrum(lorenz(), start, t_end=until, intervals=intervals)
 
 
 def test_a_start_off_the_phase_space() -> None:
     system, start = _start("chaplygin-ball")
     start[3] += 1e-3
     with pytest.raises(InputError, match="misses the phase space"):
-        lyapunov_spectrum(system, start, until=10.0)
+        lyapunov_spectrum(system, start, t_end=10.0)
 
 
 def test_a_motion_that_ends() -> None:
     x = real_symbol("x")
     with pytest.raises(RunError):
-        lyapunov_spectrum(System("burst", "Burst", {x: x**2}), [1.0], until=10.0)
+        lyapunov_spectrum(System("burst", "Burst", {x: x**2}), [1.0], t_end=10.0)

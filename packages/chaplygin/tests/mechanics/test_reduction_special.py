@@ -28,7 +28,7 @@ def test_a_parameter_whose_number_is_exceptional():
     """The sleigh has a multiplier where a = 0, whether that is put in or its default."""
     found = chaplygin_form(with_default(sleigh(), a, 0.0))
     put_in = chaplygin_form(sleigh(sp.S.Zero))
-    assert found.on == (a,)
+    assert found.level == (a,)
     assert found.obstruction is None
     assert found.multiplier.value == put_in.multiplier.value
     assert "where         a = 0, a case of its own" in str(found)
@@ -41,7 +41,7 @@ def test_a_parameter_whose_number_is_exceptional():
 @pytest.mark.slow
 def test_a_general_parameter_has_an_obstruction_and_says_where_not():
     found = chaplygin_form(sleigh())
-    assert found.on == ()
+    assert found.level == ()
     assert found.multiplier is None
     assert found.obstruction.vanishing == (a,)
 

@@ -22,8 +22,8 @@ CLOSE, ROUNDINGS = 1e-12, 4
 @cache
 def study_of(name):
     if name.endswith(".toml"):
-        return ch.prepare(ch.load(EXAMPLES / name))
-    return ch.prepare(ch.loads(f'system = {{name = "{name}"}}'))
+        return ch.Study.from_experiment(ch.load_experiment(EXAMPLES / name))
+    return ch.Study.from_experiment(ch.parse_experiment(f'system = {{name = "{name}"}}'))
 
 
 def whole_system(study):

@@ -12,7 +12,7 @@ from chaplygin.page.page_systems import reduced_system
 
 
 def test_curves_are_the_boundaries_in_values_of_the_integrals():
-    study = ch.prepare(ch.loads('system = {name = "neumann"}'))
+    study = ch.Study.from_experiment(ch.parse_experiment('system = {name = "neumann"}'))
     model = bifurcation_model(study, reduced_system(study))
     names = [law.name for law in study.system.integrals]
     assert model["x"] in names and model["y"] in names and model["x"] != model["y"]
@@ -28,5 +28,5 @@ def test_curves_are_the_boundaries_in_values_of_the_integrals():
 
 
 def test_a_system_without_a_diagram_has_none():
-    study = ch.prepare(ch.loads('system = {name = "rattleback"}'))
+    study = ch.Study.from_experiment(ch.parse_experiment('system = {name = "rattleback"}'))
     assert bifurcation_model(study, reduced_system(study)) is None

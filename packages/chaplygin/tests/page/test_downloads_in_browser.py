@@ -72,7 +72,7 @@ def test_an_experiment_runs_as_the_page_does(
     opened.page.evaluate("change => window.chaplygin.set(change)", change)
     path = download(opened, "Experiment")
     assert "#" not in path.read_text()
-    study = ch.prepare(ch.load(path))
+    study = ch.Study.from_experiment(ch.load_experiment(path))
     motion = study.trajectory()
     expected = dataset_of(study, motion)
     samples = expected.sizes["time"]

@@ -15,7 +15,7 @@ from chaplygin.page.page_model import live_page_model
 from chaplygin.page.page_systems import reduced_system
 from flowlanes.flow.batch import batch_integrator
 from flowlanes.flow.kernel.equations import poincare_section
-from flowlanes.flow.trajectory import recorded_values
+from flowlanes.flow.recorded_quantities import recorded_values
 from flowlanes.lyapunov.indicators import maximal_exponent
 from flowlanes.system.vectors import Vector
 from page.motions import (
@@ -113,7 +113,9 @@ def test_delicate_motions_are_those_of_thirty_digits(name):
     task = {"parameters": {}, "start": model["start"], "times": times.tolist()}
     (result,) = run_engine(model, ("motion", [task]))
     got = rows(result["states"], len(model["start"]))
-    flow = replace_relations(batch_integrator(whole_system(study), tolerance=1e-20, digits=30))
+    flow = replace_relations(
+        batch_integrator(whole_system(study), tolerance=1e-20, precision="quad")
+    )
     right = flow.propagate([model["start"]], times).states[0]
     assert np.abs(got - right).max() < CLOSE * np.abs(right).max()
 
@@ -188,7 +190,9 @@ def test_a_start_is_that_of_python(name):
 
 def message_of_python(name, *changes):
     with pytest.raises(ch.InputError) as caught:
-        study = ch.prepare(ch.loads(f'system = {{name = "{name}"}}', overrides=list(changes)))
+        study = ch.Study.from_experiment(
+            ch.parse_experiment(f'system = {{name = "{name}"}}', overrides=list(changes))
+        )
         study.trajectory()
     return caught.value.message
 

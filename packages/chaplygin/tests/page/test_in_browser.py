@@ -16,14 +16,12 @@ from PIL import Image
 
 from browser import Opened, browsers
 from chaplygin.experiment.contact.mode_intervals import mode_intervals
-from chaplygin.experiment.models.experiment import load, loads
-from chaplygin.experiment.study import Study, dataset_of, prepare
+from chaplygin.experiment.models.experiment import load_experiment, parse_experiment
+from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.page.element import page
 from chaplygin.page.study_page import study_model
 from chaplygin.report.drawing.modes import MODE_STYLES
 from chaplygin.report.study_output import write_study
-from nonholonomic.classification.facts import ProofBudget
-from unheard import Unheard
 
 pytestmark = pytest.mark.browser
 
@@ -46,8 +44,8 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The report of the rattleback, without proofs."""
     folder = tmp_path_factory.mktemp("report")
     (folder / "figures").mkdir()
-    study = prepare(load(EXAMPLES / "rattleback.toml"))
-    write_study(study, folder, True, ProofBudget(1, 0), Unheard())
+    study = Study.from_experiment(load_experiment(EXAMPLES / "rattleback.toml"))
+    write_study(study, folder, force=True, total_budget=0)
     return folder / "report.html"
 
 
@@ -59,7 +57,9 @@ def page_of(study: Study, folder: Path) -> Path:
 
 @pytest.mark.parametrize("name", ["rattleback", "coin", "ball_in_a_bowl", "tippe_top"])
 def test_the_body_is_where_the_trajectory_says(name: str, chromium: Any, tmp_path: Path) -> None:
-    study = prepare(load(EXAMPLES / f"{name}.toml", ["run.until=2", "run.samples=41"]))
+    study = Study.from_experiment(
+        load_experiment(EXAMPLES / f"{name}.toml", ["run.until=2", "run.samples=41"])
+    )
     dataset = dataset_of(study, study.trajectory())
     opened = Opened(chromium, page_of(study, tmp_path)).ready()
     for index in (0, 7, 20, 33, 40):
@@ -78,7 +78,7 @@ def test_the_body_is_where_the_trajectory_says(name: str, chromium: Any, tmp_pat
 
 def test_a_page_computes_motions_sections_and_laws(chromium: Any, tmp_path: Path) -> None:
     text = 'system = {name = "unbalanced-ball"}\nrun = {until = 10.0, samples = 21}\n'
-    study = prepare(loads(text))
+    study = Study.from_experiment(parse_experiment(text))
     opened = Opened(chromium, page_of(study, tmp_path)).ready()
     run = opened.page.evaluate
     motion = run("() => window.chaplygin.motion(10, 21)")
@@ -115,7 +115,9 @@ UNDER_THE_PLOT = """
 
 
 def test_a_motion_with_friction_is_coloured_by_mode(chromium: Any, tmp_path: Path) -> None:
-    study = prepare(load(EXAMPLES / "bouncing_ball.toml", ["run.until=2", "run.samples=101"]))
+    study = Study.from_experiment(
+        load_experiment(EXAMPLES / "bouncing_ball.toml", ["run.until=2", "run.samples=101"])
+    )
     dataset = dataset_of(study, study.trajectory())
     intervals = mode_intervals(dataset)
     names = {interval.mode for interval in intervals}
@@ -184,8 +186,10 @@ CUT = """
 @pytest.mark.parametrize("name", ["tippe_top", "trailer"])
 def test_no_equation_is_cut(name: str, width: int, chromium: Any, tmp_path: Path) -> None:
     """On a phone what would be too small to be read scrolls."""
-    study = prepare(load(EXAMPLES / f"{name}.toml", ["run.until=0.01", "run.samples=11"]))
-    write_study(study, tmp_path, True, ProofBudget(1, 0), Unheard())
+    study = Study.from_experiment(
+        load_experiment(EXAMPLES / f"{name}.toml", ["run.until=0.01", "run.samples=11"])
+    )
+    write_study(study, tmp_path, force=True, total_budget=0)
     opened = Opened(
         chromium, tmp_path / "report.html", viewport={"width": width, "height": 900}
     ).ready()

@@ -24,7 +24,9 @@ EXAMPLES = Path(__file__).parents[4] / "examples"
 
 def of_system(name, *more):
     settings = ["run.until=2", "run.samples=21", *more]
-    study = ch.prepare(ch.loads(f'system = {{name = "{name}"}}', overrides=settings))
+    study = ch.Study.from_experiment(
+        ch.parse_experiment(f'system = {{name = "{name}"}}', overrides=settings)
+    )
     trajectory = study.trajectory()
     dataset = dataset_of(study, trajectory)
     model = json.loads(json.dumps(page_model(study, dataset), allow_nan=False))
@@ -63,7 +65,7 @@ def test_the_contact_force_is_the_sum_of_its_parts():
 
 def test_modes_of_a_contact_change_at_its_events():
     settings = ["run.until=2", "run.samples=21"]
-    study = ch.prepare(ch.load(EXAMPLES / "bouncing_ball.toml", settings))
+    study = ch.Study.from_experiment(ch.load_experiment(EXAMPLES / "bouncing_ball.toml", settings))
     dataset = dataset_of(study, study.trajectory())
     recorded = page_model(study, dataset)["recorded"]
     modes = recorded["modes"]
@@ -137,8 +139,10 @@ def test_start_and_ranges():
 
 def test_a_motion_that_ends_early_says_why():
     """A coin that falls over leaves the plane."""
-    experiment = ch.load(EXAMPLES / "coin.toml", overrides=["start.omega=[0.0, 1.0, 0.0]"])
-    study = ch.prepare(experiment)
+    experiment = ch.load_experiment(
+        EXAMPLES / "coin.toml", overrides=["start.omega=[0.0, 1.0, 0.0]"]
+    )
+    study = ch.Study.from_experiment(experiment)
     dataset = dataset_of(study, study.trajectory())
     end = page_model(study, dataset)["recorded"]["end"]
     assert dataset.attrs["events"].endswith(end["reason"])

@@ -8,7 +8,7 @@ import sympy as sp
 
 from cli.test_cli import ask
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.computation import compute
+from flowlanes.flow.ensembles.computation import compute
 from flowlanes.formulas.digest import digest
 from flowlanes.scans import quantity_names
 from flowlanes.scans.grid import axis, scan_grid

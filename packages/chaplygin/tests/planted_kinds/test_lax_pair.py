@@ -91,14 +91,17 @@ def test_numbers_do_not_depend_on_it():
 
 
 def test_a_file_states_it_and_is_written_again():
-    study = ch.prepare(ch.loads(FILE))
+    study = ch.Study.from_experiment(ch.parse_experiment(FILE))
     (law,) = study.system.laws
     assert isinstance(law, LaxPair)
     assert ch.prove(study.system, law).decision == "proven"
     written = tables_of(study.system)["laws"]["others"]["flaschka"]
     assert written["kind"] == "LaxPair"
     assert written["L"][0] == ["b_1", "a_1", "0"]
-    assert ch.prepare(ch.loads(study.complete_toml())).system.laws == study.system.laws
+    assert (
+        ch.Study.from_experiment(ch.parse_experiment(study.complete_toml())).system.laws
+        == study.system.laws
+    )
 
 
 @pytest.mark.parametrize(
@@ -111,7 +114,7 @@ def test_a_file_states_it_and_is_written_again():
 )
 def test_a_mistake_in_its_table_is_one_sentence(old, new, words):
     with pytest.raises(ch.InputError, match=words):
-        ch.prepare(ch.loads(FILE.replace(old, new))).system  # noqa: B018
+        ch.Study.from_experiment(ch.parse_experiment(FILE.replace(old, new))).system  # noqa: B018
 
 
 def test_the_command_line_proves_and_reports_it(ask, tmp_path):

@@ -29,7 +29,7 @@ def test_it_integrates_and_keeps_what_is_quadratic():
 
 def test_its_dataset_says_how_it_was_computed():
     ball = ch.from_catalogue("chaplygin-ball")
-    dataset = ch.to_dataset(ch.integrate(ball, START, TIMES, method="midpoint"))
+    dataset = ch.integrate(ball, START, TIMES, method="midpoint").to_dataset()
     assert dataset.attrs["integrator"].startswith("implicit midpoint rule")
     assert "320 steps" in dataset.attrs["integrator"]
 
@@ -55,5 +55,5 @@ run.until = 1.0
 run.samples = 6
 run.method = "midpoint"
 """
-    motion = ch.prepare(ch.loads(text)).trajectory()
+    motion = ch.Study.from_experiment(ch.parse_experiment(text)).trajectory()
     assert motion.statistics.method == "implicit midpoint rule"

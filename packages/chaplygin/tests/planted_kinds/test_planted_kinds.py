@@ -19,7 +19,6 @@ from chaplygin.experiment.models.schema import experiment_schema
 from chaplygin.page.page_model import page_model
 from chaplygin.report.study_output import write_study
 from chaplygin.report.subject_figures import subject_figures
-from nonholonomic.classification.facts import ProofBudget
 from nonholonomic.contact.equations.structure import SharedEquations
 from nonholonomic.contact.invariants.dissipation import decrease_of_energy, dissipation
 from nonholonomic.mechanics import ball as balls
@@ -28,9 +27,6 @@ from planted_kinds.die import Die
 from planted_kinds.drag import Drag
 from planted_kinds.gutter import Gutter
 from planted_kinds.wave import Wave
-from unheard import Unheard
-
-NO_PROOFS = ProofBudget(1, 0)
 
 DIE = """
 title = "A die"
@@ -90,10 +86,10 @@ samples = 21
 
 def report_of(text: str, folder: Path) -> tuple[str, Mapping[str, object]]:
     """The page of a study, and the model of its interactive page."""
-    study = ch.prepare(ch.loads(text))
-    _, failure = write_study(study, folder, True, NO_PROOFS, Unheard())
+    study = ch.Study.from_experiment(ch.parse_experiment(text))
+    _, failure = write_study(study, folder, force=True, total_budget=0)
     assert failure is None
-    model = page_model(study, ch.to_dataset(study.trajectory()))
+    model = page_model(study, study.trajectory().to_dataset())
     json.dumps(model, allow_nan=False)
     return (folder / "report.html").read_text(encoding="utf-8"), model
 
@@ -123,16 +119,16 @@ def test_contact_points_of_a_die_are_the_gradient_of_its_support_function() -> N
 def test_the_energy_of_a_die_is_proven(surface: ch.Plane, contact: str) -> None:
     body = ch.Body(1.0, (0.4, 0.5, 0.6), Die(1.0, -0.03, centre=(0.0, 0.0, 0.05)))
     field = ch.Forces(gravity=9.81 if surface == ch.Plane() else 0.0)
-    system = ch.roll(body, surface, contact, field)
+    system = ch.rolling_system(body, surface, contact, field)
     assert ch.prove(system, "energy").decision == "proven"
 
 
 def test_a_die_in_a_file_rolls_and_is_drawn(tmp_path: Path) -> None:
-    experiment = ch.loads(DIE)
-    assert ch.loads(experiment.toml()) == experiment
-    study = ch.prepare(experiment)
+    experiment = ch.parse_experiment(DIE)
+    assert ch.parse_experiment(experiment.toml()) == experiment
+    study = ch.Study.from_experiment(experiment)
     assert "Die on a horizontal plane" in study.subject.setting
-    energy = ch.to_dataset(study.trajectory())["law_energy"]
+    energy = study.trajectory().to_dataset()["law_energy"]
     assert np.ptp(energy.values) <= 1e-12 * abs(energy.values[0])
     page, model = report_of(DIE, tmp_path / "die")
     assert page.count('<figure class="scene">') == 1
@@ -150,7 +146,7 @@ def test_a_die_in_a_file_rolls_and_is_drawn(tmp_path: Path) -> None:
 )
 def test_mistakes_in_the_table_of_a_die_have_their_place(old: str, new: str, sentence: str) -> None:
     with pytest.raises(ch.InputError, match=sentence):
-        ch.prepare(ch.loads(DIE.replace(old, new)))
+        ch.Study.from_experiment(ch.parse_experiment(DIE.replace(old, new)))
 
 
 def test_a_die_slides_on_a_plane() -> None:
@@ -160,7 +156,7 @@ def test_a_die_slides_on_a_plane() -> None:
     )
     start = nonholonomic.contact.start_in_contact(contact, (0, 0.5, 1), (0, 0.6, 0.8), (0.5, 0, 0))
     motion = nonholonomic.contact.contact_motion(contact, start, np.linspace(0.0, 0.3, 7))
-    values = motion.observables()
+    values = motion.observables
     balance = values["energy"] + motion.states[:, 16:].sum(axis=1)
     assert np.ptp(balance) <= 1e-10 * values["energy"][0]
     # its centre is not as high as that of a ball, and rises and falls
@@ -172,14 +168,14 @@ def test_a_die_slides_on_a_plane() -> None:
 
 def test_a_ball_in_a_gutter_moves_as_the_equations_of_homogeneous_balls_say() -> None:
     """The reference is derived apart, by the surface on which the centre moves."""
-    study = ch.prepare(ch.loads(GUTTER))
-    data = ch.to_dataset(study.trajectory())
+    study = ch.Study.from_experiment(ch.parse_experiment(GUTTER))
+    data = study.trajectory().to_dataset()
     surface = balls.CircularCylinder(2.0, side="inside", axis="x")
     ball = balls.RollingBall(mass=1.0, inertia=0.1, radius=0.5, surface=surface, gravity=9.81)
     system = ball.system()
     # γ and the normal agree at the start, so that body and space axes do
     start = balls.ball_state(ball, system, data["contact"].values[0], (1.0, 2.0, 0.5))
-    known = ch.to_dataset(ch.integrate(system, start, data["time"].values))
+    known = ch.integrate(system, start, data["time"].values).to_dataset()
     for name in ("contact", "centre"):
         np.testing.assert_allclose(data[name].values, known[name].values, rtol=0, atol=1e-11)
     energy = data["law_energy"].values
@@ -189,27 +185,30 @@ def test_a_ball_in_a_gutter_moves_as_the_equations_of_homogeneous_balls_say() ->
 
 def test_the_energy_in_a_gutter_is_proven() -> None:
     body = ch.Body(1.0, (0.1, 0.1, 0.1), ch.Ball(0.5))
-    assert ch.prove(ch.roll(body, Gutter(2.0)), "energy").decision == "proven"
+    assert ch.prove(ch.rolling_system(body, Gutter(2.0)), "energy").decision == "proven"
 
 
 def test_a_die_in_a_gutter_keeps_its_energy() -> None:
     """Both are new, and neither knows of the other."""
     body = ch.Body(1.0, (0.1, 0.12, 0.15), Die(0.5, -0.01))
-    system = ch.roll(body, Gutter(2.0), "rubber", ch.Forces(gravity=9.81))
+    system = ch.rolling_system(body, Gutter(2.0), "rubber", ch.Forces(gravity=9.81))
     start = ch.initial_state(
         system, (1.0, 0.8, -0.6), (0.0, 0.6, 0.8), normal=(0.0, 0.6, 0.8), heading=0.3
     )
     motion = ch.integrate(system, start, np.linspace(0.0, 1.0, 11))
-    energy = ch.to_dataset(motion)["law_energy"].values
+    energy = motion.to_dataset()["law_energy"].values
     assert np.ptp(energy) <= 1e-12 * abs(energy[0])
 
 
 def test_a_gutter_in_a_file_is_written_and_drawn() -> None:
-    experiment = ch.loads(GUTTER)
-    assert ch.loads(experiment.toml()) == experiment
-    assert "on the inside of a horizontal cylinder" in ch.prepare(experiment).subject.setting
-    study = ch.prepare(experiment)
-    dataset = ch.to_dataset(study.trajectory())
+    experiment = ch.parse_experiment(GUTTER)
+    assert ch.parse_experiment(experiment.toml()) == experiment
+    assert (
+        "on the inside of a horizontal cylinder"
+        in ch.Study.from_experiment(experiment).subject.setting
+    )
+    study = ch.Study.from_experiment(experiment)
+    dataset = study.trajectory().to_dataset()
     assert "scene" in subject_figures(study.subject, dataset, None)
     scene = page_model(study, dataset)["scene"]
     assert scene["support"]["kind"] == "mesh"
@@ -226,12 +225,12 @@ def test_the_page_of_a_ball_in_a_gutter(tmp_path: Path) -> None:
 
 def test_what_a_gutter_does_not_have_is_refused() -> None:
     with pytest.raises(ch.InputError, match=r"start: normal has no part along x in a gutter"):
-        ch.loads(GUTTER.replace("normal = [0.0,", "normal = [0.1,"))
+        ch.parse_experiment(GUTTER.replace("normal = [0.0,", "normal = [0.1,"))
     body = ch.Body(1.0, (0.1, 0.1, 0.1), ch.Ball(0.5))
     with pytest.raises(ch.InputError, match=r"surface: a body touches a plane or a sphere"):
         nonholonomic.contact.FrictionalContact(body, Gutter(2.0))
     with pytest.raises(ch.InputError, match=r"invariant measures are known of bodies on planes"):
-        ch.measure_exists(ch.Rolling(body, Gutter(2.0)))
+        ch.invariant_measure(ch.RollingBody(body, Gutter(2.0)))
 
 
 WAVE = """
@@ -254,10 +253,10 @@ samples = 5
 
 def test_a_ball_rolls_over_a_new_surface() -> None:
     assert Wave.kind == "wave"
-    experiment = ch.loads(WAVE)
-    assert ch.loads(experiment.toml()) == experiment
-    study = ch.prepare(experiment)
-    data = ch.to_dataset(study.trajectory())
+    experiment = ch.parse_experiment(WAVE)
+    assert ch.parse_experiment(experiment.toml()) == experiment
+    study = ch.Study.from_experiment(experiment)
+    data = study.trajectory().to_dataset()
     centre, energy = data["centre"].values, data["law_energy"].values
     np.testing.assert_allclose(centre[:, 2], 0.05 * np.cos(centre[:, 0]), rtol=0, atol=1e-12)
     assert np.ptp(centre[:, 0]) > 0.1 and np.ptp(energy) <= 1e-12 * abs(energy[0])
@@ -269,7 +268,7 @@ def test_a_ball_rolls_over_a_new_surface() -> None:
 
 def test_drag_slows_a_ball_as_its_equation_says() -> None:
     """u̇ = −(c/m)(1 + mR²/I) u² has the solution u₀/(1 + b u₀ t)."""
-    motion = ch.to_dataset(ch.prepare(ch.loads(DRAG)).trajectory())
+    motion = ch.Study.from_experiment(ch.parse_experiment(DRAG)).trajectory().to_dataset()
     b = 0.5 * (1 + 1 / 0.4)
     slip = np.linalg.norm(motion["slip"].values, axis=1)
     np.testing.assert_allclose(slip, 2 / (1 + 2 * b * motion["time"].values), rtol=1e-12)
@@ -283,8 +282,8 @@ def test_the_power_of_drag_is_proven() -> None:
 
 
 def test_drag_in_a_file_is_written_and_told(tmp_path: Path) -> None:
-    experiment = ch.loads(DRAG)
-    assert ch.loads(experiment.toml()) == experiment
+    experiment = ch.parse_experiment(DRAG)
+    assert ch.parse_experiment(experiment.toml()) == experiment
     page, _ = report_of(DRAG, tmp_path / "drag")
     assert "times the square of the slip" in page and "coefficient of drag" in page
 
@@ -299,7 +298,7 @@ def test_drag_in_a_file_is_written_and_told(tmp_path: Path) -> None:
 )
 def test_mistakes_in_a_law_have_their_place(old: str, new: str, sentence: str) -> None:
     with pytest.raises(ch.InputError, match=sentence):
-        ch.prepare(ch.loads(DRAG.replace(old, new)))
+        ch.Study.from_experiment(ch.parse_experiment(DRAG.replace(old, new)))
 
 
 def test_contacts_with_a_new_law_share_their_equations() -> None:
@@ -322,7 +321,7 @@ def test_the_schema_has_the_new_tables() -> None:
 
 def test_every_law_of_the_package_has_its_keys() -> None:
     """What [contact.laws] offers are the laws of other modules alone."""
-    ch.loads(DRAG)
+    ch.parse_experiment(DRAG)
     assert set(LAWS.table().model_fields) == {"drag"}
 
 
@@ -363,10 +362,10 @@ def test_a_module_of_an_entry_point_is_imported_when_its_kind_is_named(
 
     monkeypatch.setattr(open_kinds, "entry_points", lambda group: [Point()])
     open_kinds.import_entry_points.cache_clear()
-    ch.loads(DIE)
+    ch.parse_experiment(DIE)
     assert not loaded
     with pytest.raises(ch.InputError, match=r"the plug-in lens = lens:Lens of nonholonomic.kinds"):
-        ch.loads(DIE.replace('"die"', '"lens"'))
+        ch.parse_experiment(DIE.replace('"die"', '"lens"'))
     open_kinds.import_entry_points.cache_clear()
 
 

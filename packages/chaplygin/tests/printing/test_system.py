@@ -40,7 +40,7 @@ from flowlanes.system.vectors import (
 )
 from nonholonomic.catalogue import CATALOGUE
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import roll
+from nonholonomic.mechanics.rolling.equations import rolling_system
 from nonholonomic.mechanics.shapes.shapes import Ball
 
 M, omega, gamma, r, rdot = vectors("M omega gamma r rdot")
@@ -235,7 +235,7 @@ Source: (1.17), (10.1)"""
 
 def test_page_of_the_chaplygin_ball() -> None:
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
-    system = roll(body, name="chaplygin-ball", title="Chaplygin ball")
+    system = rolling_system(body, name="chaplygin-ball", title="Chaplygin ball")
     assert system_text(system) == BALL
     assert str(system) == BALL
 
@@ -257,7 +257,7 @@ def test_page_of_a_system_with_little_to_say() -> None:
 
 def test_conditions_and_numbers_on_the_page() -> None:
     k, q, v = real_symbol("k"), real_symbol("q"), real_symbol("v")
-    law = Integral("energy", v**2 + k * q**2, "twice the energy", on=(k + 1,), source="(2)")
+    law = Integral("energy", v**2 + k * q**2, "twice the energy", level=(k + 1,), source="(2)")
     lines = system_text(small(laws=(law,))).splitlines()
     assert "    k  −0.5  1/s²  stiffness" in lines
     assert "    energy  v² + k q²" in lines

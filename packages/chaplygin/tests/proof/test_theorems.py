@@ -111,7 +111,7 @@ WAYS = {
 
 
 def of_file(text: str) -> ch.System:
-    return ch.equations(mechanism_of(ch.loads(text)))
+    return ch.equations_of_motion(mechanism_of(ch.parse_experiment(text)))
 
 
 def by_theorem(verdict: ch.Verdict) -> bool:
@@ -158,7 +158,7 @@ def test_one_mechanism_written_in_several_ways_has_the_same_verdicts(
 
 
 def test_the_energy_of_the_user_s_own_words_is_proven_alike() -> None:
-    system = ch.equations(skate(laws=(ch.Integral("mine", ENERGY + 3),)))
+    system = ch.equations_of_motion(skate(laws=(ch.Integral("mine", ENERGY + 3),)))
     assert [by_theorem(ch.prove(system, name)) for name in ("energy", "mine")] == [True, True]
 
 
@@ -174,7 +174,7 @@ def test_the_theorem_of_jacobi_s_integral() -> None:
             ch.Integral("energy_in_space", speed**2 / 2 + spun + height),
         ),
     )  # fmt: skip
-    system = ch.equations(bead)
+    system = ch.equations_of_motion(bead)
     assert by_theorem(ch.prove(system, "energy")) and by_theorem(ch.prove(system, "jacobi"))
     assert ch.prove(system, "energy_in_space").decision == "refuted"
 
@@ -192,36 +192,36 @@ NOT_IDEAL: dict[str, dict[str, Any]] = {
 @pytest.mark.parametrize("case", NOT_IDEAL)
 def test_without_its_hypotheses_the_theorem_does_not_apply(case: str) -> None:
     claim = ch.Integral("claimed", ENERGY)
-    system = ch.equations(skate(laws=(claim,), **NOT_IDEAL[case]))
+    system = ch.equations_of_motion(skate(laws=(claim,), **NOT_IDEAL[case]))
     assert not system.theorems
     assert ch.prove(system, claim).decision == "refuted"
 
 
 def test_forces_that_do_no_work_leave_the_theorem() -> None:
     magnetic = {xdot: k * ydot, ydot: -k * xdot}
-    assert by_theorem(ch.prove(ch.equations(skate(forces=magnetic)), "energy"))
+    assert by_theorem(ch.prove(ch.equations_of_motion(skate(forces=magnetic)), "energy"))
 
 
 def test_the_theorem_does_not_outlive_its_equations() -> None:
     """Equations that were changed under it solve no linear equations: the identities fail."""
-    system = ch.equations(skate())
+    system = ch.equations_of_motion(skate())
     rates = dict(zip(system.symbols, system.rates, strict=True))
     field = {**rates, phidot: rates[phidot] - k * phidot}
     changed = replace(system, field=field)
     (theorem,) = changed.theorems
     assert isinstance(theorem, PowerTheorem)
     energy = changed.laws[0]
-    verdicts = [v for whole in identities_of(theorem, changed, energy) for v in ch.prove(whole)]
+    verdicts = [v for whole in identities_of(theorem, changed, energy) for v in ch.prove_all(whole)]
     assert [v.decision for v in verdicts] == ["proven", "refuted"]
     assert ch.prove(changed, energy).decision == "refuted"
 
 
 def test_the_theorem_is_silent_on_other_laws_and_levels() -> None:
-    system = ch.equations(skate())
+    system = ch.equations_of_motion(skate())
     (theorem,) = system.theorems
     assert theorem_of(system, ch.Measure("volume", {})) is None
     energy = system.laws[0]
-    assert identities_of(theorem, system, replace(energy, on=(x,))) == ()
+    assert identities_of(theorem, system, replace(energy, level=(x,))) == ()
     more = replace(system, relations=(*system.relations, x - phi))
     assert identities_of(theorem, more, energy) == ()
     # a formula that is constant where the relation holds, but is not the energy, goes another way
@@ -240,7 +240,7 @@ def test_the_theorem_is_silent_where_a_multiplier_may_be_infinite() -> None:
         (xdot**2 + 2 * zdot**2 - x**2 - z**2) / 2,
         constraints=(x * (zdot - x**2 * xdot),),
     )
-    system = ch.equations(slack)
+    system = ch.equations_of_motion(slack)
     (theorem,) = system.theorems
     energy = system.laws[0]
     assert identities_of(theorem, system, energy) == ()

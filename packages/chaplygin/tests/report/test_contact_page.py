@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from chaplygin.report import page as report_page
 from chaplygin.report.contact_section import law_row
 from chaplygin.report.drawing.contact_values import FrictionLimits, friction_limits
@@ -17,7 +17,6 @@ from chaplygin.report.drawing.files import PAGE_COLOURS
 from chaplygin.report.drawing.modes import MODE_STYLES
 from chaplygin.report.figures.contact_time import LOSSES
 from chaplygin.report.study_output import write_study
-from nonholonomic.classification.facts import ProofBudget
 from nonholonomic.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from nonholonomic.contact.friction.friction_law import FrictionLaw
 from nonholonomic.contact.friction.rolling_friction import (
@@ -27,7 +26,6 @@ from nonholonomic.contact.friction.rolling_friction import (
 )
 from nonholonomic.contact.friction.user_friction import UserFriction
 from nonholonomic.contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
-from unheard import Unheard
 
 LAWS: list[FrictionLaw] = [
     Coulomb(0.3),
@@ -111,7 +109,10 @@ def test_every_mode_has_a_colour_for_the_night() -> None:
 def test_the_page_of_a_bouncing_ball(tmp_path: Path) -> None:
     (tmp_path / "figures").mkdir()
     trajectory, failure = write_study(
-        prepare(loads(BOUNCING, "x", [])), tmp_path, True, ProofBudget(1, 0), Unheard()
+        Study.from_experiment(parse_experiment(BOUNCING, "x", [])),
+        tmp_path,
+        force=True,
+        total_budget=0,
     )
     assert failure is None
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
@@ -143,8 +144,10 @@ def test_the_page_of_a_bouncing_ball(tmp_path: Path) -> None:
 def test_a_path_in_the_colours_of_modes_follows_those_of_the_page(tmp_path: Path) -> None:
     """It was a white card at night."""
     (tmp_path / "figures").mkdir()
-    study = prepare(loads(BOUNCING, "x", ["contact.restitution=0", "run.until=0.4"]))
-    write_study(study, tmp_path, True, ProofBudget(1, 0), Unheard())
+    study = Study.from_experiment(
+        parse_experiment(BOUNCING, "x", ["contact.restitution=0", "run.until=0.4"])
+    )
+    write_study(study, tmp_path, force=True, total_budget=0)
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert re.search(r'<figure id="contact_path">\s*<h4>[^<]*</h4>\s*<div class="chart ', page)
     assert re.search(r'<figure id="normal_on_sphere">\s*<h4>.*?</h4>\s*<div class="picture ', page)

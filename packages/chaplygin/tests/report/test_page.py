@@ -9,12 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin.experiment.models.experiment import load, loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import load_experiment, parse_experiment
+from chaplygin.experiment.study import Study
 from chaplygin.report.page import _legend
 from chaplygin.report.study_output import write_study
-from nonholonomic.classification.facts import ProofBudget
-from unheard import Unheard
 
 EXAMPLES = Path(__file__).parents[4] / "examples"
 
@@ -33,10 +31,10 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
         (folder / "figures").mkdir()
         short = ["run.until=0.2", "run.samples=5"]
         if name.endswith(".toml"):
-            experiment = load(EXAMPLES / name, short)
+            experiment = load_experiment(EXAMPLES / name, short)
         else:
-            experiment = loads(f'[system]\nname = "{name}"\n', "x", short)
-        write_study(prepare(experiment), folder, True, ProofBudget(1, 0), Unheard())
+            experiment = parse_experiment(f'[system]\nname = "{name}"\n', "x", short)
+        write_study(Study.from_experiment(experiment), folder, force=True, total_budget=0)
         return (folder / "report.html").read_text(encoding="utf-8")
 
     return made

@@ -8,13 +8,10 @@ from functools import cache
 
 import pytest
 
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from chaplygin.report.study_output import write_study
-from lawproof.proof.fields.budget import EFFORT
-from nonholonomic.classification.facts import ProofBudget
 from spread import spread
-from unheard import Unheard
 
 
 @pytest.fixture(scope="module")
@@ -24,9 +21,11 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
     @cache
     def page(name: str) -> str:
         folder = tmp_path_factory.mktemp(name)
-        made = prepare(loads(f'[system]\nname = "{name}"\n[run]\nuntil = 0.2\nsamples = 5\n'))
+        made = Study.from_experiment(
+            parse_experiment(f'[system]\nname = "{name}"\n[run]\nuntil = 0.2\nsamples = 5\n')
+        )
         (folder / "figures").mkdir()
-        write_study(made, folder, True, ProofBudget(EFFORT // 20, EFFORT // 5), Unheard())
+        write_study(made, folder, force=True)
         return (folder / "report.html").read_text(encoding="utf-8")
 
     return page

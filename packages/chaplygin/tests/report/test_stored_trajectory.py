@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import Study, prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from chaplygin.report.stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
 
 FALL = """
@@ -32,7 +32,7 @@ samples = 9
 
 
 def fall(*overrides: str) -> Study:
-    return prepare(loads(FALL, overrides=overrides))
+    return Study.from_experiment(parse_experiment(FALL, overrides=overrides))
 
 
 @pytest.mark.parametrize("precision", ["double", "quad"])

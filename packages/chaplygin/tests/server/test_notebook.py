@@ -17,7 +17,9 @@ pytestmark = needs("anywidget")
 
 @pytest.fixture(scope="module")
 def study() -> ch.Study:
-    return ch.prepare(ch.loads('system = {name = "veselova"}\nrun = {until = 1.0, samples = 5}\n'))
+    return ch.Study.from_experiment(
+        ch.parse_experiment('system = {name = "veselova"}\nrun = {until = 1.0, samples = 5}\n')
+    )
 
 
 @pytest.fixture
@@ -75,4 +77,4 @@ def test_a_system_of_the_catalogue_has_a_start_and_others_need_a_study() -> None
     assert parameters["I_1"] == 1.7
     ball = ch.Body(1.0, (1.0, 1.5, 2.1), ch.Ball(1.0))
     with pytest.raises(ch.InputError, match="give a Study"):
-        server.widget(ch.roll(ball, ch.Plane(), "marble"))
+        server.widget(ch.rolling_system(ball, ch.Plane(), "marble"))

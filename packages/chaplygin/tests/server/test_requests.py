@@ -7,7 +7,7 @@ import json
 import pytest
 from hypothesis import given, strategies as st
 
-from chaplygin.experiment.models.experiment import loads
+from chaplygin.experiment.models.experiment import parse_experiment
 from chaplygin.server.requests import Chart, Proof, Subject, request_of
 from flowlanes.errors import InputError
 
@@ -101,6 +101,6 @@ def test_options_say_in_toml_what_json_said(number: float, text: str, numbers: l
 
 def test_options_change_an_experiment_as_on_the_command_line() -> None:
     subject = Subject(what="veselova", set={"run.until": 5.0, "start.omega": [1.0, 0.0, 2.0]})
-    experiment = loads('system = {name = "veselova"}', "x", subject.options)
+    experiment = parse_experiment('system = {name = "veselova"}', "x", subject.options)
     assert experiment.run.until == 5.0
     assert experiment.complete_tables()["start"]["omega"] == (1.0, 0.0, 2.0)

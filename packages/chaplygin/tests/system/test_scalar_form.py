@@ -52,7 +52,7 @@ def test_everything_keeps_its_place(name: str) -> None:
     for here, there in zip(scalar.laws, system.laws, strict=True):
         assert type(here) is type(there)
         assert (here.name, here.source) == (there.name, there.source)
-        assert here.on == tuple(map(to_components, there.on))
+        assert here.level == tuple(map(to_components, there.level))
     for here, there in zip(scalar.integrals, system.integrals, strict=True):
         assert here.value == to_components(there.value)
     for here, there in zip(scalar.observables, system.observables, strict=True):

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from chaplygin import prove
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from flowlanes.parsing import formula_text
 from flowlanes.system.isomorphism import Isomorphism
@@ -97,13 +97,13 @@ KINDS = [
 
 
 def test_every_kind_of_law_is_read_in_the_order_of_the_file() -> None:
-    system = prepare(loads(FILE)).system
+    system = Study.from_experiment(parse_experiment(FILE)).system
     assert [type(law) for law in system.laws] == KINDS
     assert (system.source, system.laws[0].source) == ("a textbook", "Kepler")
 
 
 def test_they_are_proven_and_what_is_misprinted_is_refuted() -> None:
-    system = prepare(loads(FILE)).system
+    system = Study.from_experiment(parse_experiment(FILE)).system
     assert {law.name: prove(system, law).decision for law in system.laws} == dict.fromkeys(
         (law.name for law in system.laws), "proven"
     )
@@ -114,15 +114,15 @@ def test_they_are_proven_and_what_is_misprinted_is_refuted() -> None:
 
 
 def test_conditions_decide_which_laws_are_claimed() -> None:
-    soft = prepare(loads(FILE, overrides=["parameters.k=0.5"])).system
+    soft = Study.from_experiment(parse_experiment(FILE, overrides=["parameters.k=0.5"])).system
     assert "soft" in {law.name for law in soft.laws}
 
 
 def test_a_toml_text_reads_back_to_the_same_laws() -> None:
-    experiment = loads(FILE)
-    again = loads(experiment.toml())
+    experiment = parse_experiment(FILE)
+    again = parse_experiment(experiment.toml())
     assert again == experiment
-    assert prepare(again).system == prepare(experiment).system
+    assert Study.from_experiment(again).system == Study.from_experiment(experiment).system
 
 
 @pytest.mark.parametrize(
@@ -189,7 +189,7 @@ def test_a_toml_text_reads_back_to_the_same_laws() -> None:
 def test_mistakes_are_told_with_their_place(old: str, new: str, said: str) -> None:
     assert FILE.count(old) == 1
     with pytest.raises(InputError) as caught:
-        prepare(loads(FILE.replace(old, new), "file.toml"))
+        Study.from_experiment(parse_experiment(FILE.replace(old, new), "file.toml"))
     assert said in str(caught.value)
     assert str(caught.value).startswith("file.toml")
 
@@ -208,11 +208,11 @@ gamma = "[p_1*gamma_3, d*p_2*gamma_3, -p_1*gamma_1 - d*p_2*gamma_2]"
 target = "suslov-bracket"
 map = { p_1 = "p_1", p_2 = "p_2", gamma = "gamma" }
 """
-    (law,) = prepare(loads(text)).system.laws
+    (law,) = Study.from_experiment(parse_experiment(text)).system.laws
     assert isinstance(law, Isomorphism)
     assert law.target.name == "suslov-bracket"
     with pytest.raises(InputError, match="no system 'suslov-braket' in the catalogue"):
-        prepare(loads(text.replace("suslov-bracket", "suslov-braket")))
+        Study.from_experiment(parse_experiment(text.replace("suslov-bracket", "suslov-braket")))
 
 
 def test_tensors_gradients_and_shorthand() -> None:
@@ -237,7 +237,7 @@ energy = "H"
 M = [1.0, 0.0, 0.5]
 gamma = [0.0, 0.6, 0.8]
 """
-    system = prepare(loads(text)).system
+    system = Study.from_experiment(parse_experiment(text)).system
     assert [str(name) for name, _ in system.definitions] == ["A"]
     assert formula_text(system.laws[0].value) == "gamma_3 + dot(M, A*M)/2"
     assert prove(system, "energy").decision == "proven"

@@ -14,7 +14,7 @@ from .errors import (
     RunError as RunError,
 )
 from .flow.batch import batch_integrator as batch_integrator
-from .flow.ensemble.run import ensemble as ensemble
+from .flow.ensembles.run import ensemble as ensemble
 from .flow.gauss import gauss_integrator as gauss_integrator
 from .flow.integrator import integrate as integrate
 from .flow.kernel.equations import poincare_section as poincare_section
@@ -23,7 +23,7 @@ from .flow.sampling.level_sampler import sample_level as sample_level
 from .flow.sections.poincare_map import PoincareMap as PoincareMap
 from .flow.trajectory import Trajectory as Trajectory
 from .lyapunov.spectrum import lyapunov_spectrum as lyapunov_spectrum
-from .orbits.reversing_symmetries import reversors as reversors
+from .orbits.reversor import reversing_symmetries as reversing_symmetries
 from .orbits.rotation import rotation_number as rotation_number
 from .printing.code import (
     lambdify as lambdify,

@@ -170,10 +170,10 @@ def test_order_of_the_march() -> None:
     assert slope(errors, steps) == pytest.approx(8, abs=0.15)
 
 
-@pytest.mark.parametrize(("digits", "allowed"), [(16, 4e-16), (30, 1e-29)])
-def test_precise_motions_reach_their_digits(digits: Any, allowed: float) -> None:
+@pytest.mark.parametrize(("precision", "allowed"), [("double", 4e-16), ("quad", 1e-29)])
+def test_precise_motions_reach_their_digits(precision: Any, allowed: float) -> None:
     start, until = [0.0, 1.0, 1.0], 20.0
-    found = gauss_integrator(ELLIPTIC, start, digits=digits).propagate([start], [until])
+    found = gauss_integrator(ELLIPTIC, start, precision=precision).propagate([start], [until])
     with mpmath.workdps(DIGITS):
         both = zip(found.states[0, -1], found.rest[0, -1], strict=True)
         state = np.array([mpmath.mpf(float(p)) + mpmath.mpf(float(q)) for p, q in both])

@@ -29,7 +29,7 @@ SINES = torus(w - e * sp.sin(alpha))
 )
 def test_cycles_of_sines(interval, sign, kind):
     found = enclose_limit_cycle(
-        SINES, {"w": "0.1", "e": "0.3"}, interval, 0, steps=300, steepest=1.0
+        SINES, {"w": "0.1", "e": "0.3"}, interval, 0, steps=300, max_slope=1.0
     )
     wanted = (sign * 2 * arb.pi() * (arb("0.3") ** 2 - arb("0.1") ** 2).sqrt()).exp()
     assert found.kind == kind
@@ -50,7 +50,7 @@ def test_a_rotation_is_undecided():
 
 def test_mistakes_are_told():
     with pytest.raises(ArithmeticError, match="exceeds its assumed bound"):
-        enclose_limit_cycle(SINES, {}, ("0.2", "0.5"), 0, steps=50, steepest=0.01)
+        enclose_limit_cycle(SINES, {}, ("0.2", "0.5"), 0, steps=50, max_slope=0.01)
     with pytest.raises(InputError, match="no parameter q"):
         enclose_limit_cycle(SINES, {"q": "1"}, ("0.2", "0.5"), 0)
     with pytest.raises(InputError, match="its state must be"):

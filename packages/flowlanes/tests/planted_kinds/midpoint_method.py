@@ -8,7 +8,8 @@ import time
 import numpy as np
 
 from flowlanes.flow.integration_method import IntegrationMethod, MotionRequest
-from flowlanes.flow.trajectory import Statistics, Trajectory, recorded_values
+from flowlanes.flow.recorded_quantities import recorded_values
+from flowlanes.flow.trajectory import Statistics, Trajectory
 from flowlanes.formulas.array_formulas import Formulas
 from flowlanes.system.parameters import parameter_values
 

@@ -3,5 +3,8 @@ from . import (
     search as search,
 )
 from ._version import __version__ as __version__
-from .proof.prover import prove as prove
+from .proof.prover import (
+    prove as prove,
+    prove_all as prove_all,
+)
 from .proof.verdict import Verdict as Verdict

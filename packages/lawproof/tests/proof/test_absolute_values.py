@@ -94,6 +94,6 @@ def test_a_guard_says_the_sign(formula: sp.Expr, guard: sp.Expr) -> None:
 
 def test_zeros_of_an_absolute_value_are_left_aside() -> None:
     """On x y = 0 the law holds where x = 0, but has no derivative there."""
-    law: Law = Identity("law", y * (sp.Abs(x) + 1), on=(x * y,))
+    law: Law = Identity("law", y * (sp.Abs(x) + 1), level=(x * y,))
     verdict = prove_with_certificate(system({x: 0 * x, y: 0 * y}), law)
     assert verdict.decision not in ("proven", "refuted")

@@ -131,7 +131,7 @@ FALSE = {
 @pytest.mark.parametrize("case", TRUE.values(), ids=TRUE)
 def test_true_laws_are_proven_with_a_certificate(case):
     system, value, on = case
-    verdict = prove_with_certificate(system, Identity("law", value, on=on))
+    verdict = prove_with_certificate(system, Identity("law", value, level=on))
     assert verdict.decision == "proven", verdict.reason
     assert verdict.conditions == ()
     assert verdict.certificate is not None, verdict.no_certificate
@@ -140,18 +140,18 @@ def test_true_laws_are_proven_with_a_certificate(case):
 @pytest.mark.parametrize("case", FALSE.values(), ids=FALSE)
 def test_false_siblings_are_refuted(case):
     system, value, on = case
-    assert prove(system, Identity("law", value, on=on)).decision == "refuted"
+    assert prove(system, Identity("law", value, level=on)).decision == "refuted"
 
 
 @pytest.mark.parametrize(
     "on", [(sp.sin(x) - sp.sin(y),), (sp.cosh(x) - sp.cosh(y),), (x**2 - y**2,)]
 )
 def test_functions_with_a_value_twice_are_not_one_to_one(on):
-    assert prove(still(), Identity("law", x - y, on=on)).decision != "proven"
+    assert prove(still(), Identity("law", x - y, level=on)).decision != "proven"
 
 
 def test_equal_exponentials_that_move():
-    law = Integral("difference", x - y, on=(sp.exp(x) - sp.exp(y),))
+    law = Integral("difference", x - y, level=(sp.exp(x) - sp.exp(y),))
     together = System("t", "T", {x: y, y: x})
     apart = System("t", "T", {x: y, y: 2 * x})
     assert prove_with_certificate(together, law).certificate is not None
@@ -168,7 +168,7 @@ def test_a_variable_beside_the_number_of_its_name():
 
 
 def test_a_point_is_given_in_the_variables_of_the_system():
-    verdict = prove(still(), Identity("law", sp.cos(x) - 1, on=(sp.sin(x),)))
+    verdict = prove(still(), Identity("law", sp.cos(x) - 1, level=(sp.sin(x),)))
     assert "1 + cos(x) = 0" in verdict.finding
     assert verdict.witness["point"]["x"].startswith("[3.14159265358979")
     assert verdict.witness["place"]["x"] == {"formula": "pi"}
@@ -177,7 +177,7 @@ def test_a_point_is_given_in_the_variables_of_the_system():
 def test_conditions_are_given_in_the_formulas_of_the_system():
     # which is so for every value of the unspecified f, of which nothing is known
     f = sp.Function("f")(y)
-    law = Identity("law", z, on=(sp.sin(x) - 1, (f + sp.sin(x)) * z))
+    law = Identity("law", z, level=(sp.sin(x) - 1, (f + sp.sin(x)) * z))
     verdict = prove(still(), law)
     assert verdict.decision != "proven"
     assert "sin_x" not in f"{verdict.conditions}{verdict.reason}{verdict.finding}"
@@ -186,7 +186,7 @@ def test_conditions_are_given_in_the_formulas_of_the_system():
 @pytest.mark.parametrize("name", ["a ball", "an interval", "a plane beside a sphere"])
 def test_no_sign_is_accepted_without_its_reason(name):
     system, value, on = TRUE[name]
-    certificate = prove_with_certificate(system, Identity("law", value, on=on)).certificate
+    certificate = prove_with_certificate(system, Identity("law", value, level=on)).certificate
     check(certificate)
     (proof,) = certificate["proofs"]
     assert any(item["from"] in ("sum", "one variable") for item in proof["positive"])

@@ -43,10 +43,10 @@ def test_each_range_counts():
     """Where (a + 2) x = 0 is x = 0 for a > 1 alone, whatever the default."""
     for default in (2.0, -3.0):
         still = replace(spring(OUTSIDE, default=default), field={x: 0 * x, v: 0 * x})
-        verdict = prove(still, Identity("zero", x, on=((a + 2) * x,)))
+        verdict = prove(still, Identity("zero", x, level=((a + 2) * x,)))
         assert verdict.decision == "refuted"
         assert verdict.witness["point"]["a"] == "-2"
-        assert prove(still, Identity("zero", x, on=(a * x,))).decision == "proven"
+        assert prove(still, Identity("zero", x, level=(a * x,))).decision == "proven"
 
 
 def test_a_certificate_for_each_range():

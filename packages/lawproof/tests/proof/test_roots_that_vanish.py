@@ -39,7 +39,7 @@ def test_a_target_with_a_root_that_vanishes():
     bound = System(
         name="bound", title="Bound", field={x: 0, w: 0, y: 1, z: 0}, relations=(root * x,)
     )
-    law = Isomorphism("law", bound, {x: x, w: w, y: y, z: z + y * x}, on=(root * x,))
+    law = Isomorphism("law", bound, {x: x, w: w, y: y, z: z + y * x}, level=(root * x,))
     verdict = prove(free, law)
     assert verdict.decision == "proven where"
     assert verdict.formulas == ("w != 0",)
@@ -47,7 +47,7 @@ def test_a_target_with_a_root_that_vanishes():
 
 def test_a_law_fails_where_the_root_of_its_level_vanishes():
     free = System(name="free", title="Free", field={x: 0, w: 0, y: 1})
-    verdict = prove(free, Integral("law", y * x, on=(root * x,)))
+    verdict = prove(free, Integral("law", y * x, level=(root * x,)))
     assert verdict.decision == "refuted"
     assert verdict.witness["point"]["w"] == "0"
 

@@ -14,9 +14,9 @@ from flowlanes.system.laws import Integral, Law, Measure
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import real_symbol
 from lawproof.proof.verdict import Verdict
-from lawproof.search import integrals, measures, search_request, symmetries
+from lawproof.search import integrals, measures, search_space, symmetries
 from lawproof.search.input_formulas import quantities
-from lawproof.search.phase_space import search_space
+from lawproof.search.phase_space import restricted_system
 
 x, y, u, v = (real_symbol(name) for name in ("x", "y", "u", "v"))
 a, b, c, d = (real_symbol(name) for name in ("a", "b", "c", "d"))
@@ -47,14 +47,14 @@ def candidates(monkeypatch: pytest.MonkeyPatch) -> list[sp.Expr]:
 @pytest.mark.parametrize("claimed", [VOLTERRA, sp.atan(x) + sp.asin(y) - sp.log(-x)])
 def test_what_is_claimed_stops_no_search(search, claimed):
     laws = (Integral("planted", claimed, "planted"), Measure("planted_too", {sp.atan(x): 1}))
-    found = list(search(search_request(predators(BESIDE, *laws))))
+    found = list(search(search_space(predators(BESIDE, *laws))))
     assert found
     assert all(finding.proven for finding in found)
     assert not any(finding.catalogue_law for finding in found)
 
 
 def test_the_integral_of_lotka_and_volterra(candidates):
-    question = search_request(
+    question = search_space(
         predators(PREY, Integral("planted", VOLTERRA, "planted")),
         momenta="x, y",
         coordinates="log(x), log(y)",
@@ -69,7 +69,7 @@ def test_the_integral_of_lotka_and_volterra(candidates):
 
 def test_a_field_with_logarithms(candidates):
     clock = sp.log(x * y)
-    question = search_request(
+    question = search_space(
         predators({s: rate * clock for s, rate in PREY.items()}),
         momenta="x, y",
         coordinates="log(x), log(y)",
@@ -92,7 +92,7 @@ def test_a_field_with_logarithms(candidates):
     ],
 )
 def test_logarithms_of_products(zero):
-    sample = search_space(predators(PREY)).sample(40, 1, common=False)
+    sample = restricted_system(predators(PREY)).sample(40, 1, common=False)
     jet = sample(zero)
     good = sample.evaluate.good
     assert good.sum() > 10
@@ -102,7 +102,7 @@ def test_logarithms_of_products(zero):
 
 
 def test_the_slope_of_a_logarithm():
-    sample = search_space(predators(PREY)).sample(20, 1, common=False)
+    sample = restricted_system(predators(PREY)).sample(20, 1, common=False)
     argument = x**2 + 3 * y
     jet = sample(x**2 * argument * sp.log(argument))
     both = (sample(2 * x * argument * sp.log(argument)), sample(x**2 * 2 * x * sp.log(argument)))
@@ -113,9 +113,9 @@ def test_the_slope_of_a_logarithm():
 
 def test_levels_with_logarithms_have_points_where_these_exist():
     with pytest.raises(InputError, match="no points can be found on"):
-        search_request(predators(PREY), on=["d*x - c*log(x) + b*y - a*log(y) - 9"])
+        search_space(predators(PREY), level=["d*x - c*log(x) + b*y - a*log(y) - 9"])
     with pytest.raises(InputError, match="is empty: no real point"):
-        search_request(predators(PREY), on=["log(x)**2 + 1"])
+        search_space(predators(PREY), level=["log(x)**2 + 1"])
 
 
 def test_formulas_among_quantities():

@@ -14,7 +14,7 @@ from flowlanes.system.system import System
 from lawproof.proof.certificates.certificate import prove_with_certificate
 from lawproof.search.integrals import integrals
 from lawproof.search.measures import measures
-from lawproof.search.request import search_request
+from lawproof.search.request import search_space
 
 
 @dataclass(frozen=True)
@@ -153,13 +153,13 @@ def test_a_certificate_does_not_pass_for_another_law(make: Callable[[], Textbook
 def test_integrals_are_found(
     make: Callable[[], Textbook], options: dict[str, object], formulas: set[str]
 ) -> None:
-    found = list(integrals(search_request(make().system, **options)))
+    found = list(integrals(search_space(make().system, **options)))
     assert {str(result.law.value) for result in found} == formulas
     assert all(result.verdict.decision == "proven" for result in found)
 
 
 def test_the_measure_of_prey_and_predators_is_found() -> None:
-    found = list(measures(search_request(lotka_volterra().system)))
+    found = list(measures(search_space(lotka_volterra().system)))
     x, y = lotka_volterra().system.symbols
     assert any(sp.simplify(result.law.value * x * y).is_number for result in found)
     assert all(result.verdict.decision == "proven" for result in found)

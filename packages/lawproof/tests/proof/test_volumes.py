@@ -11,8 +11,8 @@ from flowlanes.system.laws import Identity, Measure, PoissonStructure, Symmetry
 from flowlanes.system.system import Guard, Parameter, System
 from lawproof.proof import decision
 from lawproof.proof.certificates.certificate import prove_with_certificate
-from lawproof.proof.prover import prove
-from lawproof.search import measures, search_request
+from lawproof.proof.prover import prove, prove_all
+from lawproof.search import measures, search_space
 
 x, y, z, w, a = sp.symbols("x y z w a", real=True)
 SPHERE = x**2 + y**2 + z**2 - 1
@@ -23,7 +23,7 @@ POSITIVE = Parameter(a, "", 1.3, admissible=(a > 0,))
 
 
 def measure(density, on=()):
-    return Measure("volume", density, on=on)
+    return Measure("volume", density, level=on)
 
 
 FACTORS = [
@@ -112,7 +112,7 @@ def test_a_volume_on_a_part_alone(relation, where):
 def test_the_search_finds_the_density_by_the_relation(is_level):
     relation = sp.expand((1 + x**2) * SPHERE)
     system = System("searched", "Searched", FIELD, relations=() if is_level else (relation,))
-    found = list(measures(search_request(system, on=(str(relation),) if is_level else ())))
+    found = list(measures(search_space(system, level=(str(relation),) if is_level else ())))
     assert [f.law.density for f in found] == [((1 + x**2, 1),)]
     assert found[0].verdict.decision == "proven"
 
@@ -156,7 +156,7 @@ def test_laws_that_state_nothing_are_refused_one_by_one():
         Measure("imaginary", {-1 - x**2: sp.Rational(1, 2)}),
         Measure("wrong", {1 + x**2: 1}),
     )
-    verdicts = prove(oscillator.with_laws(*laws))
+    verdicts = prove_all(oscillator.with_laws(*laws))
     assert [v.decision for v in verdicts] == ["proven", "refused", "refuted"]
     assert "root of a negative quantity" in verdicts[1].reason
     with pytest.raises(InputError, match="root of a negative quantity"):

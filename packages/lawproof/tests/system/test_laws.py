@@ -25,7 +25,7 @@ BRACKET = PoissonStructure("bracket", [[0, 1], [-1, 0]], casimirs=(1,), rank=2)
 LAWS = [
     Integral("integral", 1),
     Integral("integral", 1.5),
-    Integral("integral", x**2 + v**2, on=[0]),
+    Integral("integral", x**2 + v**2, level=[0]),
     Measure("measure", {1: 1}),
     Measure("measure", [(1, 1)]),
     Symmetry("symmetry", {x: 0}),

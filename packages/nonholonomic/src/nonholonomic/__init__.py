@@ -2,7 +2,7 @@
 
 >>> import nonholonomic
 >>> ball = nonholonomic.Body(1.0, (1.0, 1.5, 2.1), nonholonomic.Ball(1.0))
->>> system = nonholonomic.roll(ball, nonholonomic.Plane(), "marble")
+>>> system = nonholonomic.rolling_system(ball, nonholonomic.Plane(), "marble")
 >>> print(system.title)
 Rolling body
 

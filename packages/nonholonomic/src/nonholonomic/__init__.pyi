@@ -16,7 +16,7 @@ from .catalogue import (
 from .classification.classifier import classify as classify
 from .closed_form.base.solution import Solution as Solution
 from .closed_form.solver import solve as solve
-from .invariant_measures.existence import measure_exists as measure_exists
+from .invariant_measures.existence import invariant_measure as invariant_measure
 from .mechanics.ball.ball import RollingBall as RollingBall
 from .mechanics.constraints.integrability import nonholonomy as nonholonomy
 from .mechanics.lagrangian.mechanism import (
@@ -24,14 +24,14 @@ from .mechanics.lagrangian.mechanism import (
     Mechanism as Mechanism,
     coordinates as coordinates,
 )
-from .mechanics.lagrangian.poincare_suslov import equations as equations
+from .mechanics.lagrangian.poincare_suslov import equations_of_motion as equations_of_motion
 from .mechanics.reduction.chaplygin import chaplygin_form as chaplygin_form
 from .mechanics.rolling.body import Body as Body
 from .mechanics.rolling.cavity import Cavity as Cavity
 from .mechanics.rolling.equations import (
     Forces as Forces,
-    Rolling as Rolling,
-    roll as roll,
+    RollingBody as RollingBody,
+    rolling_system as rolling_system,
 )
 from .mechanics.rolling.initial_state import initial_state as initial_state
 from .mechanics.rolling.mechanism import rolling_mechanism as rolling_mechanism

@@ -14,7 +14,7 @@ from lawproof.proof.prover import prove
 from nonholonomic.catalogue import known_laws_of
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.cavity import Cavity
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Sphere
 
@@ -30,39 +30,42 @@ TWO = (
 ROTORS = (0.1, 0.2, -0.3)
 
 
-def with_laws(rolling: Rolling) -> System:
+def with_laws(rolling: RollingBody) -> System:
     system = rolling.system()
     return system.with_laws(*known_laws_of(rolling, system))
 
 
 CASES = {
-    "marble": (Rolling(Body(1.0, MOMENTS, Ball(1.0), ROTORS, TRIAXIAL)), "area momentum measure"),
+    "marble": (
+        RollingBody(Body(1.0, MOMENTS, Ball(1.0), ROTORS, TRIAXIAL)),
+        "area momentum measure",
+    ),
     "rubber": (
-        Rolling(Body(1.0, MOMENTS, Ball(1.0), ROTORS, TRIAXIAL), contact="rubber"),
+        RollingBody(Body(1.0, MOMENTS, Ball(1.0), ROTORS, TRIAXIAL), contact="rubber"),
         "momentum measure",
     ),
     "marble, two cavities": (
-        Rolling(Body(1.0, MOMENTS, Ball(1.0), cavity=TWO)),
+        RollingBody(Body(1.0, MOMENTS, Ball(1.0), cavity=TWO)),
         "area momentum measure",
     ),
     "marble, heavy, on a sphere": (
-        Rolling(Body(1.0, MOMENTS, Ball(1.0), cavity=TRIAXIAL), Sphere(3.0), field=Forces(2.0)),
+        RollingBody(Body(1.0, MOMENTS, Ball(1.0), cavity=TRIAXIAL), Sphere(3.0), field=Forces(2.0)),
         "measure",
     ),
     "marble on a sphere": (
-        Rolling(Body(1.0, MOMENTS, Ball(1.0), cavity=TRIAXIAL), Sphere(3.0)),
+        RollingBody(Body(1.0, MOMENTS, Ball(1.0), cavity=TRIAXIAL), Sphere(3.0)),
         "momentum measure",
     ),
     "rubber on a sphere": (
-        Rolling(Body(1.0, MOMENTS, Ball(1.0), cavity=TRIAXIAL), Sphere(3.0), "rubber"),
+        RollingBody(Body(1.0, MOMENTS, Ball(1.0), cavity=TRIAXIAL), Sphere(3.0), "rubber"),
         "measure",
     ),
     "spherical cavity": (
-        Rolling(Body(1.0, MOMENTS, Ball(1.0), cavity=SPHERE)),
+        RollingBody(Body(1.0, MOMENTS, Ball(1.0), cavity=SPHERE)),
         "area momentum measure vorticity angle",
     ),
     "spherical cavity off the centre": (
-        Rolling(
+        RollingBody(
             Body(1.0, MOMENTS, Ball(1.0), cavity=replace(SPHERE, centre=(0.1, 0.2, 0.0))),
             contact="rubber",
             field=Forces(2.0),
@@ -84,9 +87,9 @@ def test_laws_are_proven(case):
         assert verdict.decision == "proven", verdict
 
 
-FREE = Rolling(Body(1.0, MOMENTS, Ball(1.0), cavity=TRIAXIAL))
-OFF_CENTRE = Rolling(Body(1.0, MOMENTS, Ball(1.0, centre=(-0.1, 0.05, 0.2)), cavity=TRIAXIAL))
-ROUTH = Rolling(
+FREE = RollingBody(Body(1.0, MOMENTS, Ball(1.0), cavity=TRIAXIAL))
+OFF_CENTRE = RollingBody(Body(1.0, MOMENTS, Ball(1.0, centre=(-0.1, 0.05, 0.2)), cavity=TRIAXIAL))
+ROUTH = RollingBody(
     Body(
         1.0, (0.4, 0.4, 0.6), Ball(1.0, centre=(0.0, 0.0, 0.2)), cavity=Cavity((0.4, 0.4, 0.3), 0.8)
     ),
@@ -117,13 +120,13 @@ LOST = {
 def test_a_lost_integral_is_refuted(case):
     """By a point at which it changes; of a rigid body (C = 0, N = 0) it is one."""
     rolling, value = LOST[case]
-    law = Integral("lost", value, on=_level(rolling))
+    law = Integral("lost", value, level=_level(rolling))
     verdict = prove(rolling.system(), law)
     assert verdict.decision == "refuted"
     assert verdict.witness["point"]
 
 
-def _level(rolling: Rolling) -> tuple[sp.Expr, ...]:
+def _level(rolling: RollingBody) -> tuple[sp.Expr, ...]:
     """A body of revolution with a coaxial spheroidal cavity, for that of Routh."""
     if rolling is not ROUTH:
         return ()

@@ -32,7 +32,7 @@ def _certificate() -> str:
         constraints=((1 + x**2) * zdot - x * xdot,),
         parameters=(flowlanes.Parameter(k, "stiffness", 2.0),),
     )
-    system = nonholonomic.equations(mechanism)
+    system = nonholonomic.equations_of_motion(mechanism)
     verdict = lawproof.proof.prove_with_certificate(system, system.laws[0])
     assert verdict.certificate is not None and "rates" in verdict.certificate
     return json.dumps(verdict.certificate)
@@ -172,7 +172,7 @@ def test_the_text_of_sympy_and_of_the_check_agree_on_cancelled_names() -> None:
         nonholonomic.Frame({x: u * sp.cos(z), z: v}, (u, v)),
         (u**2 + v**2) / 2 - sp.cos(z),
     )
-    system = nonholonomic.equations(flat)
+    system = nonholonomic.equations_of_motion(flat)
     verdict = lawproof.proof.prove_with_certificate(system, system.laws[0])
     assert verdict.certificate is not None
     check(verdict.certificate)

@@ -24,7 +24,7 @@ from lawproof.proof.fields.budget import EFFORT
 from lawproof.proof.verdict import Verdict
 from nonholonomic.catalogue import entry
 from nonholonomic.classification.classification import Classification
-from nonholonomic.classification.classifier import classify
+from nonholonomic.classification.classifier import classify, classify_laws
 from nonholonomic.classification.conserved_covectors import sources
 from nonholonomic.classification.facts import ProofBudget
 from nonholonomic.classification.lie_theorem import independent_symmetries, lie_symmetries
@@ -38,7 +38,7 @@ x, p = vectors("x p")
 def found(system: System, **verdicts: Verdict) -> Classification:
     """The place, with some verdicts replaced."""
     budget = ProofBudget(EFFORT // 5)
-    return classify(system, budget.verdicts(system) | verdicts, ProofBudget(EFFORT // 5))
+    return classify_laws(system, budget.verdicts(system) | verdicts, ProofBudget(EFFORT // 5))
 
 
 def of(name: str, **parameters: float) -> Classification:
@@ -320,7 +320,7 @@ def test_a_fast_answer_says_what_it_leaves_out(
     assert {v.decision for v in verdicts.values()} == {"undecided"}
     assert all("was spent" in v.reason for v in verdicts.values())
     named = replace(system, laws=system.laws[:1])
-    assert "was spent" in str(classify(named, verdicts, budget))
+    assert "was spent" in str(classify_laws(named, verdicts, budget))
 
 
 @pytest.mark.slow
@@ -352,7 +352,7 @@ def test_a_measure_left_open_is_named_where_it_would_decide() -> None:
 
 def classified_with(system: System, verdict: Verdict) -> str:
     """What is said of motions, with nothing proven besides."""
-    return " ".join(str(classify(system, {verdict.law: verdict}, ProofBudget(1, 1))).split())
+    return " ".join(str(classify_laws(system, {verdict.law: verdict}, ProofBudget(1, 1))).split())
 
 
 # --- measures on the configuration ---------------------------------------------------------
@@ -362,18 +362,18 @@ def with_what_moves(name: str) -> Classification:
     """The place, with the body and the surface known."""
     item, budget = entry(name), ProofBudget(EFFORT // 5)
     system = item.system()
-    return classify(system, budget.verdicts(system), budget, item.rolling())
+    return classify_laws(system, budget.verdicts(system), budget, item.rolling())
 
 
 @pytest.mark.slow
 def test_a_question_that_was_not_tried_is_told() -> None:
     item = entry("rattleback")
     system = item.system()
-    sentence = str(classify(replace(system, laws=()), {}, ProofBudget(1, 0), item.rolling()))
+    sentence = str(classify_laws(replace(system, laws=()), {}, ProofBudget(1, 0), item.rolling()))
     words = "whether one has a density that depends on the configuration alone was not tried"
     assert words in " ".join(sentence.split())
     sentence = str(
-        classify(replace(system, laws=()), {}, ProofBudget(EFFORT // 10), item.rolling())
+        classify_laws(replace(system, laws=()), {}, ProofBudget(EFFORT // 10), item.rolling())
     )
     assert "was not tried" not in sentence
 

@@ -102,7 +102,7 @@ def follows(
                 assert abs(known[symbol] - begin[symbol]) < error
             for symbol, value in restored(separable, known).items():
                 assert abs(value - known[symbol]) < error
-            assert at(separable.clock, known) > 0
+            assert at(separable.time_rescaling, known) > 0
 
 
 def slips(separable: SeparatedSystem) -> Iterator[tuple[str, Law]]:
@@ -113,7 +113,7 @@ def slips(separable: SeparatedSystem) -> Iterator[tuple[str, Law]]:
         "root": ("separation", {"roots": (*roots[:-1], 2 * roots[-1])}),
         "weight": ("separation", {"weights": (2 * weights[0], *weights[1:])}),
         "speed": ("separation", {"speeds": (a, 2 * b)}),
-        "clock": ("direction", {"clock": 2 * separable.clock}),
+        "clock": ("direction", {"clock": 2 * separable.time_rescaling}),
         "state": ("reconstruction", {"state": tuple((n, 2 * v) for n, v in separable.state)}),
     }
     if separable.fixed:

@@ -36,4 +36,4 @@ def follow(separable: SeparatedSystem, start: Sequence[Any], parameters: Mapping
             assert all(
                 abs(value - known[s]) < 1e-26 for s, value in restored(separable, known).items()
             )
-            assert at(separable.clock, known) > 0
+            assert at(separable.time_rescaling, known) > 0

@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sp
 
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shape_base import Shape
@@ -20,12 +20,14 @@ u = sp.Symbol("gamma_3", real=True)
 bulge = sp.Symbol("bulge", real=True)
 
 
-def body(kind: str, rng: random.Random) -> Rolling:
+def body(kind: str, rng: random.Random) -> RollingBody:
     """A body of the kind, with its centre of mass on the axis."""
     axial = round(rng.uniform(0.1, 0.6), 3)
     across = round(rng.uniform(axial / 2 + 0.05, 0.8), 3)
     shape = _shape(kind, rng)
-    return Rolling(Body(1.0, (across, across, axial), shape), contact="rubber", field=Forces(9.81))
+    return RollingBody(
+        Body(1.0, (across, across, axial), shape), contact="rubber", field=Forces(9.81)
+    )
 
 
 def _shape(kind: str, rng: random.Random) -> Shape:
@@ -43,7 +45,7 @@ def _shape(kind: str, rng: random.Random) -> Shape:
     return Revolution(support, ((bulge, round(rng.uniform(-0.2, 0.3), 3)),), centre=centre)
 
 
-def start(rolling: Rolling, rng: random.Random) -> tuple[object, ...]:
+def start(rolling: RollingBody, rng: random.Random) -> tuple[object, ...]:
     """A lifted state on the phase space, to fifty digits."""
     gamma = np.array([rng.gauss(0, 1) for _ in range(3)])
     gamma /= np.linalg.norm(gamma)

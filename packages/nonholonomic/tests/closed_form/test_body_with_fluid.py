@@ -65,7 +65,9 @@ def test_balls(contact, cavity):
     ball = nonholonomic.Body(1.0, (0.3, 0.4, 0.5), nonholonomic.Ball(1.0), cavity=cavity)
     omega = OMEGA if contact == "marble" else ROLL
     fluid = potential(cavity, omega) if cavity is TURNED else [0.5, -0.8, 1.2]
-    _, difference = followed(nonholonomic.roll(ball, nonholonomic.Plane(), contact), omega, fluid)
+    _, difference = followed(
+        nonholonomic.rolling_system(ball, nonholonomic.Plane(), contact), omega, fluid
+    )
     assert difference < 1e-11
 
 

@@ -20,26 +20,28 @@ from nonholonomic.closed_form.base.solution import Solution
 from nonholonomic.closed_form.revolution import solve_rolling
 from nonholonomic.closed_form.revolution.body import body_of
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Disk, Ellipsoid
 
-DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
+DISK = RollingBody(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
 EGG = CATALOGUE["rubber-body-of-revolution"].rolling()
 
 
-def solved(rolling: Rolling, state: Sequence[Any]) -> Solution:
+def solved(rolling: RollingBody, state: Sequence[Any]) -> Solution:
     solution = solve_rolling(rolling, rolling.system(), state)
     assert solution is not None
     return solution
 
 
-def begun(rolling: Rolling, omega: Sequence[Any], gamma: Sequence[Any]) -> Solution:
+def begun(rolling: RollingBody, omega: Sequence[Any], gamma: Sequence[Any]) -> Solution:
     return solved(rolling, initial_state(rolling.system(), omega, gamma))
 
 
-def error(solution: Solution, rolling: Rolling, state: Sequence[Any], times: list[float]) -> float:
+def error(
+    solution: Solution, rolling: RollingBody, state: Sequence[Any], times: list[float]
+) -> float:
     trajectory = integrate(
         rolling.system(), state, times, precision="quad", on_liftoff="warn", tolerance=1e-30
     )
@@ -186,7 +188,7 @@ def test_a_start_off_the_phase_space_is_refused() -> None:
 
 def test_a_profile_that_is_not_convex_is_refused() -> None:
     shape = Revolution(1 + u**4 / 2 - u**2 * 0.6)
-    rolling = Rolling(Body(1.0, (0.3, 0.3, 0.3), shape), contact="rubber", field=Forces(1.0))
+    rolling = RollingBody(Body(1.0, (0.3, 0.3, 0.3), shape), contact="rubber", field=Forces(1.0))
     with pytest.raises(InputError, match="leaves the convex part"):
         begun(rolling, (6.0, 0.0, 1.0), (0.0, 1.0, 0.0))
 
@@ -197,8 +199,8 @@ def test_too_many_digits_are_refused() -> None:
 
 
 def test_other_bodies_are_not_recognised() -> None:
-    marble = Rolling(DISK.body, contact="marble", field=Forces(9.81))
-    triaxial = Rolling(Body(1.0, (0.3, 0.4, 0.5), Ellipsoid((1.0, 1.0, 1.2))), contact="rubber")
+    marble = RollingBody(DISK.body, contact="marble", field=Forces(9.81))
+    triaxial = RollingBody(Body(1.0, (0.3, 0.4, 0.5), Ellipsoid((1.0, 1.0, 1.2))), contact="rubber")
     for rolling in (marble, triaxial):
         assert body_of(rolling, rolling.system().defaults) is None
     assert body_of(DISK, DISK.system().defaults) is not None

@@ -32,7 +32,7 @@ def test_samples_where_sliding_begins_have_all_observables() -> None:
     assert begin.kind == "slip"
     times = np.concatenate([[0.0], begin.time + np.geomspace(1e-6, 1e-3, 40)])
     motion = contact_motion(contact, state, times)
-    seen = motion.observables()
+    seen = motion
     assert all(len(values) == len(times) for values in seen.values())
     speed = np.linalg.norm(seen["slip"][1:], axis=1)
     assert np.all(np.diff(speed) > 0)

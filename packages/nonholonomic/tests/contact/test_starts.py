@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 import flowlanes
 import nonholonomic
 from flowlanes.system.arrays import FloatArray
-from nonholonomic.contact.equations.equations_of_motion import equations_of_motion
+from nonholonomic.contact.equations.equations_of_motion import contact_equations
 from nonholonomic.contact.equations.situation import FrictionalContact
 from nonholonomic.contact.friction.dry_friction import Coulomb, SpinFriction
 from nonholonomic.contact.friction.modes import Mode
@@ -93,7 +93,7 @@ def test_heading_turns_the_body_about_the_normal() -> None:
 def test_a_state_has_all_columns(laws: tuple[Coulomb, ...], surface: nonholonomic.Plane) -> None:
     contact = replace(pebble(surface), laws=laws)
     state = start_in_contact(contact, (0, 0, 1), (0, 0, 1))
-    assert len(state) == len(equations_of_motion(contact, Mode()).symbols)
+    assert len(state) == len(contact_equations(contact, Mode()).symbols)
 
 
 def distance(contact: FrictionalContact, position: FloatArray, Q: FloatArray) -> float:

@@ -174,7 +174,7 @@ def test_rotors_at_constant_speed_are_the_gyrostat_of_a_body() -> None:
     body = nonholonomic.Body(
         1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0), gyrostat=(0.2, 0.0, -0.6)
     )
-    rolling = nonholonomic.roll(body, nonholonomic.Plane(), "marble")
+    rolling = nonholonomic.rolling_system(body, nonholonomic.Plane(), "marble")
     up, turn = np.array([0.0, 0.6, 0.8]), np.array([1.0, 0.2, 0.1])
     inertia = np.diag([0.4, 0.5, 0.6]) + np.eye(3)
     momentum = inertia @ turn - (turn @ up) * up + np.array([0.2, 0.0, -0.6])

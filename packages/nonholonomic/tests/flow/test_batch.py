@@ -119,7 +119,9 @@ def test_thirty_digits(name: str) -> None:
     system, exact = body(name), exactly_on_the_sphere(starts(name, 2))
     with mpmath.workdps(40):
         decimals = {s: mpmath.mpf(repr(value)) for s, value in system.defaults.items()}
-    found = batch_integrator(system, tolerance=1e-27, digits=30).propagate(exact, [0.5], decimals)
+    found = batch_integrator(system, tolerance=1e-27, precision="quad").propagate(
+        exact, [0.5], decimals
+    )
     states = from_pairs(found.states[:, 0], found.rest[:, 0])
     for start, state in zip(exact, states, strict=True):
         motion = integrate(system, start, [0.0, 0.5], precision="quad")
@@ -212,8 +214,8 @@ def test_bits_do_not_depend_on_the_company(
 @DRAWN
 @given(chosen=COMPANY, threads=st.sampled_from([1, 2, 5]))
 def test_bits_of_crossings(crossing: BatchIntegrator, chosen: list[int], threads: int) -> None:
-    whole = crossing.crossings(STATES, 4, {"m": MASSES}, until=30.0, threads=1)
-    part = crossing.crossings(STATES[chosen], 4, {"m": MASSES[chosen]}, until=30.0, threads=threads)
+    whole = crossing.crossings(STATES, 4, {"m": MASSES}, t_end=30.0, threads=1)
+    part = crossing.crossings(STATES[chosen], 4, {"m": MASSES[chosen]}, t_end=30.0, threads=threads)
     assert _bytes(part) == _bytes(whole, chosen)
 
 
@@ -222,7 +224,7 @@ def test_bits_of_deviations_and_of_thirty_digits() -> None:
     tangent = np.random.default_rng(4).normal(size=(40, 1, 6))
     moving, fine = (
         batch_integrator(BALL, deviations=1),
-        batch_integrator(BALL, tolerance=1e-16, digits=30),
+        batch_integrator(BALL, tolerance=1e-16, precision="quad"),
     )
     whole = moving.propagate(STATES, [2.0], deviations=tangent, threads=1)
     part = moving.propagate(STATES[turns], [2.0], deviations=tangent[turns], threads=3)
@@ -298,7 +300,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "[[1, 2], [1]]",
     ),
     "words": (
-        lambda: free(digits=30).propagate([["1", "east"]], [1.0]),
+        lambda: free(precision="quad").propagate([["1", "east"]], [1.0]),
         "BatchIntegrator.propagate: starts must be numbers in an array or in nested sequences, not "
         "[['1', 'east']]",
     ),
@@ -361,20 +363,20 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "tolerance 0.5: it must lie between 1e-16 and 0.1",
     ),
     "tolerance of thirty digits": (
-        lambda: free(tolerance=1e-31, digits=30),
+        lambda: free(tolerance=1e-31, precision="quad"),
         "tolerance 1e-31: it must lie between 1e-30 and 0.1",
     ),
     "tolerance that is no number": (
         lambda: free(tolerance=float("nan")),
         "tolerance nan: it must lie between 1e-16 and 0.1",
     ),
-    "digits": (
-        lambda: free(digits=20),
-        "batch_integrator: digits must be 16 or 30, not 20",
+    "precision": (
+        lambda: free(precision="half"),
+        "batch_integrator: precision must be 'double' or 'quad', not the text 'half'",
     ),
     "section to thirty digits": (
-        lambda: free(digits=30, section=poincare_section(OSCILLATOR, x)),
-        "oscillator: a section is found to 16 digits; leave 'digits' at that",
+        lambda: free(precision="quad", section=poincare_section(OSCILLATOR, x)),
+        "oscillator: a section is found in double precision; leave 'precision' at that",
     ),
     "fewer than no deviations": (
         lambda: free(deviations=-1),
@@ -401,8 +403,8 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "count = 0: it must be a whole number, at least 1",
     ),
     "until before the start": (
-        lambda: cut().crossings([[1, 2]], 1, until=-1.0),
-        "until = -1.0: it must lie ahead of the start, at time 0",
+        lambda: cut().crossings([[1, 2]], 1, t_end=-1.0),
+        "t_end = -1.0: it must lie ahead of the start, at time 0",
     ),
     "unknown function": (
         lambda: batch_integrator(UNKNOWN),

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from flowlanes.flow.cost import Pace, TooMuchError, in_words, require_room
-from flowlanes.flow.ensemble.members import grid, single
-from flowlanes.flow.ensemble.run import ensemble
+from flowlanes.flow.ensembles.members import grid, single
+from flowlanes.flow.ensembles.run import ensemble
 from flowlanes.flow.validation import too_extreme
 from nonholonomic.catalogue import from_catalogue
 

@@ -44,12 +44,12 @@ def exact(found: GaussTrajectories) -> Any:
 # --- accuracy ---------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("digits", "allowed"), [(16, 1e-15), (30, 1e-29)])
-def test_an_oscillator(digits: Any, allowed: float) -> None:
+@pytest.mark.parametrize(("precision", "allowed"), [("double", 1e-15), ("quad", 1e-29)])
+def test_an_oscillator(precision: Any, allowed: float) -> None:
     """Forty turns; the frequency is read with all its digits, also where the state has 16."""
     with mpmath.workdps(50):
         square = mpmath.mpf("1.1")
-        flow = gauss_integrator(OSCILLATOR, [1.0, 0.0], digits=digits)
+        flow = gauss_integrator(OSCILLATOR, [1.0, 0.0], precision=precision)
         found = exact(flow.propagate([[1.0, 0.0]], [1.0, 250.0], {"p": square}))
         for k, t in enumerate((1, 250)):
             right = mpmath.cos(mpmath.sqrt(square) * t)
@@ -100,7 +100,7 @@ def test_bodies_keep_fifteen_digits(name: str) -> None:
     """Against thirty digits of the same method, which the reference confirms below."""
     system, states = body(name), starts(name, 3)
     times = [0.1, 0.4] if name == "rattleback" else [5.0, 20.0]
-    right = gauss_integrator(system, states[0], digits=30).propagate(
+    right = gauss_integrator(system, states[0], precision="quad").propagate(
         exactly_on_the_sphere(states), times
     )
     found = gauss_integrator(system, states[0]).propagate(states, times)
@@ -121,7 +121,7 @@ def test_thirty_digits_against_the_reference() -> None:
     system, first = body("chaplygin-ball"), exactly_on_the_sphere(starts("chaplygin-ball", 2))
     with mpmath.workdps(45):
         decimals = {s: mpmath.mpf(repr(value)) for s, value in system.defaults.items()}
-    flow = gauss_integrator(system, first[0], digits=30)
+    flow = gauss_integrator(system, first[0], precision="quad")
     assert flow.held_names == ()
     found = exact(flow.propagate(first, [10.0], decimals))
     for start, state in zip(first, found[:, 0], strict=True):
@@ -207,9 +207,9 @@ def flow() -> Any:
 
 
 MISTAKES: dict[str, tuple[Any, str]] = {
-    "digits": (
-        lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], digits=20),
-        "gauss_integrator: digits must be 16 or 30, not 20",
+    "precision": (
+        lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], precision="half"),
+        "gauss_integrator: precision must be 'double' or 'quad', not the text 'half'",
     ),
     "start": (
         lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0, 0.0]),

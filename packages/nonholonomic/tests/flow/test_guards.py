@@ -17,7 +17,7 @@ from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.system import Guard, System
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
@@ -49,7 +49,7 @@ def falls(function, span: tuple[float, float]) -> list[float]:
 # --- falling flat ----------------------------------------------------------------------------
 
 INERTIA = (0.25, 0.25, 0.5)
-DISK = roll(Body(1.0, INERTIA, Disk(1.0)), field=Forces(G))
+DISK = rolling_system(Body(1.0, INERTIA, Disk(1.0)), field=Forces(G))
 LEAN = (0.8, 0.0, 0.6)
 
 
@@ -124,7 +124,7 @@ RADIUS, DOME = 0.5, 2.0
 
 
 def dome(inertia: tuple[float, float, float]) -> System:
-    return roll(Body(1.0, inertia, Ball(RADIUS)), Sphere(DOME), field=Forces(G))
+    return rolling_system(Body(1.0, inertia, Ball(RADIUS)), Sphere(DOME), field=Forces(G))
 
 
 SMOOTH = dome((0.1, 0.1, 0.1))
@@ -206,7 +206,9 @@ def test_a_body_that_is_not_pressed_at_the_start():
     assert warn["normal_force"][0] < 0
 
 
-LOADED = roll(Body(1.0, (0.4, 0.45, 0.5), Ball(1.0, centre=(0.3, -0.2, 0.1))), field=Forces(G))
+LOADED = rolling_system(
+    Body(1.0, (0.4, 0.45, 0.5), Ball(1.0, centre=(0.3, -0.2, 0.1))), field=Forces(G)
+)
 
 
 @pytest.mark.parametrize("until", [6.0, -6.0])
@@ -250,7 +252,7 @@ def total_curvature(point: np.ndarray) -> float:
 @pytest.mark.parametrize("sense", [1, -1], ids=["forward", "backward"])
 def test_an_implicit_body_rolls_on_to_its_waist(surface, contact, sense):
     """On a plane the contact point runs away at the waist, yet the end is found and named."""
-    system = roll(PEANUT_BODY, surface, contact)
+    system = rolling_system(PEANUT_BODY, surface, contact)
     up = np.array((-0.7, 0.1, 0.7)) / np.sqrt(0.99)
     spin = np.array((0.1, 2.0, 0.0))
     if contact == "rubber":
@@ -276,7 +278,7 @@ def test_an_implicit_body_rolls_on_to_its_waist(surface, contact, sense):
 def test_a_body_of_revolution_rolls_on_to_its_cusp():
     """p = 1 + 6u²/5 has the radius of curvature p − u p′ = 1 − 6u²/5 along the parallel."""
     u = sp.Symbol("gamma_3", real=True)
-    system = roll(Body(1.0, (0.5, 0.5, 0.6), Revolution(1 + sp.Rational(6, 5) * u**2)))
+    system = rolling_system(Body(1.0, (0.5, 0.5, 0.6), Revolution(1 + sp.Rational(6, 5) * u**2)))
     start = initial_state(system, (0.5, 0.1, 0.2), (0.1, 0.9, 0.2))
     motion = integrate(system, start, np.linspace(0.0, 30.0, 301), dense=True)
     (message,) = motion.events
@@ -289,7 +291,7 @@ def test_a_body_of_revolution_rolls_on_to_its_cusp():
 
 def test_an_ellipsoid_rolls_on_to_where_the_bowl_is_too_narrow():
     shape = Ellipsoid((1.0, 1.0, 0.4))
-    system = roll(Body(1.0, (0.25, 0.25, 0.3), shape), Sphere(2.0, side="inside"))
+    system = rolling_system(Body(1.0, (0.25, 0.25, 0.3), shape), Sphere(2.0, side="inside"))
     start = initial_state(system, (1.0, 0.0, 0.0), (0.0, 1.0, 0.1))
     motion = integrate(system, start, np.linspace(0.0, 30.0, 301))
     (message,) = motion.events
@@ -312,7 +314,7 @@ def test_a_guard_may_be_the_same_in_every_state():
     shapes = Ball(RADIUS), Revolution(sp.Rational(1, 2) + 0 * u)
     ends = []
     for shape in shapes:
-        system = roll(Body(1.0, inertia, shape), Sphere(DOME), field=Forces(G))
+        system = rolling_system(Body(1.0, inertia, shape), Sphere(DOME), field=Forces(G))
         state = initial_state(system, *start, normal=(np.sin(TILT), 0.0, np.cos(TILT)))
         ends.append(integrate(system, state, [0.0, 5.0]))
     one, other = ends
@@ -335,6 +337,6 @@ def test_a_guard_may_be_the_same_in_every_state():
     ids=["narrow bowl", "cusp", "flat"],
 )
 def test_a_start_outside_the_domain_is_refused(shape, surface, gamma, message):
-    system = roll(Body(1.0, (0.25, 0.25, 0.3), shape), surface)
+    system = rolling_system(Body(1.0, (0.25, 0.25, 0.3), shape), surface)
     with pytest.raises(InputError, match=message):
         integrate(system, initial_state(system, (1, 0, 0), gamma), [0.0, 1.0])

@@ -112,7 +112,7 @@ def test_every_door_takes_every_start() -> None:
     ends, exponents, solved = [], [], []
     for way in _ways():
         ends.append(integrate(BALL, way, [0.0, 1.0])["M"][-1])
-        exponents.append(lyapunov_spectrum(BALL, way, until=20.0).values)
+        exponents.append(lyapunov_spectrum(BALL, way, t_end=20.0).values)
         solved.append(solve(BALL, way)(1.0)["M"][0])
     for found in (ends, exponents, solved):
         for other in found[1:]:

@@ -24,7 +24,7 @@ ROTATION = System("rotation", "Rotation", {x: 1, y: sp.sqrt(2)})
 @pytest.mark.parametrize("direction", [1, 0, -1])
 def test_both_crossings_near_a_turning_point_are_found(below: float, direction: int) -> None:
     flow = batch_integrator(OSCILLATOR, section=Section(x - sp.Float(1 - below), direction))
-    found = flow.crossings([[np.sin(0.3), np.cos(0.3)]], 40, until=60.0)
+    found = flow.crossings([[np.sin(0.3), np.cos(0.3)]], 40, t_end=60.0)
     half, turns = np.arccos(1 - below), 2 * np.pi * np.arange(11)
     rises, falls = (np.pi / 2 - 0.3 + sign * half + turns for sign in (-1, 1))
     wanted = {1: rises, -1: falls, 0: np.sort([*rises, *falls])}[direction]

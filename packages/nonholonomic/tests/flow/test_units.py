@@ -43,7 +43,7 @@ def _ball(name: str, scale: float) -> tuple[Any, Any, dict[str, float]]:
 @cache
 def _spectrum(name: str, scale: float) -> Spectrum:
     system, start, parameters = _ball(name, scale)
-    return lyapunov_spectrum(system, start, parameters, until=100.0, samples=100)
+    return lyapunov_spectrum(system, start, parameters, t_end=100.0, samples=100)
 
 
 @pytest.mark.slow
@@ -69,7 +69,7 @@ def test_numbers_of_charts_are_the_same(rule: Any, scale: float) -> None:
         system, start, parameters = _ball("unbalanced-ball", each)
         found.append(rule(system, 100.0)(start[None], parameters))
     assert not found[1]["outcome"].any()
-    for name in ("value", *rule.further):
+    for name in ("value", *rule.extra_columns):
         assert found[1][name] == pytest.approx(found[0][name], rel=1e-6)
 
 

@@ -13,7 +13,7 @@ from flowlanes.system.laws import Measure
 from flowlanes.system.system import System
 from flowlanes.system.vectors import Vector, cross
 from lawproof.proof.prover import prove
-from nonholonomic.invariant_measures.existence import measure_exists
+from nonholonomic.invariant_measures.existence import invariant_measure
 from nonholonomic.invariant_measures.fluid_theorem import (
     THEOREM,
     C,
@@ -26,7 +26,7 @@ from nonholonomic.invariant_measures.fluid_theorem import (
 )
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.cavity import Cavity
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.initial_state import evaluate
 from nonholonomic.mechanics.shapes.shapes import Ball, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
@@ -88,7 +88,7 @@ def test_divergences_are_the_same(name, contact):
     """Of the body with fluid, and of its equivalent at the same ω and γ: to 30 digits."""
     shape, surface, cavities = BODIES[name]
     body = Body(1.0, FULL, shape, (0.1, 0.2, -0.3), cavities)
-    wet = Rolling(body, surface, contact, Forces(2.0))
+    wet = RollingBody(body, surface, contact, Forces(2.0))
     rng = random.Random(20130818)
 
     def vector(length: float | None = None) -> list[mpmath.mpf]:
@@ -128,15 +128,15 @@ def _components(formula):
 
 EXISTENCE = {
     "balanced ball": (
-        Rolling(Body(1.0, (0.4, 0.5, 0.6), Ball(1.0), cavity=ALONG), Plane(), "marble"),
+        RollingBody(Body(1.0, (0.4, 0.5, 0.6), Ball(1.0), cavity=ALONG), Plane(), "marble"),
         "exists",
     ),
     "balanced rubber ball": (
-        Rolling(Body(1.0, (0.4, 0.5, 0.6), Ball(1.0), cavity=ALONG), Plane(), "rubber"),
+        RollingBody(Body(1.0, (0.4, 0.5, 0.6), Ball(1.0), cavity=ALONG), Plane(), "rubber"),
         "exists",
     ),
     "balanced by its fluid": (
-        Rolling(
+        RollingBody(
             Body(
                 1.0,
                 (0.4, 0.5, 0.6),
@@ -149,11 +149,11 @@ EXISTENCE = {
         "exists",
     ),
     "ball with its cavity off the centre": (
-        Rolling(Body(1.0, (0.4, 0.5, 0.6), Ball(1.0), cavity=TURNED), Plane(), "marble"),
+        RollingBody(Body(1.0, (0.4, 0.5, 0.6), Ball(1.0), cavity=TURNED), Plane(), "marble"),
         "none",
     ),
     "spheroid, coaxial spheroidal cavity": (
-        Rolling(
+        RollingBody(
             Body(
                 1.0,
                 (0.4, 0.4, 0.6),
@@ -166,7 +166,7 @@ EXISTENCE = {
         "exists",
     ),
     "spheroid, triaxial cavity": (
-        Rolling(
+        RollingBody(
             Body(
                 1.0,
                 (0.4, 0.4, 0.6),
@@ -185,7 +185,7 @@ EXISTENCE = {
 @pytest.mark.parametrize("case", EXISTENCE)
 def test_existence_is_decided(case):
     rolling, decision = EXISTENCE[case]
-    existence = measure_exists(rolling)
+    existence = invariant_measure(rolling)
     assert existence.decision == decision
     assert THEOREM in existence.criterion
     assert existence.verdicts[0].law == "volume"
@@ -198,5 +198,5 @@ def test_existence_is_decided(case):
 def test_the_density_is_a_law_of_the_body_with_fluid(contact):
     """Proven for the equations with fluid themselves, beside the theorem."""
     rolling = replace(EXISTENCE["balanced ball"][0], contact=contact)
-    existence = measure_exists(rolling)
+    existence = invariant_measure(rolling)
     assert prove(rolling.system(), existence.density).decision == "proven"

@@ -12,7 +12,7 @@ from mechanics.compare import GAMMA, XYZ
 from mechanics.portrait import Portrait
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.contact import contact as contact_of
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
@@ -53,7 +53,7 @@ def portrait(shape: str, surface: str, contact: str) -> Portrait:
     """A loaded body of a shape on a surface, with its kinematics told by name."""
     touch = contact_of(SHAPES[shape], SURFACES[surface])
     body = Body(1.3, FULL, SHAPES[shape], ROTORS)
-    system = roll(body, SURFACES[surface], contact, FIELD)
+    system = rolling_system(body, SURFACES[surface], contact, FIELD)
     further = {
         "touch r": touch.r,
         "touch rdot": touch.rdot,

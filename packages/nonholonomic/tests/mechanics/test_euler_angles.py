@@ -15,9 +15,9 @@ import pytest
 import sympy as sp
 
 from flowlanes.system.vectors import Vector, real_symbol
-from nonholonomic import Ball, Body, Ellipsoid, Forces, Plane, Rolling
+from nonholonomic import Ball, Body, Ellipsoid, Forces, Plane, RollingBody
 from nonholonomic.mechanics.lagrangian.generic_points import GenericPoint
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.mechanics.rolling.mechanism import rolling_mechanism
 
 DIGITS = 60
@@ -125,7 +125,9 @@ def admissible(function: Any, count: int, seed: int) -> list[Any]:
 @pytest.mark.parametrize("name", SHAPES)
 def test_agrees_with_euler_angles(name: str, model: Any) -> None:
     body = Body(1.1, (2.0, 3.0, 4.0), SHAPES[name][0])
-    system = equations(rolling_mechanism(Rolling(body, Plane(), model, Forces(gravity=9.7))))
+    system = equations_of_motion(
+        rolling_mechanism(RollingBody(body, Plane(), model, Forces(gravity=9.7)))
+    )
     exact = {p.symbol: sp.Rational(str(p.default)) for p in system.parameters}
     rates = dict(zip(system.symbols, system.rates, strict=True))
     function, count = formulas(name, model)

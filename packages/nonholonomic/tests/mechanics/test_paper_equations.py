@@ -15,7 +15,7 @@ import sympy as sp
 from flowlanes.system.vectors import Vector, real_symbol, to_components
 from mechanics.compare import GAMMA, XYZ
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
@@ -230,7 +230,7 @@ def surface(radius):
 def test_body_on_plane_or_sphere(name, support, contact, tensor, rotors, normal):
     shape, r_of_gamma, turn = SHAPES[name]
     field = Forces(float(GRAVITY), POTENTIAL)
-    system = roll(body(shape, tensor, rotors), surface(RADII[support]), contact, field)
+    system = rolling_system(body(shape, tensor, rotors), surface(RADII[support]), contact, field)
     gamma = turn * NORMALS[normal]
     omega = without_spin(SPIN, gamma) if contact == "rubber" else SPIN
     motion = Motion(r_of_gamma, gamma, omega, tensor, rotors, RADII[support], contact == "rubber")
@@ -279,7 +279,7 @@ def gradient(gamma):
 def test_chaplygin_ball(normal, rotors):
     """(1.20), (7.1), and with rotors the equations of section 7.4."""
     gamma, omega, a, D = NORMALS[normal], SPIN, RADIUS, MASS * RADIUS**2
-    system = roll(body(Ball(float(a)), rotors=rotors), field=Forces(potential=POTENTIAL))
+    system = rolling_system(body(Ball(float(a)), rotors=rotors), field=Forces(potential=POTENTIAL))
     M = PRINCIPAL * omega + D * gamma.cross(omega.cross(gamma))
     point = ball_point(system, gamma, omega, M)
     assert point["omega"] == omega
@@ -297,7 +297,9 @@ def test_rubber_chaplygin_ball(normal):
     """Section 2.4: J omega' = J omega x omega + gamma x dU/dgamma + lambda_0 gamma."""
     gamma = NORMALS[normal]
     omega = without_spin(SPIN, gamma)
-    system = roll(body(Ball(float(RADIUS))), contact="rubber", field=Forces(potential=POTENTIAL))
+    system = rolling_system(
+        body(Ball(float(RADIUS))), contact="rubber", field=Forces(potential=POTENTIAL)
+    )
     point = ball_point(system, gamma, omega)
     J = PRINCIPAL + MASS * RADIUS**2 * E
     couple = gamma.cross(gradient(gamma))
@@ -325,7 +327,7 @@ def test_ball_on_sphere(where, normal):
     """
     shape, a, b = BALLS_ON_SPHERES[where]
     n, omega, d, k = NORMALS[normal], SPIN, MASS * b**2, a / (a + b)
-    system = roll(body(shape), Sphere.of_signed_radius(float(a)))
+    system = rolling_system(body(shape), Sphere.of_signed_radius(float(a)))
     M = PRINCIPAL * omega + d * n.cross(omega.cross(n))
     point = ball_point(system, n, omega, M)
     assert point["omega"] == omega
@@ -340,7 +342,7 @@ def test_rubber_ball_on_sphere(where, normal):
     shape, a, b = BALLS_ON_SPHERES[where]
     n = NORMALS[normal]
     omega = without_spin(SPIN, n)
-    system = roll(body(shape), Sphere.of_signed_radius(float(a)), "rubber")
+    system = rolling_system(body(shape), Sphere.of_signed_radius(float(a)), "rubber")
     point = ball_point(system, n, omega)
     J = PRINCIPAL + MASS * b**2 * E
     gyroscopic = (J * omega).cross(omega)
@@ -357,7 +359,7 @@ def test_unbalanced_ball(normal):
     -R gamma - a, which does not agree with r' = (r - a) x omega.
     """
     gamma, omega, a = NORMALS[normal], SPIN, CENTRE
-    system = roll(body(Ball(float(RADIUS), **AT)))
+    system = rolling_system(body(Ball(float(RADIUS), **AT)))
     r = a - RADIUS * gamma
     rdot = (r - a).cross(omega)
     M = PRINCIPAL * omega + MASS * r.cross(omega.cross(r))
@@ -372,7 +374,7 @@ def test_unbalanced_rubber_ball(normal):
     """(10.4), with r as in (10.1)."""
     gamma, a = NORMALS[normal], CENTRE
     omega = without_spin(SPIN, gamma)
-    system = roll(body(Ball(float(RADIUS), **AT)), contact="rubber")
+    system = rolling_system(body(Ball(float(RADIUS), **AT)), contact="rubber")
     r = a - RADIUS * gamma
     gammadot = gamma.cross(omega)
     tilde = PRINCIPAL + MASS * (r.dot(r) * E - r * r.T)
@@ -389,7 +391,7 @@ def test_potential_energy_is_that_of_the_height():
     """(1.16): U = mgh = -mg (r, gamma)."""
     gamma = NORMALS["steep"]
     motion = Motion(SHAPES["torus"][1], gamma, NONE, PRINCIPAL, NONE, None, False)
-    system = roll(body(SHAPES["torus"][0]), field=Forces(float(GRAVITY)))
+    system = rolling_system(body(SHAPES["torus"][0]), field=Forces(float(GRAVITY)))
     point = ball_point(system, gamma, NONE)
     assert point(system.laws[0].value) == -MASS * GRAVITY * motion.r.dot(gamma)
 
@@ -400,7 +402,7 @@ def test_profile_of_a_body_of_revolution():
     chi_1, chi_2 = -1 + u**2 / 5, -u * (1 + sp.Rational(2, 5)) + u**3 / 5
     shape = Revolution.from_profile(chi_1, chi_2, **AT)
     gamma = NORMALS["steep"]
-    system = roll(body(shape), field=Forces(float(GRAVITY)))
+    system = rolling_system(body(shape), field=Forces(float(GRAVITY)))
     point = ball_point(system, gamma, NONE)
     profile = sp.Matrix([chi_1 * gamma[0], chi_1 * gamma[1], chi_2]).xreplace({u: gamma[2]})
     assert point["r"] == profile + CENTRE

@@ -30,7 +30,7 @@ def test_doubling_of_the_henon_map():
 
 
 def test_a_fold_is_passed():
-    branch, found = events(HENON, [0.6, 0.2, 1.4], "a", -1.0, most=60)
+    branch, found = events(HENON, [0.6, 0.2, 1.4], "a", -1.0, max_iterations=60)
     assert dict(found)["fold"] == pytest.approx(-(0.7**2) / 4, abs=1e-12)
     kinds = [orbit.kind for orbit in branch.orbits]
     assert "attracting node" in kinds

@@ -84,7 +84,7 @@ def test_rotation_numbers_do_not_depend_on_how_many_are_followed_at_once(monkeyp
 def test_a_motion_that_does_not_return_is_marked():
     start = np.array([[0.0, 0.0, 0.5, 1.0, 0.0, 0.0], [0.5, 0.0, 0.0, 1.0, 0.0, 0.0]])
     start[1, :3] = 0.0
-    made = PoincareMap(SYSTEM, poincare_section(SYSTEM, "n_2"), {"k": 1.0}, until=2000.0)
+    made = PoincareMap(SYSTEM, poincare_section(SYSTEM, "n_2"), {"k": 1.0}, t_end=2000.0)
     found = rotations(made, start, sp.atan2(SYSTEM.symbols[3], SYSTEM.symbols[5]), 20)
     assert np.isfinite(found.values[0])
     assert np.isnan(found.values[1])

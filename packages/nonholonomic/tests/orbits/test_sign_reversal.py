@@ -11,7 +11,7 @@ from flowlanes.system.vectors import real_symbol
 from lawproof.proof.fields.budget import EFFORT
 from lawproof.proof.prover import prove
 from nonholonomic.catalogue import entry
-from nonholonomic.classification.classifier import classify
+from nonholonomic.classification.classifier import classify_laws
 from nonholonomic.classification.facts import ProofBudget
 
 
@@ -48,8 +48,8 @@ def test_parities_follow_through_definitions() -> None:
 def test_what_it_means_is_told() -> None:
     budget = ProofBudget(EFFORT // 10)
     system = entry("rattleback").system()
-    standing = classify(system, budget.verdicts(system), budget)
+    standing = classify_laws(system, budget.verdicts(system), budget)
     assert standing.reversal == ("M",)
     assert "to every attracting set there belongs a repelling" in str(standing)
     ball = entry("chaplygin-ball").system()
-    assert "repelling" not in str(classify(ball, budget.verdicts(ball), budget))
+    assert "repelling" not in str(classify_laws(ball, budget.verdicts(ball), budget))

@@ -168,11 +168,11 @@ def test_variables_and_constants_of_another_system_are_primed_where_they_clash()
     ],
 )
 def test_levels(on: tuple[sp.Expr, ...], expected: str) -> None:
-    assert condition_text(Integral("f", k, on=on), body(), text) == expected
+    assert condition_text(Integral("f", k, level=on), body(), text) == expected
 
 
 def test_captions() -> None:
-    law = Integral("f", k, "spin", on=(k + 1,), source="(1.2)", misprint="the sign of k")
+    law = Integral("f", k, "spin", level=(k + 1,), source="(1.2)", misprint="the sign of k")
     assert caption(law, body(), text) == (
         "spin, for k = −1; (1.2) (misprinted there: the sign of k)"
     )
@@ -197,7 +197,7 @@ def test_every_formula_of_a_law_counts() -> None:
         Reduction("r", {q: k}, (Rate(q) - lever,)),
         Identity("i", (k, lever)),
         Measure("m", {k: lever}),
-        Measure("m", {k: 1}, on=(lever,)),
+        Measure("m", {k: 1}, level=(lever,)),
     ):
         assert any(lever in to_components(formula).free_symbols for formula in law.formulas)
 
@@ -234,7 +234,7 @@ def test_laws_in_html_and_latex(law: Law) -> None:
 
 
 def test_the_level_is_typeset_in_captions() -> None:
-    page = law_html(Measure("m", {k: 1}, "named", on=(k + 1,)), body())
+    page = law_html(Measure("m", {k: 1}, "named", level=(k + 1,)), body())
     assert "named, for <math" in page
     assert page.partition("caption")[2].count("<math") == 1
 

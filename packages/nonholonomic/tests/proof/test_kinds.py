@@ -64,7 +64,7 @@ def own_cache(tmp_path_factory):
 
 def fractions(law: Law, system: System) -> tuple[LevelSet, FunctionField]:
     """The ground of a law with its field of fractions, at a sample point."""
-    ground = LevelSet(system, law.on)
+    ground = LevelSet(system, law.level)
     with ball_precision():
         values, _ = ground.point(random.Random(3))
     sample = {name: float(value) for name, value in values.items()}
@@ -126,7 +126,7 @@ def test_a_multiplier_does_not_vanish_identically():
 
 # --- isomorphisms --------------------------------------------------------------------------
 
-ONTO_PLANE = Isomorphism("law", PLANE, {X: x, Y: y}, constants={}, on=(z - 1,))
+ONTO_PLANE = Isomorphism("law", PLANE, {X: x, Y: y}, constants={}, level=(z - 1,))
 
 
 def test_a_level_and_a_target_of_one_dimension():
@@ -137,13 +137,16 @@ def test_a_level_and_a_target_of_one_dimension():
 @pytest.mark.parametrize(
     ("law", "lacking"),
     [
-        (replace(ONTO_PLANE, on=()), "the rank of the map"),
+        (replace(ONTO_PLANE, level=()), "the rank of the map"),
         (Isomorphism("law", SPACE, {X: x, Y: y, Z: sp.S.One}), "the rank of the map"),
         (
-            Isomorphism("law", SPACE, {X: x, Y: y, Z: sp.S.One}, on=(z - 1,)),
+            Isomorphism("law", SPACE, {X: x, Y: y, Z: sp.S.One}, level=(z - 1,)),
             "the dimension of the level",
         ),
-        (Isomorphism("law", SPACE, {X: x, Y: y, Z: SQUARE}, on=(z,)), "the dimension of the level"),
+        (
+            Isomorphism("law", SPACE, {X: x, Y: y, Z: SQUARE}, level=(z,)),
+            "the dimension of the level",
+        ),
     ],
 )
 def test_a_map_that_is_not_onto_or_not_injective_is_refuted(law, lacking):
@@ -153,14 +156,14 @@ def test_a_map_that_is_not_onto_or_not_injective_is_refuted(law, lacking):
 
 
 def test_a_map_onto_a_level_of_the_target_says_which():
-    into = Isomorphism("law", SPACE, {X: x, Y: y, Z: SQUARE}, on=(z,))
+    into = Isomorphism("law", SPACE, {X: x, Y: y, Z: SQUARE}, level=(z,))
     assert prove(TURN, replace(into, onto=(X**2 + Y**2 - Z,)))
     assert prove(TURN, replace(into, onto=(X**2 + Y**2 - 2 * Z,))).decision == "refuted"
     assert prove(TURN, replace(into, onto=(Z - Z,))).decision == "refuted"
 
 
 def test_a_level_of_the_target_is_one_for_all_states():
-    law = Isomorphism("law", SPACE, {X: x, Y: y, Z: SQUARE}, on=(z,), onto=(Z - x**2 - y**2,))
+    law = Isomorphism("law", SPACE, {X: x, Y: y, Z: SQUARE}, level=(z,), onto=(Z - x**2 - y**2,))
     with pytest.raises(InputError, match="uses x, y, which depends on the state of turn"):
         prove(TURN, law)
 
@@ -220,7 +223,7 @@ def test_a_time_whose_sign_is_not_settled_is_named():
 def test_a_time_that_is_never_positive_is_not_proven():
     law = replace(ONTO_PLANE, time=-1 - SQUARE)
     slow = replace(TURN, field={x: y * (1 + SQUARE), y: -x * (1 + SQUARE), z: sp.S.Zero})
-    ground = LevelSet(slow, law.on)
+    ground = LevelSet(slow, law.level)
     with ball_precision():
         for seed in range(8):
             ((what, value),) = unmet_conditions(law, ground, numbers(ground, seed))
@@ -259,8 +262,8 @@ def test_bases_under_roots_must_be_positive_and_odd_ones_give_the_sign():
     law = Measure("law", {z: half, SQUARE: 3, z - 1: -2, z + 1: a, z + 2: -1, z + 3: 0, z + 4: 1})
     assert [formula for _, formula in positive_formulas(law, ground)] == [z, z + 1]
     assert [formula for _, formula in sign_determining_bases(law, ground)] == [SQUARE, z + 2, z + 4]
-    on_level = Measure("law", {z + 1: a}, on=(a - 3,))
-    ground = LevelSet(ground.system, on_level.on)
+    on_level = Measure("law", {z + 1: a}, level=(a - 3,))
+    ground = LevelSet(ground.system, on_level.level)
     assert positive_formulas(on_level, ground) == ()
     assert [formula for _, formula in sign_determining_bases(on_level, ground)] == [z + 1]
     assert prove(TURN, Measure("law", {z**2 + 1: half}))
@@ -452,7 +455,9 @@ def test_equations_of_another_form_are_refused(equations, words):
 def test_trivial_laws_are_told():
     cases = {
         Integral("law", sp.Integer(3)): "a constant on the whole level",
-        Integral("law", SQUARE * (1 + z), on=(SQUARE - 1, z - 2)): "a constant on the whole level",
+        Integral(
+            "law", SQUARE * (1 + z), level=(SQUARE - 1, z - 2)
+        ): "a constant on the whole level",
         Integral("law", SQUARE): "",
         Symmetry("law", {x: sp.S.Zero}): "the zero field",
         Symmetry("law", {x: -y, y: x}): "",

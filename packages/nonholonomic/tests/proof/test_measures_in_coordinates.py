@@ -11,7 +11,7 @@ import sympy as sp
 from flowlanes.system.system import Parameter
 from flowlanes.system.vectors import real_symbol
 from lawproof.proof.prover import prove
-from nonholonomic.invariant_measures.existence import measure_exists
+from nonholonomic.invariant_measures.existence import invariant_measure
 from nonholonomic.invariant_measures.positivity import Signs, definite, positive
 from nonholonomic.mechanics.lagrangian.mechanism import Mechanism, coordinates
 
@@ -46,7 +46,7 @@ def off_centre(ahead=a):
 )
 @pytest.mark.parametrize("signed", [True, False])
 def test_centre_of_mass_at_the_blade(blade, signed):
-    found = measure_exists(sleigh(blade, signed=signed))
+    found = invariant_measure(sleigh(blade, signed=signed))
     assert found.decision == "exists"
     assert found.density.density == ()
     assert found.domain == ()
@@ -60,7 +60,7 @@ def test_centre_of_mass_at_the_blade(blade, signed):
     ("energy", "blade"), [(off_centre(), BLADE), (off_centre(), -BLADE), (REST, BLADE - a * phidot)]
 )
 def test_centre_of_mass_ahead(energy, blade, ahead, signed):
-    found = measure_exists(sleigh(blade, energy, ahead, signed))
+    found = invariant_measure(sleigh(blade, energy, ahead, signed))
     assert found.decision == "conditional"
     assert found.conditions == ((a,),)
     assert found.complete
@@ -73,7 +73,7 @@ def test_centre_of_mass_ahead(energy, blade, ahead, signed):
 @pytest.mark.parametrize("written", ["energy", "constraint"])
 def test_a_number_in_place_of_the_parameter(ahead, written):
     given = (BLADE, off_centre(ahead)) if written == "energy" else (BLADE - ahead * phidot, REST)
-    found = measure_exists(sleigh(*given))
+    found = invariant_measure(sleigh(*given))
     assert found.decision == "none"
     assert found.complete
     assert "none for any values of the parameters" in found.reason
@@ -91,7 +91,7 @@ def test_values_that_were_not_decided_are_told():
         (a * xdot * x + b * phidot * cosine + y * ydot * a,),
         parameters=parameters,
     )
-    found = measure_exists(rolling)
+    found = invariant_measure(rolling)
     assert not found.complete
 
 
@@ -101,7 +101,7 @@ def test_a_density_with_zeros_says_where_it_is_positive():
     frame = coordinates(r, theta)
     rdot, thetadot = frame.w
     energy = HALF * (rdot**2 + sp.sin(r) ** 2 * thetadot**2)
-    found = measure_exists(Mechanism("point", frame, energy))
+    found = invariant_measure(Mechanism("point", frame, energy))
     assert found.decision == "exists"
     assert found.density.density == ((sp.sin(r), 2),)
     assert found.domain == (sp.Ne(sp.sin(r), 0),)

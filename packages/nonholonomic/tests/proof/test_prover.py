@@ -83,8 +83,8 @@ RIGHT = {
     "energy": Integral("law", ENERGY),
     "integral with a root": Integral("law", sp.sqrt(1 + SQUARE) * ENERGY),
     "integral with a logarithm": Integral("law", sp.log(1 + SQUARE) + sp.exp(ENERGY)),
-    "integral for equal moments": Integral("law", M_3, on=(A.symbols[0] - A.symbols[1],)),
-    "integral on a level": Integral("law", ENERGY + AREA * M_1, on=(AREA,)),
+    "integral for equal moments": Integral("law", M_3, level=(A.symbols[0] - A.symbols[1],)),
+    "integral on a level": Integral("law", ENERGY + AREA * M_1, level=(AREA,)),
     "volume": Measure("law", {sp.S.One: 1}),
     "density of integrals": Measure("law", {SQUARE: -half, ENERGY: A.symbols[0]}),
     "the field is its own symmetry": Symmetry("law", SPIN),
@@ -106,9 +106,9 @@ RIGHT = {
 WRONG = {
     "no integral": Integral("law", norm_squared(A * M)),
     "integral with a wrong root": Integral("law", sp.sqrt(1 + M_1**2)),
-    "integral on a level only": replace(RIGHT["integral on a level"], on=()),
-    "equal moments only": replace(RIGHT["integral for equal moments"], on=()),
-    "level that moves": Integral("law", ENERGY, on=(M_1,)),
+    "integral on a level only": replace(RIGHT["integral on a level"], level=()),
+    "equal moments only": replace(RIGHT["integral for equal moments"], level=()),
+    "level that moves": Integral("law", ENERGY, level=(M_1,)),
     "no density": Measure("law", {SQUARE + M_1: half}),
     "no symmetry": Symmetry("law", {M: M + 0 * gamma}),
     "leaves the phase space": Symmetry("law", {gamma: gamma + 0 * M}),
@@ -140,14 +140,14 @@ FAR = {
 
 MISTAKES = {
     "unknown symbol": (Integral("law", M_1 * q), "'law' uses q, which is neither"),
-    "unknown symbol in a level": (Integral("law", M_1, on=(q - 1,)), "uses q, which is neither"),
-    "empty level": (Integral("law", M_1, on=(norm_squared(gamma) - 2,)), "is empty"),
-    "level without real points": (Integral("law", ENERGY, on=(SQUARE + 1,)), "is empty"),
+    "unknown symbol in a level": (Integral("law", M_1, level=(q - 1,)), "uses q, which is neither"),
+    "empty level": (Integral("law", M_1, level=(norm_squared(gamma) - 2,)), "is empty"),
+    "level without real points": (Integral("law", ENERGY, level=(SQUARE + 1,)), "is empty"),
     "empty level of parameters": (
-        Integral("law", M_1, on=(A.symbols[0] - 1, A.symbols[0] - 2)),
+        Integral("law", M_1, level=(A.symbols[0] - 1, A.symbols[0] - 2)),
         "is empty",
     ),
-    "denominator": (Integral("law", 1 / AREA, on=(AREA,)), "divides by zero"),
+    "denominator": (Integral("law", 1 / AREA, level=(AREA,)), "divides by zero"),
     "imaginary root": (Integral("law", sp.sqrt(-SQUARE)), "root of a negative quantity"),
     "state of the target": (
         replace(RIGHT["isomorphism"], map={omega: A * M}),
@@ -253,9 +253,9 @@ def test_one_term_more_is_refuted(formula, powers, factor):
 @given(COMBINATIONS, MONOMIALS)
 def test_what_vanishes_with_a_level_holds_on_it_alone(formula, powers):
     term = sp.Mul(*(s**n for s, n in zip(TOP.symbols, powers, strict=True)))
-    law = Integral("law", formula + AREA * term, on=(AREA,))
+    law = Integral("law", formula + AREA * term, level=(AREA,))
     assert prove(TOP, law).decision == "proven"
-    assert prove(TOP, replace(law, on=())).decision == "refuted"
+    assert prove(TOP, replace(law, level=())).decision == "refuted"
 
 
 # --- witnesses -----------------------------------------------------------------------------
@@ -278,7 +278,7 @@ WITNESSES = {
     ),
     "chaplygin-ball on a level": (
         from_catalogue("chaplygin-ball"),
-        Integral("law", dot(omega, gamma), on=(AREA,)),
+        Integral("law", dot(omega, gamma), level=(AREA,)),
         (AREA,),
     ),
     "veselova": (from_catalogue("veselova"), Integral("law", dot(omega, omega)), ()),

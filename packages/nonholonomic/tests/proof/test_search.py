@@ -23,8 +23,8 @@ from flowlanes.system.vectors import (
     to_components,
     vectors,
 )
-from lawproof.search import SearchResult, integrals, measures, search_request, symmetries
-from lawproof.search.phase_space import search_space
+from lawproof.search import SearchResult, integrals, measures, search_space, symmetries
+from lawproof.search.phase_space import restricted_system
 from nonholonomic.catalogue import from_catalogue
 
 M, omega, gamma, c = vectors("M omega gamma c")
@@ -39,7 +39,7 @@ def bare(name: str) -> System:
 
 def found_in(system: System, **options: Any) -> list[SearchResult]:
     """Integrals that the search comes upon, all of them proven."""
-    found = list(integrals(search_request(system, **options)))
+    found = list(integrals(search_space(system, **options)))
     assert all(finding.proven for finding in found), found
     return found
 
@@ -60,7 +60,7 @@ def points(system: System, count: int) -> list[dict[sp.Symbol, sp.Rational]]:
 
 def values(system: System, conditions: list[sp.Expr], formulas: list[sp.Expr]) -> sp.Matrix:
     """Exact values of formulas, points by formulas, for one choice of the parameters."""
-    made = search_space(system, conditions)
+    made = restricted_system(system, conditions)
     numbers = {s: sp.Rational(5 + 3 * i, 3 + i) for i, s in enumerate(made.free)}
     numbers |= {s: value.xreplace(numbers) for s, value in made.substitutions}
     rows = []
@@ -167,7 +167,7 @@ def test_many_integrals_and_all_their_products() -> None:
 
 def test_more_products_than_points_are_owned_up_to(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys.modules[integrals.__module__], "_RESERVE", 8)
-    found = list(integrals(search_request(resting(4), degree=3)))
+    found = list(integrals(search_space(resting(4), degree=3)))
     assert found[-1].law is None
     assert "too many to tell" in found[-1].remark
 
@@ -277,7 +277,7 @@ MEASURES = {
 @pytest.mark.parametrize("source", MEASURES)
 def test_measures_of_the_paper_from_the_field_alone(source: str) -> None:
     name, base, exponent = MEASURES[source]
-    (found,) = measures(search_request(bare(name)))
+    (found,) = measures(search_space(bare(name)))
     assert found.proven
     assert isinstance(found.law, Measure)
     ((found_base, found_exponent),) = found.law.density
@@ -287,25 +287,25 @@ def test_measures_of_the_paper_from_the_field_alone(source: str) -> None:
 
 @pytest.mark.slow
 def test_measures_that_are_singular_or_have_several_factors() -> None:
-    (sleigh,) = measures(search_request(bare("chaplygin-sleigh")))
+    (sleigh,) = measures(search_space(bare("chaplygin-sleigh")))
     assert sleigh.proven
     assert sleigh.formula == 1 / real_symbol("Omega")
     symmetric = ["I_1 = I_2", "c_1 = 0", "c_2 = 0"]
-    found = list(measures(search_request(bare("rubber-routh-sphere"), at=symmetric)))
+    found = list(measures(search_space(bare("rubber-routh-sphere"), at=symmetric)))
     assert found
     assert all(finding.proven for finding in found)
 
 
 def test_a_given_base_and_none_that_fits() -> None:
     system = bare("veselova")
-    (found,) = measures(search_request(system, bases=["(γ, A γ)"]))
+    (found,) = measures(search_space(system, bases=["(γ, A γ)"]))
     assert found.proven
-    assert list(measures(search_request(system, bases=["(γ, I γ)"]))) == []
-    assert list(measures(search_request(bare("unbalanced-ball")))) == []
+    assert list(measures(search_space(system, bases=["(γ, I γ)"]))) == []
+    assert list(measures(search_space(bare("unbalanced-ball")))) == []
 
 
 def test_the_measure_of_a_divergence_free_field_is_the_volume() -> None:
-    (found,) = measures(search_request(bare("lagrange-top")))
+    (found,) = measures(search_space(bare("lagrange-top")))
     assert found.proven
     assert found.formula == 1
 
@@ -319,14 +319,14 @@ def test_the_measure_of_a_phase_space_that_a_field_approaches() -> None:
         field={x: -x, y: y / 2, z: -z / 2},
         relations=(x,),
     )
-    (found,) = measures(search_request(system, bases=[]))
+    (found,) = measures(search_space(system, bases=[]))
     assert found.proven
     assert found.formula == 1
 
 
 def test_rotations_of_a_symmetric_body() -> None:
     (found,) = symmetries(
-        search_request(bare("veselova"), at=["I_1 = I_2"], degree=1, gamma_degree=1)
+        search_space(bare("veselova"), at=["I_1 = I_2"], degree=1, gamma_degree=1)
     )
     assert found.proven
     assert isinstance(found.law, Symmetry)
@@ -335,7 +335,7 @@ def test_rotations_of_a_symmetric_body() -> None:
     (sign,) = {field[gamma][1] / gamma.symbols[0]}
     assert field[omega] == sign * turn * sp.Matrix(omega.symbols)
     assert field[gamma] == sign * turn * sp.Matrix(gamma.symbols)
-    assert list(symmetries(search_request(bare("veselova"), degree=1, gamma_degree=1))) == []
+    assert list(symmetries(search_space(bare("veselova"), degree=1, gamma_degree=1))) == []
 
 
 def test_powers_of_an_integral_of_the_coordinates_are_not_repeated() -> None:
@@ -350,7 +350,7 @@ def test_neither_the_field_nor_its_multiples_count_as_symmetries() -> None:
     x, y = real_symbol("x"), real_symbol("y")
     circle = System(name="circle", title="Circle", field={x: y, y: -x})
     for degree in (1, 3):
-        (found,) = symmetries(search_request(circle, degree=degree))
+        (found,) = symmetries(search_space(circle, degree=degree))
         assert found.proven
         assert isinstance(found.law, Symmetry)
         assert found.law.field in (((x, x), (y, y)), ((x, -x), (y, -y)))
@@ -361,7 +361,7 @@ def test_divisors_depend_on_coordinates_alone() -> None:
     system = System(
         name="line", title="Line", field={x: p / (1 + p**2) / (2 + x**2), p: x / (3 + x)}
     )
-    question = search_request(system, momenta="p", coordinates="x")
+    question = search_space(system, momenta="p", coordinates="x")
     assert set(question.divisors) == {2 + x**2, 3 + x}
     assert {1 + p**2, x, p} <= set(question.bases)
 
@@ -373,7 +373,7 @@ def test_the_energy_of_a_rattleback() -> None:
     (found,) = found_in(system, divisors=[])
     (r,) = vectors("r")
     energy = dot(M, omega) / 2 - m * real_symbol("g") * dot(r, gamma)
-    made = search_space(system).sample(20, 3, common=True)
+    made = restricted_system(system).sample(20, 3, common=True)
     assert not made.along(made(energy)).any()
     ratio = made(found.formula / energy)
     assert len(set(ratio.value.tolist())) == 1
@@ -392,13 +392,13 @@ def test_the_energy_of_a_rattleback() -> None:
         ({"at": ["R = 0"]}, "R > 0 is required"),
         ({"at": ["m**2 + m = 5"]}, "linear in one of"),
         ({"at": ["m = 1", "m = 2"]}, "cannot be solved"),
-        ({"on": ["M·beta"]}, "no vector or tensor 'beta'"),
-        ({"on": ["(γ M, γ)"]}, "only tensors multiply"),
-        ({"on": ["(γ, J)"]}, "is a tensor"),
-        ({"on": ["M² + 1"]}, "is empty"),
-        ({"on": ["γ² = 2"]}, "is empty"),
-        ({"on": ["M_1"]}, "is not invariant"),
-        ({"on": ["M·γ +"]}, "on"),
+        ({"level": ["M·beta"]}, "no vector or tensor 'beta'"),
+        ({"level": ["(γ M, γ)"]}, "only tensors multiply"),
+        ({"level": ["(γ, J)"]}, "is a tensor"),
+        ({"level": ["M² + 1"]}, "is empty"),
+        ({"level": ["γ² = 2"]}, "is empty"),
+        ({"level": ["M_1"]}, "is not invariant"),
+        ({"level": ["M·γ +"]}, "on"),
         ({"momenta": "beta"}, "unknown variable 'beta'"),
         ({"momenta": "M", "coordinates": "M_1, gamma"}, "both a momentum and a coordinate"),
         ({"divisors": ["beta"]}, "unknown name 'beta'"),
@@ -406,11 +406,11 @@ def test_the_energy_of_a_rattleback() -> None:
 )
 def test_mistakes_are_told_in_a_sentence(options: dict[str, Any], words: str) -> None:
     with pytest.raises(InputError, match=re.escape(words)):
-        search_request(bare("chaplygin-ball"), **options)
+        search_space(bare("chaplygin-ball"), **options)
 
 
 def test_symmetries_need_more_room_than_integrals() -> None:
-    question = search_request(bare("chaplygin-ball"), degree=4, gamma_degree=4, divisors=[])
+    question = search_space(bare("chaplygin-ball"), degree=4, gamma_degree=4, divisors=[])
     with pytest.raises(InputError, match="60,060 coefficients"):
         next(symmetries(replace(question, ansatz=replace(question.ansatz, gamma_degree=10))))
 
@@ -419,20 +419,20 @@ def test_a_field_with_an_arc_tangent_is_refused() -> None:
     x, y = real_symbol("x"), real_symbol("y")
     system = System(name="odd", title="Odd", field={x: sp.atan(y), y: x})
     with pytest.raises(InputError, match="atan"):
-        list(integrals(search_request(system)))
+        list(integrals(search_space(system)))
 
 
 @pytest.mark.slow
 def test_an_integral_on_a_level() -> None:
     """On (M, γ) = 0 the area is no integral worth mentioning."""
-    found = found_in(bare("chaplygin-ball"), on=["M·γ = 0"])
+    found = found_in(bare("chaplygin-ball"), level=["M·γ = 0"])
     assert len(found) == 2
-    assert all(finding.law is not None and finding.law.on for finding in found)
+    assert all(finding.law is not None and finding.law.level for finding in found)
 
 
 def test_progress_runs_from_nothing_to_all() -> None:
     seen: list[float] = []
-    question = search_request(bare("veselova"), divisors=[])
+    question = search_space(bare("veselova"), divisors=[])
     list(integrals(question, lambda fraction, _: seen.append(fraction)))
     assert seen[0] == 0.0
     assert seen[-1] == 1.0

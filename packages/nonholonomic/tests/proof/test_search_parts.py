@@ -13,7 +13,7 @@ from lawproof.search.ansatz import Ansatz, table
 from lawproof.search.input_formulas import code_spelling, condition, formula, quantities
 from lawproof.search.modular_jets import PRIMES, Evaluator, Jet, inverse, square_root
 from lawproof.search.modular_linalg import combination, independent_columns, nullspace, rational
-from lawproof.search.phase_space import search_space
+from lawproof.search.phase_space import restricted_system
 from lawproof.search.scaling import weights
 from nonholonomic.catalogue import from_catalogue
 
@@ -118,7 +118,7 @@ def test_square_roots_and_reciprocals(number: int) -> None:
 
 
 def test_weights_are_mass_length_and_time() -> None:
-    known = weights(search_space(from_catalogue("chaplygin-ball")))
+    known = weights(restricted_system(from_catalogue("chaplygin-ball")))
     m, R, I_1 = (known[real_symbol(n)] for n in ("m", "R", "I_1"))
     moment = known[M.symbols[0]]
     turn = known[omega.symbols[2]]
@@ -130,7 +130,7 @@ def test_weights_are_mass_length_and_time() -> None:
 
 def test_entries_that_are_zero_tie_no_weights() -> None:
     """The tensor of a rattleback's shape has zeros; its semi-axes are lengths all the same."""
-    known = weights(search_space(from_catalogue("rattleback")))
+    known = weights(restricted_system(from_catalogue("rattleback")))
     length, square = known[real_symbol("b_3")], known[real_symbol("B_33")]
     assert any(length)
     assert square == tuple(2 * w for w in length)
@@ -138,14 +138,14 @@ def test_entries_that_are_zero_tie_no_weights() -> None:
 
 def test_points_lie_on_level_and_phase_space() -> None:
     system = from_catalogue("ball-around-sphere")
-    made = search_space(system, [real_symbol("k") + 1], [])
+    made = restricted_system(system, [real_symbol("k") + 1], [])
     sample = made.sample(50, 5, common=False)
     assert not sample(norm_squared(gamma) - 1).value.any()
     assert (sample(real_symbol("k")).value == PRIME - 1).all()
     assert len(set(sample(real_symbol("m")).value.tolist())) > 40
     together = made.sample(50, 5, common=True)
     assert len(set(together(real_symbol("m")).value.tolist())) == 1
-    level = search_space(from_catalogue("chaplygin-ball"), (), [dot(M, gamma)])
+    level = restricted_system(from_catalogue("chaplygin-ball"), (), [dot(M, gamma)])
     on_level = level.sample(50, 5, common=True)
     assert not on_level(dot(M, gamma)).value.any()
     assert on_level.along(on_level(M.symbols[0])).any()
@@ -154,7 +154,7 @@ def test_points_lie_on_level_and_phase_space() -> None:
 
 def test_a_level_that_cannot_be_solved_is_refused() -> None:
     with pytest.raises(InputError, match="degree one or two"):
-        search_space(from_catalogue("chaplygin-ball"), (), [norm_squared(M) ** 2 - 1]).sample(
+        restricted_system(from_catalogue("chaplygin-ball"), (), [norm_squared(M) ** 2 - 1]).sample(
             5, 1, common=True
         )
 
@@ -162,7 +162,7 @@ def test_a_level_that_cannot_be_solved_is_refused() -> None:
 def test_monomials_and_their_rates() -> None:
     system = from_catalogue("chaplygin-ball")
     ansatz = Ansatz(M.symbols, gamma.symbols, 2, 1)
-    sample = search_space(system).sample(10, 2, common=True)
+    sample = restricted_system(system).sample(10, 2, common=True)
     made = table(ansatz, sample)
     assert len(made.exponents) == ansatz.size == 40
     for index in (0, 7, 23, 39):

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.computation import compute
+from flowlanes.flow.ensembles.computation import compute
 from flowlanes.scans.grid import axis, scan_grid
 from flowlanes.scans.observables import maximum
 from flowlanes.scans.quantity_names import observables, quantity_from_text

@@ -19,7 +19,7 @@ from flowlanes.system.laws import Integral
 from flowlanes.system.system import System
 from flowlanes.system.vectors import real_symbol, vectors
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.shapes.revolution import Revolution
 
 M, omega, gamma, r = vectors("M omega gamma r")
@@ -50,7 +50,7 @@ def any_body() -> System:
 def _with_some_profile(potential: sp.Expr) -> System:
     """A body of revolution with a placeholder profile."""
     some = Revolution(1 + g_3**2 / 4)
-    system = roll(Body(1.0, (0.3, 0.3, 0.2), some), field=Forces(9.81, potential))
+    system = rolling_system(Body(1.0, (0.3, 0.3, 0.2), some), field=Forces(9.81, potential))
     return replace(system, guards=(), observables=(), reconstruction=None, laws=())
 
 
@@ -84,4 +84,4 @@ def linear_integral() -> Integral:
     """M₃/√(I₃ + m(r₁² + r₂²))."""
     reach = r.symbols[0] ** 2 + r.symbols[1] ** 2
     value = M.symbols[2] / sp.sqrt(I_3 + m * reach)
-    return Integral("linear", value, "integral linear in ω", on=(I_1 - I_2,))
+    return Integral("linear", value, "integral linear in ω", level=(I_1 - I_2,))

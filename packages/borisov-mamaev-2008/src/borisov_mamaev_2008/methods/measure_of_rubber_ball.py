@@ -28,7 +28,7 @@ from lawproof.proof.prover import prove
 from lawproof.proof.verdict import Verdict
 from nonholonomic.invariant_measures.one_form import one_form
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 from nonholonomic.mechanics.shapes.shapes import Ball
 
 from .derived_verdicts import computed_verdict
@@ -80,9 +80,9 @@ def necessary() -> bool:
 def sufficient() -> Verdict:
     """The verdict that dσ is closed for a centre on an axis of symmetry."""
     ball = Ball(1.0, centre=(0.1, 0.2, 0.3))
-    form = one_form(Rolling(Body(1.0, (1.0, 1.5, 2.1), ball), contact="rubber"))
+    form = one_form(RollingBody(Body(1.0, (1.0, 1.5, 2.1), ball), contact="rubber"))
     I, c = Diagonal("I").symbols, Vector("c").symbols
-    return prove(form.system, replace(form.closed, on=(c[0], c[1], I[0] - I[1])))
+    return prove(form.system, replace(form.closed, level=(c[0], c[1], I[0] - I[1])))
 
 
 def only_symmetric_balls() -> Verdict:

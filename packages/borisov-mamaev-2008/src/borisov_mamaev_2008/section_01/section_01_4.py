@@ -24,7 +24,7 @@ from nonholonomic.catalogue.bodies.rubber_body import any_rubber_body, general_o
 from nonholonomic.catalogue.fixed_point.veselova_spinning import spinning_general
 from nonholonomic.catalogue.vector_rates import rate
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.shapes.shapes import Ball, Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Sphere
 
@@ -45,21 +45,21 @@ NUMBERS = (1.0, 1.5, 2.1)
 @cache
 def ball() -> System:
     """The Chaplygin ball in an unspecified potential, derived from mechanics."""
-    return roll(Body(1.0, NUMBERS, Ball(1.0)), field=Forces(potential=POTENTIAL))
+    return rolling_system(Body(1.0, NUMBERS, Ball(1.0)), field=Forces(potential=POTENTIAL))
 
 
 @cache
 def ball_on_sphere() -> System:
     """A rubber ball on a sphere in an unspecified potential, derived from mechanics."""
     body = Body(1.0, NUMBERS, Ball(1.0))
-    return roll(body, Sphere(3.0), "rubber", Forces(potential=POTENTIAL))
+    return rolling_system(body, Sphere(3.0), "rubber", Forces(potential=POTENTIAL))
 
 
 @cache
 def ellipsoid_on_sphere() -> System:
     """A free rubber ellipsoid on a sphere, derived from mechanics."""
     body = Body(1.0, NUMBERS, Ellipsoid((1.0, 0.9, 0.8)))
-    return roll(body, Sphere(3.0), "rubber")
+    return rolling_system(body, Sphere(3.0), "rubber")
 
 
 @cache
@@ -201,7 +201,7 @@ def plane_limit() -> Case:
     flat = Identity(
         "plane",
         (gammadot - cross(gamma, omega), torque - COUPLE, dot(omega, gammadot)),
-        on=(kappa,),
+        level=(kappa,),
     )
     return any_rubber_body(kappa), flat
 

@@ -20,7 +20,7 @@ from lawproof.proof.verdict import Verdict
 from nonholonomic.catalogue import CATALOGUE
 from nonholonomic.mechanics.lagrangian.mechanism import Frame, Mechanism, rotations
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 from nonholonomic.mechanics.shapes.shapes import Ellipsoid
 
 from ..claim import Case, Claim, Remark
@@ -57,13 +57,15 @@ def body_of_revolution() -> Case:
     """Any profile in any potential U(γ₃): ρ = (I₁I₃ + m(r, Ir))^(−1/2) in the variables M, γ."""
     I_1, I_2, I_3 = I.symbols
     density = I_1 * I_3 + real_symbol("m") * dot(r, I * r)
-    return any_body(), Measure("measure", {density: -sp.Rational(1, 2)}, on=(I_1 - I_2,))
+    return any_body(), Measure("measure", {density: -sp.Rational(1, 2)}, level=(I_1 - I_2,))
 
 
 def celtic_stone() -> Verdict:
     """An ellipsoid whose axes are not its principal axes of inertia."""
     inertia = ((1.0, 0.25, 0.0), (0.25, 1.5, 0.0), (0.0, 0.0, 2.0))
-    return has_no_measure(Rolling(Body(1.0, inertia, Ellipsoid((1.0, 0.75, 0.5)))), "celtic stone")
+    return has_no_measure(
+        RollingBody(Body(1.0, inertia, Ellipsoid((1.0, 0.75, 0.5)))), "celtic stone"
+    )
 
 
 def suslov_skew() -> Verdict:

@@ -172,7 +172,7 @@ def edge() -> tuple[System, Identity]:
     dynamics = replace(
         dynamics, parameters=(Parameter(m, "mass", 1.3), Parameter(third, "moment", 0.2))
     )
-    return dynamics, Identity("edge", left - (third + m * HEIGHT**2) * HEIGHT**2, on=(g_3,))
+    return dynamics, Identity("edge", left - (third + m * HEIGHT**2) * HEIGHT**2, level=(g_3,))
 
 
 def other_bodies() -> Case:

@@ -83,7 +83,7 @@ def profile(name: str, chi_1: sp.Expr, chi_2: sp.Expr) -> Case:
     """r of the mechanics is (χ₁γ₁, χ₁γ₂, χ₂)."""
     system = CATALOGUE[name].system()
     value = r - constant([chi_1 * g_1, chi_1 * g_2, chi_2])
-    return system, Identity("profile", to_components(value), on=LEVEL)
+    return system, Identity("profile", to_components(value), level=LEVEL)
 
 
 def nutation(name: str, principal: sp.Expr, weight: sp.Expr) -> Case:
@@ -96,7 +96,7 @@ def nutation(name: str, principal: sp.Expr, weight: sp.Expr) -> Case:
         "nutation",
         {u: g_3, k: linear, h: energy},
         (Rate(k), Rate(h), HALF * principal * speed - (h - weight - HALF * k**2 / SIN**2)),
-        on=LEVEL,
+        level=LEVEL,
     )
 
 

@@ -43,7 +43,7 @@ def ball() -> System:
 
 def bracket() -> Case:
     """(7.6) where (L, γ) = 0 is that of e(3)."""
-    return hamiltonian_form(sp.S.Zero), Identity("bracket", u - L, on=(dot(L, gamma),))
+    return hamiltonian_form(sp.S.Zero), Identity("bracket", u - L, level=(dot(L, gamma),))
 
 
 def _spread(vector: MatrixExpr) -> sp.Expr:
@@ -57,13 +57,13 @@ def energy() -> Case:
         - (_spread(L) * _spread(gamma) - dot(gamma, B * L) ** 2) / 2
     )
     residual = dot(M, omega) / 2 - DET_J / D * value
-    return ball(), Identity("energy", residual, on=AREA)
+    return ball(), Identity("energy", residual, level=AREA)
 
 
 def integral() -> Case:
     """(7.4) in L and γ, up to the factor det J."""
     return ball(), Identity(
-        "integral", norm_squared(M) - DET_J * norm_squared(L) * _spread(gamma), on=AREA
+        "integral", norm_squared(M) - DET_J * norm_squared(L) * _spread(gamma), level=AREA
     )
 
 

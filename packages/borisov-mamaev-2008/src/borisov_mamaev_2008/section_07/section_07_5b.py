@@ -76,8 +76,8 @@ def level() -> Case:
     """(Q, γ) = 0 is the level (M, γ) = 0."""
     return (
         (rightly(), Identity("level", dot(Q, gamma) - dot(M, gamma))),
-        (rightly(), Identity("level", dot(K, gamma), on=AREA)),
-        (ball(DENSITY), Identity("level", dot(K, gamma), on=AREA)),
+        (rightly(), Identity("level", dot(K, gamma), level=AREA)),
+        (ball(DENSITY), Identity("level", dot(K, gamma), level=AREA)),
     )
 
 
@@ -90,14 +90,14 @@ def in_new_time() -> Case:
             rho * rate(K) - (cross(K, INVERSE * K) - pull),
             rho * rate(gamma) - cross(gamma, INVERSE * K),
         ),
-        on=AREA,
+        level=AREA,
     )
 
 
 def integral_printed() -> Case:
     """The integral as printed."""
     value = LOAD / dot(INVERSE * gamma, J * gamma)
-    return rightly(), Integral("fedorov", value, on=AREA)
+    return rightly(), Integral("fedorov", value, level=AREA)
 
 
 def integral() -> Case:
@@ -105,8 +105,8 @@ def integral() -> Case:
     value = LOAD / TILT
     known = norm_squared(M) - D * dot(M, omega)
     return (
-        (rightly(), Integral("fedorov", value, on=AREA)),
-        (rightly(), Identity("known", value - known, on=AREA)),
+        (rightly(), Integral("fedorov", value, level=AREA)),
+        (rightly(), Identity("known", value - known, level=AREA)),
     )
 
 

@@ -22,7 +22,7 @@ from nonholonomic.catalogue.ball_on_sphere import (
 )
 from nonholonomic.catalogue.vector_rates import rate
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import roll
+from nonholonomic.mechanics.rolling.equations import rolling_system
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere, Surface
 
@@ -41,7 +41,7 @@ HALF = sp.S.Half
 def rolled(surface: Surface, *, hollow: bool = False) -> System:
     """The ball as it follows from mechanics; γ is n."""
     radius = 2.0 if hollow else 1.0
-    return roll(Body(1.0, (1.0, 1.5, 2.1), Ball(radius, hollow=hollow)), surface)
+    return rolling_system(Body(1.0, (1.0, 1.5, 2.1), Ball(radius, hollow=hollow)), surface)
 
 
 def dynamics() -> Case:
@@ -78,7 +78,7 @@ def with_ratio(ratio: sp.Expr) -> System:
 
 def flattened(ratio: sp.Expr) -> tuple[System, Identity]:
     """ṅ = n×ω where a curvature κ vanishes."""
-    law = Identity("kinematics", rate(gamma) - cross(gamma, omega), "a plane", on=(kappa,))
+    law = Identity("kinematics", rate(gamma) - cross(gamma, omega), "a plane", level=(kappa,))
     return with_ratio(ratio), law
 
 
@@ -123,14 +123,14 @@ def radii(body: sp.Expr) -> Case:
     turned = rate(gamma) + cross(gamma, omega)
     return (inside, law), (
         with_ratio(ratio),
-        Identity("radii", turned, "motion of the normal for k = −1", on=(R - body,)),
+        Identity("radii", turned, "motion of the normal for k = −1", level=(R - body,)),
     )
 
 
 def linear_integral(shift: sp.Expr) -> Case:
     """The integral (AM, n) with A_i = ½ (ΣI + shift) − I_i, at k = −1."""
     tensor = (sp.Add(*I.symbols) + shift) / 2 * identity - I
-    law = Integral("linear", dot(tensor * M, n), "linear integral", on=(k + 1,))
+    law = Integral("linear", dot(tensor * M, n), "linear integral", level=(k + 1,))
     return ball.equations_on_sphere(), law
 
 

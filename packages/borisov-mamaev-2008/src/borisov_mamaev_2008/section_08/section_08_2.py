@@ -35,7 +35,7 @@ def velocity() -> Case:
         drawn = ball.contact_inertia(tensor * n)
         excess = dot(n, drawn) * ball.omega - cross(drawn, rate(n)) - dot(tensor * M, n) * n
         meaning = "angular velocity from n and its rate"
-        laws.append((system, Identity("velocity", excess, meaning, on=(k + 1,))))
+        laws.append((system, Identity("velocity", excess, meaning, level=(k + 1,))))
     return tuple(laws)
 
 
@@ -143,7 +143,7 @@ def with_area() -> Case:
             form**2 * (half * dot(M, ball.omega) - norm_squared(M)) - energy(swing) - energy(spin),
         ),
         "(ΣI + d)/2 (M, ω) − M² has no part linear in the velocities",
-        on=(k + 1,),
+        level=(k + 1,),
     )
     return ball.equations_on_sphere(), law
 

@@ -269,7 +269,7 @@ def eq_8_12_without_mass() -> Case:
         "S",
         value + 8 * chart.function(chart.u[0]) / gamma,
         "function S for d = 0",
-        on=(chart.TRACE - chart.tau,),
+        level=(chart.TRACE - chart.tau,),
     )
     return chart.coordinates_around_sphere(), law
 
@@ -280,7 +280,7 @@ def euler() -> Case:
         "euler",
         rate(ball.M) - cross(ball.M, ball.I**-1 * ball.M),
         "Euler's equations",
-        on=(ball.d,),
+        level=(ball.d,),
     )
     return ball.equations_on_sphere(), law
 

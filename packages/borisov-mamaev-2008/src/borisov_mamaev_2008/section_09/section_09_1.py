@@ -22,7 +22,7 @@ from lawproof.proof.verdict import Verdict
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.catalogue.ball_on_sphere import rubber_ball_ratio as ratio
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Sphere
 
@@ -44,7 +44,7 @@ GAMMA_RATE = constant([Rate(s) for s in gamma.symbols])
 def rolled() -> System:
     """The ball as it follows from mechanics, in an arbitrary potential of the normal."""
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
-    return Rolling(body, Sphere(2.0), "rubber", Forces(0.0, POTENTIAL)).system()
+    return RollingBody(body, Sphere(2.0), "rubber", Forces(0.0, POTENTIAL)).system()
 
 
 def dynamics() -> Case:
@@ -106,7 +106,7 @@ def as_veselova() -> Case:
         target,
         {omega: omega, gamma: n},
         constants=dict(zip(I.symbols, J.symbols, strict=True)),
-        on=(k - 1,),
+        level=(k - 1,),
     )
     return with_tensor_of_a_body(ratio.rolling(), J.symbols), law
 
@@ -114,8 +114,8 @@ def as_veselova() -> Case:
 def radii() -> Case:
     """k = a/(a + b) is −1 for b = −2a: for the hollow ball, whose inner radius is R = −b."""
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(2.0, hollow=True))
-    system = Rolling(body, Sphere(1.0), "rubber").system()
-    return system, Identity("ratio", k + 1, "ratio k of a hollow ball", on=(R - 2 * a,))
+    system = RollingBody(body, Sphere(1.0), "rubber").system()
+    return system, Identity("ratio", k + 1, "ratio k of a hollow ball", level=(R - 2 * a,))
 
 
 def eq_9_4_integral() -> Case:

@@ -93,13 +93,13 @@ def radius() -> Case:
 
 def canonical(*levels: sp.Expr) -> Case:
     """(9.10), on a level of k if one is given."""
-    return conical.momentum_form(), replace(conical.to_canonical(), on=levels)
+    return conical.momentum_form(), replace(conical.to_canonical(), level=levels)
 
 
 def at_both() -> Case:
     """Conformally Hamiltonian for k = 1 and for k = −1."""
     system = conical.momentum_form()
-    first, second = (replace(conical.to_canonical(), on=(k - value,)) for value in (1, -1))
+    first, second = (replace(conical.to_canonical(), level=(k - value,)) for value in (1, -1))
     return (system, first), (system, second)
 
 
@@ -108,7 +108,7 @@ def half() -> Case:
     momenta = {p_xi: conical.P_xi, p_eta: conical.P_eta}
     energy = conical.hamiltonian().subs({k: sp.Rational(1, 2)}).xreplace(momenta)
     law = ConformallyHamiltonian(
-        "hamiltonian", sp.S.One, conical.CANONICAL, energy, on=(2 * k - 1,)
+        "hamiltonian", sp.S.One, conical.CANONICAL, energy, level=(2 * k - 1,)
     )
     return conical.momentum_form(), law
 

@@ -131,7 +131,7 @@ COORDINATES = {rho: sp.sqrt(RHO_SQUARED), **roots(u, v, *WITH_DENSITY)}
 
 def in_coordinates(name: str, equations: Sequence[sp.Expr], *levels: sp.Expr) -> Case:
     """Equations that u, v satisfy on the phase space of (9.2)."""
-    return with_point(), Identity(name, tuple(equations), quantities=COORDINATES, on=levels)
+    return with_point(), Identity(name, tuple(equations), quantities=COORDINATES, level=levels)
 
 
 def conics(factor: sp.Expr) -> Case:

@@ -10,7 +10,7 @@ from flowlanes.system.vectors import cross, dot, norm_squared, zero
 from lawproof.proof.verdict import Verdict
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Sphere
 
@@ -91,7 +91,7 @@ def balanced() -> Case:
 def on_sphere() -> Case:
     """(10.3) on a sphere, outside, inside and around."""
     body = Body(1.3, (1.0, 1.5, 2.1), Ball(2.0, centre=(0.1, -0.2, 0.3), hollow=True))
-    around = Rolling(body, Sphere(0.75)).system()
+    around = RollingBody(body, Sphere(0.75)).system()
     places = (from_catalogue("unbalanced-ball-on-sphere", a=value) for value in (2.0, -3.0))
     return tuple((system, QUADRATIC) for system in (*places, around))
 
@@ -107,7 +107,7 @@ def rank_of_marble() -> Verdict:
 def no_measure_for_marble() -> Verdict:
     """None, unless the centre lies on an axis of dynamical symmetry: a theorem on all balls."""
     ball = Ball(2.0, centre=(0.1, -0.2, 0.3))
-    return has_no_measure(Rolling(Body(1.3, (1.0, 1.5, 2.1), ball)), "unbalanced ball")
+    return has_no_measure(RollingBody(Body(1.3, (1.0, 1.5, 2.1), ball)), "unbalanced ball")
 
 
 def surface() -> Verdict:

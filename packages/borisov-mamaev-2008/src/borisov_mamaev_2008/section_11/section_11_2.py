@@ -83,7 +83,7 @@ def _even_decrease() -> tuple[Identity, Identity]:
 def rolling_with_spin() -> Case:
     """Without the couple the slip ends after |u|/(μg(1 + mR²/I)), and the spin is constant."""
     slip, spin = _even_decrease()
-    without = Identity("spin", spin.value, "the spin is constant", on=(spin_arm,))
+    without = Identity("spin", spin.value, "the spin is constant", level=(spin_arm,))
     return (dry_ball(), slip), (dry_ball(), without)
 
 

@@ -57,7 +57,7 @@ def whirling() -> Case:
         Parameter(sine, "sine of the inclination", 0.1, admissible=(sine > 0,)),
         Parameter(turn, "rate of the point of contact", 20.0),
     )
-    law = Identity("whirling", Rate(gamma.symbols[2]), "constant inclination", on=level)
+    law = Identity("whirling", Rate(gamma.symbols[2]), "constant inclination", level=level)
     definitions = (
         (name, R * sine if name == height else value) for name, value in disk.definitions
     )

@@ -98,7 +98,7 @@ def in_velocities(rotors: MatrixExpr) -> tuple[tuple[System, Identity], ...]:
 
 def linear_part(rotors: MatrixExpr, *level: sp.Expr) -> tuple[System, Identity]:
     """That (M + k)² has no part linear in the velocities, on a level."""
-    law = Identity("linear part", _linear(_momentum_and_energy(rotors)[0]), on=level)
+    law = Identity("linear part", _linear(_momentum_and_energy(rotors)[0]), level=level)
     return ball_in_angles(rotors), law
 
 
@@ -139,10 +139,11 @@ def around_sphere_linear() -> Verdict:
             form**2 * value - part - other
             for value, part, other in zip(values, parts, constant_parts, strict=True)
         ),
-        on=(sphere.k + 1,),
+        level=(sphere.k + 1,),
     )
     present = [
-        contrary(prove(system, Identity("linear part", part, on=(sphere.k + 1,)))) for part in parts
+        contrary(prove(system, Identity("linear part", part, level=(sphere.k + 1,))))
+        for part in parts
     ]
     return conclusion_verdict(
         "linear terms",

@@ -27,7 +27,7 @@ def test_a_homogeneous_disk_whirls_at_the_rate_of_the_claim(inclination: float) 
 def test_another_rate_is_refuted() -> None:
     disk, law = whirling()
     assert lawproof.prove(disk, law).decision == "proven"
-    *others, rate = law.on
+    *others, rate = law.level
     m = next(p.symbol for p in disk.parameters if p.symbol.name == "m")
-    wrong = replace(law, on=(*others, rate.subs(m, 2 * m)))
+    wrong = replace(law, level=(*others, rate.subs(m, 2 * m)))
     assert lawproof.prove(disk, wrong).decision == "refuted"

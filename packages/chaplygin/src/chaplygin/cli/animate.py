@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from ..experiment.study import Study
     from ..report.film.frames import Picture
-    from ..report.study_output import Report
+    from ..report.study_output import StudyProgress
 
 #: Minimum number of samples of a motion through which paths are drawn.
 SMOOTH = 2000
@@ -104,7 +104,7 @@ def _with_frames(study: Study, steps: int) -> Study:
 
 
 def _film(
-    study: Study, steps: int, output: Path, rate: int, size: tuple[int, int], report: Report
+    study: Study, steps: int, output: Path, rate: int, size: tuple[int, int], report: StudyProgress
 ) -> None:
     from ..experiment.study import dataset_of
     from ..experiment.subjects.plan import plan_motion

@@ -61,7 +61,8 @@ def command(
 
     with results_on_interrupt("the verdicts reached so far are about to be printed"):
         with progress("judging the claims of the paper") as report:
-            judgements, left = audit.audit(section, workers, report)
+            done = audit.audit(section, workers, report)
+        judgements, left = done.judgements, done.unjudged
         with beside(output):
             if json:
                 records = [judgement.record() for judgement in judgements]

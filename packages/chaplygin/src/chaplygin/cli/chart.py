@@ -58,7 +58,7 @@ def command(
     for text, option in ((x, "--x"), (y, "--y")):
         axis_parts(text, option)
     study = study_of(what, overrides)
-    from flowlanes.flow.ensemble.computation import compute
+    from flowlanes.flow.ensembles.computation import compute
     from flowlanes.scans.grid import axis
 
     from ..experiment.friction_studies.chart_task import chart_task
@@ -71,7 +71,7 @@ def command(
         of,
         horizontal,
         vertical,
-        until=until,
+        t_end=until,
         formulas=formulas,
         fixed=hold or (),
         device=chosen,

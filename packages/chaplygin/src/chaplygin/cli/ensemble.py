@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from flowlanes.system.tolerance import ENSEMBLE_TOLERANCE
+
 from .terminal.options import inform, print_json, study_of
 from .terminal.progress import progress
 from .terminal.stores import (
@@ -22,8 +24,8 @@ from .terminal.stores import (
 
 if TYPE_CHECKING:
     from flowlanes.flow.devices.graphics import Device
-    from flowlanes.flow.ensemble.members import Members
-    from flowlanes.flow.ensemble.task import Task
+    from flowlanes.flow.ensembles.members import Members
+    from flowlanes.flow.ensembles.task import Task
 
     from ..experiment.study import Study
 
@@ -37,7 +39,7 @@ def command(
     seed: int = 0,
     over: list[str] | None = None,
     record: list[str] | None = None,
-    tolerance: float = 1e-13,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     workers: str | None = None,
     device: str = "cpu",
     overrides: list[str] | None = None,
@@ -58,7 +60,7 @@ def command(
     for text in over or ():
         axis_parts(text, "--over")
     study = study_of(what, overrides)
-    from flowlanes.flow.ensemble.computation import compute
+    from flowlanes.flow.ensembles.computation import compute
 
     if study.subject.changes_equations:
         from flowlanes.flow.devices.graphics import refuse_graphics
@@ -112,7 +114,7 @@ def _task(
     from dataclasses import replace
 
     from flowlanes.errors import InputError
-    from flowlanes.flow.ensemble.run import SHARES, ensemble_task
+    from flowlanes.flow.ensembles.run import SHARES, ensemble_task
 
     from ..experiment.single_system import without_reconstruction
 
@@ -140,7 +142,7 @@ def _numbers(
     import numpy as np
 
     from flowlanes.errors import InputError
-    from flowlanes.flow.ensemble.members import grid
+    from flowlanes.flow.ensembles.members import grid
     from flowlanes.scans.grid import axis
 
     from ..experiment.friction_studies.random_starts import random_numbers
@@ -189,7 +191,7 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
     import numpy as np
 
     from flowlanes.errors import InputError
-    from flowlanes.flow.ensemble.members import grid, random_starts, single
+    from flowlanes.flow.ensembles.members import grid, random_starts, single
     from flowlanes.scans.grid import axis
 
     if level is not None:

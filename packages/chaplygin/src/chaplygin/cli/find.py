@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import sympy as sp
 
     from flowlanes.system.system import Parameter, System
-    from lawproof.search import Question, SearchResult
+    from lawproof.search import SearchResult, SearchSpace
     from nonholonomic.invariant_measures.equilibria import EquilibriumObstruction
     from nonholonomic.invariant_measures.result import MeasureExistence
 
@@ -57,21 +57,21 @@ def command(
     """Search for first integrals, invariant measures or symmetries, and prove those found."""
     allowed = operations(effort)
     study = study_of(what, overrides)
-    from lawproof.search import search_request
+    from lawproof.search import search_space
 
     from ..experiment.single_system import single_system
 
     system = single_system(study)
     began = time.monotonic()
     conditions = special(system) if at is None else tuple(c for c in at if c.strip() != "none")
-    question = search_request(
+    question = search_space(
         system,
         degree=degree,
         gamma_degree=gamma_degree,
         momenta=momenta,
         coordinates=coordinates,
         at=conditions,
-        on=on or (),
+        level=on or (),
         divisors=None if divisors is None else [d for d in divisors if d.strip() != "1"],
         bases=bases,
         powers=power,
@@ -121,7 +121,7 @@ def special(system: System) -> tuple[str, ...]:
     return (*factors, *(f"{p.symbol} = 0" for p in values if values[p] == 0))
 
 
-def _results(kind: str, question: Question) -> tuple[list[SearchResult], bool]:
+def _results(kind: str, question: SearchSpace) -> tuple[list[SearchResult], bool]:
     """The results, and whether the search was completed."""
     from lawproof.search import integrals, measures, symmetries
 
@@ -145,14 +145,14 @@ def _existence(study: Study) -> MeasureExistence | None:
     """Whether a density on the configuration exists, if the mechanical model is known."""
     from flowlanes.errors import InputError
     from flowlanes.formulas.errors import OutOfReachError
-    from nonholonomic.invariant_measures.existence import measure_exists
+    from nonholonomic.invariant_measures.existence import invariant_measure
 
     model = study.subject.model
     if model is None:
         return None
     try:
         with progress("deciding whether a density on the configuration exists"):
-            return measure_exists(model, study.system.title)
+            return invariant_measure(model, study.system.title)
     except (InputError, OutOfReachError, ZeroDivisionError):
         # Constraints of another kind, or numbers for which the derivation fails.
         return None
@@ -192,7 +192,7 @@ def _equation(vanishing: sp.Expr) -> str:
     return f"{text(left)} = {text(Add(-number, *(-term for term in negative)))}"
 
 
-def _setting(question: Question) -> str:
+def _setting(question: SearchSpace) -> str:
     ansatz = question.ansatz
     lines = [
         f"of degree ≤ {ansatz.degree} in "
@@ -229,12 +229,12 @@ def _result_lines(finding: SearchResult) -> list[str]:
     return [f"  {label} = {formula}", f"      {status}{known}"]
 
 
-def _factors(kind: str, question: Question) -> tuple[Any, ...]:
+def _factors(kind: str, question: SearchSpace) -> tuple[Any, ...]:
     """The divisors of integrals, or the factors of densities, that are tried."""
     return {"integrals": question.divisors, "measure": question.bases}.get(kind, ())
 
 
-def _as_text(kind: str, question: Question, results: list[SearchResult], complete: bool) -> str:
+def _as_text(kind: str, question: SearchSpace, results: list[SearchResult], complete: bool) -> str:
     from flowlanes.printing.formula import text
 
     lines = [f"{_TITLES[kind]} of {question.stage.system.title}"]
@@ -257,7 +257,7 @@ def _as_text(kind: str, question: Question, results: list[SearchResult], complet
 
 
 def _as_json(
-    kind: str, question: Question, results: list[SearchResult], complete: bool, seconds: float
+    kind: str, question: SearchSpace, results: list[SearchResult], complete: bool, seconds: float
 ) -> dict[str, object]:
     from flowlanes.printing.formula import latex, text
 

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from flowlanes.system.tolerance import ENSEMBLE_TOLERANCE
+
 from ..interruption import EXIT_CODE, NOTHING_SAVED, message_on_interrupt, print_interruption
 from .terminal.options import console, inform, print_json, study_of
 from .terminal.output_destination import STANDARD_OUTPUT, beside, check_output, deliver, name_of
@@ -26,7 +28,7 @@ def command(
     until: float | None = None,
     level: str | None = None,
     seed: int = 0,
-    tolerance: float = 1e-13,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     device: str = "cpu",
     output: Path | None = None,
     overrides: list[str] | None = None,
@@ -44,15 +46,13 @@ def command(
         if output.suffix != ".nc" and output != STANDARD_OUTPUT:
             raise InputError(f"--output {output}: its name must end in .nc")
         check_output("--output", output, force, json, what)
-    if until is not None and not 0 < until < float("inf"):
-        raise InputError(f"--until {until:g}: it must be positive and finite")
     numbers, chosen = None if level is None else level_of(level), device_of(device)
     study = study_of(what, overrides)
     from flowlanes.flow.sampling.level_sampler import sample_level
     from flowlanes.lyapunov.record import record
     from flowlanes.lyapunov.report import Spectrum
     from flowlanes.lyapunov.spectrum import lyapunov_spectrum
-    from flowlanes.orbits.reversing_symmetries import reversors
+    from flowlanes.orbits.reversor import reversing_symmetries
 
     from ..experiment.single_system import without_reconstruction
 
@@ -71,7 +71,7 @@ def command(
                 spectrum = lyapunov_spectrum(
                     system,
                     start,
-                    until=length,
+                    t_end=length,
                     tolerance=tolerance,
                     device=chosen,
                     progress=report,
@@ -86,10 +86,10 @@ def command(
                 else (f"in {output}", "the same command with --force")
             )
             interrupted = (
-                f"at t = {spectrum.until:g} of {length:g}; the spectrum up to then is {kept}; "
+                f"at t = {spectrum.t_end:g} of {length:g}; the spectrum up to then is {kept}; "
                 f"{again} starts from the beginning"
             )
-        turned = reversors(system)
+        turned = reversing_symmetries(system)
         if output is not None:
             deliver(spectrum.dataset(), output, force)
         with beside(output):
@@ -115,7 +115,7 @@ def _print(spectrum: Spectrum, reversors: Any) -> None:
 
     typer.echo(spectrum.system.title)
     typer.echo(
-        f"integrated to t = {spectrum.until:g} s, averaged from {spectrum.began:g} s, "
+        f"integrated to t = {spectrum.t_end:g} s, averaged from {spectrum.began:g} s, "
         f"{len(spectrum.growth)} intervals; exponents in 1/s"
     )
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)

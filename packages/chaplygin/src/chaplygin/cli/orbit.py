@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from flowlanes.system.tolerance import TOLERANCE
+
 from ..interruption import NOTHING_SAVED, message_on_interrupt
 from .terminal.options import inform, print_json, study_of
 from .terminal.output_destination import check_figure, check_output, deliver
@@ -29,7 +31,7 @@ def command(
     period: int = 1,
     hold: list[str] | None = None,
     follow: str | None = None,
-    tolerance: float = 1e-15,
+    tolerance: float = TOLERANCE["double"],
     output: Path | None = None,
     figure: Path | None = None,
     overrides: list[str] | None = None,

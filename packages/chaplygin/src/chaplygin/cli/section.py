@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from flowlanes.system.tolerance import ENSEMBLE_TOLERANCE
+
 from .terminal.options import console, inform, print_json, study_of
 from .terminal.output_destination import STANDARD_OUTPUT
 from .terminal.progress import progress
@@ -42,7 +44,7 @@ def command(
     seed: int = 0,
     coordinates: str = "",
     until: float | None = None,
-    tolerance: float = 1e-13,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     workers: str | None = None,
     device: str = "cpu",
     overrides: list[str] | None = None,
@@ -64,7 +66,7 @@ def command(
     from shutil import rmtree
 
     from flowlanes.errors import InputError, RunError
-    from flowlanes.flow.ensemble.computation import compute
+    from flowlanes.flow.ensembles.computation import compute
 
     from ..experiment.poincare import SectionSurface, Starts, section_of
     from ..report.drawing.files import save
@@ -90,7 +92,7 @@ def command(
             surface,
             points,
             coordinates=coordinates,
-            until=study.until if until is None else until,
+            t_end=study.until if until is None else until,
             tolerance=tolerance,
         )
     else:
@@ -101,7 +103,7 @@ def command(
             chosen,
             points,
             coordinates,
-            until=limit,
+            t_end=limit,
             tolerance=tolerance,
             device=processor,
         )

@@ -140,8 +140,8 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     if study.system.reconstruction is not None and not in_space(study, solution):
         inform("the attitude and the position in space are not part of this closed form")
     out_of_reach = any("nan" in values for _, _, values in rows)
-    if solution.left_open and (digits is not None or out_of_reach):
-        inform(solution.left_open)
+    if solution.not_rigorous and (digits is not None or out_of_reach):
+        inform(solution.not_rigorous)
     if len(shown) < len(moments):
         inform(
             f"{len(shown)} of {len(moments)} times are shown; --json prints and -o writes all "

@@ -38,14 +38,10 @@ def command(
     check_folder(folder, force, what)
     allowed = None if effort is None else operations(effort)
     study = study_of(what, overrides, precision)
-    from nonholonomic.classification.facts import ProofBudget
-
     from ..report.page import EFFORT_PER_PROOF, TIMES
     from ..report.study_output import write_study
 
     each = allowed or EFFORT_PER_PROOF
-    # A law of a single mode does not apply to a motion through several.
-    altogether = 0 if quick or study.subject.changes_equations else TIMES * each
 
     def words() -> str:
         if not is_begun(folder):
@@ -53,9 +49,15 @@ def command(
         return f"the part that is done is in {folder}; the same command resumes there"
 
     with message_on_interrupt(words), progress(f"integrating: {study.system.title}") as report:
-        budget = ProofBudget(each, altogether, lambda what: report.say(f"proving: {what}"))
         try:
-            trajectory, failure = write_study(study, folder, force, budget, report)
+            trajectory, failure = write_study(
+                study,
+                folder,
+                force=force,
+                effort=each,
+                total_budget=0 if quick else TIMES * each,
+                progress=report,
+            )
         except InterruptionError as stop:
             raise KeyboardInterrupt from stop
     facts, text = results(study, trajectory)

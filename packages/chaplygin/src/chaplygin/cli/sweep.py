@@ -8,6 +8,8 @@ from typing import Any
 
 import typer
 
+from flowlanes.system.tolerance import ENSEMBLE_TOLERANCE
+
 from .ensemble import given_start
 from .terminal.options import inform, print_json, study_of
 from .terminal.output_destination import check_figure
@@ -30,7 +32,7 @@ def command(
     record: list[str] | None = None,
     draw: str | None = None,
     figure: Path | None = None,
-    tolerance: float = 1e-13,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     workers: str | None = None,
     overrides: list[str] | None = None,
     force: bool = False,
@@ -57,9 +59,9 @@ def command(
     values = [values_of(text) for text in over]
     from dataclasses import replace
 
-    from flowlanes.flow.ensemble.computation import compute
-    from flowlanes.flow.ensemble.members import grid, single
-    from flowlanes.flow.ensemble.run import SHARES, ensemble_task
+    from flowlanes.flow.ensembles.computation import compute
+    from flowlanes.flow.ensembles.members import grid, single
+    from flowlanes.flow.ensembles.run import SHARES, ensemble_task
 
     from ..experiment.single_system import without_reconstruction
     from ..report.drawing.files import save

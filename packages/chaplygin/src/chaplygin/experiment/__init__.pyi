@@ -1,3 +1,6 @@
-from .dataset import read as read, to_dataset as to_dataset, write as write
-from .models.experiment import load as load, loads as loads
-from .study import Study as Study, prepare as prepare
+from .dataset import open_dataset as open_dataset, write_dataset as write_dataset
+from .models.experiment import (
+    load_experiment as load_experiment,
+    parse_experiment as parse_experiment,
+)
+from .study import Study as Study

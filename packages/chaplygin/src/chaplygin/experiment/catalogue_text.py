@@ -14,8 +14,8 @@ from nonholonomic.catalogue.file_systems import catalogue_system
 from nonholonomic.system_files.write import plan_table_of, system_text
 
 from .models.catalogue_models import StateExperiment, SystemExperiment
-from .models.experiment import loads
-from .study import Study, prepare
+from .models.experiment import parse_experiment
+from .study import Study
 
 
 def catalogue_text(study: Study) -> str:
@@ -40,7 +40,7 @@ def catalogue_text(study: Study) -> str:
     # whatever is printed reads back to the same system
     try:
         text = system_text(study.system, _further(study, name), catalogue_system)
-        if prepare(loads(text)).system != study.system:
+        if Study.from_experiment(parse_experiment(text)).system != study.system:
             raise InputError("it does not read back to the same system")
         return text
     except InputError as error:

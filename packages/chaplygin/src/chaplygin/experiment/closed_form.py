@@ -15,7 +15,8 @@ from flint import arb
 from markupsafe import Markup
 
 from flowlanes.errors import InputError, RunError
-from flowlanes.flow.trajectory import Statistics, Trajectory, recorded_values
+from flowlanes.flow.recorded_quantities import recorded_values
+from flowlanes.flow.trajectory import Statistics, Trajectory
 from flowlanes.printing import numerals
 from flowlanes.printing.equations import equations_html
 from flowlanes.printing.formula import latex, text
@@ -93,7 +94,7 @@ def closed_form_trajectory(
         In double precision.
     """
     began = clock.perf_counter()
-    moments = times_in_range(np.asarray(times, dtype=float), solution.pace)
+    moments = times_in_range(np.asarray(times, dtype=float), solution.phase_rate)
     states = solution.states(moments)
     seconds = clock.perf_counter() - began
     system = study.system_on_level.lifted() if in_space(study, solution) else study.system_on_level

@@ -10,7 +10,7 @@ import sympy as sp
 
 from flowlanes.errors import InputError
 from flowlanes.flow.devices.graphics import Device
-from flowlanes.flow.ensemble.task import Task
+from flowlanes.flow.ensembles.task import Task
 from flowlanes.flow.kernel.equations import poincare_section
 from flowlanes.flow.sampling.level_sampler import level_sampler
 from flowlanes.flow.sections.poincare_dataset import Quantity, section_task
@@ -20,6 +20,7 @@ from flowlanes.scans.state_coordinates import chart
 from flowlanes.scans.system_quantities import meaning
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import System
+from flowlanes.system.tolerance import ENSEMBLE_TOLERANCE
 
 from .scan import VECTORS
 from .section_coordinates import is_angle, usual, within_a_turn
@@ -88,8 +89,8 @@ def section_of(
     points: int,
     coordinates: str = "",
     *,
-    until: float = np.inf,
-    tolerance: float = 1e-13,
+    t_end: float = np.inf,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     device: Device = "cpu",
 ) -> tuple[Task, tuple[str, ...]]:
     """Prepare the section of an experiment; also return the coordinates to be drawn.
@@ -103,10 +104,10 @@ def section_of(
         Returns of each motion.
     coordinates : str
         See :func:`coordinates_of`.
-    until : float
+    t_end : float
         Time after which a motion is given up.
     tolerance : float
-        Of the integration.
+        See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
         Where the motions are computed; see :func:`flowlanes.flow.batch.batch_integrator`.
 
@@ -120,8 +121,8 @@ def section_of(
         raise InputError(
             f"--direction {surface.direction}: it must be one of {', '.join(DIRECTIONS)}"
         )
-    if not until > 0:
-        raise InputError(f"--until {until:g}: it must be positive")
+    if not t_end > 0:
+        raise InputError(f"--until {t_end:g}: it must be positive")
     on = formula(system, surface.quantity, "--on")
     where = poincare_section(
         system, on, surface.value, DIRECTIONS[surface.direction], surface.angle
@@ -132,7 +133,7 @@ def section_of(
         system, coordinates, study.variables, surface.quantity
     )
     states, sentence = _starts(study, system, starts)
-    returns = PoincareMap(system, where, {}, tolerance, until=until, device=device)
+    returns = PoincareMap(system, where, {}, tolerance, t_end=t_end, device=device)
     task = section_task(
         returns,
         states,
@@ -166,7 +167,7 @@ def _starts(study: Study, system: System, starts: Starts) -> tuple[FloatArray, s
 
 def _level(system: System, start: FloatArray) -> dict[str, float]:
     """The unconditional integrals at a start."""
-    laws = [law for law in system.integrals if not law.on]
+    laws = [law for law in system.integrals if not law.level]
     (numbers,) = values(system, [law.value for law in laws], start)
     return {law.name: float(x) for law, x in zip(laws, numbers, strict=True)}
 

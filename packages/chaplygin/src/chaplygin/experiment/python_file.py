@@ -25,7 +25,7 @@ from flowlanes.parsing import nearest
 from flowlanes.system.system import Parameter, System
 from nonholonomic.mechanics.lagrangian.mechanism import Mechanism
 from nonholonomic.mechanics.lagrangian.plan import Plan, plan_of
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.system_files.source import Source
 from nonholonomic.system_files.toml import Key, Tables
 from nonholonomic.system_files.validation import validation_messages, value_text
@@ -69,7 +69,7 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
         return study
     mechanism: Mechanism | None = definitions.get("mechanism")
     with _PlacingErrors(path):
-        system: System = definitions.get("system") or equations(definitions["mechanism"])
+        system: System = definitions.get("system") or equations_of_motion(definitions["mechanism"])
         tables: dict[str, Any] = tables_of(writable_laws(system))
         plan = definitions.get("plan") or (plan_of(mechanism) if mechanism else None)
         if plan is not None:

@@ -31,7 +31,7 @@ def chart_of(
     x: Axis,
     y: Axis,
     *,
-    until: float | None = None,
+    t_end: float | None = None,
     formulas: Mapping[str, str] | None = None,
     fixed: Collection[str] = (),
     device: Device = "cpu",
@@ -44,7 +44,7 @@ def chart_of(
     of : str
         The number; see :func:`flowlanes.scans.quantity_names.quantity_from_text`.
     x, y : Axis
-    until : float, optional
+    t_end : float, optional
         How long motions are followed; as long as that of the experiment if left out.
     formulas, fixed
         See :func:`flowlanes.scans.grid.scan_grid`.
@@ -57,7 +57,7 @@ def chart_of(
         If the number, an axis or a formula cannot be used.
     """
     plane = plane_of(study, x, y, formulas=formulas, fixed=fixed)
-    span = study.until if until is None else until
+    span = study.until if t_end is None else t_end
     point = [float(value) for value in study.start[: len(plane.system.symbols)]]
     batch_integrator(plane.system, backward=span < 0).require_reach(point, span)
     number = quantity_from_text(

@@ -31,7 +31,7 @@ def usual(system: System, condition: str = "") -> str:
     condition : str
         The quantity whose value the section holds: it is no coordinate.
     """
-    conditions = len(system.relations) + sum(not law.on for law in system.integrals)
+    conditions = len(system.relations) + sum(not law.level for law in system.integrals)
     spatial = len(system.symbols) - conditions - 1 > 2
     if _has_andoyer(system):
         first = (

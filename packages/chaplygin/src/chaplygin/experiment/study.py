@@ -21,9 +21,8 @@ from flowlanes.system.laws import Law
 from flowlanes.system.overview import Overview, WithOverview
 from flowlanes.system.system import Guard, System
 from nonholonomic.contact.invariants.provable_laws import provable_laws
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 
-from .dataset import to_dataset
 from .models.experiment import Experiment
 from .subjects.contact_subject import ContactSubject
 from .subjects.initial_state import StartValues, normalised_vectors, on_level
@@ -44,14 +43,46 @@ class Study(WithOverview):
     Examples
     --------
     >>> import chaplygin as ch
-    >>> experiment = ch.loads('system = {name = "veselova"}', overrides=["run.until=5"])
-    >>> motion = ch.prepare(experiment).trajectory()
+    >>> experiment = ch.parse_experiment('system = {name = "veselova"}', overrides=["run.until=5"])
+    >>> motion = ch.Study.from_experiment(experiment).trajectory()
     >>> motion["omega"].shape
     (101, 3)
     """
 
     experiment: Experiment
     subject: Subject
+
+    @classmethod
+    @arguments_checked
+    def from_experiment(cls, experiment: Experiment) -> Study:
+        """Make an experiment ready.
+
+        Parameters
+        ----------
+        experiment : Experiment
+            As :func:`load_experiment` and :func:`parse_experiment` give it.
+
+        Returns
+        -------
+        Study
+            Its system, start and times; ``study.trajectory()`` integrates it.
+
+        Raises
+        ------
+        InputError
+            If its parts do not fit together; the message names the place in the file.
+
+        Examples
+        --------
+        >>> import chaplygin as ch
+        >>> experiment = ch.parse_experiment(
+        ...     'system = {name = "veselova"}', overrides=["run.samples=11"]
+        ... )
+        >>> study = ch.Study.from_experiment(experiment)
+        >>> study.system.title, study.times.shape
+        ('Veselova system', (11,))
+        """
+        return cls(experiment, subject_of(experiment))
 
     @property
     def system(self) -> System:
@@ -66,7 +97,7 @@ class Study(WithOverview):
         return tuple((self.system, law) for law in self.system.laws)
 
     @property
-    def rolling(self) -> Rolling | None:
+    def rolling(self) -> RollingBody | None:
         """The rolling body and its surface, if there is one."""
         return self.subject.rolling
 
@@ -126,7 +157,7 @@ class Study(WithOverview):
     def system_on_level(self) -> System:
         """The system with only those integrals whose level contains the start."""
         state = self.start[: len(self.system.symbols)]
-        holding = [law for law in self.system.integrals if on_level(self.system, law.on, state)]
+        holding = [law for law in self.system.integrals if on_level(self.system, law.level, state)]
         return replace(self.system, laws=tuple(holding))
 
     @property
@@ -207,34 +238,4 @@ def _subdivided_times(times: FloatArray, pieces: int) -> FloatArray:
 def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> xr.Dataset:
     """The dataset of a trajectory, with the text of the experiment."""
     attributes = {"experiment": study.complete_toml(), "complete": int(complete)}
-    return to_dataset(trajectory, attributes, study.variables)
-
-
-@arguments_checked
-def prepare(experiment: Experiment) -> Study:
-    """Make an experiment ready.
-
-    Parameters
-    ----------
-    experiment : Experiment
-        As :func:`load` and :func:`loads` give it.
-
-    Returns
-    -------
-    Study
-        Its system, start and times; ``study.trajectory()`` integrates it.
-
-    Raises
-    ------
-    InputError
-        If its parts do not fit together; the message names the place in the file.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> experiment = ch.loads('system = {name = "veselova"}', overrides=["run.samples=11"])
-    >>> study = ch.prepare(experiment)
-    >>> study.system.title, study.times.shape
-    ('Veselova system', (11,))
-    """
-    return Study(experiment, subject_of(experiment))
+    return trajectory.to_dataset(attributes, study.variables)

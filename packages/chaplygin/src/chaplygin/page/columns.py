@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from flowlanes.errors import InputError
-from flowlanes.flow.trajectory import recorded_quantities
+from flowlanes.flow.recorded_quantities import recorded_quantities
 from flowlanes.flow.variable_metadata import labels_of, variable_metadata
 from flowlanes.formulas.array_evaluation import formula
 from flowlanes.printing.formula import latex

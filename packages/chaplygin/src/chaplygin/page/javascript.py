@@ -32,7 +32,7 @@ def javascript_module(study: Study) -> str:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "veselova"}'))
+    >>> study = ch.Study.from_experiment(ch.parse_experiment('system = {name = "veselova"}'))
     >>> "export default" in javascript_module(study)
     True
     """

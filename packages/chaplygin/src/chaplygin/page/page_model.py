@@ -61,7 +61,7 @@ def page_model(
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "veselova"}'))
+    >>> study = ch.Study.from_experiment(ch.parse_experiment('system = {name = "veselova"}'))
     >>> model = page_model(study)
     >>> model["title"], model["reduced"], [column["name"] for column in model["columns"]][:3]
     ('Veselova system', 6, ['omega', 'gamma', 'spin_torque'])

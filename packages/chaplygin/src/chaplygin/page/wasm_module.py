@@ -96,7 +96,7 @@ def page_module(study: Study) -> PageModule:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "veselova"}'))
+    >>> study = ch.Study.from_experiment(ch.parse_experiment('system = {name = "veselova"}'))
     >>> module = page_module(study)
     >>> module.code[:4], module.tables["motion"]["dimension"]
     (b'\x00asm', 10)

@@ -209,7 +209,7 @@ def _share(limits: FrictionLimits, alone: bool) -> str:
 
 def law_row(law: FrictionLaw) -> LawRow:
     """A description of a friction law, with its coefficients."""
-    words = law.description
+    words = law.summary
     if law.static_mu == math.inf:
         words = "Dry friction without limit: the contact never slips."
     coefficients = [

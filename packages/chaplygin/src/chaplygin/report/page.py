@@ -22,7 +22,7 @@ from flowlanes.system.vectors import Vector, real_symbol
 from lawproof.proof.fields.budget import EFFORT
 from lawproof.proof.verdict import Verdict
 from nonholonomic.classification.classification import Classification, rows
-from nonholonomic.classification.classifier import classify
+from nonholonomic.classification.classifier import classify_laws
 from nonholonomic.classification.facts import ProofBudget
 
 from .._version import __version__
@@ -133,7 +133,7 @@ def render(
         plates = mine | {name: plate for name, plate in PLATES.items() if name not in mine}
     else:
         verdicts = budget.verdicts(study.system)
-        stands = classify(study.system, verdicts, budget, subject.model)
+        stands = classify_laws(study.system, verdicts, budget, subject.model)
         places = [_section(part) for part in (stands, *stands.levels)]
         uncounted = stands.uncounted_by_reason
     live = study_model(study, dataset, verdicts, lambda: illustrations().diagram)

@@ -12,13 +12,14 @@ from flowlanes.errors import InterruptionError, RunError
 from flowlanes.flow.trajectory import Trajectory
 from nonholonomic.classification.facts import ProofBudget
 
-from ..experiment.dataset import write
+from ..experiment.dataset import write_dataset
 from ..experiment.files import atomic_file
 from ..experiment.study import Study, dataset_of
 from ..experiment.subjects.plan import PlanMotion, plan_motion
 from . import page
 from .background_worker import beside
 from .illustrations import Illustrations
+from .page import EFFORT_PER_PROOF, TIMES
 from .stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
 from .study_folder import TRAJECTORY, begin, being_written, end
 
@@ -26,7 +27,7 @@ from .study_folder import TRAJECTORY, begin, being_written, end
 SMOOTH = 3000
 
 
-class Report(Protocol):
+class StudyProgress(Protocol):
     """Receives progress: the current activity, and the completed fraction."""
 
     def __call__(self, share: float, /) -> None:
@@ -36,9 +37,23 @@ class Report(Protocol):
         """Report the current activity."""
 
 
+class _Silent:
+    def __call__(self, share: float, /) -> None:
+        pass
+
+    def say(self, what: str) -> None:
+        pass
+
+
 @arguments_checked
 def write_study(
-    study: Study, folder: Path, force: bool, budget: ProofBudget, report: Report
+    study: Study,
+    folder: Path,
+    *,
+    force: bool = False,
+    effort: int = EFFORT_PER_PROOF,
+    total_budget: int | None = TIMES * EFFORT_PER_PROOF,
+    progress: StudyProgress | None = None,
 ) -> tuple[Trajectory, RunError | None]:
     """Integrate and write everything; if the run fails, the part before the failure.
 
@@ -49,9 +64,12 @@ def write_study(
         New, or that of the same study, which was interrupted.
     force : bool
         Whether files of another study may be replaced.
-    budget : ProofBudget
-        For the proofs.
-    report : Report
+    effort : int
+        Term operations for the proof of one law.
+    total_budget : int, optional
+        Term operations after which no further law is tried; with 0 none is.
+    progress : StudyProgress, optional
+        Called with the share that is done; its method ``say`` with what is being done.
 
     Returns
     -------
@@ -69,33 +87,34 @@ def write_study(
     --------
     >>> import tempfile
     >>> import chaplygin as ch
-    >>> import nonholonomic
-    >>> class Silent:
-    ...     def __call__(self, share): ...
-    ...     def say(self, what): ...
-    >>> study = ch.prepare(ch.loads('system = {name = "veselova"}', overrides=["run.until=1"]))
-    >>> no_proofs = nonholonomic.classification.ProofBudget(1, 0)
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "veselova"}', overrides=["run.until=1"])
+    ... )
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     home = Path(folder, "veselova")
-    ...     motion, failure = ch.report.write_study(study, home, False, no_proofs, Silent())
+    ...     motion, failure = ch.report.write_study(study, home, total_budget=0)
     ...     sorted(path.name for path in home.iterdir())
     ['experiment.toml', 'figures', 'report.html', 'trajectory.nc']
     """
+    told = progress or _Silent()
+    # a law of one mode alone says nothing of a motion through several
+    allowed = 0 if study.subject.changes_equations else total_budget
+    budget = ProofBudget(effort, allowed, lambda what: told.say(f"proving: {what}"))
     with being_written(folder):
         begin(folder, study.complete_toml(), force)
-        outcome = _complete(study, folder, budget, report)
+        outcome = _complete(study, folder, budget, told)
         end(folder)
     return outcome
 
 
 def _complete(
-    study: Study, folder: Path, budget: ProofBudget, report: Report
+    study: Study, folder: Path, budget: ProofBudget, progress: StudyProgress
 ) -> tuple[Trajectory, RunError | None]:
     failure: RunError | None = None
     # Curves are drawn through more points than the file will have.
     pieces = -(-SMOOTH // (study.experiment.run.samples - 1))
     try:
-        trajectory = _trajectory(study, folder / TRAJECTORY, pieces, report)
+        trajectory = _trajectory(study, folder / TRAJECTORY, pieces, progress)
     except RunError as error:
         if isinstance(error, InterruptionError) or not isinstance(error.partial, Trajectory):
             raise
@@ -105,10 +124,10 @@ def _complete(
     trajectory = trajectory.subsample(pieces)
     dataset = dataset_of(study, trajectory, complete=failure is None)
     # Existing files belong to this study, or may be replaced.
-    write(dataset, folder / "trajectory.nc", force=True)
+    write_dataset(dataset, folder / "trajectory.nc", force=True)
     with atomic_file(folder / "experiment.toml") as temporary:
         temporary.write_text(study.complete_toml(), encoding="utf-8")
-    report.say("looking for a closed form and drawing")
+    progress.say("looking for a closed form and drawing")
     with beside(
         lambda: _illustrations(study, smooth, trajectory, plan, folder / "figures")
     ) as shown:
@@ -118,16 +137,16 @@ def _complete(
     return trajectory, failure
 
 
-def _trajectory(study: Study, path: Path, pieces: int, report: Report) -> Trajectory:
+def _trajectory(study: Study, path: Path, pieces: int, progress: StudyProgress) -> Trajectory:
     """The trajectory of the interrupted study, or otherwise of a new integration."""
     if study.subject.changes_equations:
-        return study.trajectory(report, pieces)
+        return study.trajectory(progress, pieces)
     key = trajectory_digest(study, pieces)
     stored = read_trajectory(path, key, study)
     if stored is not None:
-        report.say("resuming after the integration")
+        progress.say("resuming after the integration")
         return stored
-    trajectory = study.trajectory(report, pieces)
+    trajectory = study.trajectory(progress, pieces)
     store_trajectory(path, key, trajectory)
     return trajectory
 

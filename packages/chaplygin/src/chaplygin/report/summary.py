@@ -7,11 +7,10 @@ from typing import Any, SupportsFloat
 
 import numpy as np
 
+from flowlanes.flow.motion_dataset import Samples
 from flowlanes.flow.trajectory import NO_VALUE, TOO_LARGE, Trajectory
 from flowlanes.printing.numerals import number
 from flowlanes.system.system import System
-
-from ..experiment.dataset import Samples
 
 
 def drift(values: Samples) -> float:

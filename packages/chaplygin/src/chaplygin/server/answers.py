@@ -73,12 +73,12 @@ def study_of(subject: Subject, experiment: str | None) -> Study:
     InputError
         If something in it is wrong.
     """
-    from ..experiment.models.experiment import catalogue_experiment, loads
-    from ..experiment.study import prepare
+    from ..experiment.models.experiment import catalogue_experiment, parse_experiment
+    from ..experiment.study import Study
 
     if experiment is None:
-        return prepare(catalogue_experiment(subject.what, subject.options))
-    return prepare(loads(experiment, subject.what, subject.options))
+        return Study.from_experiment(catalogue_experiment(subject.what, subject.options))
+    return Study.from_experiment(parse_experiment(experiment, subject.what, subject.options))
 
 
 def _study(task: Assignment) -> Study:

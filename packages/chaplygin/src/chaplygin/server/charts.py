@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.zarr_store import open_store
+from flowlanes.flow.ensembles.zarr_store import open_store
 from flowlanes.scans.grid import axis
 
 from ..experiment.friction_studies.chart_task import chart_task
@@ -51,7 +51,7 @@ def tiles(study: Study, request: Chart, store: str) -> Iterator[Message]:
                 f"{item.name}: the laboratory computes at most {MOST_CELLS:,} cells along an axis; "
                 "chaplygin chart computes more"
             )
-    task, title = chart_task(study, request.of, x, y, until=request.until)
+    task, title = chart_task(study, request.of, x, y, t_end=request.until)
     number = str(task.attributes["number"])
     yield {
         "chart": {

@@ -12,8 +12,8 @@ from flowlanes.parsing import nearest
 from nonholonomic.catalogue import CATALOGUE
 
 from ..experiment.files import atomic_file, check_target
-from ..experiment.models.experiment import loads
-from ..experiment.study import prepare
+from ..experiment.models.experiment import parse_experiment
+from ..experiment.study import Study
 
 #: Maximum size of an experiment file in bytes.
 LARGEST = 1_000_000
@@ -110,7 +110,7 @@ class Folder:
         if not name.endswith(".toml"):
             raise InputError(f"{name}: the name of an experiment file ends in .toml")
         place = self.inside(name)
-        prepare(loads(experiment, name))
+        Study.from_experiment(parse_experiment(experiment, name))
         if place.exists() and not replace:
             raise InputError(f"{name} exists already: choose another name, or replace it")
         check_target(place, force=replace)

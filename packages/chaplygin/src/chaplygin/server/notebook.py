@@ -77,7 +77,7 @@ def widget(what: Study | System) -> AnyWidget:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "veselova"}'))
+    >>> study = ch.Study.from_experiment(ch.parse_experiment('system = {name = "veselova"}'))
     >>> shown = ch.server.widget(study)
     >>> shown.title
     'Veselova system'
@@ -112,15 +112,15 @@ def _study_of(system: System) -> Study:
     from nonholonomic.catalogue import CATALOGUE
 
     from ..experiment.models.experiment import catalogue_experiment
-    from ..experiment.study import prepare
+    from ..experiment.study import Study
 
     if system.name not in CATALOGUE:
         raise InputError(
             f"{system.title} is no system of the catalogue, and comes without a start: give a "
-            "Study, as chaplygin.prepare makes it"
+            "Study, as chaplygin.Study.from_experiment makes it"
         )
     values = [f"{symbol}={value!r}" for symbol, value in system.default_values]
-    return prepare(catalogue_experiment(system.name, values))
+    return Study.from_experiment(catalogue_experiment(system.name, values))
 
 
 class _Kernel:

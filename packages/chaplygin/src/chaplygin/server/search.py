@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from flowlanes.printing.formula import latex, text
 from flowlanes.printing.mathml import mathml
 from flowlanes.system.vectors import real_symbol
-from lawproof.search import SearchResult, integrals, measures, search_request, symmetries
+from lawproof.search import SearchResult, integrals, measures, search_space, symmetries
 
 from ..experiment.single_system import single_system
 from ..experiment.study import Study
@@ -30,7 +30,7 @@ def search_messages(study: Study, request: Search) -> Iterator[Message]:
     InputError
         If the system cannot be searched.
     """
-    question = search_request(
+    question = search_space(
         single_system(study), degree=request.degree, gamma_degree=request.gamma_degree
     )
     said: list[Message] = []

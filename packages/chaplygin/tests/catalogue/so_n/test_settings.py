@@ -11,8 +11,8 @@ import pytest
 import sympy as sp
 
 from chaplygin.experiment.formats import csv_text
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import dataset_of, prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study, dataset_of
 from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.formulas.array_evaluation import values
@@ -43,7 +43,7 @@ def test_every_dimension_has_its_system(name, dimension):
     ],
 )
 def test_examples_are_decimals_of_few_digits(name, number):
-    study = prepare(loads(f'system = {{name = "{name}"}}'))
+    study = Study.from_experiment(parse_experiment(f'system = {{name = "{name}"}}'))
     tables = tomllib.loads(study.complete_toml())
     assert number in json.dumps({**tables["system"]["parameters"], **tables["start"]})
     assert not re.search(r"\d\.\d{7,}", study.complete_toml())
@@ -113,7 +113,9 @@ def test_what_cannot_be_is_refused_in_a_sentence(name, given, message):
 
 
 def study(table, start):
-    return prepare(loads(f"[system]\n{table}\n[start]\n{start}\n[run]\nuntil = 1.0\n"))
+    return Study.from_experiment(
+        parse_experiment(f"[system]\n{table}\n[start]\n{start}\n[run]\nuntil = 1.0\n")
+    )
 
 
 def test_keys_stand_in_the_system_or_in_the_parameters():
@@ -121,10 +123,14 @@ def test_keys_stand_in_the_system_or_in_the_parameters():
     keys = "dimension = 4\nmoments = [1, 2, 3, 4, 5, 6]\nmass = 2.0"
     name = 'name = "chaplygin-ball-nd"'
     above = study(f"{name}\n{keys}", start)
-    below = prepare(loads(f"[system]\n{name}\n[parameters]\n{keys}\n[start]\n{start}"))
-    between = prepare(loads(f"[system]\n{name}\n[system.parameters]\n{keys}\n[start]\n{start}"))
+    below = Study.from_experiment(
+        parse_experiment(f"[system]\n{name}\n[parameters]\n{keys}\n[start]\n{start}")
+    )
+    between = Study.from_experiment(
+        parse_experiment(f"[system]\n{name}\n[system.parameters]\n{keys}\n[start]\n{start}")
+    )
     assert above.start == below.start == between.start
-    again = prepare(loads(below.complete_toml()))
+    again = Study.from_experiment(parse_experiment(below.complete_toml()))
     assert again.start == below.start
     assert again.complete_toml() == below.complete_toml()
 

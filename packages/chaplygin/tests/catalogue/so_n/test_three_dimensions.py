@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import dataset_of, prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study, dataset_of
 from flowlanes.flow.integrator import integrate
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.mechanics.rolling.initial_state import initial_state
@@ -73,7 +73,7 @@ def test_three_dimensions_are_the_system_of_the_paper(name, old, omega, paramete
         f"start = {{gamma = {GAMMA.tolist()}, omega = {pairs_of(omega).tolist()}}}\n"
         "run = {until = 10.0, samples = 6}\n"
     )
-    study = prepare(loads(text))
+    study = Study.from_experiment(parse_experiment(text))
     found = dataset_of(study, study.trajectory())
     assert np.abs(found["gamma"].values - motion["gamma"]).max() < 2e-14
     assert np.abs(found["omega"].values - pairs_of(motion["omega"])).max() < 4e-14

@@ -8,7 +8,7 @@ from scipy.stats import special_ortho_group
 
 from catalogue.so_n import unreduced
 from chaplygin.experiment.models.catalogue_models import StateExperiment
-from chaplygin.experiment.study import dataset_of, prepare
+from chaplygin.experiment.study import Study, dataset_of
 
 MASS, RADIUS = 1.3, 0.8
 NAMES = ("suslov-nd", "veselova-nd", "chaplygin-ball-nd", "rubber-chaplygin-ball-nd")
@@ -77,7 +77,7 @@ def test_the_motion_is_that_of_the_body_with_all_reactions(name, n, kind):
             "run": {"until": 10.0, "samples": 3},
         }
     )
-    study = prepare(experiment)
+    study = Study.from_experiment(experiment)
     motion = dataset_of(study, study.trajectory())
     assert np.abs(motion["attitude"].values - attitude).max() < 1e-10
     assert np.abs(motion["omega"].values - spin).max() < 1e-10

@@ -11,13 +11,12 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from chaplygin.experiment.dataset import to_dataset
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.laws import Measure
-from lawproof.proof.prover import prove
+from lawproof.proof.prover import prove, prove_all
 from nonholonomic.catalogue import from_catalogue
 
 MARBLE, RUBBER = "chaplygin-ball-on-sphere-nd", "rubber-ball-on-sphere-nd"
@@ -126,8 +125,10 @@ def test_three_dimensions_are_the_balls_of_the_catalogue(name):
 
 @pytest.mark.parametrize("name", [MARBLE, RUBBER])
 def test_a_dataset_has_the_contact_point_by_as_many_coordinates_as_the_space(name):
-    study = prepare(loads(f"[system]\nname = '{name}'\ndimension = 4\n[run]\nuntil = 1.0\n"))
-    contact = to_dataset(study.trajectory())["contact"]
+    study = Study.from_experiment(
+        parse_experiment(f"[system]\nname = '{name}'\ndimension = 4\n[run]\nuntil = 1.0\n")
+    )
+    contact = study.trajectory().to_dataset()["contact"]
     assert contact.dims == ("time", "space_axis")
     assert contact.shape[1] == 4
 
@@ -143,7 +144,7 @@ def test_a_dataset_has_the_contact_point_by_as_many_coordinates_as_the_space(nam
 )
 def test_laws_are_proven_and_another_measure_is_refuted(name, n):
     ball = from_catalogue(name, dimension=n, a=-3.0)
-    assert {v.decision for v in prove(ball)} == {"proven"}
+    assert {v.decision for v in prove_all(ball)} == {"proven"}
     slips = tuple(
         replace(law, density=tuple((b, e + sp.Rational(1, 2)) for b, e in law.density))
         for law in ball.laws
@@ -158,7 +159,7 @@ def test_on_a_sphere_of_its_own_radius_the_rubber_ball_is_hamiltonian():
     assert prove(ball, form).decision == "proven"
     # for other radii it is not, with or without the theorem
     for system in (ball, replace(ball, theorems=())):
-        assert prove(system, replace(form, on=())).decision == "refuted"
+        assert prove(system, replace(form, level=())).decision == "refuted"
 
 
 @pytest.mark.slow
@@ -180,7 +181,7 @@ def test_a_file_may_give_attitude_and_normal():
         f'[system]\nname = "{MARBLE}"\ndimension = 3\na = -4.0\n[start]\n'
         f"attitude = {attitude}\ngamma = [1, 0, 0]\nomega = [0.1, 0.2, 0.3]\n[run]\nuntil = 0.5\n"
     )
-    study = prepare(loads(text))
+    study = Study.from_experiment(parse_experiment(text))
     assert study.trajectory()["contact"][0] == pytest.approx([0.0, -4.0, 0.0], abs=1e-14)
-    again = prepare(loads(study.complete_toml()))
+    again = Study.from_experiment(parse_experiment(study.complete_toml()))
     assert again.start == study.start

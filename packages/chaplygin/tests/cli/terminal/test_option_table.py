@@ -13,11 +13,11 @@ from chaplygin.cli.terminal.option_table import BOUNDS, OPTIONS, WORDS, with_opt
 from chaplygin.experiment.friction_studies.ensemble import contact_ensemble_task
 from chaplygin.experiment.friction_studies.section import contact_section_task
 from chaplygin.experiment.poincare import section_of
-from flowlanes.flow.ensemble.run import ensemble_task
+from flowlanes.flow.ensembles.run import ensemble_task
 from flowlanes.flow.sampling.level_sampler import sample_level
 from flowlanes.lyapunov.spectrum import lyapunov_spectrum
 from flowlanes.orbits.periodic import find_periodic
-from lawproof.search.request import search_request
+from lawproof.search.request import search_space
 
 COMMANDS: dict[str, Any] = vars(typer.main.get_command(app))["commands"]
 
@@ -55,7 +55,7 @@ def test_a_new_option_needs_a_row() -> None:
         (orbit, find_periodic, {"period": "period"}),
         (
             find,
-            search_request,
+            search_space,
             {name: name for name in ("degree", "gamma_degree", "momenta", "parameter_degree")}
             | {"power": "powers"},
         ),

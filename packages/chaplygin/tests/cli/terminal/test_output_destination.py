@@ -16,7 +16,7 @@ import xarray as xr
 from borisov_mamaev_2008.audit import TITLES
 from chaplygin.cli import audit, bifurcation, main
 from chaplygin.cli.terminal import option_table
-from chaplygin.experiment.dataset import read
+from chaplygin.experiment.dataset import open_dataset
 from chaplygin.experiment.poincare import DIRECTIONS
 from nonholonomic.closed_form.bifurcation.families import PLANES
 
@@ -409,7 +409,7 @@ def test_a_start_that_the_surface_cannot_hold_is_refused(ask: Ask, tmp_path: Pat
     assert not (tmp_path / "top.nc").exists()
     code, _, err = ask("run", "top.toml", "-o", "top.nc", "--set", "run.on_liftoff=warn")
     assert code == 0, err
-    assert len(read("top.nc").time) > 1
+    assert len(open_dataset("top.nc").time) > 1
 
 
 @pytest.mark.slow

@@ -6,8 +6,8 @@ import re
 
 import pytest
 
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from nonholonomic.closed_form.base.no_closed_form import NoClosedFormError
 from nonholonomic.closed_form.base.problem import Problem
@@ -16,7 +16,7 @@ from nonholonomic.closed_form.solvable_cases import solution_of
 
 def refused(text: str, *overrides: str) -> str:
     """The sentence with which a motion is refused."""
-    study = prepare(loads(text, "x.toml", list(overrides)))
+    study = Study.from_experiment(parse_experiment(text, "x.toml", list(overrides)))
     with pytest.raises(NoClosedFormError) as refusal:
         solution_of(Problem(study.system, study.system.defaults, study.start, study.rolling))
     assert isinstance(refusal.value, InputError)

@@ -33,7 +33,7 @@ def veselova_laws() -> tuple[Law, ...]:
             "axial",
             omega_3**2 * G,
             "constant of a body with I₁ = I₂",
-            on=EQUAL,
+            level=EQUAL,
             source="§6.1",
         ),
         Reduction(
@@ -41,7 +41,7 @@ def veselova_laws() -> tuple[Law, ...]:
             {u: gamma_3, own: omega_3**2 * G, h: energy},
             (I_1 * Rate(u) ** 2 - 2 * h * (1 - u**2) + own, Rate(own), Rate(h)),
             "equation of the angle between the vertical and the axis of symmetry",
-            on=EQUAL,
+            level=EQUAL,
             source="§6.1",
         ),
         Identity(
@@ -54,7 +54,7 @@ def veselova_laws() -> tuple[Law, ...]:
             ),
             "the axis of symmetry in the frame of the vertical and the momentum",
             {own: omega_3**2 * G, h: energy, F: norm_squared(L)},
-            on=EQUAL,
+            level=EQUAL,
             source="§6.1",
         ),
     )
@@ -74,7 +74,7 @@ def chaplygin_laws() -> tuple[Law, ...]:
             "axial",
             spun / W,
             "constant of a ball with I₁ = I₂",
-            on=EQUAL,
+            level=EQUAL,
             source="§7.1",
         ),
         Reduction(
@@ -90,7 +90,7 @@ def chaplygin_laws() -> tuple[Law, ...]:
                 *map(Rate, (f, g, own)),
             ),
             "equation of the angle between the vertical and the axis of symmetry",
-            on=EQUAL,
+            level=EQUAL,
             source="§7.1",
         ),
     )

@@ -27,7 +27,7 @@ def test_proven(key: str) -> None:
 @pytest.mark.parametrize("key", LAWS)
 def test_not_for_any_moments(key: str) -> None:
     name, law = LAWS[key]
-    assert prove(from_catalogue(name), replace(law, on=())).decision == "refuted"
+    assert prove(from_catalogue(name), replace(law, level=())).decision == "refuted"
 
 
 @pytest.mark.parametrize("key", [key for key, (_, law) in LAWS.items() if key.endswith("nutation")])

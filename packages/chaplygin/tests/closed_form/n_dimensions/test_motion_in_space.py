@@ -114,7 +114,7 @@ def test_beyond_its_steps_the_attitude_is_left_open():
     assert np.isfinite(far["gamma"]).all()
     assert np.isfinite(far["attitude"][0]).all()
     assert np.isnan(far["attitude"][1]).all()
-    assert "steps" in solution.left_open
+    assert "steps" in solution.not_rigorous
 
 
 def test_bounds_hold_for_momentum_and_direction_alone():

@@ -13,11 +13,11 @@ from flowlanes.errors import InputError
 from nonholonomic.closed_form.revolution import solve_rolling
 from nonholonomic.closed_form.revolution.diagram import Diagram, revolution_diagram
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk
 
-DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
+DISK = RollingBody(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
 SPINS = (0.5, 1.0, 2.0, 3.0, 3.2, 4.0)
 
 
@@ -85,16 +85,16 @@ def test_refusals() -> None:
             revolution_diagram(DISK, spins)
     with pytest.raises(InputError, match="needs two or more"):
         draw(revolution_diagram(DISK, [1.0]))
-    marble = Rolling(DISK.body, contact="marble", field=Forces(9.81))
+    marble = RollingBody(DISK.body, contact="marble", field=Forces(9.81))
     with pytest.raises(InputError, match="rubber body of revolution"):
         revolution_diagram(marble, [1.0])
     with pytest.raises(InputError, match="merge"):
         # at K² = g the three rotations of the disk become one
-        revolution_diagram(Rolling(DISK.body, contact="rubber", field=Forces(4.0)), [2.0])
+        revolution_diagram(RollingBody(DISK.body, contact="rubber", field=Forces(4.0)), [2.0])
 
 
 def test_ball_without_gravity_has_one_rotation() -> None:
-    ball = Rolling(Body(1.0, (0.3, 0.3, 0.2), Ball(1.0)), contact="rubber")
+    ball = RollingBody(Body(1.0, (0.3, 0.3, 0.2), Ball(1.0)), contact="rubber")
     (column,) = revolution_diagram(ball, [1.0]).columns
     (rest,) = column.rests
     assert rest.stable

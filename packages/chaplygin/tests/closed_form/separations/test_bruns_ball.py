@@ -49,7 +49,7 @@ def test_lagrange_for_another_vector_is_refuted():
 
 
 def test_another_area_constant_is_refuted():
-    assert prove(SEPARABLE.system, replace(LAWS["kinetic"], on=())).decision == "refuted"
+    assert prove(SEPARABLE.system, replace(LAWS["kinetic"], level=())).decision == "refuted"
 
 
 @pytest.mark.parametrize("case", NUMBERS)

@@ -44,7 +44,7 @@ def test_a_whirling_disk_loses_what_moffatt_says(angle: float) -> None:
     gamma = [math.sin(angle), 0.0, math.cos(angle)]
     state = start_in_contact(contact, [turn, 0.0, 0.0], gamma)
     motion = contact_motion(contact, state, [0.0, 1e-9])
-    lost = motion.observables()["power_lost"][0]
+    lost = motion["power_lost"][0]
     np.testing.assert_allclose(lost, math.pi * eta * G * A**2 / math.tan(angle) ** 2, rtol=1e-12)
 
 
@@ -60,13 +60,13 @@ def test_a_whirling_disk_loses_what_moffatt_says(angle: float) -> None:
 )
 def test_the_film_is_that_between_a_disk_and_a_plane(old: str, new: str) -> None:
     with pytest.raises(ch.InputError, match=r"air: .* between a disk and a plane; leave it out"):
-        ch.prepare(ch.loads(FILE.replace(old, new)))
+        ch.Study.from_experiment(ch.parse_experiment(FILE.replace(old, new)))
 
 
 def test_a_negative_viscosity_is_refused() -> None:
     with pytest.raises(
         ch.InputError, match=r"contact\.air: must be a finite number not below zero"
     ):
-        ch.loads(FILE.replace("1.8e-5", "-1.8e-5"))
+        ch.parse_experiment(FILE.replace("1.8e-5", "-1.8e-5"))
     with pytest.raises(ch.InputError, match=r"radius 0"):
         AirFilm(1e-5, 0.0)

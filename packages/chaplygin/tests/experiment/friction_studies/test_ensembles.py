@@ -16,8 +16,8 @@ from chaplygin.experiment.friction_studies.file_numbers import FileNumbers
 from chaplygin.experiment.friction_studies.random_starts import random_numbers
 from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.computation import compute
-from flowlanes.flow.ensemble.members import from_lists, grid
+from flowlanes.flow.ensembles.computation import compute
+from flowlanes.flow.ensembles.members import from_lists, grid
 from flowlanes.scans.grid import NO_NUMBER, NO_STATE, axis
 
 #: A billiard ball that slides at first: it rolls from 2u/(7μg) on.
@@ -49,7 +49,7 @@ def sticking(slip: float, mu: float) -> float:
 
 @pytest.fixture(scope="module")
 def billiard() -> Study:
-    return ch.prepare(ch.loads(BILLIARD))
+    return ch.Study.from_experiment(ch.parse_experiment(BILLIARD))
 
 
 def test_an_ensemble_over_coefficients_and_starts(billiard: Study) -> None:
@@ -80,7 +80,9 @@ def test_blocks_do_not_matter(billiard: Study) -> None:
 
 
 def test_a_motion_of_an_ensemble_is_that_of_a_run(billiard: Study) -> None:
-    alone = ch.prepare(ch.loads(BILLIARD, overrides=["contact.mu=0.35", "run.tolerance=1e-13"]))
+    alone = ch.Study.from_experiment(
+        ch.parse_experiment(BILLIARD, overrides=["contact.mu=0.35", "run.tolerance=1e-13"])
+    )
     data = compute(contact_ensemble_task(billiard, grid(mu=[0.35])))
     trajectory = alone.trajectory()
     np.testing.assert_array_equal(data.omega[0], trajectory["omega"])
@@ -88,8 +90,8 @@ def test_a_motion_of_an_ensemble_is_that_of_a_run(billiard: Study) -> None:
 
 
 def test_members_that_cannot_start_are_told_from_the_others(billiard: Study) -> None:
-    fall = ch.prepare(
-        ch.loads(
+    fall = ch.Study.from_experiment(
+        ch.parse_experiment(
             BILLIARD.replace("gamma = [0.0, 0.0, 1.0]", "attitude = [1, 0, 0, 0]").replace(
                 "slip = [1.4, 0.0, 0.0]", "position = [0, 0, 1]\nvelocity = [0, 0, 0]"
             )
@@ -172,7 +174,7 @@ def test_names_that_no_number_has(billiard: Study, name: str) -> None:
 
 
 def test_other_mistakes(billiard: Study) -> None:
-    dome = ch.loads(
+    dome = ch.parse_experiment(
         BILLIARD.replace("[field]", '[surface]\nkind = "sphere"\nradius = 2.0\n[field]')
     )
     numbers = FileNumbers(dome)
@@ -205,7 +207,7 @@ def test_other_mistakes(billiard: Study) -> None:
         contact_chart(billiard, "events", axis("mue=0:1:2"), mass)
     with pytest.raises(InputError, match="it is an axis and cannot be given by a formula"):
         contact_chart(billiard, "events", mu, mass, formulas={"mu": "0.1*mass"})
-    rolling = ch.prepare(ch.loads('system = {name = "veselova"}'))
+    rolling = ch.Study.from_experiment(ch.parse_experiment('system = {name = "veselova"}'))
     with pytest.raises(InputError, match="has no friction"):
         contact_ensemble_task(rolling, grid(mu=[0.1]))
 
@@ -214,8 +216,8 @@ def test_other_mistakes(billiard: Study) -> None:
 @pytest.mark.parametrize("law", ["stronge", "poisson"])
 def test_ten_thousand_bouncing_balls(law: str) -> None:
     """None hangs, falls through the ground, gains energy or ends without a reason."""
-    study = ch.prepare(
-        ch.load("examples/bouncing_ball.toml", overrides=[f"contact.impact_law={law}"])
+    study = ch.Study.from_experiment(
+        ch.load_experiment("examples/bouncing_ball.toml", overrides=[f"contact.impact_law={law}"])
     )
     ranges: dict[str, tuple[float, float] | None] = {"attitude": None, "position_3": (1.4, 4.0)}
     ranges |= {f"velocity_{i}": (-4.0, 4.0) for i in (1, 2, 3)}
@@ -241,7 +243,9 @@ def test_a_coefficient_of_zero_is_no_law_and_its_work_is_zero() -> None:
     """The works stood in the columns of other laws, or there was no such column."""
     members = from_lists(mu=[0.2, 0.0])
     wanted = contact_ensemble_task(
-        ch.prepare(ch.loads(TWO_LAWS)), members, record=["energy", "energy_balance"]
+        ch.Study.from_experiment(ch.parse_experiment(TWO_LAWS)),
+        members,
+        record=["energy", "energy_balance"],
     )
     data = compute(wanted)
     coulomb, viscous = data["work_coulomb"].values, data["work_viscous"].values
@@ -254,7 +258,7 @@ def test_a_coefficient_of_zero_is_no_law_and_its_work_is_zero() -> None:
 
 def test_a_law_that_the_file_lacks_counts_in_the_balance() -> None:
     """Its work was left out."""
-    study = ch.prepare(ch.loads(ONE_LAW))
+    study = ch.Study.from_experiment(ch.parse_experiment(ONE_LAW))
     members = from_lists(mu=[0.0, 0.2])
     data = compute(contact_ensemble_task(study, members, record=["energy", "energy_balance"]))
     lost = data["energy"].values[:, 0] - data["energy"].values[:, -1]
@@ -265,7 +269,7 @@ def test_a_law_that_the_file_lacks_counts_in_the_balance() -> None:
 
 def test_a_chart_down_to_no_friction() -> None:
     """It ended in a traceback."""
-    study = ch.prepare(ch.loads(TWO_LAWS))
+    study = ch.Study.from_experiment(ch.parse_experiment(TWO_LAWS))
     chart = contact_chart(study, "mean:work_coulomb", axis("mu=0:0.2:2"), axis("mass=0.2:0.3:2"))
     data = compute(contact_chart_task(chart, "ball"))
     assert not data["mean"].values[:, 0].any()

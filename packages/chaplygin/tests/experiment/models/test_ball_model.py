@@ -11,15 +11,13 @@ from pydantic import ValidationError
 from chaplygin.experiment.file.ball_tables import CylinderTable, RoundTable
 from chaplygin.experiment.file.body_tables import BallTable, BodyTable
 from chaplygin.experiment.models.ball_model import BallExperiment, moment
-from chaplygin.experiment.models.experiment import catalogue_experiment, loads
+from chaplygin.experiment.models.experiment import catalogue_experiment, parse_experiment
 from chaplygin.experiment.models.rolling_model import RollingExperiment
-from chaplygin.experiment.study import dataset_of, prepare
+from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.report.study_output import write_study
 from flowlanes.errors import InputError
-from lawproof.proof.prover import prove
-from nonholonomic.classification.facts import ProofBudget
+from lawproof.proof.prover import prove_all
 from spread import spread
-from unheard import Unheard
 
 BALL = """\
 [body]
@@ -71,25 +69,25 @@ def on(surface, contact):
 @pytest.mark.parametrize("surface", KINDS)
 def test_every_kind_of_surface_is_read_and_run(surface):
     contact, height = KINDS[surface]
-    experiment = loads(on(surface, contact))
+    experiment = parse_experiment(on(surface, contact))
     assert isinstance(experiment, BallExperiment)
-    assert loads(experiment.toml()) == experiment
-    study = prepare(experiment)
+    assert parse_experiment(experiment.toml()) == experiment
+    study = Study.from_experiment(experiment)
     centre = study.trajectory().records["centre"]
     assert centre[0, 2] == pytest.approx(height, rel=1e-14)
-    assert loads(study.complete_toml()) == experiment
+    assert parse_experiment(study.complete_toml()) == experiment
 
 
 def test_laws_of_the_catalogue_are_known():
-    study = prepare(loads(BALL))
+    study = Study.from_experiment(parse_experiment(BALL))
     names = {law.name for law in study.system.laws}
     assert names == {"energy", "volume", "rotation", "swing", "oscillation"}
-    assert {verdict.decision for verdict in prove(study.system)} == {"proven"}
+    assert {verdict.decision for verdict in prove_all(study.system)} == {"proven"}
 
 
 def test_the_surface_of_the_centre_may_be_given():
     text = BALL.replace('side = "inside"', 'side = "inside"\ngiven = "centre"')
-    study = prepare(loads(text.replace("contact =", "centre =")))
+    study = Study.from_experiment(parse_experiment(text.replace("contact =", "centre =")))
     assert study.start[0] == 2.0
     assert "with its centre on a cylinder" in study.system.title
     assert "the surface of the centre" in study.subject.legend
@@ -98,7 +96,7 @@ def test_the_surface_of_the_centre_may_be_given():
 def test_a_potential_acts_on_the_centre():
     text = BALL + '[field]\ngravity = 0.0\npotential = "k*(x**2 + y**2 + z**2)/2"\n'
     text += "parameters = {k = 3.0}\n"
-    study = prepare(loads(text))
+    study = Study.from_experiment(parse_experiment(text))
     found = study.trajectory().records
     speed = np.sum(found["velocity"] ** 2, axis=1) + 0.1 * np.sum(found["omega"] ** 2, axis=1)
     total = speed / 2 + 1.5 * np.sum(found["centre"] ** 2, axis=1)
@@ -107,9 +105,9 @@ def test_a_potential_acts_on_the_centre():
 
 def test_a_plane_or_sphere_is_a_matter_of_the_start():
     contact = on('kind = "sphere"\nradius = 2.0', "[0.0, 0.0, 2.0]")
-    assert isinstance(loads(contact), BallExperiment)
+    assert isinstance(parse_experiment(contact), BallExperiment)
     rolling = contact.replace("contact = [0.0, 0.0, 2.0]", "gamma = [0.0, 0.0, 1.0]")
-    assert isinstance(loads(rolling), RollingExperiment)
+    assert isinstance(parse_experiment(rolling), RollingExperiment)
 
 
 def test_a_full_tensor_may_be_spherical():
@@ -128,14 +126,19 @@ def test_the_inside_is_a_side():
 
 
 def test_the_setting_in_words():
-    experiment = loads(BALL)
-    study = prepare(experiment)
+    experiment = parse_experiment(BALL)
+    study = Study.from_experiment(experiment)
     assert study.subject.setting == (
         "Homogeneous ball inside a cylinder, without slipping; gravity 9.81 m/s²"
     )
-    free = loads(BALL + '[contact]\nmodel = "rubber"\n[field]\ngravity = 0.0\n', "f.toml")
-    assert prepare(free).system.title == "Homogeneous ball inside a cylinder, rubber contact"
-    assert prepare(free).subject.setting == (
+    free = parse_experiment(
+        BALL + '[contact]\nmodel = "rubber"\n[field]\ngravity = 0.0\n', "f.toml"
+    )
+    assert (
+        Study.from_experiment(free).system.title
+        == "Homogeneous ball inside a cylinder, rubber contact"
+    )
+    assert Study.from_experiment(free).subject.setting == (
         "Homogeneous ball inside a cylinder, with neither slipping nor spinning; no gravity"
     )
 
@@ -172,7 +175,7 @@ def test_the_setting_in_words():
 def test_refused_in_one_sentence(old, new, message):
     assert BALL.count(old) == 1
     with pytest.raises(InputError) as refused:
-        _ = prepare(loads(BALL.replace(old, new), "ball.toml")).start
+        _ = Study.from_experiment(parse_experiment(BALL.replace(old, new), "ball.toml")).start
     assert message in str(refused.value)
 
 
@@ -190,7 +193,7 @@ def test_refused_in_one_sentence(old, new, message):
 def test_bad_equations_are_refused(surface, message):
     text = on(f'kind = "implicit"\n{surface}', "[0.0, 0.0, 0.0]")
     with pytest.raises(InputError) as refused:
-        _ = prepare(loads(text, "ball.toml")).start
+        _ = Study.from_experiment(parse_experiment(text, "ball.toml")).start
     assert message in str(refused.value)
 
 
@@ -202,9 +205,11 @@ def test_what_is_made_in_python_is_checked_too():
 @pytest.mark.slow
 @pytest.mark.parametrize("made", spread(["file", "catalogue"], 2))
 def test_a_study_draws_the_ball(made, tmp_path):
-    experiment = loads(BALL) if made == "file" else catalogue_experiment("marble-ball-on-cone")
-    study = prepare(experiment)
-    _, failure = write_study(study, tmp_path, False, ProofBudget(1, 0), Unheard())
+    experiment = (
+        parse_experiment(BALL) if made == "file" else catalogue_experiment("marble-ball-on-cone")
+    )
+    study = Study.from_experiment(experiment)
+    _, failure = write_study(study, tmp_path, force=False, total_budget=0)
     assert failure is None
     drawn = {path.name for path in (tmp_path / "figures").iterdir()}
     assert {"scene.png", "scene.svg", "state.png", "normal_force.png", "drift.png"} <= drawn
@@ -213,7 +218,7 @@ def test_a_study_draws_the_ball(made, tmp_path):
 
 
 def test_vectors_in_space_axes_are_stored_as_such():
-    study = prepare(loads(BALL))
+    study = Study.from_experiment(parse_experiment(BALL))
     dataset = dataset_of(study, study.trajectory())
     for name in ("R", "omega", "centre", "contact", "normal"):
         assert dataset[name].dims == ("time", "space")

@@ -15,7 +15,7 @@ from chaplygin.experiment.file.body_tables import (
 )
 from chaplygin.experiment.file.tables import FieldTable, PlaneTable, SphereTable, StartTable
 from chaplygin.experiment.models.catalogue_models import SystemExperiment
-from chaplygin.experiment.models.experiment import load, loads
+from chaplygin.experiment.models.experiment import load_experiment, parse_experiment
 from chaplygin.experiment.models.rolling_model import RollingExperiment
 from flowlanes.errors import InputError
 
@@ -68,20 +68,20 @@ m = 2
 
 
 def rolling(*overrides: str, text: str = ROLLING) -> RollingExperiment:
-    experiment = loads(text, "body.toml", overrides)
+    experiment = parse_experiment(text, "body.toml", overrides)
     assert isinstance(experiment, RollingExperiment)
     return experiment
 
 
 def system(*overrides: str, text: str = SYSTEM) -> SystemExperiment:
-    experiment = loads(text, "body.toml", overrides)
+    experiment = parse_experiment(text, "body.toml", overrides)
     assert isinstance(experiment, SystemExperiment)
     return experiment
 
 
 def refused(text: str, *overrides: str) -> str:
     with pytest.raises(InputError) as caught:
-        loads(text, "body.toml", overrides)
+        parse_experiment(text, "body.toml", overrides)
     return str(caught.value)
 
 
@@ -156,7 +156,7 @@ def test_system_of_the_catalogue() -> None:
 )
 def test_allowed_and_written_completely(overrides: list[str]) -> None:
     experiment = rolling(*overrides)
-    again = loads(experiment.toml())
+    again = parse_experiment(experiment.toml())
     assert again == experiment
     assert hash(again) == hash(experiment)
     assert again.toml() == experiment.toml()
@@ -181,7 +181,7 @@ def test_made_in_python() -> None:
     body = BodyTable(mass=1, inertia=(1, 1, 1), shape=BallTable(radius=2))
     start = StartTable(gamma=(0, 0, 1), omega=(1, 0, 0))
     experiment = RollingExperiment(body=body, start=start)
-    assert loads(experiment.text) == experiment
+    assert parse_experiment(experiment.text) == experiment
     assert experiment.where("body", "mass") == "<experiment>, body.mass"
     with pytest.raises(ValidationError, match="bowl of radius 1 is too small"):
         RollingExperiment(body=body, start=start, surface=SphereTable(radius=1, side="inside"))
@@ -427,17 +427,19 @@ def test_a_body_or_a_system() -> None:
 def test_load_reads_files_and_texts(tmp_path: Path) -> None:
     path = tmp_path / "body.toml"
     path.write_bytes(b"\xef\xbb\xbf" + ROLLING.replace("\n", "\r\n").encode())
-    assert load(path) == load(str(path)) == load(ROLLING) == rolling()
-    assert load(path, ["body.mass=2"]) == rolling("body.mass=2")
+    assert (
+        load_experiment(path) == load_experiment(str(path)) == load_experiment(ROLLING) == rolling()
+    )
+    assert load_experiment(path, ["body.mass=2"]) == rolling("body.mass=2")
     path.write_text(ROLLING.replace("mass = 1.0", "mass = -1"), encoding="utf-8")
     with pytest.raises(InputError, match=f"^{re.escape(str(path))}, line 2, body.mass: must be"):
-        load(path)
+        load_experiment(path)
 
 
 @pytest.mark.parametrize("path", ["", "  "])
 def test_an_empty_path_is_refused(path: str) -> None:
     with pytest.raises(InputError) as error:
-        load(path)
+        load_experiment(path)
     assert str(error.value) == (
         "the path is empty; it must be that of an experiment file, or its text"
     )
@@ -454,6 +456,6 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
         (Path("nul\0.toml"), "the file cannot be read: embedded null byte"),
     ]:
         with pytest.raises(InputError) as caught:
-            load(path)
+            load_experiment(path)
         assert message in str(caught.value)
         assert "\n" not in str(caught.value)

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from catalogue import built
-from chaplygin.experiment.models.experiment import load
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import load_experiment
+from chaplygin.experiment.study import Study
 
 EXAMPLES = Path(__file__).parents[5] / "examples"
 
@@ -54,7 +54,7 @@ def test_every_letter_of_the_equations_has_words(name: str) -> None:
 
 
 def test_letters_of_a_body_with_friction() -> None:
-    words = prepare(load(EXAMPLES / "tippe_top.toml")).subject.legend
+    words = Study.from_experiment(load_experiment(EXAMPLES / "tippe_top.toml")).subject.legend
     for part in (
         "v velocity of the centre of mass",
         "slip: velocity of the body's point in contact over the support",

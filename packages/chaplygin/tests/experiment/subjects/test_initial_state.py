@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from chaplygin.experiment.models.catalogue_models import StateExperiment
-from chaplygin.experiment.models.experiment import catalogue_experiment, loads
-from chaplygin.experiment.study import Study, dataset_of, prepare
+from chaplygin.experiment.models.experiment import catalogue_experiment, parse_experiment
+from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.experiment.subjects.initial_state import initial_state_from_values
 from chaplygin.report.drawing.dataset_access import unit_of
 from chaplygin.report.study_output import write_study
@@ -20,7 +20,6 @@ from flowlanes.system.system import Reconstruction, System
 from flowlanes.system.vectors import Diagonal, dot
 from named_states import ENTRIES, M, gamma, named_states
 from nonholonomic.catalogue import Start
-from nonholonomic.classification.facts import ProofBudget
 from nonholonomic.mechanics.rolling.attitude import (
     attitude,
     attitude_relations,
@@ -28,7 +27,6 @@ from nonholonomic.mechanics.rolling.attitude import (
     unit_length,
 )
 from spread import spread
-from unheard import Unheard
 
 __all__ = ["named_states"]
 
@@ -39,7 +37,9 @@ SLEIGH, TOP = ENTRIES
 
 def study(name: str, *overrides: str) -> Study:
     """A study of a system by name, with overrides."""
-    return prepare(loads(f'[system]\nname = "{name}"\n', "own.toml", overrides))
+    return Study.from_experiment(
+        parse_experiment(f'[system]\nname = "{name}"\n', "own.toml", overrides)
+    )
 
 
 def refused(name: str, *overrides: str) -> str:
@@ -72,7 +72,7 @@ def test_a_name_is_enough_and_what_is_given_replaces_the_rest() -> None:
 
 def test_the_complete_file_starts_the_same_motion() -> None:
     made = study("trial-top", "start.M=[1, 0, 2]")
-    again = prepare(loads(made.complete_toml()))
+    again = Study.from_experiment(parse_experiment(made.complete_toml()))
     assert again.start == made.start
     assert "M = [1.0, 0.0, 2.0]\ngamma = [0.0, 0.6, 0.8]" in made.complete_toml()
 
@@ -183,7 +183,7 @@ def test_datasets_tell_what_is_known_of_each_variable() -> None:
     data = dataset_of(made, made.trajectory())
     assert data["M"].dims == ("time", "axis")
     assert data["M"].attrs["long_name"] == "angular momentum"
-    assert prepare(loads(data.attrs["experiment"])).start == made.start
+    assert Study.from_experiment(parse_experiment(data.attrs["experiment"])).start == made.start
 
 
 @pytest.mark.slow
@@ -191,7 +191,7 @@ def test_datasets_tell_what_is_known_of_each_variable() -> None:
 def test_the_report_shows_the_state_in_time_and_no_rolling_body(name: str, tmp_path: Path) -> None:
     made = study(name)
     (tmp_path / "figures").mkdir()
-    write_study(made, tmp_path, True, ProofBudget(1, 0), Unheard())
+    write_study(made, tmp_path, force=True, total_budget=0)
     assert {path.stem for path in (tmp_path / "figures").iterdir()} == {"state", "drift"}
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert 'id="state"' in page

@@ -10,8 +10,8 @@ import sympy as sp
 from hypothesis import given, settings, strategies as st
 
 from chaplygin.experiment.models.described_models import EquationsExperiment, MechanismExperiment
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import Study, prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Integral, Measure
 from flowlanes.system.system import System
@@ -26,7 +26,7 @@ from flowlanes.system.vectors import (
 )
 from lawproof.proof.prover import prove
 from nonholonomic.mechanics.lagrangian.mechanism import Frame, Mechanism, rotations
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.system_files.systems import mechanism_of
 
 EXAMPLES = Path(__file__).parents[5] / "examples"
@@ -52,7 +52,7 @@ Rdot = [0.0, 1.0, 0.0]
 
 
 def study(text: str, *overrides: str) -> Study:
-    return prepare(loads(text, "own.toml", overrides))
+    return Study.from_experiment(parse_experiment(text, "own.toml", overrides))
 
 
 def refused(text: str, *overrides: str) -> str:
@@ -84,7 +84,7 @@ def same_field(found: System, expected: System) -> bool:
 
 
 def test_a_file_says_what_python_says() -> None:
-    experiment = loads(SUSLOV)
+    experiment = parse_experiment(SUSLOV)
     assert isinstance(experiment, MechanismExperiment)
     gamma, omega, e, weight = map(Vector, ("gamma", "omega", "e", "P"))
     inertia = Diagonal("I")
@@ -105,7 +105,7 @@ def test_a_file_says_what_python_says() -> None:
     assert [str(p.symbol) for p in found.parameters] == ["I_1", "I_2", "I_3", "P_1", "P_2", "P_3"]
     assert found.parameters[1].default == 1.6
     assert found.parameters[1].unit == "kg m^2"
-    assert same_field(equations(found), equations(expected))
+    assert same_field(equations_of_motion(found), equations_of_motion(expected))
 
 
 def test_coordinates_alone_are_a_frame() -> None:
@@ -176,7 +176,7 @@ def test_laws_of_a_file_are_claims() -> None:
 def test_laws_may_hold_on_a_level() -> None:
     level = '[laws.integrals.flat]\nvalue = "x + y"\non = ["z"]\n'
     law = next(law for law in study(VOLTERRA + level).system.laws if law.name == "flat")
-    assert law.on == (real_symbol("z"),)
+    assert law.level == (real_symbol("z"),)
 
 
 @pytest.mark.parametrize("text", [SLEIGH, SUSLOV, VOLTERRA, TURNTABLE, PENDULUM])
@@ -184,7 +184,7 @@ def test_the_complete_file_starts_the_same_motion(text: str) -> None:
     made = study(text)
     again = study(made.complete_toml())
     assert again.start == made.start
-    assert again.experiment == loads(made.complete_toml())
+    assert again.experiment == parse_experiment(made.complete_toml())
     assert same_field(again.system, made.system)
 
 

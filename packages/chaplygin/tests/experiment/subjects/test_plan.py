@@ -7,9 +7,9 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PolyCollection
 
-from chaplygin.experiment.models.experiment import catalogue_experiment, loads
+from chaplygin.experiment.models.experiment import catalogue_experiment, parse_experiment
 from chaplygin.experiment.python_file import load_python
-from chaplygin.experiment.study import dataset_of, prepare
+from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.experiment.subjects.plan import plan_motion
 from chaplygin.report import figures
 from flowlanes.errors import InputError
@@ -28,8 +28,8 @@ IN_CATALOGUE = (
 
 
 def test_a_table_says_what_is_drawn():
-    made = prepare(loads(SLEIGH))
-    again = prepare(loads(made.complete_toml()))
+    made = Study.from_experiment(parse_experiment(SLEIGH))
+    again = Study.from_experiment(parse_experiment(made.complete_toml()))
     assert made.subject.plan == again.subject.plan
     assert [len(getattr(made.subject.plan, kind)) for kind in ("links", "blades", "points")] == [
         1,
@@ -46,7 +46,7 @@ def test_a_table_says_what_is_drawn():
 
 
 def test_without_a_table_the_constraints_say_it():
-    made = prepare(loads(PLAIN))
+    made = Study.from_experiment(parse_experiment(PLAIN))
     assert len(made.subject.plan.wheels) == 1
     assert not made.subject.plan.links
     assert "plan" not in made.complete_toml()
@@ -66,7 +66,7 @@ def test_without_a_table_the_constraints_say_it():
 def test_mistakes_are_told_by_their_place(line, complaint):
     text = PLAIN.replace("[start]", f"[plan]\n{line}\n\n[start]", 1)
     with pytest.raises(InputError, match=complaint) as caught:
-        prepare(loads(text))
+        Study.from_experiment(parse_experiment(text))
     assert "line" in str(caught.value)
 
 
@@ -87,7 +87,10 @@ def test_a_python_file_names_its_plan(tmp_path):
     path.write_text("\n".join([*lines, "plan = Plan((x, y), points=((x, y),))"]), encoding="utf-8")
     named = load_python(path)
     assert (len(named.subject.plan.wheels), len(named.subject.plan.points)) == (0, 1)
-    assert prepare(loads(named.complete_toml())).subject.plan == named.subject.plan
+    assert (
+        Study.from_experiment(parse_experiment(named.complete_toml())).subject.plan
+        == named.subject.plan
+    )
     path.write_text("\n".join([*lines, "plan = [x, y]"]), encoding="utf-8")
     with pytest.raises(InputError, match="plan must be a Plan, not list"):
         load_python(path)
@@ -96,7 +99,7 @@ def test_a_python_file_names_its_plan(tmp_path):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", spread(IN_CATALOGUE))
 def test_the_picture_shows_the_mechanism_at_the_end(name):
-    made = prepare(catalogue_experiment(name))
+    made = Study.from_experiment(catalogue_experiment(name))
     trajectory = made.trajectory()
     motion = plan_motion(made.subject.plan, trajectory)
     figure = figures.plan_view(dataset_of(made, trajectory), motion)
@@ -128,7 +131,7 @@ def test_the_picture_shows_the_mechanism_at_the_end(name):
 
 
 def test_a_plan_without_a_finite_place_is_refused():
-    made = prepare(loads(SLEIGH))
+    made = Study.from_experiment(parse_experiment(SLEIGH))
     trajectory = made.trajectory()
     motion = plan_motion(made.subject.plan, trajectory)
     motion.path[:] = np.nan

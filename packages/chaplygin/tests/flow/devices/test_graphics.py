@@ -11,7 +11,7 @@ import sympy as sp
 
 import flowlanes.flow.devices.graphics as module
 from chaplygin.experiment.models.experiment import catalogue_experiment
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.study import Study
 from flow.devices.ptx_machine import PtxMachine
 from flow.small import FENCED, LOGARITHM, OSCILLATOR, RUNAWAY, body, starts, x, y
 from flowlanes.errors import InputError
@@ -31,7 +31,7 @@ def on_both(
     deviations: int = 0,
     section: Section | None = None,
     backward: bool = False,
-    digits: Any = 16,
+    precision: Any = "double",
     tolerance: float = 1e-13,
     machine: PtxMachine | None = None,
 ) -> tuple[BatchIntegrator, BatchIntegrator]:
@@ -42,10 +42,10 @@ def on_both(
         deviations=deviations,
         section=section,
         backward=backward,
-        digits=digits,
+        precision=precision,
     )
     equations = equations_of(system, deviations, section, backward)
-    loop = graphics_loop(equations, digits, 1e-13, lambda: machine or PtxMachine())
+    loop = graphics_loop(equations, precision, 1e-13, lambda: machine or PtxMachine())
     return here, replace(here, loop=loop)
 
 
@@ -66,7 +66,7 @@ def test_motions() -> None:
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_every_system(name: str) -> None:
     system = replace(from_catalogue(name), reconstruction=None)
-    start = prepare(catalogue_experiment(name)).start[: len(system.symbols)]
+    start = Study.from_experiment(catalogue_experiment(name)).start[: len(system.symbols)]
     here, there = on_both(system)
     states = np.array([[float(value) for value in start]])
     assert_same(there.propagate(states, [0.05]), here.propagate(states, [0.05]))
@@ -84,8 +84,8 @@ def test_a_section() -> None:
     ball = body("unbalanced-ball")
     here, there = on_both(ball, section=poincare_section(ball, "gamma_3"))
     states = starts("unbalanced-ball", 3)
-    found = there.crossings(states, 2, until=8.0)
-    assert_same(found, here.crossings(states, 2, until=8.0))
+    found = there.crossings(states, 2, t_end=8.0)
+    assert_same(found, here.crossings(states, 2, t_end=8.0))
     assert found.counts.max() == 2
 
 
@@ -99,7 +99,7 @@ def test_deviations_backward() -> None:
 
 
 def test_30_digits() -> None:
-    here, there = on_both(OSCILLATOR, digits=30, tolerance=1e-20)
+    here, there = on_both(OSCILLATOR, precision="quad", tolerance=1e-20)
     found = there.propagate([[1.0, 0.0]], [0.2])
     assert_same(found, here.propagate([[1.0, 0.0]], [0.2]))
 

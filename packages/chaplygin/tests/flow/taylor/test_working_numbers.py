@@ -6,8 +6,8 @@ import sys
 
 import pytest
 
-from chaplygin.experiment.models.experiment import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.models.experiment import parse_experiment
+from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from flowlanes.flow.taylor.working_numbers import PrecisionError, number_type
 
@@ -24,6 +24,8 @@ def test_without_heyoka_34_digits_are_refused(monkeypatch: pytest.MonkeyPatch) -
 
 def test_the_sentence_names_the_key(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "heyoka", None)
-    study = prepare(loads('[system]\nname = "veselova"\n[run]\nuntil = 1\nprecision = "quad"\n'))
+    study = Study.from_experiment(
+        parse_experiment('[system]\nname = "veselova"\n[run]\nuntil = 1\nprecision = "quad"\n')
+    )
     with pytest.raises(InputError, match=r"line 5, run\.precision: precision 'quad'"):
         study.trajectory()

@@ -40,7 +40,7 @@ from nonholonomic.mechanics.reduction.numerical import gyroscopic_integral, log_
 from nonholonomic.mechanics.reduction.quadratic_integral import energy_like_integral
 from nonholonomic.mechanics.reduction.reduced_form import ChaplyginForm
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 from nonholonomic.mechanics.rolling.mechanism import rolling_mechanism
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Sphere
@@ -220,7 +220,7 @@ def test_rubber_ball_on_a_sphere_for_every_ratio() -> None:
 def test_rubber_ball_on_a_sphere_as_it_rolls() -> None:
     """The same from body, surface and contact: 1/(2k) − 1 for k = a/(a + R)."""
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
-    form = chaplygin_form(rolling_mechanism(Rolling(body, Sphere(2.0), "rubber")))
+    form = chaplygin_form(rolling_mechanism(RollingBody(body, Sphere(2.0), "rubber")))
     assert form.multiplier is not None
     ((base, exponent),) = form.multiplier.powers
     assert sp.simplify(exponent - (R / a - 1) / 2) == 0

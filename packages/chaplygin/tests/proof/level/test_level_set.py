@@ -71,7 +71,7 @@ def test_points_of_an_orthonormal_frame():
 def test_a_ratio_of_radii_settles_a_radius():
     system = from_catalogue("ball-around-sphere")
     (linear,) = (law for law in system.laws if law.name == "linear")
-    ground = LevelSet(system, linear.on)
+    ground = LevelSet(system, linear.level)
     assert ground.fixed_parameters
     assert set(ground.fixed_parameters) <= {p.symbol for p in system.parameters}
     assert not set(ground.fixed_parameters) & set(ground.generators)

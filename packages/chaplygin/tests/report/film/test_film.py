@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.experiment.models.experiment import load, loads
-from chaplygin.experiment.study import Study, dataset_of, prepare
+from chaplygin.experiment.models.experiment import load_experiment, parse_experiment
+from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.experiment.subjects.plan import plan_motion
 from chaplygin.report.film.encode import write_film
 from chaplygin.report.film.encoders import require_encoder
@@ -31,7 +31,9 @@ def drawn(study: Study, every: int = 4) -> tuple[int, list[Picture]]:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["coin", "sleigh", "ball_in_a_bowl", "ball_on_waves", "tippe_top"])
 def test_frames_show_a_motion(name: str) -> None:
-    study = prepare(load(EXAMPLES / f"{name}.toml", ["run.until=1", "run.samples=13"]))
+    study = Study.from_experiment(
+        load_experiment(EXAMPLES / f"{name}.toml", ["run.until=1", "run.samples=13"])
+    )
     count, pictures = drawn(study)
     assert count == len(pictures) == 4
     for before, after in itertools.pairwise(pictures):
@@ -41,7 +43,9 @@ def test_frames_show_a_motion(name: str) -> None:
 
 @pytest.mark.slow
 def test_what_stays_in_sight_is_never_cut_off() -> None:
-    study = prepare(load(EXAMPLES / "rattleback.toml", ["run.until=2", "run.samples=9"]))
+    study = Study.from_experiment(
+        load_experiment(EXAMPLES / "rattleback.toml", ["run.until=2", "run.samples=9"])
+    )
     for picture in drawn(study)[1]:
         # the paper is white at the border
         for edge in (picture[0], picture[:, 0], picture[:, -1]):
@@ -49,7 +53,9 @@ def test_what_stays_in_sight_is_never_cut_off() -> None:
 
 
 def test_a_system_without_a_body_has_no_film() -> None:
-    study = prepare(loads('system = {name = "veselova"}\nrun = {until = 1.0, samples = 3}'))
+    study = Study.from_experiment(
+        parse_experiment('system = {name = "veselova"}\nrun = {until = 1.0, samples = 3}')
+    )
     with pytest.raises(InputError, match="no body"):
         drawn(study)
 

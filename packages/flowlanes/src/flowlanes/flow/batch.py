@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from numbers import Integral, Real
-from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +19,7 @@ from ..formulas.array_evaluation import as_float_array, relation_terms
 from ..formulas.graph import Term
 from ..system.arrays import FloatArray, IntArray
 from ..system.system import System
+from ..system.tolerance import ENSEMBLE_TOLERANCE, FINEST_TOLERANCE, Precision
 from .batch_results import BatchCrossings, BatchTrajectories
 from .cost import FEW_STEPS, MOST_STEPS, require_steps
 from .devices.batch_arrays import BatchInput, BatchLoop
@@ -43,13 +43,13 @@ class BatchIntegrator:
     ----------
     system : System
     tolerance : float
-        Error allowed in a step, relative to the size of each vector of the state.
+        See :mod:`flowlanes.system.tolerance`.
     deviations : int
         Tangent vectors carried by the variational equations.
     section : Section or None
     backward : bool
         Whether time runs backward; times are negative then.
-    digits : 16 or 30
+    precision : ``"double"`` or ``"quad"``
     loop : BatchLoop
         The code, on the device that was asked for.
     """
@@ -59,7 +59,7 @@ class BatchIntegrator:
     deviations: int
     section: Section | None
     backward: bool
-    digits: int
+    precision: Precision
     loop: BatchLoop = field(repr=False)
 
     @property
@@ -87,7 +87,7 @@ class BatchIntegrator:
         Parameters
         ----------
         starts : array (motions, size)
-            In flat order of ``system.symbols``; with 30 digits numbers of many digits (mpmath)
+            In flat order of ``system.symbols``; in quad precision numbers of many digits (mpmath)
             count with 32 of them, here and in `parameters`.
         times : array (times,)
             Increasing from 0 or later; decreasing for backward lanes.
@@ -120,7 +120,7 @@ class BatchIntegrator:
         count: int,
         parameters: Parameters = None,
         *,
-        until: float = np.inf,
+        t_end: float = np.inf,
         deviations: npt.ArrayLike | None = None,
         threads: int | None = None,
     ) -> BatchCrossings:
@@ -135,7 +135,7 @@ class BatchIntegrator:
             As in :meth:`propagate`.
         count : int
             Crossings of each motion.
-        until : float
+        t_end : float
             Time after which to give up; negative for backward lanes.
 
         Raises
@@ -148,9 +148,9 @@ class BatchIntegrator:
                 "this integrator was built without a section; pass section=… to batch_integrator"
             )
         _require_count(count)
-        end = np.array([-until if self.backward and until < 0 else until], dtype=float)
+        end = np.array([-t_end if self.backward and t_end < 0 else t_end], dtype=float)
         if not end[0] > 0:
-            raise InputError(f"until = {until}: it must lie ahead of the start, at time 0")
+            raise InputError(f"t_end = {t_end}: it must lie ahead of the start, at time 0")
         rows, constants = self._rows(starts, parameters, deviations)
         numbers, moments, counts, ends = self._call(rows, constants, end, count, threads)
         states, tangents, low = self._split(numbers)
@@ -158,14 +158,14 @@ class BatchIntegrator:
 
     @arguments_checked
     def require_reach(
-        self, start: npt.ArrayLike, until: float, parameters: Parameters = None
+        self, start: npt.ArrayLike, t_end: float, parameters: Parameters = None
     ) -> None:
         """Raise an error for a time that needs more than the maximum number of steps.
 
         Parameters
         ----------
         start : array (size,)
-        until : float
+        t_end : float
         parameters : mapping of Symbol or name to number, optional
 
         Raises
@@ -174,9 +174,9 @@ class BatchIntegrator:
             With an estimate from the first steps.
         """
         rows, constants = self._rows(np.asarray(start)[np.newaxis], parameters, None)
-        end = np.array([abs(until)])
+        end = np.array([abs(t_end)])
         _, _, _, (outcome, ended, steps) = self._call(rows, constants, end, 1, 1, FEW_STEPS)
-        require_steps(until, outcome[0], ended[0], steps[0])
+        require_steps(t_end, outcome[0], ended[0], steps[0])
 
     # --- arguments and results of the machine code ----------------------------------------------
 
@@ -217,11 +217,11 @@ class BatchIntegrator:
     @property
     def words(self) -> int:
         """Number of doubles that represent one number."""
-        return 1 if self.digits == 16 else 2
+        return 1 if self.precision == "double" else 2
 
     def _as_doubles(self, name: str, numbers: npt.ArrayLike) -> FloatArray:
         """Add a last axis that holds the doubles of each number."""
-        if self.digits == 16:
+        if self.precision == "double":
             words: FloatArray = as_float_array(name, numbers)[..., None]
             return words
         return as_pairs(name, numbers)
@@ -266,11 +266,11 @@ class BatchIntegrator:
 def batch_integrator(
     system: System,
     *,
-    tolerance: float = 1e-13,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     deviations: int = 0,
     section: Section | None = None,
     backward: bool = False,
-    digits: Literal[16, 30] = 16,
+    precision: Precision = "double",
     device: Device = "cpu",
 ) -> BatchIntegrator:
     """Compile the flow of a system to machine code for many motions at once.
@@ -280,18 +280,18 @@ def batch_integrator(
     system : System
         As it is to be integrated; ``system.lifted()`` carries its motion in space along.
     tolerance : float
-        Error allowed in a step, relative to the size of each vector of the state.  Below 1e-15 the
-        method is another of the same order, in which rounding counts for less.
+        See :mod:`flowlanes.system.tolerance`; the size is that of each vector of the state.  Below
+        1e-15 the method is another of the same order, in which rounding counts for less.
     deviations : int
         Tangent vectors to carry by the variational equations.
     section : Section, optional
         Recorded are the crossings of this section, instead of states at given times.
     backward : bool
         Whether time runs backward.
-    digits : 16 or 30
-        Of the numbers that the lanes compute with.  With 30 a step costs some twenty times as much,
-        and a method of order 8 needs very many steps to make use of them all: for single motions
-        see :mod:`flowlanes.flow.gauss`.
+    precision : ``"double"`` or ``"quad"``
+        Of the numbers that the lanes compute with: 16 or, as pairs of doubles, 30 digits.  With 30
+        a step costs some twenty times as much, and a method of order 8 needs very many steps to
+        make use of them all: for single motions see :mod:`flowlanes.flow.gauss`.
     device : "cpu" or "gpu"
         Where motions are computed.
 
@@ -305,9 +305,9 @@ def batch_integrator(
     Raises
     ------
     InputError
-        If a section is asked for with 30 digits, the tolerance is not between 1e-16 (1e-30 with 30
-        digits) and 0.1, a formula has a function that machine code does not know, the number of
-        deviations is negative, or there is no such device.
+        If a section is asked for in quad precision, the tolerance is not between 1e-16 (1e-30 in
+        quad precision) and 0.1, a formula has a function that machine code does not know, the
+        number of deviations is negative, or there is no such device.
 
     Examples
     --------
@@ -323,11 +323,11 @@ def batch_integrator(
     ((100, 2, 3), 100)
     """
     _require_numbers(tolerance, deviations)
-    if digits not in (16, 30):
-        raise InputError(f"digits = {digits}: lanes compute with 16 or with 30 digits")
-    if digits == 30 and section is not None:
-        raise InputError(f"{system.name}: a section is found to 16 digits; leave 'digits' at that")
-    finest = 1e-16 if digits == 16 else 1e-30
+    if precision == "quad" and section is not None:
+        raise InputError(
+            f"{system.name}: a section is found in double precision; leave 'precision' at that"
+        )
+    finest = FINEST_TOLERANCE[precision]
     if not finest <= tolerance <= 0.1:
         raise InputError(f"tolerance {tolerance}: it must lie between {finest:g} and 0.1")
     if deviations < 0:
@@ -335,10 +335,10 @@ def batch_integrator(
     equations = equations_of(system, deviations, section, backward)
     loop: BatchLoop
     if device == "gpu":
-        loop = graphics_loop(equations, digits, tolerance)
+        loop = graphics_loop(equations, precision, tolerance)
     else:
-        loop = processor_loop(equations, digits, tolerance)
-    return BatchIntegrator(system, tolerance, deviations, section, backward, digits, loop)
+        loop = processor_loop(equations, precision, tolerance)
+    return BatchIntegrator(system, tolerance, deviations, section, backward, precision, loop)
 
 
 def _require_count(count: object) -> None:

@@ -88,12 +88,12 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
         )
 
 
-def require_steps(until: float, outcome: int, end_time: float, steps: int) -> None:
+def require_steps(t_end: float, outcome: int, end_time: float, steps: int) -> None:
     """Raise an error if a time needs more steps than allowed, judged by the first few steps.
 
     Parameters
     ----------
-    until : float
+    t_end : float
         The time.
     outcome, ended, steps
         Of a motion that was allowed few steps.
@@ -105,10 +105,10 @@ def require_steps(until: float, outcome: int, end_time: float, steps: int) -> No
     """
     if outcome != STEPS:
         return
-    needed = steps * abs(until) / abs(float(end_time)) if end_time else math.inf
+    needed = steps * abs(t_end) / abs(float(end_time)) if end_time else math.inf
     if needed > MOST_STEPS:
         raise TooMuchError(
-            f"to follow a motion for {until:g} s would take about {needed:.1g} steps, and it is "
+            f"to follow a motion for {t_end:g} s would take about {needed:.1g} steps, and it is "
             f"given up after {MOST_STEPS:.0e}: follow it for a shorter time"
         )
 

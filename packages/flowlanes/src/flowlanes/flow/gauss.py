@@ -9,7 +9,6 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
-from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -27,6 +26,7 @@ from ..formulas.graph import Term
 from ..system.arrays import FloatArray, IntArray
 from ..system.overview import WithShortRepr
 from ..system.system import System
+from ..system.tolerance import Precision
 from .cost import FEW_STEPS, MOST_STEPS, require_steps
 from .devices.threads import run_in_threads
 from .initial_states import reduced_rows
@@ -42,7 +42,7 @@ from .validation import check_state_shape, moments as read_moments, require_on_p
 
 #: Number of stages, and largest allowed highest Legendre coefficient of the rates over a step,
 #: relative to the state.
-_METHODS = {16: (8, 1e-7), 30: (16, 3e-15)}
+_METHODS: dict[Precision, tuple[int, float]] = {"double": (8, 1e-7), "quad": (16, 3e-15)}
 
 _I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
 _SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P)
@@ -77,7 +77,7 @@ class GaussIntegrator:
     Attributes
     ----------
     system : System
-    digits : 16 or 30
+    precision : ``"double"`` or ``"quad"``
     backward : bool
         Whether time runs backward; times are negative then.
     held_names : tuple of str
@@ -86,7 +86,7 @@ class GaussIntegrator:
     """
 
     system: System
-    digits: int
+    precision: Precision
     backward: bool
     held_names: tuple[str, ...]
     code: native.Native = field(repr=False)
@@ -132,7 +132,7 @@ class GaussIntegrator:
 
     @arguments_checked
     def require_reach(
-        self, start: npt.ArrayLike, until: float, parameters: Parameters = None
+        self, start: npt.ArrayLike, t_end: float, parameters: Parameters = None
     ) -> None:
         """Raise an error for a time that needs more than the maximum number of steps.
 
@@ -142,8 +142,8 @@ class GaussIntegrator:
             With an estimate from the first steps.
         """
         first = np.asarray(start)[np.newaxis]
-        motion = self._call(first, np.array([abs(until)]), parameters, 1, FEW_STEPS)
-        require_steps(until, motion.outcome[0], motion.end_times[0], motion.steps[0])
+        motion = self._call(first, np.array([abs(t_end)]), parameters, 1, FEW_STEPS)
+        require_steps(t_end, motion.outcome[0], motion.end_times[0], motion.steps[0])
 
     def _call(
         self,
@@ -163,7 +163,7 @@ class GaussIntegrator:
         states = np.full((motions, samples, size, 2), np.nan)
         outcome, steps = (np.zeros(motions, dtype=np.int64) for _ in range(2))
         ended = np.zeros(motions)
-        _, bound = _METHODS[self.digits]
+        _, bound = _METHODS[self.precision]
 
         def compute(first: int, last: int) -> None:
             work = native.aligned_zeros(self.code.work_size)
@@ -183,7 +183,7 @@ def gauss_integrator(
     system: System,
     start: Numbers,
     parameters: Parameters = None,
-    digits: Literal[16, 30] = 16,
+    precision: Precision = "double",
     *,
     backward: bool = False,
 ) -> GaussIntegrator:
@@ -197,8 +197,9 @@ def gauss_integrator(
         A state near which the motions begin: integrals that are claimed of the system but are not
         constant there are not held.
     parameters : mapping of Symbol or name to number, optional
-    digits : 16 or 30
-        With 30 the state is not moved onto any level: it begins where the start is.
+    precision : ``"double"`` or ``"quad"``
+        16 or 30 digits.  In quad precision the state is not moved onto any level: it begins where
+        the start is.
     backward : bool
         Whether time runs backward.
 
@@ -211,7 +212,7 @@ def gauss_integrator(
     Raises
     ------
     InputError
-        If the digits are neither, if a rate has an absolute value or a sign of what moves, or a
+        If the precision is neither, if a rate has an absolute value or a sign of what moves, or a
         function that machine code does not know.
 
     Examples
@@ -232,8 +233,6 @@ def gauss_integrator(
     >>> bool(abs(back - starts).max() < 1e-13)
     True
     """
-    if digits not in _METHODS:
-        raise InputError(f"digits = {digits}: single motions are computed to 16 or to 30 digits")
     if sign_branches(replace(system, guards=())) is not None:
         raise InputError(
             f"{system.name}: collocation takes smooth equations alone, not absolute values or "
@@ -248,13 +247,13 @@ def gauss_integrator(
     if not np.isfinite(point).all():
         raise InputError(f"{system.name}: all numbers of the start must be finite")
     constants = parameter_rows(system, parameters, 1)[0]
-    names = () if digits == 30 else _conserved_names(system, tuple(point), tuple(constants))
-    return _compiled_integrator(system, digits, backward, names)
+    names = () if precision == "quad" else _conserved_names(system, tuple(point), tuple(constants))
+    return _compiled_integrator(system, precision, backward, names)
 
 
 @lru_cache(maxsize=64)
 def _compiled_integrator(
-    system: System, digits: int, backward: bool, names: tuple[str, ...]
+    system: System, precision: Precision, backward: bool, names: tuple[str, ...]
 ) -> GaussIntegrator:
     equations = equations_of(system, 0, None, backward)
     reader, _ = read_formulas(system)
@@ -269,16 +268,16 @@ def _compiled_integrator(
             # stored after the state
             [reader.graph.state(len(system.symbols) + k) for k in range(len(names))],
         )
-    stages, _ = _METHODS[digits]
+    stages, _ = _METHODS[precision]
     levels = serial_terms([terms[name.lstrip("=")] for name in names])
-    key = f"gauss {stages} {digits} {serial(equations)} {names} {levels}"
+    key = f"gauss {stages} {precision} {serial(equations)} {names} {levels}"
     code = native.load_code(
         key,
-        lambda: gauss_loop(gauss(stages), equations, projection, digits == 30),
+        lambda: gauss_loop(gauss(stages), equations, projection, precision == "quad"),
         {"gauss": _SIGNATURE},
     )
     return GaussIntegrator(
-        system, digits, backward, tuple(name.lstrip("=") for name in names), code
+        system, precision, backward, tuple(name.lstrip("=") for name in names), code
     )
 
 

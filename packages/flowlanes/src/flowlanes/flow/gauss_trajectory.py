@@ -15,12 +15,14 @@ from ..errors import InputError, RunError
 from ..system.arrays import BoolArray, FloatArray
 from ..system.parameters import parameter_values
 from ..system.system import System
+from ..system.tolerance import FINEST_TOLERANCE, Precision
 from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
 from .integration_method import IntegrationMethod, MotionRequest
 from .kernel.outcomes import STATUS_MESSAGES
 from .machine_code.double_double_conversion import from_pairs
+from .recorded_quantities import recorded_values
 from .taylor.working_numbers import WorkingArray, WorkingNumber
-from .trajectory import Event, Statistics, Trajectory, recorded_values
+from .trajectory import Event, Statistics, Trajectory
 
 
 class Collocation(IntegrationMethod):
@@ -35,7 +37,7 @@ class Collocation(IntegrationMethod):
             request.start,
             request.times,
             request.parameters,
-            digits=16 if request.precision == "double" else 30,
+            precision=request.precision,
             on_liftoff=request.on_liftoff,
         )
 
@@ -46,13 +48,13 @@ def collocate(
     times: Numbers,
     parameters: Parameters = None,
     *,
-    digits: Literal[16, 30] = 16,
+    precision: Precision = "double",
     on_liftoff: Literal["stop", "warn"] = "stop",
 ) -> Trajectory:
     """Integrate a system to full double (or 30-digit) accuracy by collocation.
 
     See :func:`flowlanes.flow.integrator.integrate`.
-    The state is held on the level of its relations and integrals.  With 30 digits the states are
+    The state is held on the level of its relations and integrals.  In quad precision the states are
     numbers of mpmath and what is recorded has 16.
 
     Parameters
@@ -64,7 +66,7 @@ def collocate(
     times : sequence of numbers
         At least two, all increasing or all decreasing.
     parameters : mapping of Symbol or name to number, optional
-    digits : 16 or 30
+    precision : ``"double"`` or ``"quad"``
     on_liftoff : ``"stop"`` or ``"warn"``
         Whether the run ends when the normal force changes sign, or passes over it.
 
@@ -86,10 +88,10 @@ def collocate(
     backward = bool(moments[-1] < moments[0])
     constants = parameter_values(system, parameters)
     point = list(start)
-    if digits == 30:
+    if precision == "quad":
         constants = {symbol: _decimal(value) for symbol, value in constants.items()}
         point = [_decimal(x) for x in start]
-    flow = gauss_integrator(watched, point, constants, digits, backward=backward)
+    flow = gauss_integrator(watched, point, constants, precision, backward=backward)
     flow.require_reach(point, float(moments[-1] - moments[0]), constants)
     motion = flow.propagate([point], moments - moments[0], constants)
     outcome, reached = int(motion.outcome[0]), float(motion.end_times[0] + moments[0])
@@ -107,9 +109,9 @@ def collocate(
     statistics = Statistics(
         method="Gauss–Legendre collocation",
         steps=int(motion.steps[0]),
-        order=16 if digits == 16 else 32,
-        tolerance=1e-16 if digits == 16 else 1e-30,
-        precision="double" if digits == 16 else "quad",
+        order=16 if precision == "double" else 32,
+        tolerance=FINEST_TOLERANCE[precision],
+        precision=precision,
         corrections=int(motion.steps[0]) if flow.held_names else 0,
         seconds=clock.perf_counter() - began,
         from_cache=flow.code.from_cache,
@@ -123,7 +125,7 @@ def collocate(
 def _states(flow: GaussIntegrator, motion: GaussTrajectories, good: BoolArray) -> WorkingArray:
     """The states (times, size) of one motion, with all digits."""
     states: FloatArray = motion.states[0, good]
-    return states if flow.digits == 16 else from_pairs(states, motion.rest[0, good])
+    return states if flow.precision == "double" else from_pairs(states, motion.rest[0, good])
 
 
 def _decimal(number: WorkingNumber) -> mpmath.mpf:

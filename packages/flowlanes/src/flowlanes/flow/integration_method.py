@@ -14,7 +14,8 @@ from typing import ClassVar, Literal
 
 from ..arguments import Numbers, Parameters
 from ..system.system import System
-from .taylor.working_numbers import Precision, WorkingNumber
+from ..system.tolerance import Precision
+from .taylor.working_numbers import WorkingNumber
 from .trajectory import Trajectory
 
 

@@ -8,10 +8,10 @@ from typing import Literal
 from ..arguments import Numbers, Parameters, Start, arguments_checked
 from ..errors import InputError
 from ..system.system import System
+from ..system.tolerance import Precision
 from .initial_states import whole_start
 from .integration_method import MotionRequest
 from .methods import method_named, require_options
-from .taylor.working_numbers import Precision
 from .trajectory import Trajectory
 
 
@@ -46,8 +46,8 @@ def integrate(
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults.
     tolerance, precision
-        See :func:`flowlanes.flow.taylor.compiled_system.compile_system`; the tolerance is 1e-15 in
-        double precision and 1e-30 with 34 digits unless another one is given.
+        See :mod:`flowlanes.system.tolerance`; 1e-15 unless another one is given, and 1e-30 with the
+        34 digits of precision "quad".
     on_liftoff : ``"stop"`` or ``"warn"``
         Whether the run ends or goes on when the normal force changes sign.  Leaving the domain
         of the equations (a body lying flat, a contact on a non-convex part) always ends it.

@@ -18,6 +18,7 @@ from ..errors import InputError
 from ..system.arrays import FloatArray, IntArray
 from ..system.parameters import Parameters
 from ..system.system import System
+from ..system.tolerance import ENSEMBLE_TOLERANCE
 from .devices.graphics import Device
 
 
@@ -60,7 +61,7 @@ class MotionObservable(Generic[AnyRun]):
         Equidistant samples, or intervals, of each motion by default; 0 where there are none.
     least_samples : int
         The fewest of them.
-    further : mapping of str to str
+    extra_columns : mapping of str to str
         Meanings of further numbers by name, such as an error.
     require : callable, optional
         (system, text, formula, unit) ↦ None; refuses a formula that has no such number.
@@ -79,27 +80,27 @@ class MotionObservable(Generic[AnyRun]):
 
     name: str
     title: str
-    run: Callable[[Observation, FloatArray, Parameters], AnyRun]
-    reduce: Callable[[Observation, AnyRun], Mapping[str, FloatArray]]
+    run: Callable[[Observation, FloatArray, Parameters], AnyRun] = field(repr=False)
+    reduce: Callable[[Observation, AnyRun], Mapping[str, FloatArray]] = field(repr=False)
     unit: str = ""
     of_formula: bool = False
     samples: int = 0
     least_samples: int = 1
-    further: Mapping[str, str] = field(default_factory=dict)
-    require: Callable[[System, str, sp.Expr, str], None] | None = None
+    extra_columns: Mapping[str, str] = field(default_factory=dict)
+    require: Callable[[System, str, sp.Expr, str], None] | None = field(default=None, repr=False)
 
     def __call__(
         self,
         system: System,
-        until: float,
+        t_end: float,
         formula: sp.Expr | None = None,
         samples: int | None = None,
-        tolerance: float = 1e-12,
+        tolerance: float = ENSEMBLE_TOLERANCE,
         device: Device = "cpu",
     ) -> Observation:
         """The observable of motions of a system; see `Observation`."""
         count = self.samples if samples is None else samples
-        return Observation(self, system, until, formula, count, tolerance, device)
+        return Observation(self, system, t_end, formula, count, tolerance, device)
 
     def __hash__(self) -> int:
         return hash((self.name, self.run, self.reduce))
@@ -114,16 +115,16 @@ class Observation:
     ----------
     observable : MotionObservable
     system : System
-    until : float
+    t_end : float
         Length of the motions.
     formula : sympy.Expr, optional
         In state, definitions and parameters; None where it is no number of a formula.
     samples : int
         Equidistant samples, or intervals, of each motion.
     tolerance : float
-        See :func:`flowlanes.flow.batch.batch_integrator`.
+        See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
-        Where motions are computed; likewise.
+        Where motions are computed; see :func:`flowlanes.flow.batch.batch_integrator`.
 
     Raises
     ------
@@ -144,10 +145,10 @@ class Observation:
 
     observable: MotionObservable[Any]
     system: System
-    until: Positive
+    t_end: Positive
     formula: sp.Expr | None = None
     samples: int = 0
-    tolerance: Positive = 1e-12
+    tolerance: Positive = ENSEMBLE_TOLERANCE
     device: Device = "cpu"
 
     def __post_init__(self) -> None:
@@ -161,9 +162,9 @@ class Observation:
             )
 
     @property
-    def further(self) -> Mapping[str, str]:
+    def extra_columns(self) -> Mapping[str, str]:
         """Names and meanings of further numbers, such as an error."""
-        return self.observable.further
+        return self.observable.extra_columns
 
     @arguments_checked
     def __call__(

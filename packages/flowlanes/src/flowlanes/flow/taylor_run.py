@@ -14,19 +14,14 @@ import sympy as sp
 
 from ..errors import InputError
 from ..system.system import System
+from ..system.tolerance import Precision
 from .cost import Pace
+from .recorded_quantities import columns_by_name, recorded_quantities
 from .sign_branches import RunningSigns
 from .taylor.compiled_system import CompiledSystem
 from .taylor.projection import Projector
-from .taylor.working_numbers import Precision, WorkingArray, WorkingNumber
-from .trajectory import (
-    DenseOutput,
-    Event,
-    Statistics,
-    Trajectory,
-    columns_by_name,
-    recorded_quantities,
-)
+from .taylor.working_numbers import WorkingArray, WorkingNumber
+from .trajectory import DenseOutput, Event, Statistics, Trajectory
 from .validation import extremes_in_words
 
 #: Residuals of the relations below which a state is not projected, per precision.

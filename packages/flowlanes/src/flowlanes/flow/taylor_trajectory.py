@@ -13,15 +13,13 @@ from ..arguments import Numbers, Parameters
 from ..errors import InputError, InterruptionError, RunError
 from ..system.parameters import parameter_values, require_admissible, require_finite
 from ..system.system import System
+from ..system.tolerance import TOLERANCE
 from .integration_method import IntegrationMethod, MotionRequest
 from .sign_branches import sign_branches
 from .taylor.compiled_system import SignedOutputs, compile_system
 from .taylor.working_numbers import Direction, WorkingNumber, number_type
 from .taylor_run import RunLog, StoppedError, TaylorRun, decimal_text
 from .trajectory import Statistics, Trajectory
-
-#: Tolerances by default.
-DEFAULT_TOLERANCE = {"double": 1e-15, "quad": 1e-30}
 
 
 class TaylorSeries(IntegrationMethod):
@@ -47,7 +45,7 @@ def taylor_motion(request: MotionRequest) -> Trajectory:
     moments = _moments(request.times, kind)
     direction: Direction = "forward" if moments[0] < moments[-1] else "backward"
     if tolerance is None:
-        tolerance = DEFAULT_TOLERANCE[precision]
+        tolerance = TOLERANCE[precision]
     code = compile_system(system, tolerance, precision, direction)
     lifted = system.lifted() if system.reconstruction else system
     branches = sign_branches(lifted)

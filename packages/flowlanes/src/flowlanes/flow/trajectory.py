@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
-from typing import TypeVar
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from ..arguments import Parameters, arguments_checked
-from ..errors import InputError, nearest
-from ..formulas.array_evaluation import overflows, values
+from ..arguments import arguments_checked
+from ..errors import InputError
+from ..formulas.array_evaluation import overflows
 from ..system.arrays import BoolArray, FloatArray
 from ..system.laws import Integral
 from ..system.overview import Overview, WithOverview
-from ..system.system import Guard, Observable, System
+from ..system.system import Guard, System
+from .motion import SystemMotion, read_only
+from .recorded_quantities import recorded_quantities
+from .sampled_motion import SampledMotion, sampled
 from .taylor.working_numbers import WorkingArray, WorkingNumber
-
-Number = TypeVar("Number", bound=np.generic)
 
 #: Drift of a quantity that is undefined along the motion, such as 0/0 at rest.
 NO_VALUE = "undefined along this motion"
@@ -30,48 +30,10 @@ NO_VALUE = "undefined along this motion"
 TOO_LARGE = "too large for double precision"
 
 
-class UnknownVariableError(InputError, KeyError):
-    """A name that matches no quantity of a motion; also a KeyError, as for any mapping."""
-
-
-def _read_only(array: WorkingArray) -> WorkingArray:
-    """A read-only view of an array."""
-    view = array.view()
-    view.flags.writeable = False
-    return view
-
-
 def _doubles(array: WorkingArray) -> FloatArray:
     """Numbers of any precision as doubles, infinite if too large."""
     with np.errstate(over="ignore"):
         return np.asarray(array).astype(float)
-
-
-def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArray[Number]:
-    """A variable of states (n, size) by name: (n, components), or (n,) for a scalar.
-
-    Raises
-    ------
-    UnknownVariableError
-        If the system has no such variable.
-    """
-    for variable, columns in system.slices:
-        if str(variable) == name:
-            block = states[:, columns]
-            column: npt.NDArray[Number] = block[:, 0]
-            return column if isinstance(variable, sp.Symbol) else block
-    raise unknown_variable(system, name, ())
-
-
-def unknown_variable(system: System, name: object, records: Iterable[str]) -> UnknownVariableError:
-    """The error for a quantity that is neither in the state nor recorded."""
-    if not isinstance(name, str):
-        return UnknownVariableError(
-            f"{system.name}: a quantity is asked for by its name in quotes, not by {name!r}"
-        )
-    return UnknownVariableError(
-        f"{system.name}: no quantity {name!r}{nearest(name, [*map(str, system.state), *records])}"
-    )
 
 
 @dataclass(frozen=True)
@@ -118,7 +80,7 @@ class Statistics:
     steps, order : int
         0 for a closed form, which takes no steps.
     tolerance : float
-        Relative, of one step.
+        See :mod:`flowlanes.system.tolerance`.
     precision : str
         ``"double"`` or ``"quad"``.
     corrections : int
@@ -191,9 +153,11 @@ def require_pieces(pieces: int) -> None:
         raise InputError(f"pieces = {pieces}: there must be one at least")
 
 
-@dataclass(frozen=True, repr=False)
-class Trajectory(WithOverview):
+@dataclass(frozen=True, repr=False, eq=False)
+class Trajectory(SystemMotion, WithOverview):
     """States and observables of a system along one motion; its arrays are read-only.
+
+    Called with times, if the continuous trajectory was kept, it gives the states there.
 
     Attributes
     ----------
@@ -236,20 +200,30 @@ class Trajectory(WithOverview):
     dense: DenseOutput | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "times", _read_only(self.times))
-        object.__setattr__(self, "states", _read_only(self.states))
-        records = {name: _read_only(record) for name, record in self.records.items()}
+        object.__setattr__(self, "times", read_only(self.times))
+        object.__setattr__(self, "states", read_only(self.states))
+        records = {name: read_only(record) for name, record in self.records.items()}
         object.__setattr__(self, "records", records)
 
-    def __getitem__(self, name: str) -> WorkingArray:
-        """A state variable or an observable by name."""
-        if not isinstance(name, str):
-            raise unknown_variable(self.system, name, self.records)
-        if name in self.records:
-            return self.records[name]
-        if name not in map(str, self.system.state):
-            raise unknown_variable(self.system, name, self.records)
-        return by_name(self.system, self.states, name)
+    def __call__(self, times: npt.ArrayLike) -> SampledMotion:
+        """The states at other times; see :meth:`Motion.__call__`."""
+        if self.dense is None:
+            raise InputError(
+                f"{self.system.name}: this trajectory is known at its samples alone; integrate "
+                "with dense=True for the motion between them"
+            )
+        return sampled(self.system, self.parameters, times, self.dense)
+
+    def facts(self) -> dict[str, object]:
+        """Events, warnings, and how the motion was computed."""
+        done = self.statistics
+        return {
+            "events": "\n".join(map(str, self.events)),
+            "warnings": "\n".join(self.warnings),
+            "tolerance": done.tolerance,
+            "precision": done.precision,
+            "integrator": done.integrator,
+        }
 
     def overview(self) -> Overview:
         """System, interval of time, drift of the integrals, events and cost."""
@@ -323,79 +297,3 @@ class Trajectory(WithOverview):
             states=self.states[indices],
             records={name: values[indices] for name, values in self.records.items()},
         )
-
-
-# --- recorded quantities ----------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class RecordedQuantity:
-    """A quantity recorded along motions.
-
-    Attributes
-    ----------
-    name : str
-    formulas : tuple of sympy.Expr
-        Its components; one for a scalar.
-    is_vector : bool
-    frame : str
-        ``"body"`` or ``"space"`` for a vector given in these axes.
-    meaning, unit, source : str
-    """
-
-    name: str
-    formulas: tuple[sp.Expr, ...]
-    is_vector: bool
-    frame: str
-    meaning: str
-    unit: str
-    source: str
-
-
-@lru_cache(maxsize=32)
-def recorded_quantities(system: System) -> tuple[RecordedQuantity, ...]:
-    """The observables of a system, and its integrals as ``law_<name>``."""
-    quantities = [_quantity(item.name, item.frame, item) for item in system.scalar.observables]
-    quantities += [_quantity(f"law_{law.name}", "", law) for law in system.scalar.integrals]
-    return tuple(quantities)
-
-
-def _quantity(name: str, frame: str, item: Observable | Integral) -> RecordedQuantity:
-    is_vector = isinstance(item.value, sp.MatrixBase)
-    components = tuple(item.value) if is_vector else (item.value,)
-    return RecordedQuantity(
-        name, components, is_vector, frame, item.meaning, item.unit or "1", item.source
-    )
-
-
-def columns_by_name(system: System, columns: npt.NDArray[Number]) -> dict[str, npt.NDArray[Number]]:
-    """Group columns into the recorded quantities, by name.
-
-    Parameters
-    ----------
-    system : System
-    columns : array (components, n)
-        Of all quantities, in order; what follows them is ignored.
-
-    Returns
-    -------
-    dict of str to array
-        (n,) for a scalar, (n, components) for a vector.
-    """
-    recorded: dict[str, npt.NDArray[Number]] = {}
-    first = 0
-    for quantity in recorded_quantities(system):
-        block = columns[first : first + len(quantity.formulas)]
-        recorded[quantity.name] = block.T if quantity.is_vector else block[0]
-        first += len(quantity.formulas)
-    return recorded
-
-
-def recorded_values(
-    system: System, states: FloatArray, parameters: Parameters = None
-) -> dict[str, FloatArray]:
-    """Observables and integrals at states (n, size), by name; see `columns_by_name`."""
-    formulas = [
-        formula for quantity in recorded_quantities(system) for formula in quantity.formulas
-    ]
-    return columns_by_name(system, values(system, formulas, states, parameters).T)

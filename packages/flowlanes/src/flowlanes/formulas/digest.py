@@ -116,7 +116,7 @@ def _content(value: object) -> tuple[str, bytes]:
 def _of_a_system(system: System) -> list[Any]:
     """Everything in a System that determines its motions and recorded quantities; texts do not."""
     seen = [(item.name, item.value) for item in system.observables]
-    laws = [(law.name, law.on, formula) for law in system.laws for formula in law.computed]
+    laws = [(law.name, law.level, formula) for law in system.laws for formula in law.computed]
     return [*(getattr(system, name) for name in _OF_A_SYSTEM), seen, laws]
 
 

@@ -95,9 +95,9 @@ def _densities(
     gradients = Formulas(system, relations).slopes(ends, parameters) * sizes
     _, lengths = orthonormal(gradients)
     for law in of_kind(system.scalar.laws, Measure):
-        if any(condition.free_symbols & moving for condition in law.on):
+        if any(condition.free_symbols & moving for condition in law.level):
             continue
-        if not vanishes_to_rounding(system, law.on, ends[0], parameters, sizes):
+        if not vanishes_to_rounding(system, law.level, ends[0], parameters, sizes):
             continue
         density = Formulas(system, [law.value])(ends, parameters)[:, 0]
         # volumes are those of the surface: the form of the law times the size of the gradients

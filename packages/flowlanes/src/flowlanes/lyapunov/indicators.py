@@ -15,7 +15,7 @@ Examples
 >>> import sympy as sp
 >>> x, v = sp.symbols("x v", real=True)
 >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
->>> sorted(megno(pendulum, until=20.0)(np.array([[1.0, 0.0]]), {}))
+>>> sorted(megno(pendulum, t_end=20.0)(np.array([[1.0, 0.0]]), {}))
 ['ended', 'outcome', 'value']
 """
 
@@ -92,7 +92,7 @@ def transverse_space(system: System) -> TangentSpace:
 
     The omitted directions have the exponent zero in any case.
     """
-    integrals = tuple(law.value for law in system.scalar.integrals if not law.on)
+    integrals = tuple(law.value for law in system.scalar.integrals if not law.level)
     free = tangent(system)
     conditions = (*free.conditions, *integrals)
     return _some(TangentSpace(system, conditions, (system.rates,), np.eye(1)))
@@ -165,7 +165,7 @@ class Deviations:
         parameters : mapping of Symbol or name to number or (n,) array
         """
         states = np.array(starts, dtype=np.float64)
-        system, until = observation.system, observation.until
+        system, until = observation.system, observation.t_end
         sizes = state_scales(
             system, states, until, parameters, observation.tolerance, observation.device
         )
@@ -224,7 +224,7 @@ def _growth(
         The starts, and by what deviations are measured.
     """
     intervals = observation.samples
-    times = np.linspace(0.0, observation.until, intervals * pieces + 1)[1:]
+    times = np.linspace(0.0, observation.t_end, intervals * pieces + 1)[1:]
     code = _machine_code(deviations, observation.system, observation.tolerance, observation.device)
     run = code.run(states, sizes, times, parameters)
     with np.errstate(divide="ignore"):
@@ -238,7 +238,7 @@ def _growth(
     return growth, shrunk.max(axis=1)
 
 
-def _rate(logarithms: FloatArray, until: float) -> tuple[FloatArray, FloatArray]:
+def _rate(logarithms: FloatArray, t_end: float) -> tuple[FloatArray, FloatArray]:
     """The mean rate of growth without the beginning, and its error, (n,) each.
 
     The error is the larger of the 95 % interval from the means of 16 batches, and of what growth
@@ -247,20 +247,20 @@ def _rate(logarithms: FloatArray, until: float) -> tuple[FloatArray, FloatArray]
     intervals = logarithms.shape[1]
     each = (intervals - round(TRANSIENT * intervals)) // BATCHES
     last = logarithms[:, intervals - each * BATCHES :]
-    batches = last.reshape(len(last), BATCHES, each).mean(axis=2) * (intervals / until)
-    span = until * each * BATCHES / intervals
+    batches = last.reshape(len(last), BATCHES, each).mean(axis=2) * (intervals / t_end)
+    span = t_end * each * BATCHES / intervals
     spread = STUDENT * batches.std(axis=1, ddof=1) / np.sqrt(BATCHES)
-    unseen = 2.0 * np.log(until / (until - span)) / span
+    unseen = 2.0 * np.log(t_end / (t_end - span)) / span
     return batches.mean(axis=1), np.maximum(spread, unseen)
 
 
 def _largest(observation: Observation, growth: TangentGrowth) -> dict[str, FloatArray]:
-    value, error = _rate(growth.logarithms[:, :, 0], observation.until)
+    value, error = _rate(growth.logarithms[:, :, 0], observation.t_end)
     return {"value": value, "error": error}
 
 
 def _total(observation: Observation, growth: TangentGrowth) -> dict[str, FloatArray]:
-    value, error = _rate(growth.logarithms.sum(axis=2), observation.until)
+    value, error = _rate(growth.logarithms.sum(axis=2), observation.t_end)
     return {"value": value, "error": error}
 
 
@@ -315,7 +315,7 @@ maximal_exponent = MotionObservable(
     unit="1/s",
     samples=INTERVALS,
     least_samples=2 * BATCHES,
-    further={"error": "error of the largest exponent"},
+    extra_columns={"error": "error of the largest exponent"},
 )
 
 #: The sum of all exponents that relations, integrals and the flow leave.  It is zero if a measure
@@ -328,7 +328,7 @@ exponent_sum = MotionObservable(
     unit="1/s",
     samples=INTERVALS,
     least_samples=2 * BATCHES,
-    further={"error": "error of the sum of exponents"},
+    extra_columns={"error": "error of the sum of exponents"},
 )
 
 #: The fast Lyapunov indicator: the greatest logarithm of the growth so far.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..orbits.reversing_symmetries import Reversor
+from ..orbits.reversor import Reversor
 from .averages import Average
 from .report import CAREFUL, Spectrum, sign_word, significant_digits
 
@@ -130,7 +130,7 @@ def record(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, 
         "start": spectrum.start.tolist(),
         "units": dict.fromkeys(("exponents", "seen", "sum", "mean_divergence"), "1/s")
         | dict.fromkeys(("until", "counted_from", "interval"), "s"),
-        "until": spectrum.until,
+        "until": spectrum.t_end,
         "counted_from": spectrum.began,
         "interval": spectrum.interval,
         "exponents": [

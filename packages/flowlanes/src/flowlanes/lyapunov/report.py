@@ -35,7 +35,7 @@ class Spectrum(WithOverview):
     system : System
     parameters : dict of str to float
     start : (size,) array
-    until, interval : float
+    t_end, interval : float
         Length of the motion, and of the intervals after which deviations are made orthonormal.
     began : float
         Before this time nothing is counted.
@@ -62,7 +62,7 @@ class Spectrum(WithOverview):
     >>> import sympy as sp
     >>> x, v = sp.symbols("x v", real=True)
     >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> spectrum = flowlanes.lyapunov_spectrum(pendulum, (1.0, 0.0), until=20.0)
+    >>> spectrum = flowlanes.lyapunov_spectrum(pendulum, (1.0, 0.0), t_end=20.0)
     >>> spectrum.values.shape
     (1,)
     """
@@ -70,7 +70,7 @@ class Spectrum(WithOverview):
     system: System
     parameters: dict[str, float]
     start: FloatArray
-    until: float
+    t_end: float
     interval: float
     began: float
     exponents: tuple[Average, ...]
@@ -175,7 +175,7 @@ class Spectrum(WithOverview):
         ]
         forced = [_origin(item) for item, _ in self.trivial]
         return Overview(
-            f"Lyapunov exponents of {self.system.title}, t = {self.began:g} to {self.until:g}",
+            f"Lyapunov exponents of {self.system.title}, t = {self.began:g} to {self.t_end:g}",
             (
                 *((f"λ_{i}", text) for i, text in enumerate(shown, 1)),
                 ("sum", " ± ".join(significant_digits(self.total.value, self.total.error))),

@@ -23,6 +23,7 @@ from ..flow.linearisation.tangent_space import propagate
 from ..flow.validation import require_on_phase_space
 from ..formulas.array_evaluation import parameter_rows, relation_terms
 from ..system.system import System
+from ..system.tolerance import ENSEMBLE_TOLERANCE
 from .averages import average, resolution
 from .divergence import NODES, MotionRecord, divergence_average
 from .report import Spectrum
@@ -48,9 +49,9 @@ def lyapunov_spectrum(
     start: Start,
     parameters: Parameters = None,
     *,
-    until: float,
+    t_end: float,
     intervals: int = INTERVALS,
-    tolerance: float = 1e-13,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     device: Device = "cpu",
     progress: Callable[[float], None] | None = None,
 ) -> Spectrum:
@@ -64,13 +65,13 @@ def lyapunov_spectrum(
         to the motion in space is left out.
     parameters : mapping of Symbol or name to number, optional
         Parameters that replace the defaults.
-    until : float
+    t_end : float
         Length of the motion (s); the first fifth is not counted.
     intervals : int
         Into how many intervals to divide it, at least; their number is doubled as long as
         deviations grow too far apart within one.
     tolerance : float
-        Relative error of a step.
+        See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
         Where the motion is computed; a single motion uses one thread of a graphics processor.
     progress : callable, optional
@@ -84,7 +85,7 @@ def lyapunov_spectrum(
     Raises
     ------
     InputError
-        If the start is not on the phase space, or `until` or `intervals` cannot be used.
+        If the start is not on the phase space, or `t_end` or `intervals` cannot be used.
     RunError
         If the motion ends early, or deviations grow too fast to be followed.
     InterruptionError
@@ -97,28 +98,28 @@ def lyapunov_spectrum(
     >>> import sympy as sp
     >>> u, w = sp.symbols("u omega", real=True)
     >>> sleigh = flowlanes.System("sleigh", "Chaplygin sleigh", {u: w**2, w: -u * w / 2})
-    >>> spectrum = flowlanes.lyapunov_spectrum(sleigh, [0.0, 1.0], until=50.0)
+    >>> spectrum = flowlanes.lyapunov_spectrum(sleigh, [0.0, 1.0], t_end=50.0)
     >>> [float(x) for x in spectrum.values.round(3) + 0.0]
     [0.0, -0.707]
     """
-    if not 0 < until < np.inf:
-        raise InputError(f"until = {until:g}: it must be positive and finite")
+    if not 0 < t_end < np.inf:
+        raise InputError(f"t_end = {t_end:g}: it must be positive and finite")
     if not LEAST <= intervals <= MOST:
         raise InputError(f"intervals = {intervals}: there must be from {LEAST} to {MOST}")
     start = [float(x) for x in reduced_start(system, start, parameters)]
     _check(system, start, parameters)
     numerics = (tolerance, device)
     text = progress or (lambda share: None)
-    batch_integrator(system, tolerance=tolerance).require_reach(start, until, parameters)
-    sizes = state_scales(system, np.array([start]), until, parameters, tolerance)[0]
+    batch_integrator(system, tolerance=tolerance).require_reach(start, t_end, parameters)
+    sizes = state_scales(system, np.array([start]), t_end, parameters, tolerance)[0]
     directions = trivial_directions(system, start, parameters, sizes=sizes)
     fading: tuple[str, ...] = ()
     try:
-        run = _motion_record(directions, start, (until, intervals), parameters, numerics, text)
+        run = _motion_record(directions, start, (t_end, intervals), parameters, numerics, text)
         fading = _not_forced(directions, run)
         if fading:
             directions = trivial_directions(system, start, parameters, fading, sizes)
-            run = _motion_record(directions, start, (until, intervals), parameters, numerics, text)
+            run = _motion_record(directions, start, (t_end, intervals), parameters, numerics, text)
     except _StoppedError as stop:
         run = stop.run
         length = run.interval * len(run.lengths)
@@ -127,7 +128,7 @@ def lyapunov_spectrum(
             raise InterruptionError("interrupted", length) from None
         partial = _spectrum(system, directions, run, length, tolerance, parameters, fading)
         raise InterruptionError("interrupted", length, partial) from None
-    return _spectrum(system, directions, run, until, tolerance, parameters, fading)
+    return _spectrum(system, directions, run, t_end, tolerance, parameters, fading)
 
 
 class _StoppedError(Exception):
@@ -232,7 +233,7 @@ def _spectrum(
     system: System,
     directions: TrivialDirections,
     run: MotionRecord,
-    until: float,
+    t_end: float,
     tolerance: float,
     parameters: Parameters,
     fading: tuple[str, ...],
@@ -257,7 +258,7 @@ def _spectrum(
         system,
         named | values,
         run.states[0],
-        until,
+        t_end,
         run.interval,
         began,
         tuple(each[i] for i in order),

@@ -129,7 +129,7 @@ def trivial_directions(
     for item in _conditions(at):
         if item.trivial.name in fading:
             continue
-        if item.on and not at.on_level(item.on, across):
+        if item.level and not at.on_level(item.level, across):
             continue
         gradients = at.slopes(item.formulas)[:, 0]
         if across.take(gradients[0], _floor(gradients)):
@@ -140,7 +140,7 @@ def trivial_directions(
     fields = [
         item
         for item in _fields(at)
-        if item.trivial.name not in fading and (not item.on or at.on_level(item.on, across))
+        if item.trivial.name not in fading and (not item.level or at.on_level(item.level, across))
     ]
     rows: list[FloatArray] = []
     for named, row in _tangent(at, fields, across):
@@ -192,7 +192,7 @@ class _Item:
 
     trivial: TrivialExponent
     formulas: tuple[sp.Expr, ...]
-    on: tuple[sp.Expr, ...] = ()
+    level: tuple[sp.Expr, ...] = ()
 
 
 @dataclass
@@ -264,12 +264,12 @@ def _conditions(at: _LocalSystem) -> Iterator[_Item]:
         name = " = ".join(map(text, equation(relation)))
         yield _Item(TrivialExponent(name, "relation"), (scalar,))
     idle = set(_idle(system))
-    for law in sorted(system.integrals, key=lambda law: bool(law.on)):
+    for law in sorted(system.integrals, key=lambda law: bool(law.level)):
         value = law.scalar.value
         used = {s for _, step in system.required_definitions([value]) for s in step.free_symbols}
         # A variable on which nothing depends is removed separately.
         if not idle & (used | value.free_symbols):
-            yield _Item(TrivialExponent(law.name, "integral"), (value,), law.scalar.on)
+            yield _Item(TrivialExponent(law.name, "integral"), (value,), law.scalar.level)
 
 
 def _fields(at: _LocalSystem) -> Iterator[_Item]:
@@ -284,7 +284,7 @@ def _fields(at: _LocalSystem) -> Iterator[_Item]:
         yield _Item(TrivialExponent(str(symbol), "quadrature"), unit)
     for law in system.laws_of(Symmetry):
         parts = tuple(components(law, system.symbols))
-        yield _Item(TrivialExponent(law.name, "symmetry"), parts, law.scalar.on)
+        yield _Item(TrivialExponent(law.name, "symmetry"), parts, law.scalar.level)
     yield _Item(TrivialExponent("flow", "flow"), system.rates)
 
 

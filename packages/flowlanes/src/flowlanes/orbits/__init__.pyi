@@ -5,5 +5,5 @@ from .high_precision import refine_orbit as refine_orbit
 from .limit_cycles import enclose_limit_cycle as enclose_limit_cycle
 from .periodic import NoOrbitError as NoOrbitError, Orbit as Orbit, find_periodic as find_periodic
 from .return_map import Circle as Circle, ReturnMap as ReturnMap
-from .reversing_symmetries import Reversor as Reversor, reversors as reversors
+from .reversor import Reversor as Reversor, reversing_symmetries as reversing_symmetries
 from .rotation import Rotation as Rotation, rotation_number as rotation_number

@@ -156,8 +156,8 @@ def staircase(
     values: FloatArray,
     *,
     start: float = 0.0,
-    target: float = 1e-10,
-    most: int = 1 << 14,
+    tolerance: float = 1e-10,
+    max_iterations: int = 1 << 14,
 ) -> DevilsStaircase:
     """Rotation numbers at many values of a parameter, each with enough steps.
 
@@ -167,9 +167,9 @@ def staircase(
     values : array (n,)
     start : float
         The initial point of all orbits, in turns.
-    target : float
+    tolerance : float
         The error to be reached.
-    most : int
+    max_iterations : int
         Number of steps at which to give up; the errors show it.
 
     Returns
@@ -185,10 +185,10 @@ def staircase(
     values = np.asarray(values, dtype=float)
     rotations, errors = np.full(len(values), np.nan), np.full(len(values), np.inf)
     pending, count = np.arange(len(values)), FIRST
-    while len(pending) and count <= most:
+    while len(pending) and count <= max_iterations:
         orbits = maps(np.full(len(pending), start), values[pending], count)
         rotations[pending], errors[pending] = average(np.diff(orbits, axis=1))
-        pending = pending[errors[pending] > target]
+        pending = pending[errors[pending] > tolerance]
         count *= 2
     return DevilsStaircase(values, rotations, errors)
 
@@ -333,7 +333,7 @@ def _slope(
 
 
 def plateaus(
-    maps: CircleMaps, stairs: DevilsStaircase, longest: int, turns: Iterable[int] = ()
+    maps: CircleMaps, stairs: DevilsStaircase, max_period: int, turns: Iterable[int] = ()
 ) -> list[Plateau]:
     """The plateaus of a devil's staircase, for cycles up to a given length.
 
@@ -342,7 +342,7 @@ def plateaus(
     maps : CircleMaps
     stairs : DevilsStaircase
         Fine enough to be monotone between the values around each step.
-    longest : int
+    max_period : int
         The greatest denominator.
     turns : iterable of int
         Numerators to search; all by default.
@@ -353,7 +353,7 @@ def plateaus(
         raise InputError("stairs: no rotation number is known")
     lowest, highest = float(finite.min()), float(finite.max())
     plateaux = []
-    for q in range(1, longest + 1):
+    for q in range(1, max_period + 1):
         for p in range(int(np.ceil(lowest * q)), int(np.floor(highest * q)) + 1):
             if gcd(p, q) == 1 and (not wanted or p in wanted):
                 plateaux.extend(_plateaus_of(maps, stairs, Fraction(p, q)))

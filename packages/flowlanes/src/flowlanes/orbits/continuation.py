@@ -18,6 +18,7 @@ import numpy as np
 from ..arguments import arguments_checked
 from ..errors import InputError
 from ..system.arrays import FloatArray
+from ..system.overview import Overview, WithOverview
 from .floquet import Multipliers
 from .maps import Map
 from .periodic import (
@@ -60,8 +61,8 @@ class Event:
     orbit: Orbit
 
 
-@dataclass(frozen=True)
-class Branch:
+@dataclass(frozen=True, repr=False)
+class Branch(WithOverview):
     """Periodic orbits along a curve.
 
     Attributes
@@ -96,6 +97,20 @@ class Branch:
     orbits: tuple[Orbit, ...]
     events: tuple[Event, ...] = field(repr=False)
     reason: str
+
+    def overview(self) -> Overview:
+        """Kinds of orbits along the branch, the events, and its end."""
+        places = self.places
+        kinds = dict.fromkeys(orbit.kind for orbit in self.orbits)
+        return Overview(
+            f"Branch of {len(self.orbits):,} periodic orbits, {self.parameter} = {places[0]:.9g} "
+            f"to {places[-1]:.9g}",
+            (
+                ("orbits", ", ".join(kinds)),
+                ("events", ", ".join(dict.fromkeys(event.kind for event in self.events))),
+                ("ends", self.reason),
+            ),
+        )
 
     @property
     def places(self) -> FloatArray:
@@ -156,8 +171,8 @@ def continue_orbit(
     hold: Iterable[str] | Mapping[str, float] = (),
     *,
     step: float = 0.05,
-    longest: float = 0.5,
-    most: int = 400,
+    max_step: float = 0.5,
+    max_iterations: int = 400,
 ) -> Branch:
     """Continue a periodic orbit along a branch.
 
@@ -172,10 +187,10 @@ def continue_orbit(
         The branch begins towards this value and ends where it is reached.
     hold : names, or mapping of str to float
         Integrals that keep their values (for names: those of the orbit).
-    step, longest : float
+    step, max_step : float
         The first and the longest step, in the space of all points of the orbit, each vector of
         them divided by its size there.
-    most : int
+    max_iterations : int
         The greatest number of orbits.
 
     Returns
@@ -215,9 +230,9 @@ def continue_orbit(
     here = follower.place(orbit.points, orbit.error, None)
     if (until - start) * here.speed < 0:
         here = _BranchPoint(here.orbit, -here.tangent, -here.speed)
-    places, events, length, reason = [here], [], step, f"after {most} orbits"
-    while len(places) < most:
-        advanced = _advance(follower, here, min(length, longest))
+    places, events, length, reason = [here], [], step, f"after {max_iterations} orbits"
+    while len(places) < max_iterations:
+        advanced = _advance(follower, here, min(length, max_step))
         if advanced is None:
             reason = "no orbit was found however short the step"
             break

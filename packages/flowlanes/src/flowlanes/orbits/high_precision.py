@@ -127,7 +127,7 @@ class _Problem:
         parameters = section.parameters
         rough = np.array([float(x) for x in point])
         whole = float(duration)
-        flow = gauss_integrator(system, rough, parameters, digits=30)
+        flow = gauss_integrator(system, rough, parameters, precision="quad")
         motion = flow.propagate(np.array([point], dtype=object), [whole], parameters)
         end = from_pairs(motion.states[0, 0], motion.rest[0, 0])
         if motion.outcome[0] != 0:

@@ -129,7 +129,7 @@ def enclose_limit_cycle(
     angle: str = "alpha",
     clock: str = "beta",
     steps: int = 4000,
-    steepest: float = 8.0,
+    max_slope: float = 8.0,
 ) -> Cycle:
     """Prove a limit cycle through an interval, with bounds of its multiplier.
 
@@ -147,7 +147,7 @@ def enclose_limit_cycle(
         α and β.
     steps : int
         Sides of the polygons.
-    steepest : float
+    max_slope : float
         A bound of the size of dα/dβ that the boxes are checked against.
 
     Returns
@@ -170,7 +170,7 @@ def enclose_limit_cycle(
     >>> rate = sp.Rational(1, 10) - sp.Rational(3, 10) * sp.sin(alpha)
     >>> flow = flowlanes.System("sines", "Sines", {alpha: rate, beta: 1})
     >>> cycle = flowlanes.orbits.enclose_limit_cycle(
-    ...     flow, {}, ("0.2", "0.5"), 0, steps=300, steepest=1.0
+    ...     flow, {}, ("0.2", "0.5"), 0, steps=300, max_slope=1.0
     ... )
     >>> cycle.kind
     'attracting'
@@ -178,7 +178,7 @@ def enclose_limit_cycle(
     with ctx.workprec(_BITS):
         slope = _slope(system, parameters, angle, clock)
         step = 2 * arb.pi() / steps
-        reach = arb(0, 1) * (step * steepest).upper()
+        reach = arb(0, 1) * (step * max_slope).upper()
         ends = [_ball("interval", x) for x in interval]
         outer, inner, growth = list(ends), list(ends), arb(0)
         for i in range(steps):
@@ -193,7 +193,7 @@ def enclose_limit_cycle(
                 bend = bend.union(other)
             if not all(rate > 0 for _, _, rate in (*edges, *band)):
                 raise ArithmeticError(f"{clock} does not grow all the way along these motions")
-            if not all(abs(f) < steepest for f, _, _ in (*edges, *band)):
+            if not all(abs(f) < max_slope for f, _, _ in (*edges, *band)):
                 raise ArithmeticError("the slope on the torus exceeds its assumed bound")
             outer = [outer[0] + step * slopes[0].lower(), outer[1] + step * slopes[1].upper()]
             inner = [inner[0] + step * slopes[2].upper(), inner[1] + step * slopes[3].lower()]

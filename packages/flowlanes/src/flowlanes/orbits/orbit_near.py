@@ -19,7 +19,7 @@ from .return_map import ReturnMap, parameters_to_state
 def orbit_near(
     system: System,
     state: Sequence[float],
-    until: float,
+    t_end: float,
     where: tuple[str, float, int, bool],
     how: tuple[int, int, float],
     hold: Sequence[str] = (),
@@ -34,7 +34,7 @@ def orbit_near(
         Without its motion in space.
     state : sequence of float
         Where the motion starts.
-    until : float
+    t_end : float
         Time that it has for each return.
     where : (str, float, int, bool)
         The section: quantity, value, direction (1 rising, −1 falling, 0 both), and whether the
@@ -72,10 +72,10 @@ def orbit_near(
         if name not in laws:
             raise InputError(f"--hold {name}: it must be one of {', '.join(laws) or 'none'}")
     progress(0.0)
-    limit = until * max(after, 1)
+    limit = t_end * max(after, 1)
     quantity = formula(system, on, "--on")
     section = poincare_section(system, quantity, value, direction, angle)
-    returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance, until=limit))
+    returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance, t_end=limit))
     crossed = returns.section.crossings(np.array([start]), max(after, 1))
     if crossed.outcome[0]:
         raise RunError(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -134,8 +134,8 @@ class ReturnMap:
         parameters = self.section.parameters
         return ConservedFunctions(
             names,
-            lambda points: functions(points, parameters),
-            lambda points: functions.slopes(points, parameters),
+            partial(functions, parameters=parameters),
+            partial(functions.slopes, parameters=parameters),
         )
 
     def _holds(self, law: Integral) -> bool:
@@ -143,7 +143,7 @@ class ReturnMap:
         system = self.section.system
         parameters = {str(name): value for name, value in self.section.parameters.items()}
         values = {s: parameters.get(str(s), default) for s, default in system.defaults.items()}
-        conditions = law.scalar.on
+        conditions = law.scalar.level
         if any(condition.free_symbols - set(values) for condition in conditions):
             return False
         return all(abs(float(condition.subs(values))) < 1e-12 for condition in conditions)

@@ -44,12 +44,12 @@ class Rotation:
         ``"locked"``: the orbit approaches a cycle with the rotation number `fraction`,
         geometrically; ``"closed"``: it is a cycle from the beginning on, so that an approach
         cannot be seen; ``"quasi-periodic"``: the average has converged and no cycle of up to
-        `longest` steps is met, reached or passed; ``"undecided"``.  All are observations.
+        `max_period` steps is met, reached or passed; ``"undecided"``.  All are observations.
     fraction : Fraction or None
         Turns per steps of the cycle.
     approach : float or None
         The factor by which the distance from the cycle falls in each round, where locked.
-    longest : int
+    max_period : int
         The longest cycle that was looked for.
     points : int
         Steps of the orbit.
@@ -68,7 +68,7 @@ class Rotation:
     verdict: str
     fraction: Fraction | None
     approach: float | None
-    longest: int
+    max_period: int
     points: int
 
 
@@ -168,28 +168,28 @@ def frequency(turns: FloatArray, times: FloatArray) -> tuple[float, float]:
     return float(mean), float(error)
 
 
-def rotation(turns: FloatArray, target: float = 1e-10, longest: int = 64) -> Rotation:
+def rotation(turns: FloatArray, tolerance: float = 1e-10, max_period: int = 64) -> Rotation:
     """The rotation number of an orbit and the kind of motion.
 
     Parameters
     ----------
     turns : array (n,)
         A lift of an angle along the orbit of a map, in turns.
-    target : float
+    tolerance : float
         Error up to which an average counts as converged.
-    longest : int
+    max_period : int
         The longest cycle to be looked for.
     """
     value, error = (float(x) for x in average(np.diff(turns)))
-    fraction = simplest(value - 4 * error - target, value + 4 * error + target)
-    longest = min(longest, (len(turns) - 1) // ROUNDS)
+    fraction = simplest(value - 4 * error - tolerance, value + 4 * error + tolerance)
+    max_period = min(max_period, (len(turns) - 1) // ROUNDS)
     verdict, approach = "undecided", None
-    if fraction.denominator <= longest:
+    if fraction.denominator <= max_period:
         verdict, approach = _windings_around(turns, fraction)
-    elif error <= target and _passes(turns, value, longest):
+    elif error <= tolerance and _passes(turns, value, max_period):
         verdict = "quasi-periodic"
     near = fraction if verdict in ("locked", "closed") else None
-    return Rotation(value, error, verdict, near, approach, longest, len(turns) - 1)
+    return Rotation(value, error, verdict, near, approach, max_period, len(turns) - 1)
 
 
 def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float | None]:
@@ -222,9 +222,9 @@ def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float 
     return "undecided", None
 
 
-def _passes(turns: FloatArray, value: float, longest: int) -> bool:
-    """Whether an orbit neither meets nor crosses a cycle of up to `longest` steps."""
-    for steps in range(1, longest + 1):
+def _passes(turns: FloatArray, value: float, max_period: int) -> bool:
+    """Whether an orbit neither meets nor crosses a cycle of up to `max_period` steps."""
+    for steps in range(1, max_period + 1):
         misses = turns[steps:] - turns[:-steps] - round(value * steps)
         if misses.min() <= ROUNDING and misses.max() >= -ROUNDING:
             return False
@@ -235,9 +235,9 @@ def _passes(turns: FloatArray, value: float, longest: int) -> bool:
 def rotation_number(
     orbit: Callable[[int], FloatArray],
     *,
-    target: float = 1e-10,
-    longest: int = 64,
-    most: int = 1 << 17,
+    tolerance: float = 1e-10,
+    max_period: int = 64,
+    max_iterations: int = 1 << 17,
 ) -> Rotation:
     """The rotation number, with as many points as necessary.
 
@@ -245,11 +245,11 @@ def rotation_number(
     ----------
     orbit : callable
         From a number of steps n to the lift of an angle, turns, shape (n + 1,).
-    target : float
+    tolerance : float
         The error to be reached.
-    longest : int
+    max_period : int
         The longest cycle to be looked for.
-    most : int
+    max_iterations : int
         Number of steps at which to give up.
 
     Returns
@@ -271,7 +271,7 @@ def rotation_number(
     >>> print(found.verdict, round(found.value, 10))
     quasi-periodic 0.6180339887
     """
-    count = min(FIRST, most)
+    count = min(FIRST, max_iterations)
     while True:
         turns = np.asarray(orbit(count))
         if turns.shape != (count + 1,) or turns.dtype.kind not in "iuf":
@@ -279,9 +279,9 @@ def rotation_number(
                 f"orbit({count}): it must give {count + 1} numbers, the angle before each step "
                 "and after the last"
             )
-        number = rotation(turns, target, longest)
-        settled = number.error <= target and number.verdict != "undecided"
-        if settled or 2 * count > most:
+        number = rotation(turns, tolerance, max_period)
+        settled = number.error <= tolerance and number.verdict != "undecided"
+        if settled or 2 * count > max_iterations:
             return number
         count *= 2
 

@@ -10,7 +10,7 @@ from sympy.matrices.expressions import Identity, MatAdd, MatMul, MatrixExpr
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
-from ..arguments import arguments_checked
+from ..arguments import Formula, arguments_checked
 from ..errors import InputError
 from ..system.laws import Rate
 from ..system.vector_operators import Gradient
@@ -155,10 +155,7 @@ class _FilePrinter(StrPrinter):
 
 
 @arguments_checked
-def formula_text(
-    formula: sp.Basic | sp.MatrixBase | float,
-    definitions: Mapping[sp.Symbol, sp.Basic] | None = None,
-) -> str:
+def formula_text(formula: Formula, definitions: Mapping[sp.Symbol, sp.Basic] | None = None) -> str:
     """A formula as a user would type it, its numbers exact.
 
     Parameters

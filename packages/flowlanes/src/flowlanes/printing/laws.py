@@ -57,7 +57,7 @@ def condition_text(law: Law, system: System, write: Callable[[sp.Basic], str]) -
     constants = set(system.defaults)
     for_: list[str] = []
     on: list[str] = []
-    for zero, scalar in zip(law.on, law.scalar.on, strict=True):
+    for zero, scalar in zip(law.level, law.scalar.level, strict=True):
         alone = not scalar.free_symbols - constants
         (for_ if alone else on).append(write(sp.Eq(*equation(zero), evaluate=False)))
     parts = [f"for {', '.join(for_)}"] if for_ else []

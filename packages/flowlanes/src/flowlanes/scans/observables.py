@@ -53,7 +53,7 @@ def to_the_end(
     observation: Observation, starts: FloatArray, parameters: Parameters
 ) -> BatchTrajectories:
     """The last states of motions."""
-    return _flow(observation, observation.system).propagate(starts, [observation.until], parameters)
+    return _flow(observation, observation.system).propagate(starts, [observation.t_end], parameters)
 
 
 def with_integral(
@@ -61,13 +61,13 @@ def with_integral(
 ) -> BatchTrajectories:
     """The last states, the integral of the formula in time being the last variable."""
     flow = _flow(observation, _with_total(observation.system, _formula(observation)))
-    return flow.propagate(_from_zero(starts), [observation.until], parameters)
+    return flow.propagate(_from_zero(starts), [observation.t_end], parameters)
 
 
 def sampled(observation: Observation, starts: FloatArray, parameters: Parameters) -> ObservedSeries:
     """The formula at equidistant times."""
     flow, formula = _flow(observation, observation.system), _formula(observation)
-    return observe(flow, formula, starts, observation.until, observation.samples, parameters)
+    return observe(flow, formula, starts, observation.t_end, observation.samples, parameters)
 
 
 def turns_sampled(
@@ -79,7 +79,7 @@ def turns_sampled(
     """
     rate = _rate(observation.system, _formula(observation)) / (2 * sp.pi)
     flow = _flow(observation, _with_total(observation.system, rate))
-    until, samples = observation.until, observation.samples
+    until, samples = observation.t_end, observation.samples
     return observe(flow, TOTAL, _from_zero(starts), until, samples, parameters)
 
 
@@ -98,7 +98,7 @@ def _end_times(observation: Observation, run: BatchTrajectories) -> dict[str, Fl
 
 
 def _mean(observation: Observation, run: BatchTrajectories) -> dict[str, FloatArray]:
-    return {"value": run.states[:, 0, -1] / observation.until}
+    return {"value": run.states[:, 0, -1] / observation.t_end}
 
 
 def _greatest(observation: Observation, run: ObservedSeries) -> dict[str, FloatArray]:
@@ -110,7 +110,7 @@ def _least(observation: Observation, run: ObservedSeries) -> dict[str, FloatArra
 
 
 def _mean_rate(observation: Observation, run: ObservedSeries) -> dict[str, FloatArray]:
-    rates = np.diff(run.values, axis=1) * (observation.samples / observation.until)
+    rates = np.diff(run.values, axis=1) * (observation.samples / observation.t_end)
     value, error = average(rates)
     return {"value": value, "error": error}
 
@@ -154,7 +154,7 @@ frequency = MotionObservable(
     unit="1/s",
     of_formula=True,
     samples=4096,
-    further={"error": "difference between the halves of the motion"},
+    extra_columns={"error": "difference between the halves of the motion"},
     require=_require_angle,
 )
 
@@ -184,7 +184,7 @@ def observe(
     flow: BatchIntegrator,
     formula: sp.Expr,
     starts: FloatArray,
-    until: float,
+    t_end: float,
     samples: int,
     parameters: Parameters,
 ) -> ObservedSeries:
@@ -196,13 +196,13 @@ def observe(
     formula : sympy.Expr
         In state, definitions and parameters.
     starts : (n, size) array
-    until : float
+    t_end : float
         The last time.
     samples : int
         Number of times after the start.
     parameters : mapping of Symbol or name to number or (n,) array
     """
-    times = np.linspace(0.0, until, samples + 1)
+    times = np.linspace(0.0, t_end, samples + 1)
     states = np.array(starts, dtype=np.float64)
     outcome, ended = np.zeros(len(states), dtype=np.int64), np.zeros(len(states))
     series = np.full((len(states), samples + 1), np.nan)

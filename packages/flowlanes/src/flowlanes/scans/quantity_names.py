@@ -21,6 +21,7 @@ from ..lyapunov.indicators import (
 )
 from ..parsing import nearest
 from ..system.system import System
+from ..system.tolerance import ENSEMBLE_TOLERANCE
 from .observables import frequency, maximum, minimum, survival_time, time_average
 from .scan_task import Rule
 from .section_rotation import Winding
@@ -91,9 +92,9 @@ def observables() -> Mapping[str, MotionObservable[Any]]:
 def quantity_from_text(
     system: System,
     text: str,
-    until: float,
+    t_end: float,
     *,
-    tolerance: float = 1e-12,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     device: Device = "cpu",
     variables: Mapping[str, tuple[str, str]] | None = None,
 ) -> NamedQuantity:
@@ -104,10 +105,10 @@ def quantity_from_text(
     system : System
     text : str
         A name of `observables`, followed by a colon and a formula where it is one of a formula.
-    until : float
+    t_end : float
         Length of the motions.
     tolerance : float
-        Error allowed in a step.
+        See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
         Where the motions are computed; see :func:`flowlanes.flow.batch.batch_integrator`.
     variables : mapping of str to (str, str), optional
@@ -116,10 +117,10 @@ def quantity_from_text(
     Raises
     ------
     InputError
-        If there is no such number, the formula cannot be read, or `until` is not positive.
+        If there is no such number, the formula cannot be read, or `t_end` is not positive.
     """
-    if not 0 < until < math.inf:
-        raise InputError(f"until = {until:g}: motions must be followed for a positive, finite time")
+    if not 0 < t_end < math.inf:
+        raise InputError(f"t_end = {t_end:g}: motions must be followed for a positive, finite time")
     word, colon, quantity = (part.strip() for part in text.partition(":"))
     kind = _OBSERVABLES.get(word)
     if kind is None and word != ROTATION:
@@ -133,20 +134,20 @@ def quantity_from_text(
         written = f"{word}:FORMULA" if of_formula else word
         raise InputError(f"{text}: this number is written {written}")
     if kind is None:
-        return _rotation(system, quantity, until, tolerance, device)
+        return _rotation(system, quantity, t_end, tolerance, device)
     if not kind.of_formula:
-        rule = kind(system, until, tolerance=tolerance, device=device)
+        rule = kind(system, t_end, tolerance=tolerance, device=device)
         return NamedQuantity(rule, word, kind.title, kind.unit)
     value = formula(system, quantity)
     measured = meaning(system, quantity, variables or {})[1] or "unknown"
     if kind.require is not None:
         kind.require(system, text, value, measured)
-    rule = kind(system, until, value, tolerance=tolerance, device=device)
+    rule = kind(system, t_end, value, tolerance=tolerance, device=device)
     return NamedQuantity(rule, word, kind.title.format(quantity), kind.unit.format(measured))
 
 
 def _rotation(
-    system: System, text: str, until: float, tolerance: float, device: Device
+    system: System, text: str, t_end: float, tolerance: float, device: Device
 ) -> NamedQuantity:
     """A rotation number, from its angle and its section."""
     angle, on, place = text.partition(" on ")
@@ -157,5 +158,5 @@ def _rotation(
         )
     where = poincare_section(system, place.strip())
     value = formula(system, angle.strip())
-    rule = Winding(system, until, value, where, tolerance=tolerance, device=device)
+    rule = Winding(system, t_end, value, where, tolerance=tolerance, device=device)
     return NamedQuantity(rule, ROTATION, f"rotation number of {text}", "")

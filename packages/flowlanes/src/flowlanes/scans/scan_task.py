@@ -1,6 +1,6 @@
 """Charts: one number for each motion of a plane of parameters and starts.
 
-A chart is a :class:`flowlanes.flow.ensemble.task.Task` whose members are rows: computed in blocks,
+A chart is a :class:`flowlanes.flow.ensembles.task.Task` whose members are rows: computed in blocks,
 in memory or in a Zarr store, locally or on a cluster, to the same bits.
 """
 
@@ -20,7 +20,7 @@ from ..errors import InputError
 from ..flow.batch import batch_integrator
 from ..flow.devices.graphics import Device
 from ..flow.devices.threads import map_in_threads
-from ..flow.ensemble.task import Coordinate, Task, Variable
+from ..flow.ensembles.task import Coordinate, Task, Variable
 from ..flow.kernel.outcomes import STATUS_MESSAGES
 from ..flow.variable_metadata import cf_attributes
 from ..system.arrays import FloatArray, IntArray
@@ -40,7 +40,7 @@ class Rule(Protocol):
         """The system of the motions."""
 
     @property
-    def until(self) -> float:
+    def t_end(self) -> float:
         """The length of the motions."""
 
     @property
@@ -52,7 +52,7 @@ class Rule(Protocol):
         """The device on which the motions are computed."""
 
     @property
-    def further(self) -> Mapping[str, str]:
+    def extra_columns(self) -> Mapping[str, str]:
         """Names and meanings of additional columns, such as an error."""
 
     def __call__(
@@ -120,14 +120,17 @@ class Scan:
     @property
     def numbers(self) -> dict[str, str]:
         """The numbers of the result, by the rule's names."""
-        return {self.name: "value", **{f"{self.name}_{key}": key for key in self.rule.further}}
+        return {
+            self.name: "value",
+            **{f"{self.name}_{key}": key for key in self.rule.extra_columns},
+        }
 
 
 @arguments_checked
 def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     """Create the task of a scan.
 
-    See :func:`flowlanes.flow.ensemble.compute`.
+    See :func:`flowlanes.flow.ensembles.compute`.
 
     Parameters
     ----------
@@ -161,7 +164,7 @@ def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     >>> task = flowlanes.scans.scan(
     ...     flowlanes.scans.Scan(grid, rule, "square", "Mean of the square")
     ... )
-    >>> dict(flowlanes.flow.ensemble.compute(task).sizes)
+    >>> dict(flowlanes.flow.ensembles.compute(task).sizes)
     {'v': 2, 'k': 3}
     """
     plane, rule = task.plane, task.rule
@@ -170,7 +173,7 @@ def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     for item in (plane.x, plane.y):
         if item.name in {*task.numbers, "outcome", "ended"}:
             raise InputError(f"{item.name}: an axis must not have the name of a result")
-    titles = {"value": task.title, **rule.further}
+    titles = {"value": task.title, **rule.extra_columns}
     return Task(
         work=task,
         size=plane.y.count,
@@ -188,7 +191,7 @@ def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
         attributes={
             "system": plane.system.title,
             "number": task.name,
-            "until": rule.until,
+            "until": rule.t_end,
             "tolerance": rule.tolerance,
             "parameters": _text_rows(plane.system.defaults),
             "start": _text_rows(dict(zip(plane.original_system.symbols, plane.base, strict=True))),

@@ -17,6 +17,7 @@ from ..orbits.return_map import rotations
 from ..system.arrays import FloatArray, IntArray
 from ..system.parameters import Parameters
 from ..system.system import System
+from ..system.tolerance import ENSEMBLE_TOLERANCE
 
 
 @arguments_checked
@@ -27,14 +28,14 @@ class Winding:
     Attributes
     ----------
     system : System
-    until : float
+    t_end : float
         Time after which to give up.
     formula : sympy.Expr
         An angle, in radians, up to whole turns.
     section : Section
         The section.
     tolerance : float
-        See :func:`flowlanes.flow.batch.batch_integrator`.
+        See :mod:`flowlanes.system.tolerance`.
     count : int
         Number of returns.
     device : "cpu" or "gpu"
@@ -47,18 +48,20 @@ class Winding:
     >>> phi, w = sp.symbols("phi w", real=True)
     >>> rotor = flowlanes.System("rotor", "Rotor", {phi: w, w: 0})
     >>> once = flowlanes.poincare_section(rotor, "phi", angle=True)
-    >>> flowlanes.scans.Winding(rotor, 100.0, 2 * phi, once, count=20).further
+    >>> flowlanes.scans.Winding(rotor, 100.0, 2 * phi, once, count=20).extra_columns
     {'error': 'difference between the halves of the motion'}
     """
 
     system: System
-    until: Positive
+    t_end: Positive
     formula: sp.Expr
     section: Section
-    tolerance: Positive = 1e-12
+    tolerance: Positive = ENSEMBLE_TOLERANCE
     count: int = 500
     device: Device = "cpu"
-    further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
+    extra_columns: ClassVar[Mapping[str, str]] = {
+        "error": "difference between the halves of the motion"
+    }
 
     @arguments_checked
     def __call__(
@@ -70,7 +73,7 @@ class Winding:
             self.section,
             dict(parameters),
             self.tolerance,
-            until=self.until,
+            t_end=self.t_end,
             device=self.device,
         )
         result = rotations(returning, starts, self.formula, self.count)

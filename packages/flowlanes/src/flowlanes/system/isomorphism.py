@@ -80,7 +80,7 @@ class Isomorphism(BasicLaw):
     def formulas(self) -> tuple[sp.Basic, ...]:
         """The map, the constants and the time."""
         named = [value for _, value in (*self.map, *self.constants)]
-        return tuple(map(sp.sympify, (*named, self.time, *self.on)))
+        return tuple(map(sp.sympify, (*named, self.time, *self.level)))
 
     @property
     def powers(self) -> tuple[Power, ...]:

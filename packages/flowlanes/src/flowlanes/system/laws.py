@@ -112,7 +112,7 @@ class Law(WithShortRepr, ABC):
     ----------
     name : str
         Short name.
-    on : tuple of sympy.Expr
+    level : tuple of sympy.Expr
         Expressions in the parameters or the state that must vanish for the law to hold; empty
         when it holds everywhere.
     source : str
@@ -142,7 +142,7 @@ class Law(WithShortRepr, ABC):
     included: ClassVar[str] = ""
 
     name: str = field(kw_only=False)
-    on: tuple[sp.Expr, ...] = ()
+    level: tuple[sp.Expr, ...] = ()
     source: str = ""
     as_printed: Law | None = None
     misprint: str = ""
@@ -170,7 +170,7 @@ class Law(WithShortRepr, ABC):
     def formulas(self) -> tuple[sp.Basic, ...]:
         """All formulas that the law shows, those of its level last."""
         own = [getattr(self, name) for name in self._own_fields]
-        return tuple(map(sp.sympify, (*(f for value in own for f in _shown(value)), *self.on)))
+        return tuple(map(sp.sympify, (*(f for value in own for f in _shown(value)), *self.level)))
 
     @property
     def _own_fields(self) -> tuple[str, ...]:
@@ -263,7 +263,7 @@ class VanishingLaw(Law):
 
     Parameters
     ----------
-    name, on, source, as_printed, misprint
+    name, level, source, as_printed, misprint
         As for every `Law`.
     """
 
@@ -278,11 +278,11 @@ class VanishingLaw(Law):
     def basic(self, system: VectorField) -> Identity:
         """The identity that all residuals vanish."""
         values = tuple(self.residuals(system).values())
-        return Identity(self.name, values, on=self.on, source=self.source)
+        return Identity(self.name, values, level=self.level, source=self.source)
 
     def tabulated(self) -> Mapping[str, object]:
-        """The name of the class, and everything that the law is made of."""
-        own = {name: getattr(self, name) for name in (*self._own_fields, "on")}
+        """The name of the class, and everything that the law is made of, by the keys of a file."""
+        own = {name: getattr(self, name) for name in self._own_fields} | {"on": self.level}
         given = {name: value for name, value in own.items() if value not in ("", ())}
         return {"kind": type(self).__name__, **given}
 
@@ -357,7 +357,7 @@ class Measure(BasicLaw):
     """An invariant measure: div(ρ v) = 0 with ρ = ∏ base^exponent.
 
     The volume is that of the state variables or, on relations, the form d^n x divided by the
-    differentials of the relations and of `on`, where these are independent.  The density is real
+    differentials of the relations and of `level`, where these are independent.  The density is real
     and positive: a base with a non-integer exponent must be positive; a base with an odd exponent
     may have either sign, and the measure is then a signed one.
 
@@ -386,7 +386,9 @@ class Measure(BasicLaw):
     @property
     def formulas(self) -> tuple[sp.Basic, ...]:
         """Bases and exponents."""
-        return tuple(map(sp.sympify, (*(part for pair in self.density for part in pair), *self.on)))
+        return tuple(
+            map(sp.sympify, (*(part for pair in self.density for part in pair), *self.level))
+        )
 
     def claim(self, system: VectorField) -> Mapping[str, object]:
         """Bases and exponents."""
@@ -451,7 +453,7 @@ class Symmetry(BasicLaw):
 
     def under(self, change: ChangeOfVariables) -> Self:
         """The field in other variables."""
-        moved = replace(self, field=(), as_printed=None, on=change.formula(self.on))
+        moved = replace(self, field=(), as_printed=None, level=change.formula(self.level))
         return replace(moved, field=change.vector_field(self.scalar.field))
 
 
@@ -612,7 +614,7 @@ class Reduction(BasicLaw):
     >>> x, v, s, w = sp.symbols("x v s w", real=True)
     >>> equations = (flowlanes.Rate(s) - 2 * w, flowlanes.Rate(w) - 1 + 2 * s)
     >>> square = flowlanes.Reduction(
-    ...     "square", {s: x**2, w: x * v}, equations, on=(x**2 + v**2 - 1,)
+    ...     "square", {s: x**2, w: x * v}, equations, level=(x**2 + v**2 - 1,)
     ... )
     >>> len(square.equations)
     2
@@ -673,7 +675,7 @@ class Separation(Reduction):
     @property
     def by_formulas(self) -> Reduction:
         """The equations; that they separate is no matter of formulas."""
-        return Reduction(self.name, self.quantities, self.equations, on=self.on)
+        return Reduction(self.name, self.quantities, self.equations, level=self.level)
 
 
 @arguments_checked

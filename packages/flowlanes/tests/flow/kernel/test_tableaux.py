@@ -150,9 +150,9 @@ def test_the_steady_method_has_small_positive_weights() -> None:
 
 
 def test_fine_tolerances_take_the_steady_method() -> None:
-    assert arithmetic_and_method(16, FINE)[1] is explicit()
-    assert arithmetic_and_method(16, FINE / 2)[1] is explicit_steady()
-    assert arithmetic_and_method(30, FINE / 2)[1] is explicit_fine()
+    assert arithmetic_and_method("double", FINE)[1] is explicit()
+    assert arithmetic_and_method("double", FINE / 2)[1] is explicit_steady()
+    assert arithmetic_and_method("quad", FINE / 2)[1] is explicit_fine()
 
 
 def test_tables_are_made_once() -> None:

@@ -63,7 +63,7 @@ def admissible(system: System) -> tuple[sp.Basic, ...]:
 
 def _law(system: System, law: Law) -> Text:
     content = {name: _text(value) for name, value in law.claim(system).items()}
-    return {"name": law.name, "on": _text(law.scalar.on), **content}
+    return {"name": law.name, "on": _text(law.scalar.level), **content}
 
 
 def _text(value: object) -> object:

@@ -208,7 +208,7 @@ def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker)
         return
     for claim in claims:
         try:
-            levels = _components(claim.system, claim.law.on)
+            levels = _components(claim.system, claim.law.level)
         except OutOfReachError as reason:
             raise type(reason)(claim.original_words(str(reason))) from None
         for level in levels:

@@ -6,7 +6,7 @@ import contextlib
 import math
 import time
 from dataclasses import fields, replace
-from typing import Protocol, overload
+from typing import Protocol
 
 import sympy as sp
 
@@ -28,33 +28,26 @@ POINTS_ALONE = 1
 """Term operations that leave nothing for a proof: a law is tried at points."""
 
 
-@overload
-def prove(system: System, law: None = None, *, effort: int = ...) -> tuple[Verdict, ...]: ...
-@overload
-def prove(system: System, law: Law | str, *, effort: int = ...) -> Verdict: ...
 @arguments_checked
-def prove(
-    system: System, law: Law | str | None = None, *, effort: int = EFFORT
-) -> Verdict | tuple[Verdict, ...]:
-    """Prove or refute a law of a system, or all of its laws.
+def prove(system: System, law: Law | str, *, effort: int = EFFORT) -> Verdict:
+    """Prove or refute a law of a system.
 
     Parameters
     ----------
     system : System
-    law : Law or str, optional
-        One law, or the name of one of the system's; by default all of them.
+    law : Law or str
+        A law, or the name of one of the system's.
     effort : int
         Term operations after which a law is left undecided; the same on every machine.
 
     Returns
     -------
-    Verdict or tuple of Verdict
+    Verdict
 
     Raises
     ------
     InputError
-        If the law uses an unknown symbol, its level is empty, or it is defined nowhere on it.  Of
-        all laws of a system, one of that kind is "refused", and the others are judged.
+        If the law uses an unknown symbol, its level is empty, or it is defined nowhere on it.
 
     Examples
     --------
@@ -69,8 +62,6 @@ def prove(
     'refuted'
     """
     checked_effort(effort)
-    if law is None:
-        return tuple(judgement_of(prove, system, each, effort) for each in system.laws)
     if isinstance(law, str):
         law = _by_name(system, law)
     _check_defaults(system)
@@ -102,6 +93,39 @@ def prove(
     return verdict
 
 
+@arguments_checked
+def prove_all(system: System, *, effort: int = EFFORT) -> tuple[Verdict, ...]:
+    """Prove or refute every law of a system.
+
+    Parameters
+    ----------
+    system : System
+    effort : int
+        Term operations after which a law is left undecided; the same on every machine.
+
+    Returns
+    -------
+    tuple of Verdict
+        In the order of ``system.laws``.  A law for which `prove` would raise InputError is
+        "refused".
+
+    Raises
+    ------
+    InputError
+        If an argument is of another kind.
+
+    Examples
+    --------
+    >>> import lawproof
+    >>> import nonholonomic
+    >>> verdicts = lawproof.prove_all(nonholonomic.from_catalogue("veselova"))
+    >>> {verdict.decision for verdict in verdicts}
+    {'proven'}
+    """
+    checked_effort(effort)
+    return tuple(judgement_of(prove, system, each, effort) for each in system.laws)
+
+
 class Prover(Protocol):
     """What proves or refutes a law: `prove`, or `prove_with_certificate`."""
 
@@ -125,7 +149,7 @@ def _by_theorem(system: System, law: Law, theorem: Theorem, budget: Budget) -> V
         if verdict.decision != "undecided":
             return verdict
     wholes = identities_of(theorem, system, law)
-    parts = [v for whole in wholes for v in prove(whole, effort=budget.effort)]
+    parts = [v for whole in wholes for v in prove_all(whole, effort=budget.effort)]
     budget.charge(sum(v.effort for v in parts))
     if not parts or any(not part for part in parts):
         return verdict_of(system, law, budget)
@@ -152,13 +176,13 @@ def _check_defaults(system: System) -> None:
 
 def _check_formulas(system: System, law: Law) -> None:
     """A law is made of formulas."""
-    if not isinstance(law.on, tuple | list):
+    if not isinstance(law.level, tuple | list):
         raise InputError(
-            f"{system.name}: the level of the law {law.name!r} is {law.on}; it must be a tuple of "
-            "formulas that vanish, such as (x,)"
+            f"{system.name}: the level of the law {law.name!r} is {law.level}; it must be a tuple "
+            "of formulas that vanish, such as (x,)"
         )
     waiting = [
-        (f.name, getattr(law, f.name)) for f in fields(law) if f.name in ("value", "on", "time")
+        (f.name, getattr(law, f.name)) for f in fields(law) if f.name in ("value", "level", "time")
     ]
     while waiting:
         name, value = waiting.pop()

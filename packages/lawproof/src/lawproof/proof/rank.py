@@ -177,9 +177,9 @@ def _component_equations(law: Isomorphism, field: Field, there: Evaluator) -> tu
     OutOfReachError
         If it is not found.
     """
-    whole = Identity("phase space", sp.S.Zero, on=law.onto)
+    whole = Identity("phase space", sp.S.Zero, level=law.onto)
     for alternative in alternatives(law.target, whole):
-        for part in LevelSet(alternative.system, alternative.law.on).components:
+        for part in LevelSet(alternative.system, alternative.law.level).components:
             if not part.parent and all(field.vanishes(there.value(c)) for c in part.conditions):
                 return part.conditions
     raise OutOfReachError("the component of the target to which the map leads is not known")

@@ -53,7 +53,7 @@ def _applies(theorem: PowerTheorem, system: System, law: Law) -> bool:
     relations = set(system.scalar.relations)
     known = {*theorem.constraints, *(relation for relation, _ in theorem.positions)}
     return (
-        not law.on
+        not law.level
         and {*theorem.velocities} <= {*system.symbols}
         and {*theorem.constraints} <= relations <= known
     )

@@ -5,10 +5,10 @@ phase space; a solution is converted to a formula in the parameters and proved.
 
 >>> import flowlanes
 >>> import sympy as sp
->>> from lawproof.search import search_request, integrals
+>>> from lawproof.search import search_space, integrals
 >>> a, b, c = sp.symbols("a b c", real=True)
 >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
->>> for found in integrals(search_request(top)):
+>>> for found in integrals(search_space(top)):
 ...     print(found.formula, found.verdict.decision)
 4*a**2 + b**2 proven
 3*a**2 - c**2 proven
@@ -16,8 +16,8 @@ phase space; a solution is converted to a formula in the parameters and proved.
 
 from .integrals import integrals
 from .measures import measures
-from .request import search_request
-from .result import Question, SearchResult
+from .request import search_space
+from .result import SearchResult, SearchSpace
 from .symmetries import symmetries
 
-__all__ = ["Question", "SearchResult", "integrals", "measures", "search_request", "symmetries"]
+__all__ = ["SearchResult", "SearchSpace", "integrals", "measures", "search_space", "symmetries"]

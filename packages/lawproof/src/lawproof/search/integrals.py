@@ -20,7 +20,7 @@ from .modular_jets import Integers, inverse, power, prime
 from .modular_linalg import combination, independent_columns, nullspace, product, rank
 from .phase_space import Sample
 from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, reconstructed_laws
-from .result import Progress, Question, SearchResult, no_progress
+from .result import Progress, SearchResult, SearchSpace, no_progress
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import VectorInvariants, component_scalars
 
@@ -32,7 +32,7 @@ _SEED = 20080830
 
 
 @arguments_checked
-def integrals(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:
+def integrals(question: SearchSpace, progress: Progress = no_progress) -> Iterator[SearchResult]:
     """First integrals of the form P/Qˢ with a polynomial P and a divisor Q, one after the other.
 
     An integral that is a polynomial in earlier ones and functions of the parameters is not
@@ -40,7 +40,7 @@ def integrals(question: Question, progress: Progress = no_progress) -> Iterator[
 
     Parameters
     ----------
-    question : Question
+    question : SearchSpace
     progress : callable, optional
         Called with the fraction done and what is being done.
 
@@ -60,7 +60,7 @@ def integrals(question: Question, progress: Progress = no_progress) -> Iterator[
     >>> import sympy as sp
     >>> a, b, c = sp.symbols("a b c", real=True)
     >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
-    >>> question = lawproof.search.search_request(top)
+    >>> question = lawproof.search.search_space(top)
     >>> [str(found.law.value) for found in lawproof.search.integrals(question)]
     ['4*a**2 + b**2', '3*a**2 - c**2']
     """
@@ -90,7 +90,7 @@ def integrals(question: Question, progress: Progress = no_progress) -> Iterator[
     progress(1.0, "")
 
 
-def _divisions(question: Question) -> list[tuple[sp.Expr, int]]:
+def _divisions(question: SearchSpace) -> list[tuple[sp.Expr, int]]:
     return [
         (sp.S.One, 0),
         *((d, s) for d in question.divisors for s in range(1, question.powers + 1)),
@@ -134,7 +134,7 @@ class _KnownIntegrals:
 class _Search:
     """One search: the common sample, the known integrals, and the vocabulary of formulas."""
 
-    def __init__(self, question: Question) -> None:
+    def __init__(self, question: SearchSpace) -> None:
         self.question = question
         self.space = question.stage
         self.points = max(a.size for a in (question.ansatz, *question.also)) + _RESERVE
@@ -300,7 +300,7 @@ class _Search:
 
     def _finding(self, formula: sp.Expr, degree: int) -> SearchResult:
         name = f"F_{len(self.formulas)}"
-        law = Integral(name, formula, on=self.space.on)
+        law = Integral(name, formula, level=self.space.on)
         verdict = prove(self.space.system, law, effort=self.question.effort)
         return SearchResult(
             "integral", law, verdict, catalogue_law=self._catalogue_name(formula, degree)

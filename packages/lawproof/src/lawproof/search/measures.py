@@ -21,8 +21,8 @@ from flowlanes.system.laws import Measure
 from ..proof.prover import prove
 from .modular_jets import Integers, inverse, prime
 from .modular_linalg import combination, rational
-from .phase_space import Sample, SearchSpace
-from .result import Progress, Question, SearchResult, no_progress
+from .phase_space import RestrictedSystem, Sample
+from .result import Progress, SearchResult, SearchSpace, no_progress
 
 _POINTS = 40
 _SETS = 6
@@ -31,14 +31,14 @@ _SEED = 20080830
 
 
 @arguments_checked
-def measures(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:
+def measures(question: SearchSpace, progress: Progress = no_progress) -> Iterator[SearchResult]:
     """Invariant measures with a density made of powers of the bases of the question.
 
     The simplest are tried first; the search ends with the smallest number of factors that succeeds.
 
     Parameters
     ----------
-    question : Question
+    question : SearchSpace
     progress : callable, optional
         Called with the fraction done and what is being done.
 
@@ -58,7 +58,7 @@ def measures(question: Question, progress: Progress = no_progress) -> Iterator[S
     >>> import sympy as sp
     >>> a, b, c = sp.symbols("a b c", real=True)
     >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
-    >>> question = lawproof.search.search_request(top)
+    >>> question = lawproof.search.search_space(top)
     >>> [found.verdict.decision for found in lawproof.search.measures(question)][:1]
     ['proven']
     """
@@ -106,19 +106,19 @@ def _without_formula(bases: Sequence[sp.Expr]) -> SearchResult:
     )
 
 
-def _finding(question: Question, density: tuple[tuple[sp.Expr, sp.Expr], ...]) -> SearchResult:
+def _finding(question: SearchSpace, density: tuple[tuple[sp.Expr, sp.Expr], ...]) -> SearchResult:
     space = question.stage
-    law = Measure("density", density, on=space.on)
+    law = Measure("density", density, level=space.on)
     verdict = prove(space.system, law, effort=question.effort)
     return SearchResult("measure", law, verdict, catalogue_law=_catalogue_name(space, law))
 
 
-def _catalogue_name(space: SearchSpace, law: Measure) -> str:
+def _catalogue_name(space: RestrictedSystem, law: Measure) -> str:
     """The measure of the catalogue whose density has the same logarithmic rate."""
     sample = space.sample(_POINTS, _SEED + _SETS, common=False)
     target = _divergence(space, sample)
     for other in space.system.laws_of(Measure):
-        if not set(other.on) - set(space.on):
+        if not set(other.level) - set(space.on):
             total = target
             try:
                 for base, exponent in other.density:
@@ -137,7 +137,7 @@ def _logarithmic(sample: Sample, base: sp.Expr) -> Integers:
     return sample.along(jet) * inverse(jet.value) % prime()
 
 
-def _divergence(space: SearchSpace, sample: Sample) -> Integers:
+def _divergence(space: RestrictedSystem, sample: Sample) -> Integers:
     """div v for the volume on the phase space, at the points of a sample.
 
     On the phase space v(Rᵢ) = Σ Cᵢⱼ Rⱼ; the induced volume has the divergence div v − tr C.
@@ -161,7 +161,7 @@ def _divergence(space: SearchSpace, sample: Sample) -> Integers:
     return total
 
 
-def _rate(space: SearchSpace, relation: sp.Expr) -> sp.Expr:
+def _rate(space: RestrictedSystem, relation: sp.Expr) -> sp.Expr:
     """v(R) as a formula, with definitions inside R substituted."""
     system = space.system
     formula = system.expand(relation)
@@ -171,7 +171,7 @@ def _rate(space: SearchSpace, relation: sp.Expr) -> sp.Expr:
 
 
 def _exponent(
-    space: SearchSpace, samples: Sequence[Sample], residues: Sequence[int]
+    space: RestrictedSystem, samples: Sequence[Sample], residues: Sequence[int]
 ) -> sp.Expr | None:
     """The number, or simple function of the parameters, with these residues at the samples.
 

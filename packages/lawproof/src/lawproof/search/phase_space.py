@@ -64,7 +64,7 @@ class Sample:
 
 
 @dataclass(frozen=True)
-class SearchSpace:
+class RestrictedSystem:
     """A system with conditions on its parameters, restricted to a level; see :func:`search_space`.
 
     Attributes
@@ -280,9 +280,9 @@ class SearchSpace:
         return reached
 
 
-def search_space(
+def restricted_system(
     system: System, conditions: Sequence[sp.Expr] = (), level: Sequence[sp.Expr] = ()
-) -> SearchSpace:
+) -> RestrictedSystem:
     """Restrict a system to conditions on its parameters and to a level.
 
     Parameters
@@ -298,13 +298,13 @@ def search_space(
         If a condition cannot be solved or contradicts what is admissible, or if the level is
         empty or not invariant.
     """
-    bare = SearchSpace(system, tuple(conditions), (), ())
-    space = SearchSpace(system, tuple(conditions), tuple(level), _solutions(bare))
+    bare = RestrictedSystem(system, tuple(conditions), (), ())
+    space = RestrictedSystem(system, tuple(conditions), tuple(level), _solutions(bare))
     _check_level(space)
     return space
 
 
-def _solutions(bare: SearchSpace) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+def _solutions(bare: RestrictedSystem) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     system = bare.system
     solved: dict[sp.Symbol, sp.Expr] = {}
     for condition in bare.conditions:
@@ -357,7 +357,7 @@ def _linear_root(
     return symbol, value
 
 
-def _check_level(space: SearchSpace) -> None:
+def _check_level(space: RestrictedSystem) -> None:
     """Raise an error for a level without real points, or that is not invariant."""
     if not space.level:
         return

@@ -14,8 +14,8 @@ from ..proof.fields.budget import EFFORT, checked_effort
 from .ansatz import Ansatz, default_momenta
 from .candidate_factors import natural_bases, natural_divisors
 from .input_formulas import condition, formula, quantities
-from .phase_space import search_space
-from .result import Question
+from .phase_space import restricted_system
+from .result import SearchSpace
 from .scaling import weights
 from .vector_invariants import VectorInvariants
 
@@ -24,7 +24,7 @@ _CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot)
 
 
 @arguments_checked
-def search_request(
+def search_space(
     system: System,
     *,
     degree: int = 2,
@@ -32,13 +32,13 @@ def search_request(
     momenta: str = "",
     coordinates: str = "",
     at: Sequence[str] = (),
-    on: Sequence[str] = (),
+    level: Sequence[str] = (),
     divisors: Sequence[str] | None = None,
     bases: Sequence[str] | None = None,
     powers: int = 1,
     parameter_degree: int = 3,
     effort: int = EFFORT,
-) -> Question:
+) -> SearchSpace:
     """Specify a search.
 
     Parameters
@@ -52,7 +52,7 @@ def search_request(
         cosine.
     at : sequence of str
         Conditions on the parameters, such as ``"k = -1"``.
-    on : sequence of str
+    level : sequence of str
         Formulas that vanish on the level in question, such as ``"M·γ"``.
     divisors : sequence of str, optional
         Formulas by whose powers an integral may be divided; by default those that suggest
@@ -68,7 +68,7 @@ def search_request(
 
     Returns
     -------
-    Question
+    SearchSpace
 
     Raises
     ------
@@ -82,7 +82,7 @@ def search_request(
     >>> import sympy as sp
     >>> a, b, c = sp.symbols("a b c", real=True)
     >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
-    >>> question = lawproof.search.search_request(top, divisors=["a", "b"])
+    >>> question = lawproof.search.search_space(top, divisors=["a", "b"])
     >>> question.divisors
     (a, b)
     """
@@ -109,13 +109,13 @@ def search_request(
     places = _without_angles(system, second)
     ansatz, *also = (Ansatz(family, places, degree, gamma_degree) for family in families)
     ansatz.check()
-    space = search_space(
+    space = restricted_system(
         system,
         [condition(text, system, "at") for text in at],
-        [formula(text, system, "on") for text in on],
+        [formula(text, system, "on") for text in level],
     )
     vocabulary = VectorInvariants(space, ansatz, weights(space))
-    return Question(
+    return SearchSpace(
         stage=space,
         ansatz=ansatz,
         also=tuple(also),

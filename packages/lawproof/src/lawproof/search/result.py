@@ -13,7 +13,7 @@ from flowlanes.system.laws import Integral, Measure, Symmetry
 from ..proof.fields.budget import EFFORT
 from ..proof.verdict import Verdict
 from .ansatz import Ansatz
-from .phase_space import SearchSpace
+from .phase_space import RestrictedSystem
 
 Kind = Literal["integral", "measure", "symmetry"]
 Progress = Callable[[float, str], None]
@@ -25,12 +25,12 @@ def no_progress(fraction: float, words: str) -> None:
 
 
 @dataclass(frozen=True)
-class Question:
+class SearchSpace:
     """The laws of a system among which to search.
 
     Attributes
     ----------
-    stage : SearchSpace
+    stage : RestrictedSystem
         The system, conditions on its parameters, a level.
     ansatz : Ansatz
         Polynomials in momenta and coordinates.
@@ -54,12 +54,12 @@ class Question:
     >>> import sympy as sp
     >>> a, b, c = sp.symbols("a b c", real=True)
     >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
-    >>> question = lawproof.search.search_request(top)
+    >>> question = lawproof.search.search_space(top)
     >>> question.powers, question.parameter_degree
     (1, 3)
     """
 
-    stage: SearchSpace
+    stage: RestrictedSystem
     ansatz: Ansatz
     also: tuple[Ansatz, ...] = ()
     divisors: tuple[sp.Expr, ...] = ()
@@ -92,7 +92,7 @@ class SearchResult:
     >>> import sympy as sp
     >>> a, b, c = sp.symbols("a b c", real=True)
     >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
-    >>> found = next(lawproof.search.integrals(lawproof.search.search_request(top)))
+    >>> found = next(lawproof.search.integrals(lawproof.search.search_space(top)))
     >>> found.kind, found.verdict.decision
     ('integral', 'proven')
     """

@@ -15,7 +15,7 @@ from typing import TypeAlias
 import sympy as sp
 from flint import fmpq, fmpq_mat
 
-from .phase_space import SearchSpace
+from .phase_space import RestrictedSystem
 
 Weight: TypeAlias = tuple[int, ...]
 #: A symbol, or the word for time.
@@ -71,7 +71,7 @@ class _Walk:
         return {}
 
 
-def weights(space: SearchSpace) -> dict[sp.Symbol, Weight]:
+def weights(space: RestrictedSystem) -> dict[sp.Symbol, Weight]:
     """Weights of all states, parameters and definitions of a system.
 
     Every scaling of these symbols and of time that preserves field, definitions, relations, level

@@ -18,7 +18,7 @@ from .modular_jets import Integers, prime
 from .modular_linalg import independent_columns, nullspace, product
 from .phase_space import Sample
 from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, reconstructed_laws
-from .result import Progress, Question, SearchResult, no_progress
+from .result import Progress, SearchResult, SearchSpace, no_progress
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import component_scalars
 
@@ -27,14 +27,14 @@ _SEED = 20080830
 
 
 @arguments_checked
-def symmetries(question: Question, progress: Progress = no_progress) -> Iterator[SearchResult]:
+def symmetries(question: SearchSpace, progress: Progress = no_progress) -> Iterator[SearchResult]:
     """Polynomial vector fields u with [u, v] = 0, tangent to the phase space.
 
     v itself, and products of known symmetries with integrals, are omitted.
 
     Parameters
     ----------
-    question : Question
+    question : SearchSpace
     progress : callable, optional
         Called with the fraction done and what is being done.
 
@@ -54,7 +54,7 @@ def symmetries(question: Question, progress: Progress = no_progress) -> Iterator
     >>> import sympy as sp
     >>> x, y, u, v = sp.symbols("x y u v", real=True)
     >>> oscillator = flowlanes.System("oscillator", "Plane oscillator", {x: u, y: v, u: -x, v: -y})
-    >>> question = lawproof.search.search_request(oscillator, degree=1, gamma_degree=1)
+    >>> question = lawproof.search.search_space(oscillator, degree=1, gamma_degree=1)
     >>> [found.verdict.decision for found in lawproof.search.symmetries(question)][:1]
     ['proven']
     """
@@ -70,7 +70,7 @@ def symmetries(question: Question, progress: Progress = no_progress) -> Iterator
 class _Search:
     """One search: all fields of the ansatz at the points of one sample."""
 
-    def __init__(self, question: Question, formulas: Sequence[sp.Expr]) -> None:
+    def __init__(self, question: SearchSpace, formulas: Sequence[sp.Expr]) -> None:
         self.question = question
         self.space = question.stage
         self.symbols = question.stage.system.symbols
@@ -179,7 +179,7 @@ class _Search:
             else:
                 field.append((name, constant([components[s] for s in name.symbols])))
         self.count += 1
-        law = Symmetry(f"u_{self.count}", tuple(field), on=self.space.on)
+        law = Symmetry(f"u_{self.count}", tuple(field), level=self.space.on)
         return SearchResult(
             "symmetry", law, prove(self.space.system, law, effort=self.question.effort)
         )

@@ -18,7 +18,7 @@ from sympy.matrices.expressions import MatAdd, MatMul
 from flowlanes.system.vectors import Diagonal, Symmetric, Vector, dot
 
 from .ansatz import Ansatz
-from .phase_space import SearchSpace
+from .phase_space import RestrictedSystem
 from .rational_reconstruction import Part, Scalars
 from .scaling import Weight, total, weight_of
 
@@ -28,12 +28,12 @@ _MOMENTA = ("M", "omega")
 _GROUPS = 4
 
 
-def _parameters(space: SearchSpace, table: dict[sp.Symbol, Weight]) -> list[sp.Symbol]:
+def _parameters(space: RestrictedSystem, table: dict[sp.Symbol, Weight]) -> list[sp.Symbol]:
     """Free parameters, and definitions that depend only on parameters and are not tensors."""
     return [s for s in space.free if s in table]
 
 
-def component_scalars(space: SearchSpace, table: dict[sp.Symbol, Weight]) -> Scalars:
+def component_scalars(space: RestrictedSystem, table: dict[sp.Symbol, Weight]) -> Scalars:
     """The free parameters, with the principal moments at the contact."""
     formulas: list[sp.Expr] = _parameters(space, table)
     scalars = [s for s in _numbers(space) if s in table]
@@ -41,7 +41,7 @@ def component_scalars(space: SearchSpace, table: dict[sp.Symbol, Weight]) -> Sca
     return Scalars(tuple(symbols), tuple(table[s] for s in symbols))
 
 
-def _numbers(space: SearchSpace) -> list[sp.Symbol]:
+def _numbers(space: RestrictedSystem) -> list[sp.Symbol]:
     """Scalar definitions that depend only on parameters, such as k = a/(a + R)."""
     named = {name for name, _ in space.system.definitions if isinstance(name, sp.Symbol)}
     return [s for s, value in space.constants.items() if s in named and value.free_symbols]
@@ -70,7 +70,7 @@ class VectorInvariants:
         Weights of all symbols.
     """
 
-    space: SearchSpace
+    space: RestrictedSystem
     ansatz: Ansatz
     table: dict[sp.Symbol, Weight]
 

@@ -47,6 +47,6 @@ def test_a_name_hides_no_factor() -> None:
         definitions={product: Y * sp.sin(X), again: 2 * product},
     )
     for condition in (Y * sp.sin(X), product, again):
-        assert prove(system, Identity("y", Y, on=(condition,))).decision == "refuted"
-        both = Identity("both", Y * sp.sin(X) ** 2, on=(condition,))
+        assert prove(system, Identity("y", Y, level=(condition,))).decision == "refuted"
+        both = Identity("both", Y * sp.sin(X) ** 2, level=(condition,))
         assert prove(system, both).decision == "proven"

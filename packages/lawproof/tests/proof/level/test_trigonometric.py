@@ -134,8 +134,8 @@ def test_an_empty_level_of_a_parameter_s_angle_proves_nothing() -> None:
     system = System("still", "Still", field, (Parameter(beta, "angle", 0.5),), relations=(slope,))
     sine, cosine = sp.sin(beta), sp.cos(beta)
     there = (sine - sp.Rational(3, 5), cosine - sp.Rational(4, 5))
-    assert prove(system, Identity("x", u, on=there)).decision == "refuted"
-    assert prove(system, Identity("y", v - u * sp.Rational(3, 4), on=there)).decision == "proven"
+    assert prove(system, Identity("x", u, level=there)).decision == "refuted"
+    assert prove(system, Identity("y", v - u * sp.Rational(3, 4), level=there)).decision == "proven"
     for on in ((there[0], cosine - sp.Rational(3, 5)), (sine - 2,)):
         with pytest.raises(InputError, match="is empty"):
-            prove(system, Identity("x", u, on=on))
+            prove(system, Identity("x", u, level=on))

@@ -17,7 +17,7 @@ from flowlanes.system.system import System
 
 from ..mechanics.ball.ball import RollingBall
 from ..mechanics.lagrangian.plan import Plan
-from ..mechanics.rolling.equations import ContactModel, Rolling
+from ..mechanics.rolling.equations import ContactModel, RollingBody
 from ..mechanics.shapes.shape_base import Shape
 from ..mechanics.shapes.surfaces import Surface
 
@@ -77,10 +77,10 @@ class Start:
 
 
 #: A rolling body and its system ↦ the laws that are known of them.
-LawsOf: TypeAlias = Callable[[Rolling, System], tuple[Law, ...]]
+LawsOf: TypeAlias = Callable[[RollingBody, System], tuple[Law, ...]]
 
 
-def _no_laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def _no_laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     return ()
 
 
@@ -94,7 +94,7 @@ def laws_for(
 
     def decorator(laws: LawsOf) -> LawsOf:
         @wraps(laws)
-        def restriction(rolling: Rolling, system: System) -> tuple[Law, ...]:
+        def restriction(rolling: RollingBody, system: System) -> tuple[Law, ...]:
             fits = (
                 contact in (None, rolling.contact)
                 and surface in (None, rolling.surface, type(rolling.surface))
@@ -118,11 +118,11 @@ class Entry:
     defaults : mapping of str to float
         Parameters by symbol name, with values of an instructive example.
     build : callable
-        Numbers by symbol name ↦ Rolling; or ↦ System where nothing rolls.
+        Numbers by symbol name ↦ RollingBody; or ↦ System where nothing rolls.
     start : Start
     laws : callable
-        (Rolling, System) ↦ the laws that the paper names for it, besides the energy; empty
-        for a Rolling that this entry does not speak of.
+        (RollingBody, System) ↦ the laws that the paper names for it, besides the energy; empty
+        for a RollingBody that this entry does not speak of.
     general : callable, optional
         The System with what is arbitrary left arbitrary (a potential U(γ), a profile), and the
         laws that hold for every choice: for proofs alone, it cannot be run.
@@ -152,7 +152,7 @@ class Entry:
     summary: str
     source: str
     defaults: Numbers
-    build: Callable[[Numbers], Rolling | System]
+    build: Callable[[Numbers], RollingBody | System]
     start: Start
     laws: LawsOf = _no_laws
     general: Callable[[], System] | None = None
@@ -162,6 +162,9 @@ class Entry:
     plan: Plan | None = None
     family: Family | None = None
     dimension: int | None = None
+
+    def __repr__(self) -> str:
+        return f"<Entry {self.name}: {self.title}>"
 
     @arguments_checked
     def member(self, parameters: Settings | None = None) -> Entry:
@@ -196,12 +199,12 @@ class Entry:
         return {**self.defaults, **replacements}
 
     @arguments_checked
-    def rolling(self, parameters: Settings | None = None) -> Rolling | None:
+    def rolling(self, parameters: Settings | None = None) -> RollingBody | None:
         """The rolling body and its surface; None for a body about a fixed point."""
         if self.family is not None or self.ball is not None:
             return None
         model = self.build(self.numbers(parameters))
-        return model if isinstance(model, Rolling) else None
+        return model if isinstance(model, RollingBody) else None
 
     @arguments_checked
     def rolling_ball(self, parameters: Settings | None = None) -> RollingBall | None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from importlib import import_module
 from typing import Any, TypeVar
 
@@ -15,7 +15,7 @@ from flowlanes.system.system import System
 
 from ..mechanics.lagrangian.mechanism import Mechanism
 from ..mechanics.lagrangian.plan import Plan, plan_of
-from ..mechanics.lagrangian.poincare_suslov import equations
+from ..mechanics.lagrangian.poincare_suslov import equations_of_motion
 from ..system_files.conditions import require_fulfilled
 from ..system_files.described import EquationsFile, MechanismFile
 from ..system_files.source import Source
@@ -107,7 +107,7 @@ def mechanism_system(name: str, numbers: Numbers) -> System:
         replace(p, default=numbers.get(str(p.symbol), p.default)) for p in mechanism.parameters
     )
     require_fulfilled(name, parameters, ())
-    derived = equations(replace(mechanism, parameters=parameters))
+    derived = equations_of_motion(replace(mechanism, parameters=parameters))
     return with_claims(_mechanism_file(name), derived, catalogue_system)
 
 
@@ -136,45 +136,49 @@ def entry_of(file: EntryFile) -> Entry:
         return found
     name = file.name
     by_lagrangian = "lagrangian" in file.tables
-
-    def build(numbers: Numbers) -> System:
-        if by_lagrangian:
-            return mechanism_system(name, numbers)
-        return file_system(name, numbers)
-
-    def general() -> System:
-        module, _, function = file.general.partition(":")
-        made: System = getattr(import_module(f".{module}", __package__), function)()
-        return made
-
-    def unclaimed() -> System:
-        return claimed_system(name).unclaimed
-
     conditional = any(
         "where" in law
         for kind in file.tables.get("laws", {}).values()
         for law in kind.values()
         if isinstance(law, dict)
     )
+    general: Callable[[], System] | None = None
+    if file.general:
+        general = partial(_general_system, file.general)
+    elif conditional:
+        general = partial(_unclaimed_system, name)
     return Entry(
         name=name,
         title=file.title,
         summary=file.summary,
         source=file.source,
         defaults=file.parameters,
-        build=build,
+        build=partial(mechanism_system if by_lagrangian else file_system, name),
         start=start_of(file),
-        general=general if file.general else unclaimed if conditional else None,
+        general=general,
         variables=file.variables,
         letters=file.letters,
         plan=_plan(name, by_lagrangian) if "plan" in file.tables else None,
     )
 
 
+def _general_system(place: str) -> System:
+    """The system that a function gives, named as ``module:function`` in a file."""
+    module, _, function = place.partition(":")
+    made: System = getattr(import_module(f".{module}", __package__), function)()
+    return made
+
+
+def _unclaimed_system(name: str) -> System:
+    return claimed_system(name).unclaimed
+
+
 def _plan(name: str, by_lagrangian: bool) -> Plan | None:
     if by_lagrangian:
         mechanism = mechanism_in_catalogue(name)
-        return described_plan(_mechanism_file(name), equations(mechanism)) or plan_of(mechanism)
+        return described_plan(_mechanism_file(name), equations_of_motion(mechanism)) or plan_of(
+            mechanism
+        )
     file = _tables(_Equations, entry_file(name))
     return described_plan(file, claimed_system(name).system)
 

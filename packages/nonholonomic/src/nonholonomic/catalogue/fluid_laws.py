@@ -21,7 +21,7 @@ from flowlanes.system.vectors import (
     zero,
 )
 
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import RollingBody
 from ..mechanics.rolling.fluid import Fluid
 
 M, gamma, k = Vector("M"), Vector("gamma"), Vector("k")
@@ -31,7 +31,7 @@ SOURCE = "docs/fluid.md"
 SQUARE, SPIN = "kg^2 m^4/s^2", "kg m^2/s"
 
 
-def laws_with_fluid(rolling: Rolling) -> tuple[Law, ...]:
+def laws_with_fluid(rolling: RollingBody) -> tuple[Law, ...]:
     """The laws of a body with fluid besides energy and circulation."""
     body, field = rolling.equivalent.body, rolling.field
     known: list[Law] = []
@@ -65,7 +65,7 @@ def _rubber_ball(total: sp.MatrixExpr, plane: bool, free: bool) -> Iterator[Law]
 
 
 def _measure(
-    rolling: Rolling, kind: type[Diagonal] | type[Symmetric], plane: bool
+    rolling: RollingBody, kind: type[Diagonal] | type[Symmetric], plane: bool
 ) -> Iterator[Law]:
     """The measure of the equivalent balanced ball; on γ² = 1 is (Iγ, Aγ) = 1 − mR²(γ, Aγ)."""
     I, A = kind("I"), kind("A")
@@ -84,7 +84,7 @@ def laws_of_sphere(fluid: Fluid, plane: bool, momentum_fixed: bool) -> Iterator[
     level = (*(s - 1 for s in fluid.C.symbols), *(first - s for s in others))
     if plane:
         value, meaning = dot(fluid.N, gamma), f"vertical vorticity of the fluid{where}"
-        yield Integral(f"vorticity{name}", value, meaning, on=level, source=SOURCE, unit=SPIN)
+        yield Integral(f"vorticity{name}", value, meaning, level=level, source=SOURCE, unit=SPIN)
     if plane and momentum_fixed:
         value, meaning = dot(fluid.N, M), f"angle of momentum and vorticity of the fluid{where}"
-        yield Integral(f"angle{name}", value, meaning, on=level, source=SOURCE, unit=SQUARE)
+        yield Integral(f"angle{name}", value, meaning, level=level, source=SOURCE, unit=SQUARE)

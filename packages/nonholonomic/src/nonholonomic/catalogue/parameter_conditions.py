@@ -23,7 +23,7 @@ def holding(laws: Iterable[Law], numbers: Mapping[str, float]) -> tuple[Law, ...
     --------
     >>> from flowlanes import Integral
     >>> from flowlanes.system import real_symbol
-    >>> law = Integral("field", real_symbol("x"), on=(real_symbol("K"),))
+    >>> law = Integral("field", real_symbol("x"), level=(real_symbol("K"),))
     >>> len(holding([law], {"K": 0.0})), len(holding([law], {"K": 1.0}))
     (1, 0)
     """
@@ -31,5 +31,5 @@ def holding(laws: Iterable[Law], numbers: Mapping[str, float]) -> tuple[Law, ...
     return tuple(
         law
         for law in laws
-        if not any((level := c.xreplace(values)).is_number and level != 0 for c in law.on)
+        if not any((level := c.xreplace(values)).is_number and level != 0 for c in law.level)
     )

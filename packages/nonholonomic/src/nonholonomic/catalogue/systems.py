@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from flowlanes.system.laws import Law
     from flowlanes.system.system import System
 
-    from ..mechanics.rolling.equations import Rolling
+    from ..mechanics.rolling.equations import RollingBody
     from .catalogue_entry import Entry
 
 
@@ -126,12 +126,12 @@ def from_catalogue(name: str, **parameters: Setting) -> System:
 
 
 @arguments_checked
-def known_laws_of(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def known_laws_of(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """The laws that the catalogue knows of a body, whether or not it was named.
 
     Parameters
     ----------
-    rolling : Rolling
+    rolling : RollingBody
     system : System
         Its equations.
 
@@ -148,7 +148,7 @@ def known_laws_of(rolling: Rolling, system: System) -> tuple[Law, ...]:
     Examples
     --------
     >>> import nonholonomic
-    >>> rolling = nonholonomic.Rolling(
+    >>> rolling = nonholonomic.RollingBody(
     ...     nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
     ... )
     >>> [law.name for law in nonholonomic.catalogue.known_laws_of(rolling, rolling.system())][:3]

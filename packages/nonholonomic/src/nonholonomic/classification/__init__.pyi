@@ -1,3 +1,2 @@
 from .classification import Classification as Classification
 from .classifier import classify as classify
-from .facts import ProofBudget as ProofBudget

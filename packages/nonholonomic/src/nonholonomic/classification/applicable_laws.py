@@ -55,10 +55,10 @@ def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Applicabl
         if not verdict:
             uncounted.append(IgnoredLaw(law.name, _why(verdict)))
             continue
-        moving = tuple(c for c in law.on if whole.expand(*scalars(c)).free_symbols & state)
-        fixed = tuple(c for c in law.on if c not in moving)
+        moving = tuple(c for c in law.level if whole.expand(*scalars(c)).free_symbols & state)
+        fixed = tuple(c for c in law.level if c not in moving)
         if not all(map(whole.vanishes, fixed)):
-            where = condition_text(replace(law, on=fixed), system, text)
+            where = condition_text(replace(law, level=fixed), system, text)
             uncounted.append(IgnoredLaw(law.name, f"proven {where}, not at the present parameters"))
         elif moving:
             levels[moving] = (*levels.get(moving, ()), law)

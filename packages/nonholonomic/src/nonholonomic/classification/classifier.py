@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -22,7 +22,7 @@ from lawproof.proof.level.trigonometric import circles, without_angles
 from lawproof.proof.verdict import Verdict
 
 from ..mechanics.lagrangian.mechanism import Mechanism
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import RollingBody
 from .applicable_laws import sorted_laws
 from .classes import DynamicalStructure, classes_and_dynamics
 from .classification import Classification
@@ -45,7 +45,7 @@ def classify_laws(
     system: System,
     verdicts: Mapping[str, Verdict],
     budget: ProofBudget,
-    source: Rolling | Mechanism | None,
+    source: RollingBody | Mechanism | None,
 ) -> Classification:
     """Classify a system; see :func:`place`."""
     try:
@@ -107,14 +107,14 @@ def _place_with_levels(
     system: System,
     verdicts: Mapping[str, Verdict],
     budget: ProofBudget,
-    model: Rolling | Mechanism | None,
+    model: RollingBody | Mechanism | None,
 ) -> Classification:
     whole = RankSample(system)
     laws = sorted_laws(whole, verdicts)
     levels = []
     for on, special in laws.levels.items():
         general = [law for law in laws.general if _holds(system, law, on, budget)]
-        words = condition_text(replace(special[0], on=on), system, text)
+        words = condition_text(replace(special[0], level=on), system, text)
         try:
             place = _classification_of(RankSample(system, on), (*special, *general), budget)
         except (OutOfReachError, InputError) as reason:
@@ -139,7 +139,7 @@ def _holds(system: System, law: Law, on: tuple[Any, ...], budget: ProofBudget) -
     """Whether a law holds for a level by definition: functions do, everything else is proven."""
     if not (law.of_volume or law.by_components):
         return True
-    return bool(budget.verdict(system, replace(law, on=(*law.on, *on))))
+    return bool(budget.verdict(system, replace(law, level=(*law.level, *on))))
 
 
 # --- one phase space -----------------------------------------------------------------------
@@ -149,7 +149,7 @@ def _classification_of(
     sample: RankSample,
     laws: Sequence[Law],
     budget: ProofBudget,
-    model: Rolling | Mechanism | None = None,
+    model: RollingBody | Mechanism | None = None,
     left: tuple[str, ...] = (),
 ) -> Classification:
     system = sample.system
@@ -190,7 +190,7 @@ def _classification_of(
         shifts = ignorable_shifts(sample, chosen, symmetries, laws, name)
         if len(shifts) == missing:
             structure = replace(structure, shifts=shifts)
-    if not structure.lasting and not sample.on:
+    if not structure.lasting and not sample.level:
         structure = replace(structure, reversal=_reversed_variables(system))
     kinds, dynamics = classes_and_dynamics(structure)
     return Classification(
@@ -223,8 +223,11 @@ def _law_fact(law: Law) -> Fact:
 def classify(
     system: System,
     verdicts: Mapping[str, Verdict] | None = None,
-    budget: ProofBudget | None = None,
-    source: Rolling | Mechanism | None = None,
+    *,
+    source: RollingBody | Mechanism | None = None,
+    effort: int = EFFORT_PER_PROOF,
+    total_budget: int | None = TOTAL_EFFORT,
+    progress: Callable[[str], object] | None = None,
 ) -> Classification:
     """Classify a system in the hierarchy of dynamics.
 
@@ -234,13 +237,18 @@ def classify(
         Its parameters count with their present values (their defaults), taken as exact decimals.
     verdicts : mapping of str to Verdict
         On its laws, by name; a law without a verdict does not count.  By default what can
-        be proven with `budget`.
-    budget : ProofBudget, optional
-        For the proofs needed besides: that symmetries leave the integrals alone, that integrals
-        are in involution, laws of the targets of isomorphisms, laws restricted to a level.
-    source : Rolling or Mechanism, optional
+        be proven with this effort.
+    source : RollingBody or Mechanism, optional
         The mechanical model with its numbers.  If no measure of its equations is proven, it is
         decided whether there is one whose density depends on the configuration alone.
+    effort : int
+        Term operations for the proof of one law.  Besides the laws there are others to be proven:
+        that symmetries leave the integrals alone, that integrals are in involution, laws of the
+        targets of isomorphisms, laws restricted to a level.
+    total_budget : int, optional
+        Term operations after which no further law is tried.
+    progress : callable, optional
+        Called with a description of the next attempt.
 
     Returns
     -------
@@ -262,11 +270,13 @@ def classify(
     >>> [kind.name for kind in place.kinds]
     ['none known']
     """
-    budget = budget or ProofBudget(EFFORT_PER_PROOF, TOTAL_EFFORT)
+    budget = ProofBudget(effort, total_budget, progress or (lambda _: None))
     known = budget.verdicts(system) if verdicts is None else verdicts
     return classify_laws(system, known, budget, source)
 
 
-def classify_quickly(system: System, source: Rolling | Mechanism | None = None) -> Classification:
+def classify_quickly(
+    system: System, source: RollingBody | Mechanism | None = None
+) -> Classification:
     """Classify a system with little effort, in a few seconds."""
     return classify(system, source=source)

@@ -13,10 +13,10 @@ from flowlanes.parsing.exact_decimals import exact_number
 from flowlanes.printing.formula import text
 from flowlanes.system.vectors import real_symbol
 
-from ..invariant_measures.existence import measure_exists
+from ..invariant_measures.existence import invariant_measure
 from ..invariant_measures.result import MeasureExistence
 from ..mechanics.lagrangian.mechanism import Mechanism
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import RollingBody
 from .facts import HERE, Fact, ProofBudget
 from .ranks import Number
 from .statements import Density
@@ -43,12 +43,14 @@ class MeasureFacts:
     open: str = ""
 
 
-def configuration_measure(source: Rolling | Mechanism | None, budget: ProofBudget) -> MeasureFacts:
+def configuration_measure(
+    source: RollingBody | Mechanism | None, budget: ProofBudget
+) -> MeasureFacts:
     """Decide whether a model preserves a measure with a density on the configuration space.
 
     Parameters
     ----------
-    source : Rolling or Mechanism, optional
+    source : RollingBody or Mechanism, optional
         The mechanical model with its numbers; nothing can be said without it.  The parameters of a
         mechanism have their present values, as exact decimals.
     budget : ProofBudget
@@ -57,10 +59,10 @@ def configuration_measure(source: Rolling | Mechanism | None, budget: ProofBudge
         return MeasureFacts()
     if budget.over:
         return MeasureFacts(open=f"{_OPEN} was not tried")
-    budget.report("a measure whose density depends on the configuration alone")
+    budget.progress("a measure whose density depends on the configuration alone")
     try:
         model = _at_present(source) if isinstance(source, Mechanism) else source
-        existence = measure_exists(model, effort=budget.effort)
+        existence = invariant_measure(model, effort=budget.effort)
     except (InputError, OutOfReachError, ZeroDivisionError):
         return MeasureFacts(open=f"{_OPEN} is undecided")
     budget.effort_used += sum(verdict.effort for verdict in existence.verdicts)
@@ -69,7 +71,7 @@ def configuration_measure(source: Rolling | Mechanism | None, budget: ProofBudge
     if existence.decision == "undecided":
         return MeasureFacts(open=f"{_OPEN} is undecided")
     # For a mechanism the density may depend on coordinates that its equations do not contain.
-    if existence and isinstance(source, Rolling):
+    if existence and isinstance(source, RollingBody):
         return MeasureFacts((Density(_fact(existence), "kept"),))
     return MeasureFacts()
 

@@ -72,40 +72,41 @@ class ProofBudget:
     ----------
     effort : int
         Term operations for one law.
-    altogether : int, optional
+    total_budget : int, optional
         Term operations after which no further law is tried; with 0 none is.
-    report : callable
+    progress : callable
         Called with a description of the next attempt.
 
     Examples
     --------
-    >>> import flowlanes
     >>> import nonholonomic
-    >>> import sympy as sp
-    >>> x, v = sp.symbols("x v", real=True)
-    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> budget = nonholonomic.classification.ProofBudget(effort=10**8)
-    >>> nonholonomic.classify(pendulum, budget=budget).variables
-    2
+    >>> from nonholonomic.classification.facts import ProofBudget
+    >>> budget = ProofBudget(effort=10**8)
+    >>> budget.verdict(
+    ...     nonholonomic.from_catalogue("suslov"), nonholonomic.from_catalogue("suslov").laws[0]
+    ... ).decision
+    'proven'
+    >>> budget.over
+    False
     """
 
     effort: int
-    altogether: int | None = None
-    report: Callable[[str], object] = field(default=lambda _: None, compare=False)
+    total_budget: int | None = None
+    progress: Callable[[str], object] = field(default=lambda _: None, compare=False)
     effort_used: int = field(default=0, init=False)
 
     @property
     def over(self) -> bool:
         """Whether no further law is tried."""
-        return self.altogether is not None and self.effort_used >= self.altogether
+        return self.total_budget is not None and self.effort_used >= self.total_budget
 
     @arguments_checked
     def verdict(self, system: System, law: Law) -> Verdict:
         """The verdict on a law within the allowed effort."""
         if self.over:
-            reason = EFFORT_SPENT if self.altogether else LEFT_OUT
+            reason = EFFORT_SPENT if self.total_budget else LEFT_OUT
             return Verdict(law.name, "undecided", reason=reason)
-        self.report(f"{law.name} of {system.title}")
+        self.progress(f"{law.name} of {system.title}")
         verdict = judgement_of(prove, system, law, self.effort)
         self.effort_used += verdict.effort
         return verdict

@@ -42,8 +42,8 @@ def measures(sample: RankSample, laws: Sequence[Law], budget: ProofBudget) -> tu
     densities = tuple(density(sample, law) for law in of_kind(laws, Measure))
     if densities:
         return densities
-    on = (*conditions_on_parameters(sample, laws), *sample.on)
-    volume = Measure("volume", {sp.S.One: 1}, "volume of the state", on=on, source=HERE)
+    on = (*conditions_on_parameters(sample, laws), *sample.level)
+    volume = Measure("volume", {sp.S.One: 1}, "volume of the state", level=on, source=HERE)
     proven = budget.verdict(sample.system, volume)
     return (density(sample, volume),) if proven else ()
 

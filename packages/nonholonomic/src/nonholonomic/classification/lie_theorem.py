@@ -29,7 +29,7 @@ def independent_symmetries(
     If none is declared, rotations about the body axes are tried at the present parameters.
     """
     stated = list(of_kind(laws, Symmetry))
-    if not stated and not sample.on:
+    if not stated and not sample.level:
         rotations = enumerate(_rotations(sample, conditions_on_parameters(sample, laws)))
         stated = [
             law
@@ -80,7 +80,7 @@ def _rotations(sample: RankSample, on: tuple[sp.Expr, ...]) -> list[Symmetry]:
         axis = sp.Matrix([int(i == j) for j in range(3)])
         field = {name: axis.cross(sp.Matrix(name.symbols)) for name in names}
         words = f"rotation about body axis {i + 1}"
-        rotation = Symmetry(f"rotation_{i + 1}", field, words, on=on, source=HERE)
+        rotation = Symmetry(f"rotation_{i + 1}", field, words, level=on, source=HERE)
         rotations.append(rotation)
     return rotations
 
@@ -123,7 +123,7 @@ def _tangent(
     rotation = _as_rotation(sample, field)
     return all(
         (rotation and rotation.keeps(formula))
-        or budget.verdict(moved, Integral(f"along {law.name}", formula, on=sample.on))
+        or budget.verdict(moved, Integral(f"along {law.name}", formula, level=sample.level))
         for source in sources
         for formula in source.functions
     )

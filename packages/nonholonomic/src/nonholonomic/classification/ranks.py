@@ -145,14 +145,14 @@ class RankSample:
     Parameters
     ----------
     system : System
-    on : tuple of sympy.Expr
+    level : tuple of sympy.Expr
         Conditions on the state that define the level; none for the whole phase space.
     values : mapping of Symbol to number, optional
         Of the parameters, in place of the present ones.
     """
 
     system: System
-    on: tuple[sp.Expr, ...] = ()
+    level: tuple[sp.Expr, ...] = ()
     values: Mapping[sp.Symbol, Number] | None = None
 
     @cached_property
@@ -171,7 +171,7 @@ class RankSample:
                     f"the relation {relation} = 0 between parameters does not hold exactly at "
                     "their present values"
                 )
-        return LevelSet(with_numeric_parameters(self.system, self.parameters), self.on)
+        return LevelSet(with_numeric_parameters(self.system, self.parameters), self.level)
 
     @property
     def parameters(self) -> Mapping[sp.Symbol, Number]:
@@ -285,7 +285,7 @@ class RankSample:
 def conditions_on_parameters(sample: RankSample, laws: Sequence[Law]) -> tuple[sp.Expr, ...]:
     """Conditions on parameters under which some laws hold."""
     state = set(sample.system.symbols)
-    conditions = (c for law in laws for c in law.scalar.on)
+    conditions = (c for law in laws for c in law.scalar.level)
     fixed = (c for c in conditions if not sample.expand(c).free_symbols & state)
     return tuple(dict.fromkeys(fixed))
 

@@ -77,7 +77,7 @@ def _through(
     laws = sorted_laws(there, budget.verdicts(target)).general
     if moving:
         # A law at one value of a parameter need not hold at all values.
-        laws = tuple(each for each in laws if not each.on)
+        laws = tuple(each for each in laws if not each.level)
     beyond = TargetResults() if moving else through_isomorphisms(there, laws, budget, depth - 1)
     constant = tuple(pulled_back(law, s) for s in (*sources(laws), *beyond.sources))
     if not _diffeomorphic(sample, there, law, moving):

@@ -78,13 +78,13 @@ class GenusTwo(Solution):
         return np.concatenate([reduced, self.lift.in_space(moment)]).T
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """The rate at which the phases grow with time, in turns."""
         V_1, V_2 = (abs(number(x)) for x in self.separated_motion.torus.V)
         return (V_1 + V_2) / number(self.clock.mean)
 
     @property
-    def left_open(self) -> str:
+    def not_rigorous(self) -> str:
         """A sentence on the part of the state for which :meth:`rigorous` has no bounds; or ""."""
         of = self.separable
         lifted = len(self.start) - len(of.system.symbols)
@@ -168,7 +168,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
             (y**2, sp.Mul(separable.leading, *(z - root for root in separable.roots))),
             (d[0] / y_1 + d[1] / y_2, sp.sympify(a) * d[2]),
             (z_1 * d[0] / y_1 + z_2 * d[1] / y_2, sp.sympify(b) * d[2]),
-            (d[3] / d[2], components(separable.clock)[0]),
+            (d[3] / d[2], components(separable.time_rescaling)[0]),
         ),
         constants=tuple(figures),
         ovals=tuple((number(low), number(high)) for low, high in ends),

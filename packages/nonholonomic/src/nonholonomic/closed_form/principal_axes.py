@@ -18,7 +18,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import Diagonal, Symmetric
 
 from ..catalogue import entry
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import RollingBody
 from .base.derived_solution import DerivedSolution
 from .base.problem import Problem, same_field
 from .base.solution import Solution
@@ -61,7 +61,7 @@ class PrincipalAxesSolution(DerivedSolution):
             )
 
 
-def in_principal_axes(problem: Problem, rolling: Rolling) -> tuple[Problem, arb_mat] | None:
+def in_principal_axes(problem: Problem, rolling: RollingBody) -> tuple[Problem, arb_mat] | None:
     """A ball in its principal axes; the axis of symmetry of a rubber ball is last.
 
     Returns
@@ -159,7 +159,7 @@ def _with_tensors(formula: sp.Basic, tensors: Mapping[sp.Basic, sp.Basic]) -> sp
     return formula.xreplace(dict(tensors))
 
 
-def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
+def _order(problem: Problem, rolling: RollingBody) -> tuple[int, int, int] | None:
     """The order of axes for a rubber ball with two equal moments: its axis of symmetry last."""
     if rolling.contact != "rubber":
         return None
@@ -175,7 +175,7 @@ def to_original_axes(problem: Problem, inner: Solution, matrix: arb_mat) -> Prin
     return PrincipalAxesSolution(lifted, problem.parameters, inner, matrix)
 
 
-def _ball_in_axes(rolling: Rolling, moments: Sequence[float], axes: FloatArray) -> Rolling:
+def _ball_in_axes(rolling: RollingBody, moments: Sequence[float], axes: FloatArray) -> RollingBody:
     """The ball, described in its principal axes."""
     body, shape = rolling.body, rolling.body.shape
     first, second, third = moments

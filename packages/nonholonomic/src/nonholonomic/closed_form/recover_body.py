@@ -16,7 +16,7 @@ from flowlanes.system.vectors import Diagonal, Symmetric
 
 from ..catalogue import CATALOGUE
 from ..mechanics.rolling.body import Body
-from ..mechanics.rolling.equations import ContactModel, Forces, Rolling
+from ..mechanics.rolling.equations import ContactModel, Forces, RollingBody
 from ..mechanics.shapes.shapes import Ball
 from ..mechanics.shapes.surfaces import Plane, Sphere, Surface
 from .base.problem import same_field
@@ -24,7 +24,7 @@ from .base.problem import same_field
 MODELS: tuple[ContactModel, ContactModel] = ("marble", "rubber")
 
 
-def rolling_of(system: System, values: Mapping[sp.Symbol, NumberOrText]) -> Rolling | None:
+def rolling_of(system: System, values: Mapping[sp.Symbol, NumberOrText]) -> RollingBody | None:
     """The rolling body whose equations a system holds, with its numbers.
 
     Bodies of the catalogue and balls with any inertia tensor are tried; the equations that they
@@ -62,7 +62,7 @@ def _have_same_field(
     return first.state == second.state and same_field(second, exactly, first, exactly)
 
 
-def _candidates(numbers: Mapping[str, float]) -> Iterator[Rolling]:
+def _candidates(numbers: Mapping[str, float]) -> Iterator[RollingBody]:
     """Rolling bodies described by these parameters, or by some of them."""
     entries = [entry for entry in CATALOGUE.values() if set(entry.defaults) <= set(numbers)]
     # A body of revolution has one moment for two axes, and no off-axis centre of mass.
@@ -76,7 +76,7 @@ def _candidates(numbers: Mapping[str, float]) -> Iterator[Rolling]:
     yield from _balls(numbers)
 
 
-def _balls(numbers: Mapping[str, float]) -> Iterator[Rolling]:
+def _balls(numbers: Mapping[str, float]) -> Iterator[RollingBody]:
     """Balanced balls with these parameters."""
     entries = [str(s) for s in Symmetric("I").symbols]
     moments = [str(s) for s in Diagonal("I").symbols]
@@ -91,4 +91,4 @@ def _balls(numbers: Mapping[str, float]) -> Iterator[Rolling]:
     field = Forces(numbers.get("g", 0.0))
     for hollow, model in product((False, True), MODELS):
         body = Body(numbers["m"], inertia, Ball(numbers["R"], hollow))
-        yield Rolling(body, surface, model, field)
+        yield RollingBody(body, surface, model, field)

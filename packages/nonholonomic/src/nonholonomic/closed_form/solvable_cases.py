@@ -29,7 +29,7 @@ from flowlanes.system.vectors import Diagonal, Symmetric, Vector, real_symbol
 
 from ..catalogue import entry
 from ..catalogue.catalogue_entry import bruns_factor
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import RollingBody
 from .base.no_closed_form import CIRCULATIONS, Condition, degenerate, refusal
 from .base.problem import Problem, rational, same_field
 from .base.solution import Solution
@@ -194,7 +194,7 @@ def _parameter_identifications(problem: Problem, target: System) -> Iterator[For
             yield dict(zip(wanted, chosen, strict=True))
 
 
-def _bruns_strength(rolling: Rolling | None) -> dict[sp.Symbol, sp.Expr]:
+def _bruns_strength(rolling: RollingBody | None) -> dict[sp.Symbol, sp.Expr]:
     """The strength of a Bruns field that is given as a potential."""
     if rolling is None or not rolling.body.principal:
         return {}

@@ -2,26 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import groupby
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
+from flowlanes.flow.motion import Motion, read_only, unknown_variable
 from flowlanes.formulas.array_evaluation import as_float_array
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.named_formulas import flat
+from flowlanes.system.overview import Overview, WithOverview
+from flowlanes.system.system import System
+from flowlanes.system.tolerance import FINEST_TOLERANCE
 
+from .dataset import with_contact, work_meanings
 from .equations.situation import FrictionalContact
-from .friction.modes import MODE_NAMES
+from .friction.modes import FLIGHT, MODE_NAMES
 from .simulation.compiled import ATTITUDE, WORK, CompiledContact
 from .simulation.course import Course
 from .simulation.course_state import Piece
 from .simulation.end_reasons import EndReason
 from .simulation.event_rules import EventRules
 from .simulation.events import ContactEvent
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 #: Depth, relative to the body size, by which a body may start inside the support: decimal rounding.
 DEEPEST = 1e-9
@@ -52,12 +64,15 @@ class InterruptedMotionError(KeyboardInterrupt):
         self.partial = partial
 
 
-@dataclass(frozen=True, eq=False)
-class ContactMotion:
+@dataclass(frozen=True, eq=False, repr=False)
+class ContactMotion(Motion, WithOverview):
     """A motion with friction.
+
+    The variables of the state and the recorded quantities of each mode are had by name.
 
     Attributes
     ----------
+    contact : FrictionalContact
     times : array (n,)
         The sample times that it reached and, if it ended before the last of them, its end.
     states : array (n, size)
@@ -90,6 +105,7 @@ class ContactMotion:
     ([0.0, 1.0], 1)
     """
 
+    contact: FrictionalContact
     times: FloatArray
     states: FloatArray
     modes: npt.NDArray[np.int8]
@@ -102,15 +118,26 @@ class ContactMotion:
     ending: EndReason
     _pieces: tuple[Piece, ...] = field(repr=False)
     _columns: Mapping[str, slice] = field(repr=False)
+    _system: System = field(repr=False)
 
-    def variables(self) -> dict[str, FloatArray]:
-        """The variables of the state at the samples, (n,) or (n, size), by name."""
-        return {
-            name: self.states[:, place]
-            if place.stop - place.start > 1
-            else self.states[:, place.start]
-            for name, place in self._columns.items()
-        }
+    def __post_init__(self) -> None:
+        for name in ("times", "states", "modes", "end_state"):
+            object.__setattr__(self, name, read_only(getattr(self, name)))
+
+    def __getstate__(self) -> dict[str, object]:
+        """What is pickled: recorded quantities in place of compiled code."""
+        return {**self.__dict__, "observables": self.observables, "_pieces": ()}
+
+    def __getitem__(self, name: str) -> FloatArray:
+        if name in self.observables:
+            return self.observables[name]
+        if name not in self._columns:
+            raise unknown_variable("motion with friction", name, self)
+        place = self._columns[name]
+        return self.states[:, place if place.stop - place.start > 1 else place.start]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(dict.fromkeys([*self._columns, *self.observables]))
 
     @property
     def energy_lost(self) -> float:
@@ -118,10 +145,62 @@ class ContactMotion:
         works = (place for name, place in self._columns.items() if name.startswith("work_"))
         return float(sum(self.end_state[place].sum() for place in works))
 
-    def observables(self) -> dict[str, FloatArray]:
+    @cached_property
+    def observables(self) -> Mapping[str, FloatArray]:
         """Recorded quantities at the samples, (n,) or (n, 3), each in its own mode; by name."""
         blocks = [p.integrator.outputs(p.states) for p in self._pieces if len(p.times)]
-        return {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
+        return {
+            name: read_only(np.concatenate([block[name] for block in blocks])) for name in blocks[0]
+        }
+
+    def to_dataset(self) -> xr.Dataset:
+        """The motion as a dataset.
+
+        Returns
+        -------
+        xarray.Dataset
+            Dimension ``time``: the quantities of the motion and ``mode``, a flag.  A dimension
+            ``event`` has what happened at the contact; see
+            :func:`nonholonomic.contact.dataset.with_contact`.
+        """
+        from flowlanes.flow.motion_dataset import motion_dataset
+
+        samples = motion_dataset(
+            self._system,
+            self._system.defaults,
+            self.times,
+            {name: self[name] for name in self},
+            start=self.states[0],
+            facts={
+                "system": "Body in contact with friction",
+                "end_time": self.end_time,
+                "end_reason": self.reason,
+            },
+            meanings=work_meanings(self.contact, self._system),
+        )
+        columns = [
+            str(symbol)
+            for variable in self._system.state
+            if str(variable) in self._columns
+            for symbol in flat([variable])
+        ]
+        return with_contact(samples, self.modes, self.events, columns)
+
+    def overview(self) -> Overview:
+        """Body and contact, interval of time, events and the end."""
+        kinds = Counter(event.kind for event in self.events)
+        return Overview(
+            f"Motion with friction: t = {self.times[0]:.9g} to {self.end_time:.9g}, "
+            f"{len(self.times):,} samples",
+            (
+                ("contact", self.contact.setting),
+                ("modes", ", ".join(dict.fromkeys(piece.mode for piece in self.intervals))),
+                ("events", ", ".join(f"{n:,} {kind}" for kind, n in kinds.most_common())),
+                ("ended early", self.reason),
+                ("energy lost", f"{self.energy_lost:.6g} J"),
+                ("steps", f"{self.steps:,}"),
+            ),
+        )
 
 
 @arguments_checked
@@ -131,7 +210,7 @@ def contact_motion(
     times: Sequence[float] | FloatArray,
     rules: EventRules = EventRules(),  # noqa: B008  (immutable)
     *,
-    tolerance: float = 1e-16,
+    tolerance: float = FINEST_TOLERANCE["double"],
     progress: Callable[[float], None] | None = None,
 ) -> ContactMotion:
     """The motion of a body with friction, through all changes of its contact.
@@ -148,7 +227,8 @@ def contact_motion(
     rules : EventRules
         What happens at lift-off and landing.
     tolerance : float
-        Relative error of each step.
+        See :mod:`flowlanes.system.tolerance`; by default the finest of doubles, since an event
+        passes an error on magnified.
     progress : callable, optional
         Called with the fraction done.
 
@@ -166,6 +246,7 @@ def contact_motion(
     A billiard ball slides for 2|u|/(7μg) and then rolls with 5/7 of its velocity.
 
     >>> import numpy as np
+    >>> import flowlanes
     >>> import nonholonomic
     >>> from nonholonomic.contact import Coulomb, FrictionalContact, contact_motion
     >>> ball = nonholonomic.Body(0.2, (2e-4, 2e-4, 2e-4), nonholonomic.Ball(0.05))
@@ -176,7 +257,7 @@ def contact_motion(
     >>> motion = contact_motion(table, start, [0.0, 1.0])
     >>> print(motion.events[0])
     t = 0.203873598: stick, then rolling
-    >>> round(float(motion.observables()["velocity"][-1, 0]), 12)
+    >>> round(float(motion["velocity"][-1, 0]), 12)
     1.0
     """
     moments = as_float_array("times", times)
@@ -202,6 +283,7 @@ def _motion(course: Course, pieces: Sequence[Piece]) -> ContactMotion:
     samples = [p.states[:, : course.contact.size] for p in pieces]
     modes = [np.full(len(p.times), MODE_NAMES.index(p.mode.name), np.int8) for p in pieces]
     return ContactMotion(
+        contact=course.contact.situation,
         times=np.concatenate([p.times for p in pieces]),
         states=np.concatenate(samples),
         modes=np.concatenate(modes),
@@ -214,6 +296,7 @@ def _motion(course: Course, pieces: Sequence[Piece]) -> ContactMotion:
         ending=course.ending,
         _pieces=tuple(pieces),
         _columns=course.contact.columns,
+        _system=course.contact.mode(FLIGHT).system,
     )
 
 

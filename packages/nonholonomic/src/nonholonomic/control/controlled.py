@@ -13,14 +13,15 @@ from flowlanes.errors import InputError
 from flowlanes.parsing import parse
 from flowlanes.parsing.exact_decimals import with_exact_decimals
 from flowlanes.system.named_formulas import as_pairs, flat_pairs
+from flowlanes.system.overview import Overview, WithOverview
 from flowlanes.system.system import Parameter, System
 
 from ..mechanics.lagrangian.mechanism import TIME
 
 
 @arguments_checked
-@dataclass(frozen=True)
-class ControlledSystem:
+@dataclass(frozen=True, repr=False)
+class ControlledSystem(WithOverview):
     """A vector field that depends on inputs.
 
     Attributes
@@ -58,6 +59,18 @@ class ControlledSystem:
     def __post_init__(self) -> None:
         object.__setattr__(self, "field", as_pairs(self.field))
         object.__setattr__(self, "definitions", as_pairs(self.definitions))
+
+    def overview(self) -> Overview:
+        """State, inputs, parameters and what follows a path."""
+        return Overview(
+            f"{self.name}: equations with {len(self.inputs)} inputs",
+            (
+                ("state", ", ".join(str(name) for name, _ in self.field)),
+                ("inputs", ", ".join(map(str, self.inputs))),
+                ("parameters", ", ".join(str(p.symbol) for p in self.parameters)),
+                ("follows a path", ", ".join(map(str, self.output))),
+            ),
+        )
 
     @cached_property
     def state(self) -> tuple[sp.Symbol, ...]:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.interpolate import BarycentricInterpolator
 
+from flowlanes.flow.motion import Motion, read_only, unknown_variable
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.overview import Overview, WithOverview
 
 from .collocation import Transcription, radau
 from .guess import rotation
@@ -19,14 +23,16 @@ from .robot import SphericalRobot
 if TYPE_CHECKING:
     import xarray as xr
 
+PLACED = 6
+"""Components of the state that are attitude and place; those after them are joints."""
 TOLERANCE = 1e-13
 """Of the integration that checks a plan, relative; absolute a tenth of it."""
 SAMPLES = 8
 """Instants in each interval at which the distance to the path is measured."""
 
 
-@dataclass(frozen=True, eq=False)
-class MotionPlan:
+@dataclass(frozen=True, eq=False, repr=False)
+class MotionPlan(Motion, WithOverview):
     """Inputs that lead the contact point along a path, and the motion integrated with them.
 
     Attributes
@@ -35,9 +41,9 @@ class MotionPlan:
     path : PlanePath
     inputs : tuple of str
         Names: speeds ``u_1``, … of the rotors (rad/s), rates of the joints.
-    states : tuple of str
+    state_names : tuple of str
     start : array (n,)
-        The state at t = 0, in the order of `states`.
+        The state at t = 0, in the order of `state_names`.
     node_times : array (k,)
         Ends of the intervals of time, and the nodes in them at which the inputs are given.
     node_inputs : array (k, m)
@@ -47,7 +53,7 @@ class MotionPlan:
         ½ ∫ |inputs|² dt / T.
     times : array (l,)
         Instants of the check.
-    motion : array (l, n)
+    states : array (l, n)
         States integrated from the start with these inputs at a tolerance of 1e-13.
     path_error : float
         The greatest distance from the contact to where the path is at that instant (m).
@@ -60,28 +66,40 @@ class MotionPlan:
     robot: SphericalRobot
     path: PlanePath
     inputs: tuple[str, ...]
-    states: tuple[str, ...]
+    state_names: tuple[str, ...]
     start: FloatArray
     node_times: FloatArray
     node_inputs: FloatArray
     intervals: int
     effort: float
     times: FloatArray
-    motion: FloatArray
+    states: FloatArray
     path_error: float
     iterations: int
     seconds: float
+
+    def __post_init__(self) -> None:
+        for name in ("start", "node_times", "node_inputs", "times", "states"):
+            object.__setattr__(self, name, read_only(getattr(self, name)))
 
     @property
     def relative_error(self) -> float:
         """The path error in diameters of the path."""
         return self.path_error / self.path.diameter
 
-    def __str__(self) -> str:
-        return (
-            f"{len(self.inputs)} inputs, effort {self.effort:.6g}, path error "
-            f"{self.path_error:.2g} m = {self.relative_error:.2g} of the diameter; "
-            f"{self.iterations} iterations, {self.seconds:.1f} s"
+    def overview(self) -> Overview:
+        """Inputs, effort, distance to the path, and cost."""
+        return Overview(
+            f"Motion of a spherical robot along a path, t = 0 to {self.path.period:.9g}",
+            (
+                ("inputs", ", ".join(self.inputs)),
+                ("effort", f"{self.effort:.6g}"),
+                (
+                    "path error",
+                    f"{self.path_error:.2g} m = {self.relative_error:.2g} of the diameter",
+                ),
+                ("cost", f"{self.iterations} iterations, {self.seconds:.1f} s"),
+            ),
         )
 
     def inputs_at(self, times: FloatArray) -> FloatArray:
@@ -100,59 +118,73 @@ class MotionPlan:
     @property
     def errors(self) -> FloatArray:
         """Distances (l,) to the path at the times of the check."""
-        return distances(self.path, self.times, self.motion)
+        return distances(self.path, self.times, self.states)
 
-    def dataset(self) -> xr.Dataset:
-        """Convert the motion to a dataset like other trajectories.
+    @cached_property
+    def _quantities(self) -> dict[str, FloatArray]:
+        places = self.states[:, 4:6]
+        contact = np.column_stack([places, np.zeros(len(places))])
+        quantities = {
+            "attitude": self.states[:, :4],
+            "contact": contact,
+            "centre": np.add(contact, [0, 0, self.robot.radius]),
+            "gamma": np.array([rotation(q)[2] for q in self.states[:, :4]]),
+            "input": self.inputs_at(self.times),
+            "path_error": self.errors,
+        }
+        quantities |= {
+            str(name): self.states[:, place]
+            for place, name in enumerate(self.state_names)
+            if place >= PLACED
+        }
+        return {name: read_only(values) for name, values in quantities.items()}
+
+    def __getitem__(self, name: str) -> FloatArray:
+        if name not in self._quantities:
+            raise unknown_variable("plan", name, self)
+        return self._quantities[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._quantities)
+
+    def to_dataset(self) -> xr.Dataset:
+        """Convert the motion to a dataset like other motions.
 
         Returns
         -------
         xarray.Dataset
-            `attitude`, `contact`, `centre`, `gamma`, `input` and `path_error` over `time`.
+            `attitude`, `contact`, `centre`, `gamma`, `input`, `path_error` and the joints over
+            `time`.
         """
         import xarray as xr
 
-        radius = self.robot.radius
-        matrices = np.array([rotation(q) for q in self.motion[:, :4]])
-        places = self.motion[:, 4:6]
-        contact = np.column_stack([places, np.zeros(len(places))])
         labels = {"axis": [1, 2, 3], "space": ["x", "y", "z"], "quaternion": ["w", "x", "y", "z"]}
         return xr.Dataset(
             {
-                "attitude": (
-                    ("time", "quaternion"),
-                    self.motion[:, :4],
-                    {"long_name": "attitude quaternion, body to space", "units": ""},
-                ),
-                "contact": (
-                    ("time", "space"),
-                    contact,
-                    {"long_name": "contact point", "units": "m"},
-                ),
-                "centre": (
-                    ("time", "space"),
-                    np.add(contact, [0, 0, radius]),
-                    {"long_name": "geometric centre", "units": "m"},
-                ),
-                "gamma": (
-                    ("time", "axis"),
-                    matrices[:, 2],
-                    {"long_name": "vertical", "units": ""},
-                ),
-                "input": (
-                    ("time", "name"),
-                    self.inputs_at(self.times),
-                    {"long_name": "speed of a rotor or joint", "units": "rad/s"},
-                ),
-                "path_error": (
-                    "time",
-                    self.errors,
-                    {"long_name": "distance to the path", "units": "m"},
-                ),
+                name: (_DIMENSIONS.get(name, "time"), self[name], _NOTES.get(name, _JOINT))
+                for name in self
             },
             {"time": ("time", self.times, {"units": "s"}), "name": list(self.inputs), **labels},
             {"system": "spherical-robot", "title": "Spherical robot"},
         )
+
+
+_DIMENSIONS = {
+    "attitude": ("time", "quaternion"),
+    "contact": ("time", "space"),
+    "centre": ("time", "space"),
+    "gamma": ("time", "axis"),
+    "input": ("time", "name"),
+}
+_NOTES = {
+    "attitude": {"long_name": "attitude quaternion, body to space", "units": ""},
+    "contact": {"long_name": "contact point", "units": "m"},
+    "centre": {"long_name": "geometric centre", "units": "m"},
+    "gamma": {"long_name": "vertical", "units": ""},
+    "input": {"long_name": "speed of a rotor or joint", "units": "rad/s"},
+    "path_error": {"long_name": "distance to the path", "units": "m"},
+}
+_JOINT = {"long_name": "joint", "units": "rad"}
 
 
 def distances(path: PlanePath, times: FloatArray, motion: FloatArray) -> FloatArray:

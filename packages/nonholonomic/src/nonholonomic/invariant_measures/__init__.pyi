@@ -2,4 +2,4 @@ from .equilibria import (
     EquilibriumObstruction as EquilibriumObstruction,
     equilibrium_obstruction as equilibrium_obstruction,
 )
-from .existence import measure_exists as measure_exists
+from .existence import invariant_measure as invariant_measure

@@ -24,7 +24,7 @@ from flowlanes.system.vectors import Diagonal, Symmetric, Vector, dot, norm_squa
 from lawproof.proof.level.level_set import LevelSet
 
 from ..mechanics.rolling.contact import contact
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import RollingBody
 from .one_form import OneForm, Powers
 
 gamma, r, gammatilde = Vector("gamma"), Vector("r"), Vector("gammatilde")
@@ -47,13 +47,13 @@ def _determinant(principal: bool) -> tuple[sp.Expr, ...]:
     return (Symmetric("J").entries.det(method="berkowitz"),)
 
 
-def _share(rolling: Rolling) -> sp.Expr:
+def _share(rolling: RollingBody) -> sp.Expr:
     """det Ĩ/det J = 1 − m (r, J⁻¹r)."""
     tensor = Diagonal("A") if rolling.body.principal else Symmetric("A")
     return 1 - m * dot(r, tensor * r)
 
 
-def _across(rolling: Rolling) -> tuple[sp.Expr, ...]:
+def _across(rolling: RollingBody) -> tuple[sp.Expr, ...]:
     """Factors of det Ĩ (γ, Ĩ⁻¹γ)/det J; if r is parallel to γ this is (γ, J⁻¹γ)."""
     shape = rolling.body.shape
     if shape.is_balanced_ball:
@@ -62,7 +62,7 @@ def _across(rolling: Rolling) -> tuple[sp.Expr, ...]:
     return _share(rolling), dot(gamma, gammatilde)
 
 
-def _bases(rolling: Rolling) -> tuple[sp.Expr, ...]:
+def _bases(rolling: RollingBody) -> tuple[sp.Expr, ...]:
     """Functions from which the density may be built."""
     body = rolling.body
     principal = body.principal
@@ -91,7 +91,7 @@ def _of_ellipsoid() -> list[sp.Expr]:
     return bases
 
 
-def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> Powers | None:
+def closed_form(rolling: RollingBody, form: OneForm, numbers: Sequence[sp.Expr]) -> Powers | None:
     """e^σ as a product of powers of known functions; None if there is no such product.
 
     Parameters
@@ -190,7 +190,7 @@ def _turning(partial: Evaluator, along: Sequence[arb]) -> list[arb]:
     return [sum((jet.slopes.get(i, zero) * along[i] for i in range(3)), zero) for jet in jets]
 
 
-def density(rolling: Rolling, powers: Powers) -> Powers:
+def density(rolling: RollingBody, powers: Powers) -> Powers:
     """The density over the state of the equations of motion, from the one over momenta and γ.
 
     A marble body has the state M, γ, a rubber one ω, γ; r replaces γ if the shape is given by an

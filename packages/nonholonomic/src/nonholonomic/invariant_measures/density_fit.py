@@ -107,7 +107,7 @@ def density_law(
         )
         defects.append(sp.expand_trig(share - slope))
     law = Identity("integrated", tuple(defects), "the density has the derivatives required")
-    return system, replace(law, on=level)
+    return system, replace(law, level=level)
 
 
 def _moves(factor: sp.Expr, lifted_fields: LiftedFields) -> bool:

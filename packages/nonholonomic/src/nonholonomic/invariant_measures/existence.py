@@ -16,21 +16,21 @@ from flowlanes.arguments import arguments_checked
 from lawproof.proof.fields.budget import EFFORT
 
 from ..mechanics.lagrangian.mechanism import Mechanism
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import RollingBody
 from .mechanisms import decide_mechanism
 from .result import MeasureExistence
 from .rolling_bodies import decide_body
 
 
 @arguments_checked
-def measure_exists(
-    source: Rolling | Mechanism, name: str = "", *, effort: int = EFFORT
+def invariant_measure(
+    source: RollingBody | Mechanism, name: str = "", *, effort: int = EFFORT
 ) -> MeasureExistence:
     """Decide whether an invariant measure exists whose density depends on the configuration alone.
 
     Parameters
     ----------
-    source : Rolling or Mechanism
+    source : RollingBody or Mechanism
         A body that rolls on a plane or a sphere, with its numbers; or a mechanism whose
         constraints are linear and homogeneous in the velocities, and do not depend on the time.
     name : str
@@ -56,10 +56,10 @@ def measure_exists(
     >>> particle = nonholonomic.Mechanism(
     ...     "particle", nonholonomic.coordinates(x, y, z), lagrangian, (constraint,)
     ... )
-    >>> print(nonholonomic.measure_exists(particle))
+    >>> print(nonholonomic.invariant_measure(particle))
     particle: has a smooth invariant measure whose density depends on the configuration alone
     density: √(1 + y²)
     """
-    if isinstance(source, Rolling):
+    if isinstance(source, RollingBody):
         return decide_body(source, name or "rolling-body", effort)
     return decide_mechanism(source, name or source.name, effort)

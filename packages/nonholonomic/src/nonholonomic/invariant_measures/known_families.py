@@ -15,7 +15,7 @@ from flowlanes.parsing.exact_decimals import exact_number
 from flowlanes.system.system import Parameter
 from flowlanes.system.vectors import Diagonal, Vector, real_symbol
 
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import RollingBody
 
 Level = tuple[sp.Expr, ...]
 
@@ -35,7 +35,7 @@ def collinearity() -> sp.Expr:
     return sp.expand(sp.Add(*(x[i - 1] * y[i] - x[i] * y[i - 1] for i in range(3))))
 
 
-def levels(rolling: Rolling, parameters: Sequence[Parameter]) -> Iterator[Level]:
+def levels(rolling: RollingBody, parameters: Sequence[Parameter]) -> Iterator[Level]:
     """Levels that contain the numbers of the body, the most general ones first."""
     values = {p.symbol: exact_number(p.default) for p in parameters}
     yield ()
@@ -60,7 +60,7 @@ def coincidences(values: dict[sp.Symbol, sp.Rational]) -> Level:
     return (*zeros, *equal)
 
 
-def _special(rolling: Rolling) -> tuple[Level, ...]:
+def _special(rolling: RollingBody) -> tuple[Level, ...]:
     """Families of bodies of this shape."""
     shape, rubber = rolling.body.shape, rolling.contact == "rubber"
     plane = rolling.surface.is_flat
@@ -76,7 +76,7 @@ def _special(rolling: Rolling) -> tuple[Level, ...]:
 _SPHERICAL = "of equal principal moments of inertia (whatever its shape and centre of mass)"
 
 
-def criterion(rolling: Rolling) -> str:
+def criterion(rolling: RollingBody) -> str:
     """The theorem on all bodies of this shape, contact and surface."""
     shape, rubber = rolling.body.shape, rolling.contact == "rubber"
     plane = rolling.surface.is_flat

@@ -19,7 +19,7 @@ from ..mechanics.constraints.exact_points import NoPointError
 from ..mechanics.constraints.growth import generic
 from ..mechanics.lagrangian.constrained_frame import Restriction, constraint_distribution
 from ..mechanics.lagrangian.mechanism import Mechanism
-from ..mechanics.lagrangian.poincare_suslov import equations
+from ..mechanics.lagrangian.poincare_suslov import equations_of_motion
 from .density_fit import density_from_powers, density_law
 from .lifted_fields import LiftedFields, lift
 from .parameter_conditions import Level, branches
@@ -47,7 +47,7 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> MeasureExi
     restriction = constraint_distribution(mechanism)
     lifted = lift(restriction)
     parameters = tuple(p.symbol for p in mechanism.parameters)
-    system = equations(mechanism)
+    system = equations_of_motion(mechanism)
     base = generic(lifted.base, parameters)
     if generic(lifted.lifted, parameters).final == base.final:
         return _everywhere(restriction, lifted, system, name, effort)
@@ -164,7 +164,7 @@ def _measure(
         "configuration_measure",
         powers,
         meaning="density that depends on the configuration alone",
-        on=level,
+        level=level,
     )
     try:
         verdict = prove(system, law, effort=min(effort, EFFORT_PER_PROOF))

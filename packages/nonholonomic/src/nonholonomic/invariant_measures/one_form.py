@@ -37,7 +37,7 @@ from flowlanes.system.vectors import (
     zero,
 )
 
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import RollingBody
 from .shape_geometry import geometry
 
 #: Bases with exponents.
@@ -103,7 +103,7 @@ class OneForm:
         return (self.closed,) if self.spin is None else (self.spin, self.closed)
 
 
-def one_form(rolling: Rolling) -> OneForm:
+def one_form(rolling: RollingBody) -> OneForm:
     """The 1-form of a body that rolls on a plane or a sphere, marble or rubber."""
     body = rolling.body
     here = geometry(body.shape, rolling.surface)
@@ -173,7 +173,7 @@ def one_form(rolling: Rolling) -> OneForm:
     )
 
 
-def _scale(rolling: Rolling) -> sp.Expr:
+def _scale(rolling: RollingBody) -> sp.Expr:
     """The factor 1 − R/a of θ for a rubber ball on a sphere, relative to a plane; otherwise 1."""
     shape, surface = rolling.body.shape, rolling.surface
     if rolling.contact == "marble" or surface.is_flat or not shape.is_ball:

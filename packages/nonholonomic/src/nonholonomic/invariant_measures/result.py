@@ -81,8 +81,8 @@ class MeasureExistence:
             lines.append(self._shown_conditions())
         if self.density is not None:
             lines.append(f"density: {text(self.density.value)}")
-            if self.density.on:
-                lines.append("where " + _level(self.density.on))
+            if self.density.level:
+                lines.append("where " + _level(self.density.level))
             if self.domain:
                 lines.append("positive and smooth where " + ", ".join(map(text, self.domain)))
         elif self.log_density is not None:

@@ -14,7 +14,7 @@ from flowlanes.system.laws import Measure
 from lawproof.proof.prover import POINTS_ALONE, prove
 from lawproof.proof.verdict import Verdict
 
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import RollingBody
 from .closed_form import closed_form, density
 from .fluid_theorem import THEOREM, lemma
 from .implicit_shapes import log_density_on_surface
@@ -28,7 +28,7 @@ SHARE = 10
 be one, as a law of the equations of motion."""
 
 
-def decide_body(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
+def decide_body(rolling: RollingBody, name: str, effort: int) -> MeasureExistence:
     """Decide for a body with its numbers.
 
     Parameters
@@ -47,7 +47,7 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
     numbers = levels_tried[-1]
     for law in form.conditions:
         # Points are tested before anything is proved.
-        verdict = prove(form.system, replace(law, on=numbers), effort=POINTS_ALONE)
+        verdict = prove(form.system, replace(law, level=numbers), effort=POINTS_ALONE)
         if verdict.decision == "refuted":
             return MeasureExistence(
                 name,
@@ -72,7 +72,7 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
     return replace(existence, decision="undecided", reason=proofs[-1].words, verdicts=proofs)
 
 
-def _with_fluid(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
+def _with_fluid(rolling: RollingBody, name: str, effort: int) -> MeasureExistence:
     """The decision for the equivalent rigid body, and the lemma that transfers it to the body."""
     rigid = decide_body(rolling.equivalent, name, effort)
     verdict = lemma()
@@ -89,7 +89,7 @@ def _with_fluid(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
 def _proofs(form: OneForm, level: Level, effort: int) -> Iterator[Verdict]:
     """Verdicts on the conditions, up to the first that is not proven."""
     for law in form.conditions:
-        verdict = prove(form.system, replace(law, on=level), effort=effort)
+        verdict = prove(form.system, replace(law, level=level), effort=effort)
         yield verdict
         if not verdict:
             return
@@ -113,7 +113,7 @@ def _proofs_by_quadrature(
     """Verdicts on the spin and on dσ = θ, up to the first that is not proven."""
     laws = [(form.system, form.spin)] if form.spin is not None else []
     for system, law in (*laws, form.density_law(powers)):
-        verdict = prove(system, replace(law, on=level), effort=effort)
+        verdict = prove(system, replace(law, level=level), effort=effort)
         yield verdict
         if not verdict:
             return
@@ -121,7 +121,7 @@ def _proofs_by_quadrature(
 
 def _with_density(
     existence: MeasureExistence,
-    rolling: Rolling,
+    rolling: RollingBody,
     powers: Powers,
     levels_tried: tuple[Level, ...],
     effort: int,
@@ -137,22 +137,22 @@ def _with_density(
         meaning="density that depends on the configuration alone",
     )
     for level in levels_tried:
-        again = replace(law, on=level)
+        again = replace(law, level=level)
         verdict = prove(system, again, effort=max(effort // SHARE, 1))
         if verdict:
             return replace(
                 existence, density=again, system=system, verdicts=(*existence.verdicts, verdict)
             )
-    return replace(existence, density=replace(law, on=levels_tried[-1]), system=system)
+    return replace(existence, density=replace(law, level=levels_tried[-1]), system=system)
 
 
 def _with_quadrature(
-    existence: MeasureExistence, rolling: Rolling, form: OneForm, level: Level, effort: int
+    existence: MeasureExistence, rolling: RollingBody, form: OneForm, level: Level, effort: int
 ) -> MeasureExistence:
     """The measure with a closed 1-form whose density has no closed form."""
     if rolling.body.shape.has_flat_face:
         # Lying flat is outside the domain, which is a sphere without its poles.
-        turned = prove(form.system, replace(form.period, on=level), effort=effort)
+        turned = prove(form.system, replace(form.period, level=level), effort=effort)
         existence = replace(existence, verdicts=(*existence.verdicts, turned))
         if not turned:
             return replace(

@@ -11,7 +11,7 @@ from flowlanes.errors import InputError
 from .validation import value_text
 
 #: A number, numbers in brackets, or rows of them.
-Setting: TypeAlias = float | tuple[float, ...] | tuple[tuple[float, ...], ...]
+ParameterValue: TypeAlias = float | tuple[float, ...] | tuple[tuple[float, ...], ...]
 
 
 def given_numbers(value: object, expectation: str) -> float | tuple[float, ...]:
@@ -37,7 +37,7 @@ def given_numbers(value: object, expectation: str) -> float | tuple[float, ...]:
     return finite if isinstance(value, list | tuple) else finite[0]
 
 
-def given_rows(value: object, expectation: str) -> Setting:
+def given_rows(value: object, expectation: str) -> ParameterValue:
     """A number, numbers in brackets, or rows of them.
 
     Raises

@@ -535,7 +535,7 @@ def _integrals(
         where = [read_condition(names, text, *key, "where") for text in table.where]
         if fulfilled(where, values):
             value = names.scalar(table.value, *key)
-            law = Integral(name, value, table.meaning or name, table.unit, on=on)
+            law = Integral(name, value, table.meaning or name, table.unit, level=on)
             found.append(replace(law, source=table.source))
     return tuple(found)
 

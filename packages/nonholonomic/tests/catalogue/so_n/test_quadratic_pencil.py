@@ -386,7 +386,7 @@ def test_laws_carry_their_level() -> None:
     x = real_symbol("x")
     zero = sp.zeros(3)
     laws = QuadraticPencil(zero, zero, sp.diag(1, 2, 3)).integrals(on=(x,))
-    assert all(isinstance(law, Integral) and law.on == (x,) for law in laws)
+    assert all(isinstance(law, Integral) and law.level == (x,) for law in laws)
 
 
 @pytest.mark.parametrize(

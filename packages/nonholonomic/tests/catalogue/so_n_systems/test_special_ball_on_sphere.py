@@ -11,7 +11,7 @@ import sympy as sp
 
 from flowlanes.formulas.array_evaluation import values
 from flowlanes.system.laws import ConformallyHamiltonian, Measure
-from lawproof.proof.prover import prove
+from lawproof.proof.prover import prove, prove_all
 from nonholonomic.catalogue import from_catalogue
 
 NAME = "special-rubber-ball-on-sphere-nd"
@@ -43,13 +43,13 @@ def test_the_equations_are_those_of_the_ball_with_these_moments(a):
 def test_every_law_is_proven(n):
     ball = from_catalogue(NAME, dimension=n)
     assert len(ball.laws) == n + 4
-    assert {verdict.decision for verdict in prove(ball)} == {"proven"}
+    assert {verdict.decision for verdict in prove_all(ball)} == {"proven"}
 
 
 def test_slips_are_refuted():
     ball = from_catalogue(NAME, dimension=3)
     laws = {law.name: law for law in ball.laws}
-    anywhere = replace(laws["quadratic1"], on=())
+    anywhere = replace(laws["quadratic1"], level=())
     assert prove(ball, anywhere).decision == "refuted"
     measure = laws["measure"]
     (base, exponent) = measure.density[0]

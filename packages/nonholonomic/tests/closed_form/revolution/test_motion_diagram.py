@@ -13,7 +13,7 @@ from nonholonomic.closed_form.revolution.motion_diagram import (
     diagram_of_body_of_revolution,
 )
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shape_base import Shape
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk
@@ -22,7 +22,7 @@ from nonholonomic.mechanics.shapes.shapes import Ball, Disk
 def problem(
     shape: Shape, omega: tuple[float, float, float], gamma: tuple[float, float, float], g: float
 ) -> Problem:
-    rolling = Rolling(Body(1.0, (0.25, 0.25, 0.5), shape), contact="rubber", field=Forces(g))
+    rolling = RollingBody(Body(1.0, (0.25, 0.25, 0.5), shape), contact="rubber", field=Forces(g))
     system = rolling.system()
     start = tuple(initial_state(system, omega, gamma))
     return Problem(system, system.defaults, start, rolling)
@@ -58,7 +58,7 @@ def test_without_weight_or_spin_the_diagram_has_a_scale() -> None:
 
 
 def test_what_is_no_rubber_body_of_revolution() -> None:
-    rolling = Rolling(Body(1.0, (0.25, 0.3, 0.5), Ball(1.0)), contact="rubber")
+    rolling = RollingBody(Body(1.0, (0.25, 0.3, 0.5), Ball(1.0)), contact="rubber")
     system = rolling.system()
     start = tuple(initial_state(system, (0.0, 1.0, 0.0), (1.0, 0.0, 0.0)))
     assert diagram_of_body_of_revolution(Problem(system, system.defaults, start, rolling)) is None

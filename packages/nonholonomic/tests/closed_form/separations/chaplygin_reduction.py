@@ -215,7 +215,7 @@ def _still() -> tuple[Law, ...]:
         "clock": (
             "clock and M′ at zero area constant",
             [
-                separable.clock - _at_zero(zero.clock * (1 + b * D * SPIN)),
+                separable.time_rescaling - _at_zero(zero.clock * (1 + b * D * SPIN)),
                 *to_components(MOMENTUM - _at_zero(dict(zero.state)[M])),
             ],
         ),

@@ -43,7 +43,7 @@ def test_exchanged_weights_are_refuted():
 
 def test_without_the_level_is_refuted():
     (flow,) = (law for law in SEPARABLE.laws if law.name == "flow")
-    assert prove(SEPARABLE.system, replace(flow, on=())).decision == "refuted"
+    assert prove(SEPARABLE.system, replace(flow, level=())).decision == "refuted"
 
 
 @pytest.mark.parametrize("weights", WEIGHTS)

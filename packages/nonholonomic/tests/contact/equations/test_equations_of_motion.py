@@ -12,7 +12,7 @@ import sympy as sp
 from contact.dense_motion import accelerations, random_state, rotation
 from evaluation import numeric
 from flowlanes.system.vectors import real_symbol
-from nonholonomic.contact.equations.equations_of_motion import JAM, equations_of_motion
+from nonholonomic.contact.equations.equations_of_motion import JAM, contact_equations
 from nonholonomic.contact.equations.situation import FrictionalContact
 from nonholonomic.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from nonholonomic.contact.friction.modes import FLIGHT, Mode
@@ -41,11 +41,11 @@ def state_of(system, y, gamma):
 
 def test_all_modes_have_the_same_columns():
     columns = {
-        equations_of_motion(FrictionalContact(BALL, laws=LAWS, field=GRAVITY), mode).symbols
+        contact_equations(FrictionalContact(BALL, laws=LAWS, field=GRAVITY), mode).symbols
         for mode in (*MODES, Mode(sliding=False, spinning=False, rolling=False))
     }
     (names,) = columns
-    flight = equations_of_motion(FrictionalContact(BALL, laws=LAWS, field=GRAVITY), FLIGHT)
+    flight = contact_equations(FrictionalContact(BALL, laws=LAWS, field=GRAVITY), FLIGHT)
     assert flight.symbols == (*names, height)
     assert [str(s) for s in names[4:]] == [
         *(f"position_{i}" for i in (1, 2, 3)),
@@ -60,12 +60,12 @@ def test_all_modes_have_the_same_columns():
 
 def test_a_turning_support_does_work():
     situation = FrictionalContact(BALL, Plane(turntable=1.0), LAWS, GRAVITY)
-    assert "work_support" in map(str, equations_of_motion(situation, Mode()).symbols)
+    assert "work_support" in map(str, contact_equations(situation, Mode()).symbols)
 
 
 def test_an_implicit_shape_is_placed_by_its_contact_vector():
     body = Body(0.7, (0.3, 0.4, 0.5), Implicit(X**2 + 2 * Y**2 + Z**2 - 1))
-    system = equations_of_motion(FrictionalContact(body, laws=LAWS, field=GRAVITY), Mode())
+    system = contact_equations(FrictionalContact(body, laws=LAWS, field=GRAVITY), Mode())
     assert [str(s) for s in system.symbols[13:16]] == ["r_1", "r_2", "r_3"]
 
 
@@ -95,12 +95,12 @@ def test_an_implicit_shape_is_placed_by_its_contact_vector():
     ],
 )
 def test_guards_of_a_mode(laws, mode, names):
-    system = equations_of_motion(FrictionalContact(BALL, laws=laws, field=GRAVITY), mode)
+    system = contact_equations(FrictionalContact(BALL, laws=laws, field=GRAVITY), mode)
     assert {guard.name for guard in system.guards} == names
 
 
 def test_billiard_ball_slides_along_a_parabola():
-    system = equations_of_motion(FrictionalContact(BALL, laws=LAWS, field=GRAVITY), Mode())
+    system = contact_equations(FrictionalContact(BALL, laws=LAWS, field=GRAVITY), Mode())
     sliding = numeric(system, [*system.rates, real_symbol("N")])
     identity, omega = np.array([1.0, 0, 0, 0]), np.array([0.3, -0.8, 0.5])
     y = np.concatenate([identity, [0, 0, 0.9], [1.2, -0.4, 0], omega])
@@ -123,7 +123,7 @@ def test_a_potential_keeps_the_balance_of_energy():
     field = Forces(gravity=2.0, potential=gamma[0] * gamma[1] / 2 + gamma[2] ** 2 / 4)
     body = Body(0.7, (0.3, 0.4, 0.5), Ball(0.9, centre=(0.1, 0.2, -0.1)))
     situation = FrictionalContact(body, laws=LAWS, field=field)
-    system = equations_of_motion(situation, Mode())
+    system = contact_equations(situation, Mode())
     rates = numeric(system, system.rates)
     balance = numeric(system, [system.integrals[0].value])
     random = np.random.default_rng(2)
@@ -149,7 +149,7 @@ def test_the_guard_against_the_paradox_is_the_answer_to_a_unit_of_normal_force(m
     body = Body(0.7, (0.05, 0.06, 0.07), Ellipsoid((1.0, 0.4, 0.6), centre=(0.1, 0.2, -0.1)))
     laws = (Coulomb(2.5), SpinFriction(0.05))
     light, heavy = (FrictionalContact(body, laws=laws, field=Forces(gravity=g)) for g in (2.0, 3.0))
-    system = equations_of_motion(light, mode)
+    system = contact_equations(light, mode)
     guard = next(g.value for g in system.guards if g.name == "paradox")
     value = numeric(system, [guard])
     random = np.random.default_rng(4)
@@ -172,7 +172,7 @@ def test_the_guard_against_the_paradox_is_the_answer_to_a_unit_of_normal_force(m
 
 def test_rest_needs_no_motion():
     situation = FrictionalContact(BALL, laws=LAWS, field=GRAVITY)
-    system = equations_of_motion(situation, Mode(sliding=False, spinning=False, rolling=False))
+    system = contact_equations(situation, Mode(sliding=False, spinning=False, rolling=False))
     assert all(rate == 0 for rate in system.rates)
     wanted = {item.name: item.value for item in system.observables}
     found = numeric(system, [wanted["normal_force"], wanted["power_lost"]])
@@ -184,7 +184,7 @@ def test_rest_needs_no_motion():
 @pytest.mark.parametrize("surface", [Plane(), Sphere(3.0), Sphere(3.0, side="inside")])
 def test_the_gap_of_a_body_in_flight(surface):
     situation = FrictionalContact(BALL, surface, LAWS, GRAVITY)
-    system = equations_of_motion(situation, FLIGHT)
+    system = contact_equations(situation, FLIGHT)
     value = next(item.value for item in system.observables if item.name == "gap")
     gap = numeric(system, [value])
     random = np.random.default_rng(6)

@@ -10,7 +10,7 @@ import sympy as sp
 
 from contact.dense_motion import Motion, accelerations, random_state, rotation
 from flowlanes.system.vectors import to_components
-from nonholonomic.contact.equations.equations_of_motion import equations_of_motion
+from nonholonomic.contact.equations.equations_of_motion import contact_equations
 from nonholonomic.contact.equations.situation import FrictionalContact
 from nonholonomic.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from nonholonomic.contact.friction.modes import FLIGHT, Mode
@@ -82,7 +82,7 @@ def machine(body, surface, mode):
     """A situation, its system, and everything of interest as a function of state and parameters."""
     laws, kind = MODES[mode]
     situation = FrictionalContact(BODIES[body], SURFACES[surface], laws, Forces(gravity=1.7))
-    system = equations_of_motion(situation, kind)
+    system = contact_equations(situation, kind)
     wanted = {f"rate of {i}": rate for i, rate in enumerate(system.rates)}
     wanted |= {item.name: to_components(item.value) for item in system.observables}
     wanted |= {"balance": to_components(system.integrals[0].value)}

@@ -22,7 +22,7 @@ from nonholonomic.contact import (
     Viscous,
     ViscousRolling,
 )
-from nonholonomic.contact.equations.equations_of_motion import equations_of_motion
+from nonholonomic.contact.equations.equations_of_motion import contact_equations
 from nonholonomic.contact.equations.structure import SharedEquations
 from nonholonomic.contact.friction.modes import Mode
 from nonholonomic.contact.motion import contact_motion
@@ -101,9 +101,7 @@ def test_equations_are_shared_but_for_their_parameters(name: str) -> None:
     assert SharedEquations(other) == SharedEquations(situation)
     coupled = any(isinstance(law, ContensouErismann) for law in situation.laws)
     mode = Mode(sliding=not situation.never_slips, range="outer" if coupled else "")
-    assert formulas(equations_of_motion(other, mode)) == formulas(
-        equations_of_motion(situation, mode)
-    )
+    assert formulas(contact_equations(other, mode)) == formulas(contact_equations(situation, mode))
 
 
 def test_what_changes_the_equations() -> None:

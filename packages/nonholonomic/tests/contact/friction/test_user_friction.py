@@ -17,7 +17,7 @@ from evaluation import numeric
 from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.vectors import real_symbol, to_components
-from nonholonomic.contact.equations.equations_of_motion import equations_of_motion
+from nonholonomic.contact.equations.equations_of_motion import contact_equations
 from nonholonomic.contact.equations.situation import FrictionalContact
 from nonholonomic.contact.friction.dry_friction import Coulomb, SpinFriction
 from nonholonomic.contact.friction.modes import Mode
@@ -108,7 +108,7 @@ def test_limits_at_rest():
         (UserFriction("0.3*slip_speed", couple="0.1*spin"), set(), set()),
         (UserFriction("0.3*slip_speed", couple="0.1"), {"spin stop"}, {"spin stop"}),
     ],
-    ids=lambda x: x.words if isinstance(x, UserFriction) else "",
+    ids=lambda x: x.description if isinstance(x, UserFriction) else "",
 )
 def test_guards(law, sliding, held):
     assert {guard.name for guard in law.guards(Mode())} == sliding
@@ -216,7 +216,7 @@ def pressed_state(contact, system, mode, random):
 )
 def test_force_that_depends_on_the_normal_force(mode):
     contact = FrictionalContact(LOADED, laws=(HERSEY,), field=Forces(gravity=GRAVITY))
-    system = equations_of_motion(contact, mode)
+    system = contact_equations(contact, mode)
     (guard,) = (guard.value for guard in system.guards if guard.name == "normal force")
     found = numeric(system, [*system.rates[10:13], real_symbol("N"), guard])
     random = np.random.default_rng(8)
@@ -236,7 +236,7 @@ def test_force_that_depends_on_the_normal_force(mode):
 @pytest.mark.slow
 def test_the_answer_to_a_unit_of_normal_force_knows_of_the_dependence():
     contact = FrictionalContact(LOADED, laws=(HERSEY,), field=Forces(gravity=GRAVITY))
-    system = equations_of_motion(contact, Mode())
+    system = contact_equations(contact, Mode())
     heavier = {real_symbol("g"): GRAVITY + 1e-4}
     lighter = {real_symbol("g"): GRAVITY - 1e-4}
     _, _, state = pressed_state(contact, system, Mode(), np.random.default_rng(3))
@@ -252,7 +252,7 @@ def test_the_integrator_of_the_package_follows_stribeck():
         laws=(STRIBECK,),
         field=Forces(gravity=GRAVITY),
     )
-    system = equations_of_motion(contact, Mode())
+    system = contact_equations(contact, Mode())
     first, rate = 1.2, 3.5 * GRAVITY * 0.2 / 0.1
     state = np.zeros(len(system.symbols))
     state[[0, 6, 7, 15]] = 1.0, 0.9, first, 1.0
@@ -314,5 +314,5 @@ def test_a_contact_slips_where_static_friction_ends():
         values = held.outputs(event.before)
         size = np.linalg.norm(values["friction_force"])
         assert size == pytest.approx(0.125 * values["normal_force"], rel=1e-10)
-    balance = motion.observables()["energy"] + motion.states[:, 16:].sum(axis=1)
+    balance = motion["energy"] + motion.states[:, 16:].sum(axis=1)
     np.testing.assert_allclose(balance, balance[0], atol=1e-12)

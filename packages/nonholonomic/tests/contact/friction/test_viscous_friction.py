@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 from contact.friction_formulas import ContactState
 from contact.law_values import law_values, random_contact_state
 from evaluation import numeric
-from nonholonomic.contact.equations.equations_of_motion import equations_of_motion
+from nonholonomic.contact.equations.equations_of_motion import contact_equations
 from nonholonomic.contact.equations.situation import FrictionalContact
 from nonholonomic.contact.friction.modes import Mode
 from nonholonomic.contact.friction.viscous_friction import NormalViscous, PowerFriction
@@ -25,7 +25,7 @@ BALL = Body(0.7, (0.4 * 0.7 * 0.81,) * 3, Ball(0.9))
 def slip_of_ball(law, first, times):
     """The slip of a ball that slides straight on, by an integrator of SciPy's."""
     contact = FrictionalContact(BALL, laws=(law,), field=Forces(gravity=GRAVITY))
-    system = equations_of_motion(contact, Mode())
+    system = contact_equations(contact, Mode())
     rates = numeric(system, system.rates)
     state = np.zeros(len(system.symbols))
     state[[0, 6, 7, 15]] = 1.0, 0.9, first, 1.0

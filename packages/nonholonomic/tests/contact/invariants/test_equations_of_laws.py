@@ -13,7 +13,7 @@ from flowlanes.formulas.array_evaluation import values
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import System
 from nonholonomic.contact import ContensouErismann, Coulomb, FrictionLaw, NormalViscous, Viscous
-from nonholonomic.contact.equations.equations_of_motion import equations_of_motion
+from nonholonomic.contact.equations.equations_of_motion import contact_equations
 from nonholonomic.contact.equations.situation import FrictionalContact
 from nonholonomic.contact.friction.modes import Mode
 from nonholonomic.contact.friction.symbols import couple, reaction
@@ -28,7 +28,7 @@ def system_of(law: FrictionLaw) -> System:
     contact = FrictionalContact(
         TOP, nonholonomic.Plane(), (law,), nonholonomic.Forces(gravity=9.81)
     )
-    return equations_of_motion(contact, Mode(range="outer"))
+    return contact_equations(contact, Mode(range="outer"))
 
 
 def random_state(seed: int) -> tuple[FloatArray, FloatArray]:

@@ -43,7 +43,7 @@ def test_a_wrong_sign_in_jellett_is_refuted_at_a_rational_point() -> None:
     omega, r = Vector("omega"), Vector("r")
     mirrored = 2 * real_symbol("c_3") * constant([0, 0, 1]) - r
     # (Iω, Rγ + c e) for (Iω, Rγ − c e)
-    wrong = Integral("wrong", dot(Diagonal("I") * omega, mirrored), on=jellett(TOP).on)
+    wrong = Integral("wrong", dot(Diagonal("I") * omega, mirrored), level=jellett(TOP).level)
     verdict = lawproof.prove(free_contact(TOP), wrong)
     assert verdict.decision == "refuted"
     assert verdict.witness is not None

@@ -20,7 +20,7 @@ def test_the_rolling_body_of_the_package_has_no_normal_force() -> None:
     moment = float(BALL.moment)
     body = nonholonomic.Body(1.0, (moment,) * 3, nonholonomic.Ball(1.0, centre=(0.0, 0.0, 0.7)))
     motion = flowlanes.integrate(
-        nonholonomic.roll(body, field=nonholonomic.Forces(gravity=float(BALL.gravity))),
+        nonholonomic.rolling_system(body, field=nonholonomic.Forces(gravity=float(BALL.gravity))),
         {"omega": (-1.0, 0.0, -1.0), "gamma": (0.6, 0.0, 0.8)},
         [0.0, 1e-6],
         on_liftoff="warn",

@@ -41,6 +41,6 @@ def test_the_slip_of_a_full_ball_falls_at_seven_halves_mu_g(factor: sp.Rational)
     """Coriolis: 2|u|/(7μg) to the end, with I = 2mR²/5."""
     system = nonholonomic.from_catalogue("sliding-ball")
     solid = (ball.inertia - sp.Rational(2, 5) * ball.m * ball.R**2,)
-    law = Identity("rate", Rate(ball.slip_speed) + factor * ball.mu * ball.g, on=solid)
+    law = Identity("rate", Rate(ball.slip_speed) + factor * ball.mu * ball.g, level=solid)
     right = factor == sp.Rational(7, 2)
     assert lawproof.prove(system, law).decision == ("proven" if right else "refuted")

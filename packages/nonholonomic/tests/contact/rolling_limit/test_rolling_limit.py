@@ -59,7 +59,7 @@ def test_the_layer_ends_slip_and_keeps_the_momentum_about_the_contact(spinning: 
 def test_the_limit_is_the_rolling_body_of_the_package(share: float) -> None:
     family = ViscousContact(LOADED, start(LOADED, SLIP), (100.0, 200.0), share, FIELD)
     begin = start_of_limit(LOADED, family.state, spinning=not share)
-    body = nonholonomic.roll(LOADED, contact="rubber" if share else "marble", field=FIELD)
+    body = nonholonomic.rolling_system(LOADED, contact="rubber" if share else "marble", field=FIELD)
     known = {"omega": list(begin[10:13]), "gamma": list(begin[13:16])}
     motion = flowlanes.integrate(body, known, [0.0, 0.5, 1.0])
     found = family.limit(np.array([0.5, 1.0]))

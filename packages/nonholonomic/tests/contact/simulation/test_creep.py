@@ -98,7 +98,7 @@ def test_sliding_begins_gently_under_a_power(order: float, nu: float) -> None:
     assert motion.events[0].time == pytest.approx(begin, abs=1e-12)
     x, _, z = motion.end_state[4:7]
     assert math.atan2(x, z) == pytest.approx(angle, abs=2e-10)
-    values = motion.observables()
+    values = motion
     assert np.linalg.norm(values["velocity"][-1]) == pytest.approx(v, abs=1e-9)
     assert np.linalg.norm(values["slip"][-1]) == pytest.approx(slip, abs=1e-9)
 
@@ -148,10 +148,10 @@ def test_a_slip_that_dies_away_gently_ends_where_friction_can_hold() -> None:
     assert "stick" in [event.kind for event in motion.events]
     for event in motion.events:
         if event.kind == "stick":
-            held = contact_motion(contact, event.after, [0.0, 1e-9]).observables()
+            held = contact_motion(contact, event.after, [0.0, 1e-9])
             force = np.linalg.norm(held["friction_force"][0])
             assert force <= 0.413 * held["normal_force"][0] * (1 + 1e-9)
-    energies = motion.observables()["energy"] + motion.states[:, 16:].sum(axis=1)
+    energies = motion["energy"] + motion.states[:, 16:].sum(axis=1)
     assert np.ptp(energies) < 1e-12 * abs(energies[0])
 
 
@@ -162,4 +162,4 @@ def test_a_slip_begins_from_zero_without_dry_friction() -> None:
     )
     motion = contact_motion(contact, rolling_on_the_dome(0.3), [0.0, 0.2])
     assert motion.reason == ""
-    assert np.linalg.norm(motion.observables()["slip"][-1]) > 1e-3
+    assert np.linalg.norm(motion["slip"][-1]) > 1e-3

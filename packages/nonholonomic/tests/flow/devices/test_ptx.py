@@ -12,6 +12,7 @@ from flowlanes.flow.devices.graphics_text import ENTRY, thread_loop
 from flowlanes.flow.devices.ptx import ARCHITECTURE, cached_ptx, compile_ptx
 from flowlanes.flow.kernel.equations import Equations, equations_of, poincare_section
 from flowlanes.flow.kernel.tableaux import arithmetic_and_method
+from flowlanes.system.tolerance import Precision
 from needs import optional
 from nonholonomic.catalogue import CATALOGUE, from_catalogue
 
@@ -53,9 +54,9 @@ def registers(text: str) -> int:
     return int(number)
 
 
-def ptx_of(equations: Equations, digits: int = 16) -> str:
+def ptx_of(equations: Equations, precision: Precision = "double") -> str:
     """The loop over motions for some equations."""
-    return compile_ptx(thread_loop(*arithmetic_and_method(digits, 1e-13), equations))
+    return compile_ptx(thread_loop(*arithmetic_and_method(precision, 1e-13), equations))
 
 
 def require_sound(ptx: str, folder: Path) -> int:
@@ -94,11 +95,11 @@ def test_a_deviation_is_assembled(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("deviations", "digits"), [(2, 16), (6, 16), (0, 30)])
-def test_large_states_are_assembled(deviations: int, digits: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("deviations", "precision"), [(2, "double"), (6, "double"), (0, "quad")])
+def test_large_states_are_assembled(deviations: int, precision: Precision, tmp_path: Path) -> None:
     """Their sums need more registers than there are: some spill, as docs/engine.md says."""
     equations = equations_of(from_catalogue("chaplygin-ball"), deviations, None, False)
-    assert 0 < require_sound(ptx_of(equations, digits), tmp_path) < 8000
+    assert 0 < require_sound(ptx_of(equations, precision), tmp_path) < 8000
 
 
 def test_spills_are_noticed(tmp_path: Path) -> None:

@@ -169,7 +169,7 @@ def test_directions(direction: int, right: list[float]) -> None:
 def test_backward_the_same_crossings_come_in_the_other_order(direction: int) -> None:
     """A crossing keeps its direction, which is that of time."""
     ahead = crossings(direction).crossings([[0.0, 1.0]], 3)
-    behind = crossings(direction, backward=True).crossings([[0.0, 1.0]], 3, until=-100.0)
+    behind = crossings(direction, backward=True).crossings([[0.0, 1.0]], 3, t_end=-100.0)
     right = sorted([RISE - TURN * k for k in range(1, 4)] + [FALL - TURN * k for k in range(1, 4)])
     keep = {1: right[0::2], -1: right[1::2], 0: right}[direction]
     np.testing.assert_allclose(behind.times[0], keep[::-1][:3], atol=1e-11)
@@ -206,7 +206,7 @@ def test_angles_go_on_beyond_a_turn() -> None:
     rising = batch_integrator(
         TURNING, section=poincare_section(TURNING, x, 1.0, direction=1, angle=True)
     )
-    found = rising.crossings([[0.5, 0.5]], 2, {"p": -2.0}, until=20.0)
+    found = rising.crossings([[0.5, 0.5]], 2, {"p": -2.0}, t_end=20.0)
     assert found.counts.tolist() == [0]
     assert found.outcome.tolist() == [OVER]
 
@@ -214,7 +214,7 @@ def test_angles_go_on_beyond_a_turn() -> None:
 def test_what_is_not_reached() -> None:
     """A section that is not crossed, or only touched, ends with the time."""
     cut = batch_integrator(OSCILLATOR, section=poincare_section(OSCILLATOR, x, 2.0))
-    found = cut.crossings([[0.0, 1.0], [2.0, 0.0], [3.0, 0.0], [np.nan, 0.0]], 3, until=15.0)
+    found = cut.crossings([[0.0, 1.0], [2.0, 0.0], [3.0, 0.0], [np.nan, 0.0]], 3, t_end=15.0)
     assert found.counts.tolist() == [0, 0, 2, 0]
     assert found.outcome.tolist() == [OVER, OVER, OVER, NOT_A_NUMBER]
     assert found.end_times.tolist() == [15.0, 15.0, 15.0, 0.0]
@@ -248,7 +248,7 @@ def test_crossings_of_a_body_against_the_reference(name: str) -> None:
     cut = batch_integrator(
         ball, tolerance=1e-14, section=poincare_section(ball, "gamma_3", direction=-1)
     )
-    found = cut.crossings(states, 3, until=40.0)
+    found = cut.crossings(states, 3, t_end=40.0)
     crossed = np.flatnonzero(found.counts == 3)
     assert crossed.size >= 2
     for start, times, points in zip(
@@ -277,7 +277,7 @@ def test_no_pair_of_crossings_is_missed(apart: float, side: int) -> None:
     flow = batch_integrator(OSCILLATOR, section=Section(x - level, 0), tolerance=1e-11)
     phases = np.linspace(0.3, 5.9, 101) + (0.0 if side > 0 else np.pi)
     first = np.stack([np.cos(phases), np.sin(phases)], axis=1)
-    found = flow.crossings(first, 4 * turns, until=2 * np.pi * turns)
+    found = flow.crossings(first, 4 * turns, t_end=2 * np.pi * turns)
     assert (found.counts == 2 * turns).all()
     times = found.times[:, : 2 * turns].reshape(101, turns, 2)
     np.testing.assert_allclose(np.diff(times, axis=2), 2 * half, rtol=0.05)
@@ -287,18 +287,18 @@ def test_no_pair_of_crossings_is_missed(apart: float, side: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("digits", "deviations"),
-    [(16, 0), (16, 1), (30, 0), pytest.param(30, 1, marks=pytest.mark.slow)],
+    ("precision", "deviations"),
+    [("double", 0), ("double", 1), ("quad", 0), pytest.param("quad", 1, marks=pytest.mark.slow)],
 )
 def test_bits_do_not_depend_on_the_width(
-    monkeypatch: pytest.MonkeyPatch, digits: Any, deviations: int
+    monkeypatch: pytest.MonkeyPatch, precision: Any, deviations: int
 ) -> None:
     """Four, eight or sixteen lanes; with failures among them, at times and on a section."""
     first = np.random.default_rng(6).uniform(0.5, 1.0, (21, 4))
     first[4, 2:] *= 30
     tangent = np.ones((21, deviations, 4)) if deviations else None
     planet = replace(KEPLER, guards=(Guard("near", 10 - x, "it is far"),))
-    options = {"tolerance": 1e-12, "digits": digits, "deviations": deviations}
+    options = {"tolerance": 1e-12, "precision": precision, "deviations": deviations}
     cut = poincare_section(planet, "x*u + y*v", direction=0)
     found = set()
     for width in (4, 8, 16):
@@ -306,18 +306,18 @@ def test_bits_do_not_depend_on_the_width(
         # past the memory of what has been made
         made = unwrap(batch_integrator)(planet, **options)
         results: list[Any] = [made.propagate(first, [0.5, 1.0], deviations=tangent)]
-        if digits == 16:
+        if precision == "double":
             crossed = unwrap(batch_integrator)(planet, section=cut, **options)
-            results.append(crossed.crossings(first, 1, until=3.0, deviations=tangent))
+            results.append(crossed.crossings(first, 1, t_end=3.0, deviations=tangent))
         arrays = [a for result in results for a in vars(result).values() if a is not None]
         found.add(b"".join(a.tobytes() for a in arrays))
         assert set(results[0].outcome) == {0, len(STATUS_MESSAGES)}
     assert len(found) == 1
 
 
-@pytest.mark.parametrize(("digits", "until"), [(16, 2.0), (30, 0.05)])
+@pytest.mark.parametrize(("precision", "until"), [("double", 2.0), ("quad", 0.05)])
 def test_bits_do_not_depend_on_the_instruction_sets(
-    monkeypatch: pytest.MonkeyPatch, digits: Any, until: float
+    monkeypatch: pytest.MonkeyPatch, precision: Any, until: float
 ) -> None:
     """As on processors without AVX-512, and without fused operations and AVX."""
     ball, first = body("unbalanced-ball"), starts("unbalanced-ball", 11)
@@ -325,7 +325,7 @@ def test_bits_do_not_depend_on_the_instruction_sets(
     for left_out in ((), ("avx512",), ("avx", "f16c", "fma", "vaes", "vpclmul", "xop")):
         sets = native.instruction_sets(*left_out)
         monkeypatch.setattr(native, "host", lambda sets=sets: sets)
-        flow = unwrap(batch_integrator)(ball, digits=digits, tolerance=1e-12)
+        flow = unwrap(batch_integrator)(ball, precision=precision, tolerance=1e-12)
         found.add(flow.propagate(first, [until]).states.tobytes())
         used.add(sets)
     assert len(found) == 1
@@ -382,7 +382,7 @@ def test_a_fine_tolerance_reaches_the_last_digits() -> None:
     right, fine, usual = (
         batch_integrator(KEPLER, **options).propagate(first, [40.0]).states[:, 0]
         for options in (
-            {"tolerance": 1e-20, "digits": 30},
+            {"tolerance": 1e-20, "precision": "quad"},
             {"tolerance": 2e-16},
             {"tolerance": 1e-15},
         )

@@ -203,12 +203,14 @@ def test_every_option_is_other_code(folder: Path) -> None:
 
 
 def test_what_is_held_is_part_of_the_key(folder: Path) -> None:
-    held = _compiled_integrator.__wrapped__(OSCILLATOR, 16, False, ("energy",))
-    free = _compiled_integrator.__wrapped__(OSCILLATOR, 16, False, ())
+    held = _compiled_integrator.__wrapped__(OSCILLATOR, "double", False, ("energy",))
+    free = _compiled_integrator.__wrapped__(OSCILLATOR, "double", False, ())
     assert not held.code.from_cache
     assert not free.code.from_cache
     laws = (replace(OSCILLATOR.laws[0], value=2 * OSCILLATOR.laws[0].value),)
-    other = _compiled_integrator.__wrapped__(replace(OSCILLATOR, laws=laws), 16, False, ("energy",))
+    other = _compiled_integrator.__wrapped__(
+        replace(OSCILLATOR, laws=laws), "double", False, ("energy",)
+    )
     assert not other.code.from_cache
 
 

@@ -15,8 +15,8 @@ import pytest
 import xarray as xr
 
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.computation import compute
-from flowlanes.flow.ensemble.task import Task
+from flowlanes.flow.ensembles.computation import compute
+from flowlanes.flow.ensembles.task import Task
 from flowlanes.flow.kernel.equations import poincare_section
 from flowlanes.flow.sampling.level_sampler import sample_level
 from flowlanes.flow.sections import poincare_dataset as section_points
@@ -26,7 +26,7 @@ from flowlanes.system.vectors import to_components
 from nonholonomic.catalogue import entry
 
 BALL = entry("unbalanced-ball").system({})
-RETURNS = PoincareMap(BALL, poincare_section(BALL, "gamma_3"), until=400.0)
+RETURNS = PoincareMap(BALL, poincare_section(BALL, "gamma_3"), t_end=400.0)
 M, GAMMA = (to_components(name) for name in BALL.state)
 AREA = Quantity("area", M.dot(GAMMA), "area integral", "kg m^2/s")
 

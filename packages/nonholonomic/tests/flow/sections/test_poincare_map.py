@@ -184,7 +184,7 @@ def test_the_dimension_counts_what_is_kept() -> None:
 
 
 def test_a_section_of_the_section() -> None:
-    back = map_of("unbalanced-ball", until=1e4)
+    back = map_of("unbalanced-ball", t_end=1e4)
     (start, *_) = back(starts("unbalanced-ball"))
     first, second = to_components(back.system.state[1])[0], to_components(back.system.state[0])[1]
     thin = back.within(second, 0.2)
@@ -202,7 +202,7 @@ def test_a_section_of_the_section() -> None:
 
 @pytest.mark.slow
 def test_what_does_not_return_is_told() -> None:
-    back = map_of("unbalanced-ball", until=1e-3)
+    back = map_of("unbalanced-ball", t_end=1e-3)
     image = back(starts("unbalanced-ball"))
     assert np.isnan(image).all()
     crossed = back.crossings(starts("unbalanced-ball"), 1)

@@ -10,19 +10,15 @@ from flowlanes.flow.integrator import integrate
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.vector_operators import gradient
 from flowlanes.system.vectors import Vector
-from lawproof.proof.prover import prove
+from lawproof.proof.prover import prove, prove_all
 from mechanics.balls import SURFACES, on
-from nonholonomic.mechanics.ball.equations import (
-    ball_parameters,
-    centre_surface,
-    equations_of_motion,
-)
+from nonholonomic.mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
 from nonholonomic.mechanics.ball.initial_state import ball_state
 from nonholonomic.mechanics.ball.mechanism import ball_mechanism
 from nonholonomic.mechanics.ball.surface import FlatSurface, ImplicitSurface, SphericalSurface
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
@@ -46,8 +42,8 @@ def test_the_equations_follow_from_the_lagrangian(contact):
     surface = R.symbols[0] ** 4 + R.symbols[1] ** 2 + R.symbols[2] ** 2 - 1
     potential = R.symbols[0] * R.symbols[2]
     numbers = ball_parameters(1.0, 0.4, 1.0)
-    derived = equations(ball_mechanism(contact, surface, potential, numbers))
-    closed = equations_of_motion(contact, centre_surface(surface), -gradient(potential, R), numbers)
+    derived = equations_of_motion(ball_mechanism(contact, surface, potential, numbers))
+    closed = ball_equations(contact, centre_surface(surface), -gradient(potential, R), numbers)
     same = Isomorphism("derived", closed, {s: s for s in closed.symbols})
     assert prove(derived, same).decision == "proven"
 
@@ -59,7 +55,7 @@ def test_it_moves_as_a_rolling_body_does(contact, radius):
     """On planes and spheres every body rolls, by equations in body axes derived elsewhere."""
     ground = Plane() if radius is None else Sphere.of_signed_radius(radius)
     body = Body(1.0, (0.036,) * 3, Ball(0.3))
-    rolling = roll(body, ground, contact, Forces(9.81))
+    rolling = rolling_system(body, ground, contact, Forces(9.81))
     omega = (1.0, 6.0, 0.0 if contact == "rubber" else 4.0)
     up = (0.0, 0.0, 1.0)
     start = initial_state(rolling, omega, up, normal=up)
@@ -97,14 +93,14 @@ def test_both_ways_to_give_a_surface_agree(name, side, contact):
 @pytest.mark.parametrize("name", [n for n in SURFACES if n != "waves"])
 def test_energy_and_measure_are_proven(name, carrier, contact):
     system = on(SURFACES[name], carrier=carrier, contact=contact).system()
-    assert [verdict.decision for verdict in prove(system)] == ["proven", "proven"]
+    assert [verdict.decision for verdict in prove_all(system)] == ["proven", "proven"]
 
 
 @pytest.mark.parametrize("contact", CONTACTS)
 def test_a_surface_that_is_no_polynomial_is_kept_as_an_integral(contact):
     system = on(SURFACES["waves"], contact=contact).system()
     assert len(system.relations) == (contact == "rubber")
-    assert {v.law: v.decision for v in prove(system)} == {
+    assert {v.law: v.decision for v in prove_all(system)} == {
         "energy": "proven",
         "volume": "proven",
         "surface": "proven",

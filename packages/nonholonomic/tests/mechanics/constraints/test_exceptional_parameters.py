@@ -8,7 +8,7 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.system.system import Parameter
 from flowlanes.system.vectors import real_symbol
-from nonholonomic import Ball, Body, Ellipsoid, Forces, Plane, Rolling, Sphere
+from nonholonomic import Ball, Body, Ellipsoid, Forces, Plane, RollingBody, Sphere
 from nonholonomic.mechanics.constraints.exceptional_parameters import exceptional_values
 from nonholonomic.mechanics.lagrangian.mechanism import Mechanism, coordinates
 from nonholonomic.mechanics.rolling.mechanism import rolling_mechanism
@@ -45,7 +45,7 @@ def test_planted_values(constraint, values):
 def ball(contact, radius=2.0):
     body = Body(1.0, (0.3, 0.4, 0.5), Ball(0.8))
     return rolling_mechanism(
-        Rolling(body, Sphere.of_signed_radius(radius), contact, Forces(gravity=9.81))
+        RollingBody(body, Sphere.of_signed_radius(radius), contact, Forces(gravity=9.81))
     )
 
 
@@ -64,7 +64,9 @@ def test_mistakes():
         exceptional_values(ball("rubber"), real_symbol("b"))
     body = Body(1.0, (0.3, 0.4, 0.5), Ellipsoid((1.0, 0.8, 0.6)))
     with pytest.raises(InputError, match="does not enter the constraints rationally"):
-        exceptional_values(rolling_mechanism(Rolling(body, Plane(), "marble")), real_symbol("b_1"))
+        exceptional_values(
+            rolling_mechanism(RollingBody(body, Plane(), "marble")), real_symbol("b_1")
+        )
     made = Mechanism(
         "circle",
         PLAIN,

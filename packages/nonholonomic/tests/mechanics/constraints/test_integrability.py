@@ -31,7 +31,7 @@ from nonholonomic import (
     Implicit,
     Plane,
     Revolution,
-    Rolling,
+    RollingBody,
     Sphere,
     Torus,
 )
@@ -244,7 +244,7 @@ SHAPES = {
 
 def rolling(shape, surface, contact) -> Mechanism:
     body = Body(1.0, (0.3, 0.4, 0.5), shape)
-    return rolling_mechanism(Rolling(body, surface, contact, Forces(gravity=9.81)))
+    return rolling_mechanism(RollingBody(body, surface, contact, Forces(gravity=9.81)))
 
 
 @pytest.mark.slow

@@ -10,11 +10,11 @@ import sympy as sp
 
 from flowlanes import InputError
 from flowlanes.system.vectors import real_symbol
-from nonholonomic import Ball, Body, Ellipsoid, Plane, Rolling
+from nonholonomic import Ball, Body, Ellipsoid, Plane, RollingBody
 from nonholonomic.mechanics.lagrangian.constrained_frame import constraint_distribution
 from nonholonomic.mechanics.lagrangian.generic_points import GenericPoint, generic_points
 from nonholonomic.mechanics.lagrangian.mechanism import TIME, Mechanism, coordinates
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.mechanics.rolling.mechanism import rolling_mechanism
 
 x, y, phi, m, a, J = (real_symbol(n) for n in ("x", "y", "phi", "m", "a", "J"))
@@ -37,7 +37,7 @@ def sleigh(constraint: sp.Expr = BESIDE, speed: sp.Expr = AHEAD) -> Mechanism:
 
 
 def rolling(shape: Any, model: Any) -> Mechanism:
-    return rolling_mechanism(Rolling(Body(1.1, (1.0, 1.5, 2.1), shape), Plane(), model))
+    return rolling_mechanism(RollingBody(Body(1.1, (1.0, 1.5, 2.1), shape), Plane(), model))
 
 
 MECHANISMS = {
@@ -53,7 +53,7 @@ MECHANISMS = {
 def test_equations_on_the_distribution_are_those_of_the_mechanism(name: str) -> None:
     """Ṗ_s = C^t_rs P_t y_r with P = g y, against the closed equations, at a point, 40 digits."""
     mechanism = MECHANISMS[name]()
-    made, system = constraint_distribution(mechanism), equations(mechanism)
+    made, system = constraint_distribution(mechanism), equations_of_motion(mechanism)
     count = range(len(made.velocities))
     point = dict(generic_points("test", mechanism.frame, mechanism)[0].point)
     with mpmath.workdps(50):

@@ -20,7 +20,7 @@ from flowlanes.system.vectors import (
     real_symbol,
     to_components,
 )
-from lawproof import prove
+from lawproof import prove, prove_all
 from nonholonomic.mechanics.lagrangian.mechanism import (
     TIME,
     Frame,
@@ -29,7 +29,7 @@ from nonholonomic.mechanics.lagrangian.mechanism import (
     euclidean,
     rotations,
 )
-from nonholonomic.mechanics.lagrangian.poincare_suslov import derive, equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import derive, equations_of_motion
 
 HALF = sp.Rational(1, 2)
 x, y, phi, u, v, w = (real_symbol(n) for n in ("x", "y", "phi", "u", "v", "omega"))
@@ -66,7 +66,7 @@ def sleigh_in_coordinates(offset: sp.Expr = sp.S.Zero) -> Mechanism:
 
 
 def test_sleigh_in_its_own_frame_reads_as_in_books() -> None:
-    system = equations(sleigh())
+    system = equations_of_motion(sleigh())
     assert system.symbols == (u, w)
     assert sp.simplify(system.rates[0] - a * w**2) == 0
     assert sp.simplify(system.rates[1] + m * a * u * w / (J + m * a**2)) == 0
@@ -86,11 +86,11 @@ def test_rates_may_use_definitions() -> None:
         definitions={c_: sp.cos(phi), s_: sp.sin(phi)},
         parameters=SLEIGH,
     )
-    assert equations(named).rates == equations(sleigh()).rates
+    assert equations_of_motion(named).rates == equations_of_motion(sleigh()).rates
 
 
 def test_the_reaction_is_the_sideways_force() -> None:
-    system = equations(sleigh())
+    system = equations_of_motion(sleigh())
     (reaction,) = system.observables
     steps = dict(system.scalar_definitions)
     value = reaction.value
@@ -104,7 +104,7 @@ def test_the_reaction_is_the_sideways_force() -> None:
 
 def test_two_frames_tell_one_motion() -> None:
     """In coordinates the speed along the blade and the turning obey the same equations."""
-    system = equations(sleigh_in_coordinates())
+    system = equations_of_motion(sleigh_in_coordinates())
     xdot, ydot, phidot = (real_symbol(f"{q}dot") for q in (x, y, phi))
     ahead = xdot * sp.cos(phi) + ydot * sp.sin(phi)
     law = Identity(
@@ -118,7 +118,7 @@ def test_two_frames_tell_one_motion() -> None:
 
 
 def test_an_affine_constraint_breaks_the_energy() -> None:
-    system = equations(sleigh_in_coordinates(sp.S.One))
+    system = equations_of_motion(sleigh_in_coordinates(sp.S.One))
     assert system.laws == ()
     assert "not homogeneous" in system.summary
     energy = next(o for o in system.observables if o.name == "energy")
@@ -141,7 +141,7 @@ def test_the_energy_theorem_says_what_breaks_it() -> None:
     assert len(broken) == 2
     assert "time enters" in broken[0]
     assert "forces" in broken[1]
-    assert equations(driven).symbols == (real_symbol("xdot"), TIME)
+    assert equations_of_motion(driven).symbols == (real_symbol("xdot"), TIME)
 
 
 def test_gyroscopic_forces_keep_the_energy() -> None:
@@ -152,7 +152,7 @@ def test_gyroscopic_forces_keep_the_energy() -> None:
         forces={xdot: c * ydot, ydot: -c * xdot},
         parameters=(Parameter(m, "", 1.0), Parameter(c, "", 0.4)),
     )
-    assert all(verdict.decision == "proven" for verdict in prove(equations(charged)))
+    assert all(verdict.decision == "proven" for verdict in prove_all(equations_of_motion(charged)))
 
 
 def test_appell_and_hamel() -> None:
@@ -166,8 +166,8 @@ def test_appell_and_hamel() -> None:
         (zdot**2 - l**2 * (xdot**2 + ydot**2),),
         parameters=tuple(Parameter(s, "", 1.0) for s in (m, g, l)),
     )
-    system = equations(machine)
-    verdicts = {verdict.law: verdict.decision for verdict in prove(system)}
+    system = equations_of_motion(machine)
+    verdicts = {verdict.law: verdict.decision for verdict in prove_all(system)}
     assert verdicts == {"energy": "proven"}
     # known: the horizontal velocity keeps its direction
     law = Identity("straight", xdot * Rate(ydot) - ydot * Rate(xdot))
@@ -184,7 +184,7 @@ def test_a_position_constraint_is_kept() -> None:
         positions=(norm_squared(R) - l**2,),
         parameters=(Parameter(m, "", 1.0), Parameter(g, "", 9.8), l_),
     )
-    system = equations(pendulum)
+    system = equations_of_motion(pendulum)
     assert len(system.relations) == 2
     about = Integral("K", R.symbols[0] * speeds.symbols[1] - R.symbols[1] * speeds.symbols[0])
     assert prove(system, about).decision == "proven"
@@ -202,7 +202,7 @@ def test_suslov_with_a_constraint_that_stays() -> None:
         (dot(omega, n),),
         parameters=tuple(parameters),
     )
-    system = equations(body)
+    system = equations_of_motion(body)
     assert prove(system, "energy").decision == "proven"
     turning = Vector("turning")
     euler = I * turning - cross(I * omega, omega)
@@ -223,7 +223,7 @@ def test_massless_coordinates_are_led_by_constraints() -> None:
         (l * sp.sin(x) * turning - xdot,),
         parameters=tuple(Parameter(s, "", 0.7) for s in (m, g, a, l)),
     )
-    system = equations(rolling)
+    system = equations_of_motion(rolling)
     assert prove(system, "energy").decision == "proven"
 
 
@@ -235,9 +235,9 @@ def test_a_momentum_keeps_the_place_it_depends_on() -> None:
         HALF * (xdot**2 + ydot**2) + c * x * ydot,
         parameters=(Parameter(c, "", 0.4),),
     )
-    system = equations(charge)
+    system = equations_of_motion(charge)
     assert system.symbols == (x, xdot, ydot)
-    assert {verdict.decision for verdict in prove(system)} == {"proven"}
+    assert {verdict.decision for verdict in prove_all(system)} == {"proven"}
 
 
 def test_momenta_of_cyclic_velocities() -> None:
@@ -250,9 +250,9 @@ def test_momenta_of_cyclic_velocities() -> None:
         HALF * m * (rdot**2 + r**2 * phidot**2) + g * m / r,
         parameters=(Parameter(m, "", 1.0), Parameter(g, "", 1.0)),
     )
-    system = equations(planet)
+    system = equations_of_motion(planet)
     assert [law.name for law in system.laws] == ["energy", "momentum_phidot"]
-    assert all(verdict.decision == "proven" for verdict in prove(system))
+    assert all(verdict.decision == "proven" for verdict in prove_all(system))
     assert phi not in system.symbols
 
 
@@ -274,7 +274,9 @@ def test_any_quadratic_lagrangian_with_any_linear_constraint_keeps_its_energy(se
     potential = number() * x**2 + number() * x * y + number() * places[2]
     kinetic = HALF * sp.Add(*squares, *(s**2 for s in speeds))
     f = sp.Add(*((number() + number() * q) * s for q, s in zip(places, speeds, strict=True)))
-    system = equations(Mechanism("any", frame, kinetic - potential, (f + speeds[0] / 11,)))
+    system = equations_of_motion(
+        Mechanism("any", frame, kinetic - potential, (f + speeds[0] / 11,))
+    )
     assert prove(system, "energy").decision == "proven"
 
 
@@ -289,7 +291,7 @@ def test_any_quadratic_lagrangian_with_any_linear_constraint_keeps_its_energy(se
     ],
 )
 def test_expressions_stay_small(make: Any, most: int) -> None:
-    assert operations(equations(make())) <= most
+    assert operations(equations_of_motion(make())) <= most
 
 
 @pytest.mark.parametrize(("model", "most"), [("marble", 200), ("rubber", 300)])
@@ -307,7 +309,7 @@ def test_a_rolling_ball_takes_few_operations(model: str, most: int) -> None:
         (speed - cross(omega, l * gamma), *([dot(omega, gamma)] if model == "rubber" else [])),
         parameters=tuple(Parameter(s, "", 1.0) for s in (m, l, *I.symbols)),
     )
-    assert operations(equations(ball)) <= most
+    assert operations(equations_of_motion(ball)) <= most
 
 
 # --- mistakes --------------------------------------------------------------------------------
@@ -381,7 +383,7 @@ MISTAKES = {
 @pytest.mark.parametrize("words", MISTAKES)
 def test_a_mistake_gets_one_sentence(words: str) -> None:
     with pytest.raises(InputError, match=words):
-        equations(Mechanism("wrong", **MISTAKES[words]))
+        equations_of_motion(Mechanism("wrong", **MISTAKES[words]))
 
 
 def test_formulas_with_a_domain() -> None:
@@ -392,9 +394,9 @@ def test_formulas_with_a_domain() -> None:
         HALF * m * (xdot**2 + ydot**2) - sp.log(x) * sp.sqrt(1 - y),
         parameters=(Parameter(m, "", 1.0),),
     )
-    assert prove(equations(well), "energy").decision == "proven"
+    assert prove(equations_of_motion(well), "energy").decision == "proven"
     with pytest.raises(InputError, match="no configuration was found"):
-        equations(Mechanism("nowhere", coordinates(x), xdot**2 - sp.sqrt(-1 - x**2)))
+        equations_of_motion(Mechanism("nowhere", coordinates(x), xdot**2 - sp.sqrt(-1 - x**2)))
 
 
 def test_rates_are_linear_in_the_velocities() -> None:

@@ -10,7 +10,7 @@ import sympy as sp
 from flowlanes import Parameter
 from flowlanes.system.laws import Integral
 from flowlanes.system.vectors import real_symbol
-from nonholonomic import Frame, Mechanism, coordinates, equations
+from nonholonomic import Frame, Mechanism, coordinates, equations_of_motion
 from nonholonomic.mechanics.lagrangian.units import momentum_units, multiplier_units
 
 m, J, l, r, phi, x = map(real_symbol, ("m", "J", "l", "r", "phi", "x"))
@@ -58,7 +58,7 @@ def test_the_integral_of_a_cyclic_coordinate_has_its_unit() -> None:
     planet = mechanism(HALF * m * (RDOT**2 + r**2 * PHIDOT**2) + J / r, PLANE, m="kg")
     (momentum,) = (
         law
-        for law in equations(planet).laws
+        for law in equations_of_motion(planet).laws
         if isinstance(law, Integral) and law.name == "momentum_phidot"
     )
     assert momentum.unit == "kg m^2/s"
@@ -103,5 +103,5 @@ def test_the_reaction_of_a_blade_is_a_force() -> None:
     frame = Frame({x: u * c - v * s, r: u * s + v * c, phi: omega}, (u, v, omega))
     energy = HALF * (m * (u**2 + (v + l * omega) ** 2) + J * omega**2)
     sleigh = replace(mechanism(energy, frame, m="kg", J="kg m^2", l="m"), constraints=(v,))
-    (reaction,) = (o for o in equations(sleigh).observables if o.name == "lambda_1")
+    (reaction,) = (o for o in equations_of_motion(sleigh).observables if o.name == "lambda_1")
     assert reaction.unit == "N"

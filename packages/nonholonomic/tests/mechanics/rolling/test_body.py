@@ -14,7 +14,7 @@ from hypothesis import given, strategies as st
 import reference
 from flowlanes.errors import InputError
 from nonholonomic.mechanics.rolling.body import Body, triangle_inequalities
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Torus
 
 BALL = Ball(1.0)
@@ -117,7 +117,7 @@ def test_what_the_moments_of_a_body_must_satisfy() -> None:
 
 def test_products_of_inertia_may_have_either_sign() -> None:
     tensor = ((1.0, 0.1, 0.0), (0.1, 1.0, 0.0), (0.0, 0.0, 1.0))
-    system = Rolling(Body(1.0, tensor, BALL)).system()
+    system = RollingBody(Body(1.0, tensor, BALL)).system()
     asked = {str(p.symbol): len(p.admissible) for p in system.parameters if "I_" in str(p.symbol)}
     assert asked == {"I_11": 2, "I_12": 0, "I_13": 0, "I_22": 2, "I_23": 0, "I_33": 2}
 

@@ -26,7 +26,7 @@ from mechanics.compare import GAMMA, XYZ
 from mechanics.portrait import Portrait, coordinates, directions
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.contact import contact
-from nonholonomic.mechanics.rolling.equations import roll
+from nonholonomic.mechanics.rolling.equations import rolling_system
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
@@ -108,7 +108,7 @@ def pulled(shape, surface):
             "pull": touch.pull(constant(SLOPE.tolist())),
             "gammadot of contact": touch.gammadot,
         }
-        system = roll(Body(1.3, FULL, SHAPES[shape]), SURFACES[surface], "marble")
+        system = rolling_system(Body(1.3, FULL, SHAPES[shape]), SURFACES[surface], "marble")
         PULLED[shape, surface] = Portrait(system, further)
     return PULLED[shape, surface]
 
@@ -229,7 +229,7 @@ LARGE = {
 @pytest.mark.parametrize("shape", LARGE.values(), ids=LARGE)
 def test_body_larger_than_its_bowl_is_refused_at_the_start(shape):
     """Both radii of curvature exceed that of the bowl, so that their product alone looks right."""
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(0.4, side="inside"))
+    system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(0.4, side="inside"))
     with pytest.raises(InputError, match="the body does not fit into the sphere at the contact"):
         initial_state(system, (1.0, 0.0, 0.0), (0.3, 0.2, 0.9))
 
@@ -239,7 +239,9 @@ def test_body_larger_than_its_bowl_is_refused_at_the_start(shape):
 def test_edge_in_a_bowl_fits_where_it_stands_steeply(shape, lean, fits):
     """The edge touches all around where the sine of its lean is R/(|a| - rho): here 1/2."""
     tube = getattr(shape, "tube", 0.0)
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(2 * shape.radius + tube, side="inside"))
+    system = rolling_system(
+        Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(2 * shape.radius + tube, side="inside")
+    )
     values = [guard.value for guard in system.guards if guard.name == "fits"]
     one = Portrait(system, {f"fits {i}": value for i, value in enumerate(values)})
     gamma = np.array([lean, 0.0, np.sqrt(1 - lean**2)])

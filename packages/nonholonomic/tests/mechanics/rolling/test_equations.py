@@ -40,7 +40,7 @@ from mechanics.compare import (
 )
 from mechanics.portrait import Portrait, coordinates, directions
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling, roll
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody, rolling_system
 from nonholonomic.mechanics.shapes.shapes import Ball, Ellipsoid
 from spread import spread
 
@@ -164,7 +164,9 @@ def turned_pair(turn, shape, turned_shape, surface, contact):
         (Body(1.3, PRINCIPAL, shape, ROTORS), field_along(SLOPE, AXIS)),
         (Body(1.3, inertia, turned_shape, turn @ ROTORS), field_along(turn @ SLOPE, turn @ AXIS)),
     )
-    return [Portrait(roll(body, SURFACES[surface], contact, field)) for body, field in bodies]
+    return [
+        Portrait(rolling_system(body, SURFACES[surface], contact, field)) for body, field in bodies
+    ]
 
 
 AXES_TURNS = {
@@ -211,7 +213,9 @@ def test_rotors_at_rest_are_none(surface, contact, omega, gamma, zeta):
     if (surface, contact) not in RESTING:
         RESTING[surface, contact] = [
             Portrait(
-                roll(Body(1.3, FULL, SHAPES["ball"], rotors), SURFACES[surface], contact, FIELD)
+                rolling_system(
+                    Body(1.3, FULL, SHAPES["ball"], rotors), SURFACES[surface], contact, FIELD
+                )
             )
             for rotors in ((0.0, 0.0, 0.0), ROTORS)
         ]
@@ -237,7 +241,9 @@ RESTING: dict[tuple[str, str], list[Portrait]] = {}
 @pytest.mark.parametrize("shape", ["ball", "implicit"])
 @pytest.mark.parametrize("gravity", [0.0, 9.81])
 def test_state_has_what_it_needs(shape, surface, contact, gravity):
-    system = roll(Body(1.3, FULL, SHAPES[shape]), SURFACES[surface], contact, Forces(gravity))
+    system = rolling_system(
+        Body(1.3, FULL, SHAPES[shape]), SURFACES[surface], contact, Forces(gravity)
+    )
     expected = ["M" if contact == "marble" else "omega", "r" if shape == "implicit" else "gamma"]
     if gravity and surface != "plane":
         expected.append("zeta")
@@ -252,8 +258,8 @@ def test_state_has_what_it_needs(shape, surface, contact, gravity):
 
 def test_rolling_keeps_what_rolls_on_what():
     body, surface, field = Body(1.3, FULL, SHAPES["ball"], ROTORS), SURFACES["inside"], FIELD
-    kept = Rolling(body, surface, "rubber", field).system("name", "Title")
-    made = roll(body, surface, "rubber", field, "name", "Title")
+    kept = RollingBody(body, surface, "rubber", field).system("name", "Title")
+    made = rolling_system(body, surface, "rubber", field, "name", "Title")
     assert kept == made
     assert (kept.name, kept.title) == ("name", "Title")
     assert kept.defaults == made.defaults
@@ -263,7 +269,7 @@ def test_potential_may_use_the_parameters_of_the_body():
     strength = sp.Symbol("strength", real=True)
     moment, mass = sp.symbols("I_1 m", real=True)
     potential = strength * moment * mass * GAMMA[2]
-    system = roll(
+    system = rolling_system(
         Body(2.0, PRINCIPAL, SHAPES["ball"]),
         field=Forces(potential=potential, values={strength: 0.5}),
     )
@@ -277,7 +283,7 @@ def test_potential_may_use_the_parameters_of_the_body():
 def test_constant_potential_moves_nothing(shape, surface):
     body = Body(1.3, FULL, SHAPES[shape])
     free, constant = (
-        roll(body, SURFACES[surface], field=Forces(potential=value))
+        rolling_system(body, SURFACES[surface], field=Forces(potential=value))
         for value in (sp.S.Zero, sp.Integer(2))
     )
     assert constant.rates == free.rates
@@ -290,13 +296,13 @@ def test_constant_potential_moves_nothing(shape, surface):
 
 MISTAKES = {
     "contact": (
-        lambda: roll(Body(1.0, PRINCIPAL, Ball(1.0)), contact="glue"),
+        lambda: rolling_system(Body(1.0, PRINCIPAL, Ball(1.0)), contact="glue"),
         "contact must be 'marble' or 'rubber', not the text 'glue'",
     ),
     "gravity": (lambda: Forces(-9.81), "gravity -9.81: it must be finite and not negative"),
     "infinite gravity": (lambda: Forces(np.inf), "gravity inf: it must be finite and not negative"),
     "symbol of a potential": (
-        lambda: roll(
+        lambda: rolling_system(
             Body(1.0, PRINCIPAL, Ball(1.0)),
             field=Forces(1.0, XYZ[0] * GAMMA[0] + sp.Symbol("depth")),
         ),
@@ -307,7 +313,7 @@ MISTAKES = {
         "parameter x = nan: it must be a finite number",
     ),
     "name in use": (
-        lambda: roll(
+        lambda: rolling_system(
             Body(1.0, PRINCIPAL, Ball(1.0)),
             field=Forces(1.0, real_symbol("m") * GAMMA[0], {real_symbol("m"): 2.0}),
         ),

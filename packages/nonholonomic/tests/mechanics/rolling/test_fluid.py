@@ -19,10 +19,10 @@ from flowlanes.system.vectors import Diagonal, Vector, cross, dot, real_symbol, 
 from lawproof import prove
 from mechanics.rolling.fluid_reference import Chamber, Filled, turn_of
 from nonholonomic.contact.equations.situation import FrictionalContact
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.cavity import Cavity
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.initial_state import evaluate, initial_state
 from nonholonomic.mechanics.rolling.mechanism import rolling_mechanism
 from nonholonomic.mechanics.shapes.implicit import Implicit
@@ -58,7 +58,7 @@ CASES = [
 ]
 
 
-def reference_of(rolling: Rolling) -> Filled:
+def reference_of(rolling: RollingBody) -> Filled:
     """The unreduced equations of a body."""
     body = rolling.body
     shape = body.shape
@@ -91,13 +91,13 @@ def omega_of(contact: str) -> np.ndarray:
     return omega if contact == "marble" else omega - omega @ GAMMA * GAMMA
 
 
-def start_of(rolling: Rolling) -> tuple[np.ndarray, list[np.ndarray]]:
+def start_of(rolling: RollingBody) -> tuple[np.ndarray, list[np.ndarray]]:
     """Angular velocity and motion of the fluids at the start."""
     xi = [np.array([0.5, -0.8, 1.2]), np.array([-0.3, 0.6, 0.4])]
     return omega_of(rolling.contact), xi[: len(rolling.body.cavities)]
 
 
-def end_of(rolling: Rolling, until: float = UNTIL) -> dict[str, np.ndarray]:
+def end_of(rolling: RollingBody, until: float = UNTIL) -> dict[str, np.ndarray]:
     """The end of a motion, by the package."""
     omega, xi = start_of(rolling)
     system = rolling.system()
@@ -112,7 +112,7 @@ def end_of(rolling: Rolling, until: float = UNTIL) -> dict[str, np.ndarray]:
     return values | {"fluid": np.array([values.pop(name) for name in fluids])}
 
 
-def largest_difference(rolling: Rolling) -> float:
+def largest_difference(rolling: RollingBody) -> float:
     """Between the package and the unreduced equations, at the end."""
     reference = reference_of(rolling)
     omega, xi = start_of(rolling)
@@ -123,7 +123,7 @@ def largest_difference(rolling: Rolling) -> float:
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "contact", "gravity"), CASES)
 def test_the_motion_is_that_of_the_unreduced_equations(name, contact, gravity):
-    rolling = Rolling(BODIES[name], Plane(), contact, Forces(gravity))
+    rolling = RollingBody(BODIES[name], Plane(), contact, Forces(gravity))
     assert largest_difference(rolling) < 1e-10
 
 
@@ -132,7 +132,7 @@ def test_the_motion_is_that_of_the_unreduced_equations(name, contact, gravity):
 @pytest.mark.parametrize("gravity", [0.0, 2.0])
 def test_so_it_is_on_a_sphere(contact, gravity):
     body = BODIES["ball, turned cavity off its centre"]
-    rolling = Rolling(body, Sphere(3.0), contact, Forces(gravity))
+    rolling = RollingBody(body, Sphere(3.0), contact, Forces(gravity))
     assert largest_difference(rolling) < 1e-10
 
 
@@ -179,7 +179,9 @@ def test_accelerations_of_any_body(inertia, axes, turn, place, spins, contact, b
     omega, xi = np.array(spins[0]), np.array(spins[1])
     if contact == "rubber":
         omega = omega - omega @ GAMMA * GAMMA
-    ours, theirs = accelerations(Rolling(body, Plane(), contact, Forces(1.0)), omega, GAMMA, [xi])
+    ours, theirs = accelerations(
+        RollingBody(body, Plane(), contact, Forces(1.0)), omega, GAMMA, [xi]
+    )
     assert np.abs(ours - theirs).max() < 1e-12
 
 
@@ -191,24 +193,24 @@ def test_accelerations_of_any_body(inertia, axes, turn, place, spins, contact, b
 def test_poincares_equations_are_carried_onto_them(contact):
     """Those of the Lagrangian in omega, v, xi, multipliers eliminated: proven."""
     body = Body(1.0, (0.4, 0.5, 0.6), Ball(1.0), (0.1, 0.2, 0.3), CENTRED)
-    rolling = Rolling(body, Plane(), contact, Forces(9.81))
+    rolling = RollingBody(body, Plane(), contact, Forces(9.81))
     closed = rolling.system()
     moving = {Vector("fluid"): Vector("xi")}
     same = {n: n for n in closed.state} | {n: f.xreplace(moving) for n, f in closed.start}
     radius = dot(-real_symbol("R") * Vector("gamma"), Vector("gamma"))
-    law = Isomorphism("same motion", closed, same, on=(real_symbol("R_3") + radius,))
-    assert prove(equations(rolling_mechanism(rolling)), law).decision == "proven"
+    law = Isomorphism("same motion", closed, same, level=(real_symbol("R_3") + radius,))
+    assert prove(equations_of_motion(rolling_mechanism(rolling)), law).decision == "proven"
 
 
 def test_with_helmholtz_turned_around_a_sphere_does_not_decouple():
     """The sign of Ṅ = ξ×N: the vorticity in a sphere is fixed in space only with the right one."""
     body = Body(1.0, (0.4, 0.5, 0.6), Ball(1.0), cavity=Cavity((0.4, 0.4, 0.4), 0.8))
-    system = Rolling(body, Plane(), "marble").system()
+    system = RollingBody(body, Plane(), "marble").system()
     N, xi = Vector("N"), Vector("xi")
     assert dict(system.field)[N] == cross(xi, N)
     C_is_one = tuple(s - 1 for s in Diagonal("C").symbols)
     alike = tuple(s - t for s, t in pairwise(Diagonal("W").symbols))
-    vorticity = Integral("vorticity", dot(N, Vector("gamma")), on=(*C_is_one, *alike))
+    vorticity = Integral("vorticity", dot(N, Vector("gamma")), level=(*C_is_one, *alike))
     assert prove(system, vorticity).decision == "proven"
     wrong = replace(system, field={**dict(system.field), N: cross(N, xi)})
     assert prove(wrong, vorticity).decision == "refuted"
@@ -219,7 +221,7 @@ def test_with_helmholtz_turned_around_a_sphere_does_not_decouple():
 
 def motion(body, contact, fluid, gravity=2.0, until=5.0):
     """Omega, gamma and M along a motion, and what is recorded of the fluid."""
-    rolling = Rolling(body, Plane(), contact, Forces(gravity))
+    rolling = RollingBody(body, Plane(), contact, Forces(gravity))
     system = rolling.system()
     state = initial_state(system, tuple(omega_of(contact)), tuple(GAMMA), fluid=fluid)
     run = integrate(system, state, [0.0, until / 2, until], on_liftoff="warn")
@@ -237,7 +239,10 @@ def test_an_empty_cavity_is_none(contact):
     empty = Cavity((0.5, 0.4, 0.3), 0.0, (0.9, 0.1, 0.3, -0.2), (0.1, -0.2, 0.05))
     shape = Ellipsoid((1.2, 1.0, 0.9), 0.3)
     dry, with_it = Body(1.0, FULL, shape), Body(1.0, FULL, shape, cavity=empty)
-    assert Rolling(dry, Plane(), contact).system() == Rolling(with_it, Plane(), contact).system()
+    assert (
+        RollingBody(dry, Plane(), contact).system()
+        == RollingBody(with_it, Plane(), contact).system()
+    )
 
 
 @pytest.mark.slow
@@ -262,7 +267,7 @@ def test_little_fluid_does_little(contact):
 def test_a_potential_flow_is_a_rigid_body(contact):
     """N = 0 stays, and the body moves as the one with Zhukovsky's equivalent inertia."""
     body = BODIES["ball, turned cavity off its centre"]
-    rolling, omega = Rolling(body, Plane(), contact), omega_of(contact)
+    rolling, omega = RollingBody(body, Plane(), contact), omega_of(contact)
     C = np.array(TURNED.coupling.tolist(), dtype=float)
     wet = motion(body, contact, tuple(-C @ omega))
     assert np.abs(wet["N"]).max() < 1e-15
@@ -297,7 +302,9 @@ def test_a_frozen_fluid_moves_with_the_body_at_first():
     omega = np.array([0.7, 0.4, 1.1])
     ice = Body(1.8, tuple(np.diag(frozen)), Ball(1.0))
     momenta = [
-        np.array([float(x) for x in initial_state(Rolling(b).system(), tuple(omega), tuple(GAMMA))])
+        np.array(
+            [float(x) for x in initial_state(RollingBody(b).system(), tuple(omega), tuple(GAMMA))]
+        )
         for b in (body, ice)
     ]
     assert np.abs(momenta[0][:3] - momenta[1][:3]).max() < 1e-15
@@ -371,7 +378,7 @@ MISTAKES = {
     ),
     "fluid without cavity": (
         lambda: initial_state(
-            Rolling(Body(1.0, (0.4, 0.5, 0.6), Ball(1.0))).system(),
+            RollingBody(Body(1.0, (0.4, 0.5, 0.6), Ball(1.0))).system(),
             (1.0, 0.0, 0.0),
             (0.0, 0.0, 1.0),
             fluid=(1.0, 0.0, 0.0),
@@ -380,7 +387,7 @@ MISTAKES = {
     ),
     "two fluids in one cavity": (
         lambda: initial_state(
-            Rolling(BODIES["ball"]).system(),
+            RollingBody(BODIES["ball"]).system(),
             (1.0, 0.0, 0.0),
             (0.0, 0.0, 1.0),
             fluid=((1.0, 0.0, 0.0), (1.0, 0.0, 0.0)),
@@ -432,7 +439,7 @@ def test_tensors_of_a_turned_cavity_are_exact():
 def test_the_equivalent_body_may_break_the_triangle_inequality():
     """What no rigid body can do: docs/fluid.md."""
     shell = Body(1e-3, (1e-4, 1e-4, 1e-4), Ball(1.0), cavity=Cavity((0.9, 0.6, 0.3), 1.0))
-    moments = sorted(np.diag(Rolling(shell).equivalent.body.tensor))
+    moments = sorted(np.diag(RollingBody(shell).equivalent.body.tensor))
     assert moments[2] > moments[0] + moments[1]
 
 

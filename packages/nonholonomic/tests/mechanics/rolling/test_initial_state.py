@@ -20,7 +20,7 @@ from mechanics.compare import XYZ
 from mechanics.portrait import coordinates, directions
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.rolling.initial_state import evaluate, initial_state
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
@@ -34,7 +34,7 @@ TINY = mpmath.mpf(10) ** -45
 
 def simple(contact="marble", surface=None, shape=None):
     shape = shape or Ball(0.7, centre=CENTRE)
-    return roll(Body(1.3, FULL, shape), surface or Plane(), contact, FIELD)
+    return rolling_system(Body(1.3, FULL, shape), surface or Plane(), contact, FIELD)
 
 
 def read(system, state, name):
@@ -84,7 +84,7 @@ def test_start_lies_on_the_phase_space_to_45_digits(shape, surface, contact):
 
 def test_decimals_mean_decimals():
     """0.1 is one tenth, not the nearest binary number."""
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), Ball(1.0)), contact="rubber")
+    system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), Ball(1.0)), contact="rubber")
     state = initial_state(system, (0.1, 0.2, 0.0), (0.0, 0.0, 1.0))
     with mpmath.workdps(50):
         tenth = mpmath.mpf(1) / 10
@@ -93,7 +93,7 @@ def test_decimals_mean_decimals():
 
 
 def test_numbers_of_many_digits_are_kept():
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), Ball(1.0)), contact="rubber")
+    system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), Ball(1.0)), contact="rubber")
     with mpmath.workdps(50):
         third = mpmath.mpf(1) / 3
         state = initial_state(system, (third, 0, 0), (0, 0, 1))
@@ -120,7 +120,7 @@ def test_parameters_replace_the_defaults():
 @given(gamma=directions, normal=directions)
 @settings(max_examples=15)
 def test_attitude_carries_the_normal_and_heading_turns_about_it(gamma, normal):
-    system = roll(Body(1.0, MOMENTS, Ball(1.0)), Sphere(2.0), "marble", Forces(1.0))
+    system = rolling_system(Body(1.0, MOMENTS, Ball(1.0)), Sphere(2.0), "marble", Forces(1.0))
     for heading in (0.0, 1.1):
         state = initial_state(system, (0.0, 0.0, 0.0), gamma, heading=heading, normal=normal)
         found = floats(read(system, state, "attitude"))
@@ -167,7 +167,7 @@ def test_contact_on_a_sphere_begins_at_the_normal():
 @given(omega=coordinates, gamma=directions)
 @settings(max_examples=25)
 def test_nearest_admissible_omega_is_named_and_accepted(omega, gamma):
-    system = roll(Body(1.0, MOMENTS, Ball(1.0)), contact="rubber")
+    system = rolling_system(Body(1.0, MOMENTS, Ball(1.0)), contact="rubber")
     spin = omega + gamma
     excess = spin @ gamma
     if abs(excess) < 1e-6:
@@ -184,7 +184,7 @@ def test_nearest_admissible_omega_is_named_and_accepted(omega, gamma):
 
 
 def test_spin_of_rounding_is_taken_out():
-    system = roll(Body(1.0, MOMENTS, Ball(1.0)), contact="rubber")
+    system = rolling_system(Body(1.0, MOMENTS, Ball(1.0)), contact="rubber")
     state = initial_state(system, (1.0, 0.0, 1e-13), (0.0, 0.0, 1.0))
     assert abs(state[2]) < TINY
 
@@ -218,7 +218,7 @@ def test_very_long_body_has_its_contact_point():
     form = sum((v / sp.Rational(str(x))) ** 2 for v, x in zip(XYZ, axes, strict=True)) - 1
     gamma = np.array([0.02, 0.6, 0.8])
     gamma /= np.linalg.norm(gamma)
-    system = roll(Body(1.0, MOMENTS, Implicit(form)))
+    system = rolling_system(Body(1.0, MOMENTS, Implicit(form)))
     state = initial_state(system, (0.0, 0.0, 0.0), gamma)
     squares = np.array(axes) ** 2
     expected = -squares * gamma / np.sqrt(gamma @ (squares * gamma))
@@ -259,7 +259,7 @@ def test_mistake_is_named(wrong, message):
 
 
 def test_spin_is_refused_with_its_amount():
-    system = roll(Body(1.0, MOMENTS, Ball(1.0)), contact="rubber")
+    system = rolling_system(Body(1.0, MOMENTS, Ball(1.0)), contact="rubber")
     message = (
         "omega: (omega, gamma) = 0.5, and a body that must not spin about the normal needs 0; "
         "the nearest admissible omega is [1.0, 0.0, 0.0]"
@@ -272,14 +272,14 @@ def test_spin_is_refused_with_its_amount():
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_contact_at_a_flat_point_is_refused(axis, side):
     """x^4 + y^4 + z^4 = 1 is flat where an axis meets it."""
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), CUBE))
+    system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), CUBE))
     gamma = side * np.eye(3)[axis]
     with pytest.raises(InputError, match=re.escape(NO_CONTACT)):
         initial_state(system, (0.1, 0.2, 0.3), gamma)
 
 
 def test_contact_near_a_flat_point_is_found():
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), CUBE))
+    system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), CUBE))
     gamma = np.array([1e-3, -2e-3, 1.0])
     gamma /= np.linalg.norm(gamma)
     state = initial_state(system, (0.1, 0.2, 0.3), gamma)
@@ -295,7 +295,7 @@ def test_open_surface_is_refused(form):
 
 
 def test_body_outside_the_domain_is_refused():
-    system = roll(
+    system = rolling_system(
         Body(1.0, (1.0, 1.0, 1.0), Ellipsoid((1.0, 1.0, 2.0))), Sphere(3.0, side="inside")
     )
     with pytest.raises(InputError, match="gamma: this start is outside the domain; the body does"):
@@ -306,7 +306,7 @@ def test_body_outside_the_domain_is_refused():
 def test_body_of_revolution_does_not_start_on_a_flat_face():
     """A disk thickened by a ball, by its support function: its curvature at the pole is none."""
     rim = sp.sqrt(1 - Vector("gamma").symbols[2] ** 2)
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), Revolution(rim + sp.Rational(1, 5))))
+    system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), Revolution(rim + sp.Rational(1, 5))))
     with pytest.raises(InputError, match="the contact leaves the convex part of the body"):
         initial_state(system, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
 

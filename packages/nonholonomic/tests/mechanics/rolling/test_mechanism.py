@@ -34,14 +34,14 @@ from nonholonomic import (
     Implicit,
     Plane,
     Revolution,
-    Rolling,
+    RollingBody,
     Sphere,
     Torus,
 )
 from nonholonomic.mechanics.lagrangian.assembly import balance
 from nonholonomic.mechanics.lagrangian.generic_points import GenericPoint, generic_points
 from nonholonomic.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.mechanics.rolling.contact import contact
 from nonholonomic.mechanics.rolling.mechanism import rolling_mechanism
 
@@ -140,9 +140,9 @@ def _written(formula: sp.Expr, steps: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
 CASES = [(shape, surface) for shape in SHAPES for surface in SURFACES]
 
 
-def rolling(shape: str, surface: str, model: Any) -> Rolling:
+def rolling(shape: str, surface: str, model: Any) -> RollingBody:
     body = Body(1.1, (1.0, 1.5, 2.1), SHAPES[shape], gyrostat=(0.1, 0.2, -0.3))
-    return Rolling(body, SURFACES[surface], model, Forces(gravity=9.81))
+    return RollingBody(body, SURFACES[surface], model, Forces(gravity=9.81))
 
 
 @pytest.mark.slow
@@ -192,7 +192,7 @@ def test_acceleration_solves_the_equations(shape: str, surface: str, model: str)
 def test_accelerations_and_reactions_to_forty_digits(shape: str, surface: str, model: str) -> None:
     made = rolling(shape, surface, model)
     mechanism, closed = rolling_mechanism(made), made.system()
-    derived = equations(mechanism)
+    derived = equations_of_motion(mechanism)
     touch = contact(made.body.shape, made.surface)
     point = dict(generic_points("test", mechanism.frame, mechanism)[0].point)
     with mpmath.workdps(50):
@@ -234,8 +234,8 @@ def test_balls_are_carried_onto_each_other(surface: str, model: str) -> None:
     if surface != "plane":
         level = tuple(to_components(X - real_symbol("a") * gamma + touch.r))
     same = {n: n for n in closed.state} | dict(closed.start)
-    law = Isomorphism("same motion", closed, same, on=level)
-    assert prove(equations(rolling_mechanism(made)), law).decision == "proven"
+    law = Isomorphism("same motion", closed, same, level=level)
+    assert prove(equations_of_motion(rolling_mechanism(made)), law).decision == "proven"
 
 
 def test_a_planted_error_is_seen() -> None:
@@ -245,5 +245,7 @@ def test_a_planted_error_is_seen() -> None:
     wrong = replace(mechanism, lagrangian=mechanism.lagrangian - dot(k, omega))
     closed = made.system()
     same = {n: n for n in closed.state} | dict(closed.start)
-    law = Isomorphism("same motion", closed, same, on=(R_3 + dot(Ball(1.0).gauss().reach, gamma),))
-    assert prove(equations(wrong), law).decision == "refuted"
+    law = Isomorphism(
+        "same motion", closed, same, level=(R_3 + dot(Ball(1.0).gauss().reach, gamma),)
+    )
+    assert prove(equations_of_motion(wrong), law).decision == "refuted"

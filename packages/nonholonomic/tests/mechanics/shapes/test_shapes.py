@@ -15,7 +15,7 @@ from mechanics.bodies import CENTRE, FIELD, FULL, QUARTIC, ROTORS, SHAPES, SURFA
 from mechanics.compare import GAMMA, XYZ
 from mechanics.portrait import Portrait, coordinates, directions
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, roll
+from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
@@ -203,7 +203,7 @@ TOLD = ("omega", "omegadot", "N", "M", "energy", "normal_force", "friction_force
 
 def portraits(shapes, surface, contact):
     return [
-        Portrait(roll(Body(1.3, FULL, shape, ROTORS), SURFACES[surface], contact, FIELD))
+        Portrait(rolling_system(Body(1.3, FULL, shape, ROTORS), SURFACES[surface], contact, FIELD))
         for shape in shapes
     ]
 
@@ -296,7 +296,7 @@ HOLLOW: dict[str, list[Portrait]] = {}
 
 
 def guards(shape, gamma):
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), shape))
+    system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), shape))
     one = Portrait(system, {f"{i}": guard.value for i, guard in enumerate(system.guards)})
     here = one.at(one.state(gamma=np.asarray(gamma)))
     return {(g.name, i): here[f"{i}"][0] for i, g in enumerate(system.guards)}
@@ -321,7 +321,7 @@ def test_body_of_revolution_ends_where_it_is_not_convex():
 
 
 def test_disk_does_not_start_flat():
-    system = roll(Body(1.0, (1.0, 1.0, 2.0), Disk(1.0)))
+    system = rolling_system(Body(1.0, (1.0, 1.0, 2.0), Disk(1.0)))
     with pytest.raises(InputError, match=r"the body lies flat \(tilt below 1e-06 rad\)"):
         initial_state(system, (0.0, 0.0, 1.0), (0.0, 0.0, 1.0))
 
@@ -427,11 +427,12 @@ def test_profile_may_be_rounded():
 
 def test_parameters_carry_the_numbers():
     shape = Revolution(1 + bulge * U**2, {bulge: 0.1}, centre=(0.0, 0.0, 0.2))
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), shape))
+    system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), shape))
     assert system.defaults[bulge] == 0.1
     assert [system.defaults[s] for s in Vector("c").symbols] == [0.0, 0.0, 0.2]
     assert all(
-        symbol not in roll(Body(1.0, (1.0,) * 3, Ball(1.0))).defaults for symbol in Vector("c")
+        symbol not in rolling_system(Body(1.0, (1.0,) * 3, Ball(1.0))).defaults
+        for symbol in Vector("c")
     )
 
 
@@ -457,7 +458,7 @@ def test_symbols_are_known_by_their_names() -> None:
     }
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
     loaded = [
-        roll(body, Plane(), "marble", Forces(0.0, potential, ((b, 2.0),)))
+        rolling_system(body, Plane(), "marble", Forces(0.0, potential, ((b, 2.0),)))
         for potential, b in (
             (a * loose**2, a),
             (real_symbol("a") * real_symbol("gamma_3") ** 2, real_symbol("a")),

@@ -8,7 +8,7 @@ import pytest
 
 from flowlanes.errors import InputError
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import roll
+from nonholonomic.mechanics.rolling.equations import rolling_system
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 
@@ -58,4 +58,4 @@ def test_a_support_at_rest_is_another_value_than_a_turning_one():
 def test_without_friction_bodies_roll_on_a_support_at_rest(surface, contact):
     message = f"turntable 0.5: a turning support needs a contact with friction; a {contact} contact"
     with pytest.raises(InputError, match=message):
-        roll(Body(1.0, (0.4, 0.5, 0.6), Ball(1.0)), surface, contact)
+        rolling_system(Body(1.0, (0.4, 0.5, 0.6), Ball(1.0)), surface, contact)

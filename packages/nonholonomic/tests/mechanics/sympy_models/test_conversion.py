@@ -32,7 +32,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import real_symbol
 from lawproof import prove
 from nonholonomic.mechanics.constraints.integrability import nonholonomy
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.mechanics.sympy_models.conversion import from_sympy, mechanism_from_sympy
 
 N = ReferenceFrame("N")
@@ -232,7 +232,7 @@ def test_a_constraint_on_places_is_not_counted_twice():
     mechanism = mechanism_from_sympy(model, numbers)
     assert len(mechanism.positions) == 1
     assert not mechanism.constraints
-    ours = equations(mechanism)
+    ours = equations_of_motion(mechanism)
     start = {"a": 0.4, "b": -0.8, "u_a": 0.5, "u_b": -1.0}
     runs = [
         integrate(s, [start[str(symbol)] for symbol in s.symbols], [0.0, 0.2, 0.4])

@@ -23,7 +23,7 @@ from flowlanes.system.vectors import real_symbol
 from lawproof import prove
 from nonholonomic.mechanics.constraints.integrability import nonholonomy
 from nonholonomic.mechanics.lagrangian.mechanism import TIME
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.mechanics.sympy_models.conversion import from_sympy, mechanism_from_sympy
 
 N = ReferenceFrame("N")
@@ -243,7 +243,7 @@ def wheel_on_a_rail() -> KanesMethod:
 def test_kanes_models_become_mechanisms_that_are_told_their_nonholonomy():
     mechanism = mechanism_from_sympy(wheel_on_a_rail(), {"m": 1, "g": 9, "k": 1, "l": 1})
     assert nonholonomy(mechanism).verdict == "holonomic"
-    one = equations(mechanism)
+    one = equations_of_motion(mechanism)
     u2 = real_symbol("u2")
     right = (
         real_symbol("m")

@@ -217,6 +217,8 @@ BOUNDS: dict[str, tuple[float, float]] = {
     "width": (64, 7680),
     "height": (64, 4320),
 }
+#: The options that are times.
+TIMES = ("until",)
 
 
 def with_options(name: str, command: Callable[..., None]) -> Callable[..., None]:
@@ -248,6 +250,8 @@ def _check(option: typer.CallbackParam, value: Any) -> Any:
         wanted = f"one of {', '.join(words)}" if len(words) > 2 else " or ".join(words)
     elif name in BOUNDS and not least <= value <= largest:
         wanted = f"at least {least:g}" if largest == inf else f"from {least:g} to {largest:g}"
+    elif name in TIMES and value is not None and not 0 < value < inf:
+        wanted = "positive and finite"
     if wanted:
         from flowlanes.errors import InputError
 

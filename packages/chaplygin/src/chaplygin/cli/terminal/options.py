@@ -111,9 +111,11 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
 
             study = load_python(path, options)
         else:
-            from ...experiment.models.experiment import catalogue_experiment, load
+            from ...experiment.models.experiment import catalogue_experiment, load_experiment
 
-            experiment = catalogue_experiment(what, options) if named else load(path, options)
+            experiment = (
+                catalogue_experiment(what, options) if named else load_experiment(path, options)
+            )
             from ...experiment.subjects.subject_of import subject_of
 
             # Errors in a name, a file or a parameter are reported before the rest is imported.

@@ -81,14 +81,14 @@ def check_figure(option: str, figure: Path) -> None:
 
 def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
     """Write a dataset in the format of the file name, or as NetCDF to standard output."""
-    from ...experiment.dataset import write
+    from ...experiment.dataset import write_dataset
     from ...experiment.formats import netcdf
 
     if output == STANDARD_OUTPUT:
         sys.stdout.buffer.write(netcdf(dataset))
         sys.stdout.buffer.flush()
     else:
-        write(dataset, output, force)
+        write_dataset(dataset, output, force)
 
 
 def name_of(output: Path) -> str:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
-    from ...report.study_output import Report
+    from ...report.study_output import StudyProgress
 
 #: Logger for messages besides results: notes and progress (info), timing (debug).
 LOG = logging.getLogger("chaplygin")
@@ -27,7 +27,7 @@ PATIENCE, BETWEEN = 0.4, 10.0
 
 
 @contextmanager
-def progress(task: str) -> Iterator[Report]:
+def progress(task: str) -> Iterator[StudyProgress]:
     """Report the activity and the completed fraction, once it takes about half a second.
 
     Parameters
@@ -46,7 +46,7 @@ def progress(task: str) -> Iterator[Report]:
 
 
 @contextmanager
-def waiting(task: str) -> Iterator[Report]:
+def waiting(task: str) -> Iterator[StudyProgress]:
     """Report what is awaited, once it takes about half a second.
 
     A terminal shows this temporarily; a log, which keeps its lines, only contains explicit

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from flowlanes.flow.devices.graphics import Device
-    from flowlanes.flow.ensemble.task import Progress
+    from flowlanes.flow.ensembles.task import Progress
 
     from ...experiment.study import Study
 
@@ -89,7 +89,7 @@ def vacate(output: Path, force: bool) -> None:
     InputError
         If that would destroy something that is not ours, or that is being written.
     """
-    from flowlanes.flow.ensemble.zarr_store import remove_store
+    from flowlanes.flow.ensembles.zarr_store import remove_store
 
     from ...experiment.files import check_replaced_store
 

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import time as clock
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 import sympy as sp
+import xarray as xr
 
 from flowlanes.errors import InputError, InterruptionError, RunError
-from flowlanes.flow.trajectory import Event, Statistics, Trajectory, by_name
+from flowlanes.flow.motion import by_name
+from flowlanes.flow.trajectory import Event, Statistics, Trajectory
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import Guard, System
+from nonholonomic.contact.dataset import with_contact, work_meanings, work_names
 from nonholonomic.contact.equations.situation import FrictionalContact
 from nonholonomic.contact.friction.modes import FLIGHT
 from nonholonomic.contact.motion import ContactMotion, InterruptedMotionError, contact_motion
@@ -25,8 +28,11 @@ from nonholonomic.contact.simulation.events import ContactEvent
 #: The law of energy including all dissipated work.
 BALANCE = "energy_balance"
 
+#: So many events stand in the attribute with their text; all are in the variables.
+_MOST_EVENTS = 100
 
-@dataclass(frozen=True, repr=False, kw_only=True)
+
+@dataclass(frozen=True, repr=False, eq=False, kw_only=True)
 class ContactTrajectory(Trajectory):
     """States and observables along a motion with friction.
 
@@ -67,17 +73,45 @@ class ContactTrajectory(Trajectory):
         """The kinds of events with their counts, the most frequent first."""
         return dict(Counter(event.kind for event in self.changes).most_common())
 
+    def to_dataset(
+        self,
+        attributes: Mapping[str, object] | None = None,
+        meanings: Mapping[str, tuple[str, str]] | None = None,
+    ) -> xr.Dataset:
+        """The dataset of a motion with friction.
+
+        Returns
+        -------
+        xarray.Dataset
+            The variables of a rolling body; ``velocity``, ``slip``, ``spin``,
+            ``friction_force``, ``friction_couple``, ``power_lost``, ``gap``, the work lost to
+            each law ``work_<law>``, and ``mode``, a flag.  A dimension ``event`` has
+            ``event_time``, ``event_kind``, the mode that follows, states before and after
+            (dimension ``state``), and impulses.
+        """
+        known = work_meanings(self.contact, self.system) | dict(meanings or {})
+        samples = super().to_dataset(attributes, known)
+        columns = [str(symbol) for symbol in self.system.symbols]
+        lines = [str(event) for event in self.events]
+        if len(lines) > _MOST_EVENTS + 1:
+            more = f"... {len(lines) - _MOST_EVENTS - 1} more events: see event_time and event_kind"
+            lines = [*lines[:_MOST_EVENTS], more, lines[-1]]
+        return with_contact(samples, self.modes, self.changes, columns).assign_attrs(
+            events="\n".join(lines),
+            end_time=float(self.times[-1]),
+            end_reason=self.reason,
+            energy_balance_drift=self.drift,
+            friction=self.contact.setting,
+            restitution=self.rules.restitution,
+            impact_law=self.rules.impact_law,
+        )
+
     def subsample(self, pieces: int) -> ContactTrajectory:
         """Every `pieces`-th sample, and the last one."""
         thin = super().subsample(pieces)
         assert isinstance(thin, ContactTrajectory)
         last = len(self.times) - 1
         return replace(thin, modes=self.modes[[*range(0, last, pieces), last]])
-
-
-def work_names(system: System) -> list[str]:
-    """The state variables that are dissipated work."""
-    return [str(name) for name in system.state if str(name).startswith("work_")]
 
 
 def contact_trajectory(
@@ -119,7 +153,7 @@ def contact_trajectory(
     stopped = motion.reason and not interrupted
     if not len(motion.times) or (stopped and motion.end_time <= times[0]):
         raise InputError(f"there is no motion from here: {_advice(motion.reason, rules)}")
-    recorded = motion.observables()
+    recorded = dict(motion.observables)
     works = (by_name(system, motion.states, name) for name in work_names(system))
     recorded[f"law_{BALANCE}"] = recorded["energy"] + sum(works)
     trajectory = ContactTrajectory(

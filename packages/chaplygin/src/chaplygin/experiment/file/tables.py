@@ -20,8 +20,9 @@ from pydantic import (
     model_validator,
 )
 
+from flowlanes.system.tolerance import FINEST_TOLERANCE, TOLERANCE
 from nonholonomic.mechanics import shapes
-from nonholonomic.system_files.number_lists import Setting, given_rows
+from nonholonomic.system_files.number_lists import ParameterValue, given_rows
 from nonholonomic.system_files.open_kinds import KindTable, OpenKinds
 from nonholonomic.system_files.table import (
     DIRECTION,
@@ -45,8 +46,8 @@ if TYPE_CHECKING:
 
 STATE = "a finite number, or finite numbers in brackets"
 
-COARSEST, FINEST, FINEST_DOUBLE = 1e-3, 1e-30, 1e-16
-DEFAULT_TOLERANCE = 1e-15
+COARSEST = 1e-3
+FINEST, FINEST_DOUBLE = FINEST_TOLERANCE["quad"], FINEST_TOLERANCE["double"]
 MOST_SAMPLES = 10_000_000
 
 
@@ -187,7 +188,7 @@ class FieldTable(FormulaTable):
 OF_A_DIMENSION = ("dimension", "moments", "mass_tensor", "factors", "mass", "radius", "a")
 
 
-def _setting(value: object) -> Setting:
+def _setting(value: object) -> ParameterValue:
     """A parameter: a number; for an n-dimensional system also numbers or rows of numbers."""
     return given_rows(value, "a finite number")
 
@@ -196,7 +197,7 @@ class SystemTable(Table):
     """A system of the catalogue, with parameters that differ from its defaults."""
 
     name: str = Field(description="the name of a system, in quotes", min_length=1)
-    parameters: dict[str, Annotated[Setting, PlainValidator(_setting)]] = Field(
+    parameters: dict[str, Annotated[ParameterValue, PlainValidator(_setting)]] = Field(
         default={}, description="a table of named numbers"
     )
 
@@ -219,7 +220,7 @@ class SystemTable(Table):
 
     @field_validator("parameters")
     @classmethod
-    def _whole_dimension(cls, parameters: dict[str, Setting]) -> dict[str, Setting]:
+    def _whole_dimension(cls, parameters: dict[str, ParameterValue]) -> dict[str, ParameterValue]:
         dimension = parameters.get("dimension")
         if isinstance(dimension, float) and dimension.is_integer():
             return parameters | {"dimension": int(dimension)}
@@ -253,12 +254,12 @@ class SystemStartTable(_StartTable):
     omega: Vector | None = Field(default=None, description=THREE)
 
 
-def _state_value(value: object) -> Setting:
+def _state_value(value: object) -> ParameterValue:
     """A number, numbers in brackets, or rows of them, as the variable of the system requires."""
     return given_rows(value, STATE)
 
 
-StateTable = dict[str, Annotated[Setting, PlainValidator(_state_value)]]
+StateTable = dict[str, Annotated[ParameterValue, PlainValidator(_state_value)]]
 """The start of a system that is not given by ω and γ: variables of its state by name."""
 
 
@@ -321,7 +322,7 @@ class CommonRunTable(Table):
     @field_validator("tolerance", mode="before")
     @classmethod
     def _finest_by_default(cls, tolerance: object, info: ValidationInfo) -> object:
-        finest = {"quad": FINEST}.get(info.data.get("precision", ""), DEFAULT_TOLERANCE)
+        finest = TOLERANCE[info.data.get("precision", "double")]
         if tolerance not in (None, finest):
             _require_option(info, "tolerance")
         return finest if tolerance is None else tolerance

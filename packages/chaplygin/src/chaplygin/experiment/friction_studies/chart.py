@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.task import Task, Variable
+from flowlanes.flow.ensembles.task import Task, Variable
 from flowlanes.flow.variable_metadata import cf_attributes
 from flowlanes.parsing import nearest
 from flowlanes.scans.grid import NO_NUMBER, REASONS, Axis
@@ -106,7 +106,7 @@ def contact_chart(
     x: Axis,
     y: Axis,
     *,
-    until: float | None = None,
+    t_end: float | None = None,
     formulas: Mapping[str, str] | None = None,
     tolerance: float | None = None,
 ) -> ContactChart:
@@ -119,12 +119,12 @@ def contact_chart(
         The number; see :func:`chaplygin.experiment.friction_studies.event_numbers.motion_number`.
     x, y : Axis
         A number of the file, such as ``mu`` or ``omega_3``, or a new name that `formulas` use.
-    until : float, optional
+    t_end : float, optional
         How long motions are followed; as long as that of the experiment if left out.
     formulas : mapping of str to str, optional
         Numbers of the file, by formulas in the axes and in other numbers of the file.
     tolerance : float, optional
-        Relative error of each step; that of the experiment if left out.
+        See :mod:`flowlanes.system.tolerance`; that of the experiment if left out.
 
     Raises
     ------
@@ -135,9 +135,9 @@ def contact_chart(
     if not isinstance(subject, ContactSubject):
         raise InputError("contact_chart: the experiment has no friction")
     number = motion_number(of, subject.system)
-    span = study.until if until is None else until
+    span = study.until if t_end is None else t_end
     if not 0 < span < np.inf:
-        raise InputError(f"until = {span:g}: motions must be followed for a positive, finite time")
+        raise InputError(f"t_end = {span:g}: motions must be followed for a positive, finite time")
     if x.name == y.name:
         raise InputError(f"{x.name}: the two axes need names that differ")
     experiment = study.complete_toml()
@@ -188,7 +188,7 @@ def _labelled_axis(numbers: FileNumbers, item: Axis) -> Axis:
 
 
 def contact_chart_task(chart: ContactChart, title: str) -> Task:
-    """The task of a chart; see :func:`flowlanes.flow.ensemble.compute`.
+    """The task of a chart; see :func:`flowlanes.flow.ensembles.compute`.
 
     Parameters
     ----------

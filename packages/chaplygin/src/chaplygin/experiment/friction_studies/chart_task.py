@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping
 
 from flowlanes.errors import InputError
 from flowlanes.flow.devices.graphics import Device, refuse_graphics
-from flowlanes.flow.ensemble.task import Task
+from flowlanes.flow.ensembles.task import Task
 from flowlanes.scans.grid import Axis
 from flowlanes.scans.scan_task import scan
 
@@ -21,7 +21,7 @@ def chart_task(
     x: Axis,
     y: Axis,
     *,
-    until: float | None = None,
+    t_end: float | None = None,
     formulas: Mapping[str, str] | None = None,
     fixed: Collection[str] = (),
     device: Device = "cpu",
@@ -30,7 +30,7 @@ def chart_task(
 
     Parameters
     ----------
-    study, of, x, y, until, formulas, held, device
+    study, of, x, y, t_end, formulas, held, device
         See :func:`chaplygin.experiment.scan.chart_of`; with friction
         :func:`chaplygin.experiment.friction_studies.chart.contact_chart`, where nothing is held
         and the device is the processor.
@@ -42,7 +42,7 @@ def chart_task(
     """
     if not study.subject.changes_equations:
         chart = chart_of(
-            study, of, x, y, until=until, formulas=formulas, fixed=fixed, device=device
+            study, of, x, y, t_end=t_end, formulas=formulas, fixed=fixed, device=device
         )
         return scan(chart, {"experiment": study.complete_toml()}), chart.title
     refuse_graphics(device)
@@ -51,5 +51,5 @@ def chart_task(
             f"--hold {next(iter(fixed))}: with friction nothing of a start is moved, so that "
             "nothing need be held"
         )
-    with_friction = contact_chart(study, of, x, y, until=until, formulas=formulas)
+    with_friction = contact_chart(study, of, x, y, t_end=t_end, formulas=formulas)
     return contact_chart_task(with_friction, study.system.title), with_friction.of.title

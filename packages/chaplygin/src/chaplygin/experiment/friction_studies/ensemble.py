@@ -11,18 +11,19 @@ import numpy as np
 import numpy.typing as npt
 
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.members import ListedMembers, Members
-from flowlanes.flow.ensemble.run import sample_coordinates, sampled_variable
-from flowlanes.flow.ensemble.task import Arrays, Task, Variable
+from flowlanes.flow.ensembles.members import ListedMembers, Members
+from flowlanes.flow.ensembles.run import sample_coordinates, sampled_variable
+from flowlanes.flow.ensembles.task import Arrays, Task, Variable
 from flowlanes.flow.variable_metadata import cf_attributes, system_attributes, variable_metadata
 from flowlanes.scans.grid import INADMISSIBLE, NO_STATE
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
+from flowlanes.system.tolerance import ENSEMBLE_TOLERANCE
+from nonholonomic.contact.dataset import mode_flags, work_meanings
 from nonholonomic.contact.friction.modes import MODE_NAMES
 from nonholonomic.contact.simulation.end_reasons import END_REASONS
 
-from ..contact.dataset import mode_flags, work_meanings
 from ..contact.trajectory import BALANCE
 from ..study import Study
 from ..subjects.contact_subject import ContactSubject
@@ -70,7 +71,7 @@ def outcome_attributes(more: dict[int, str] | None = None) -> dict[str, object]:
 
 @dataclass(frozen=True, eq=False)
 class ContactEnsembleWork:
-    """The work of an ensemble; see :class:`flowlanes.flow.ensemble.task.Work`.
+    """The work of an ensemble; see :class:`flowlanes.flow.ensembles.task.Work`.
 
     Parameters
     ----------
@@ -147,7 +148,7 @@ def contact_ensemble_task(
     members: Members,
     *,
     record: Sequence[str] = (),
-    tolerance: float = 1e-13,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     block: int = BLOCK,
 ) -> Task:
     """Prepare an ensemble of motions of an experiment with friction.
@@ -157,19 +158,19 @@ def contact_ensemble_task(
     study : Study
         Its times are those of all motions.
     members : Members
-        Numbers of the file by name, by :func:`flowlanes.flow.ensemble.members.from_lists` and the
+        Numbers of the file by name, by :func:`flowlanes.flow.ensembles.members.from_lists` and the
         like, or :func:`chaplygin.experiment.friction_studies.random_starts.random_numbers`.
     record : sequence of str
         Observables recorded besides the state, such as ``slip`` or ``normal_force``.
     tolerance : float
-        Relative error of each step.
+        See :mod:`flowlanes.system.tolerance`.
     block : int
         Members computed, written and lost at once.
 
     Returns
     -------
     Task
-        For :func:`flowlanes.flow.ensemble.compute`.  Its result has the variables of the
+        For :func:`flowlanes.flow.ensembles.compute`.  Its result has the variables of the
         state and ``mode`` over ``run`` and ``time``, and over ``run`` the numbers of
         `EVENT_NUMBERS`, ``lowest_gap``, ``outcome`` (see its ``reasons``) and ``steps``.
 

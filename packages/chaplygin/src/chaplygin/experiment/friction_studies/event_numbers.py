@@ -15,12 +15,11 @@ from flowlanes.parsing import nearest, parse
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.named_formulas import flat
 from flowlanes.system.system import System
+from nonholonomic.contact.dataset import work_names
 from nonholonomic.contact.friction.modes import MODE_NAMES
 from nonholonomic.contact.motion import ContactMotion
 from nonholonomic.contact.simulation.events import EventKind
 from nonholonomic.contact.simulation.mode_integrator import ModeIntegrator
-
-from ..contact.trajectory import work_names
 
 #: The final fraction of a motion whose mean is ``late_mean``.
 LATE = 0.2
@@ -158,11 +157,11 @@ def motion_number(text: str, system: System) -> MotionNumber:
     --------
     >>> import chaplygin as ch
     >>> from nonholonomic.contact import FrictionalContact
-    >>> from nonholonomic.contact.equations.equations_of_motion import equations_of_motion
+    >>> from nonholonomic.contact.equations.equations_of_motion import contact_equations
     >>> from nonholonomic.contact.friction.modes import Mode
     >>> from chaplygin.experiment.friction_studies.event_numbers import motion_number
     >>> ball = FrictionalContact(ch.Body(1.0, (0.4, 0.4, 0.4), ch.Ball(1.0)))
-    >>> motion_number("first:spin-stop", equations_of_motion(ball, Mode())).title
+    >>> motion_number("first:spin-stop", contact_equations(ball, Mode())).title
     'time of the first spin stop'
     """
     word, colon, subject = (part.strip() for part in text.partition(":"))
@@ -195,7 +194,7 @@ def recorded_values(motion: ContactMotion, system: System) -> dict[str, FloatArr
     A friction law of the system that the motion lacks, as its coefficient is zero, does no work.
     """
     none = dict.fromkeys(work_names(system), np.zeros(len(motion.times)))
-    return none | motion.variables() | motion.observables()
+    return none | {name: motion[name] for name in motion}
 
 
 def values_of_formula(text: str, motion: ContactMotion, system: System) -> FloatArray:

@@ -61,7 +61,7 @@ class FileNumbers:
     --------
     >>> import chaplygin as ch
     >>> from chaplygin.experiment.friction_studies.file_numbers import FileNumbers
-    >>> experiment = ch.loads('''
+    >>> experiment = ch.parse_experiment('''
     ... body = {mass = 1, inertia = [0.4, 0.4, 0.4], shape = {kind = "ball", radius = 1}}
     ... contact = {model = "friction", mu = 0.3}
     ... start = {gamma = [0, 0, 1], omega = [0, 0, 1]}

@@ -20,7 +20,7 @@ from nonholonomic.contact.simulation.end_reasons import END_REASONS
 from nonholonomic.contact.simulation.event_rules import EventRules
 from nonholonomic.system_files.validation import validation_messages
 
-from ..models.experiment import loads
+from ..models.experiment import parse_experiment
 from ..models.rolling_model import FrictionExperiment
 from ..subjects.contact_subject import ContactSubject, contact_and_rules, contact_subject, start_of
 from .file_numbers import FileNumbers
@@ -105,7 +105,7 @@ def _numbers(text: str) -> FileNumbers:
 @lru_cache(maxsize=8)
 def friction_experiment(text: str) -> FrictionExperiment:
     """Read an experiment with friction from text."""
-    experiment = loads(text)
+    experiment = parse_experiment(text)
     assert isinstance(experiment, FrictionExperiment)
     return experiment
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.members import ListedMembers, Members
+from flowlanes.flow.ensembles.members import ListedMembers, Members
 from flowlanes.system.arrays import FloatArray
 
 #: Quantities drawn as directions, with their number of components.

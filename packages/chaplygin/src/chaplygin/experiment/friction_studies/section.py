@@ -10,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.members import Members
-from flowlanes.flow.ensemble.task import Coordinate, Task, Variable
+from flowlanes.flow.ensembles.members import Members
+from flowlanes.flow.ensembles.task import Coordinate, Task, Variable
 from flowlanes.flow.variable_metadata import (
     FRAMES,
     LABELS,
@@ -22,6 +22,7 @@ from flowlanes.flow.variable_metadata import (
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.named_formulas import flat
 from flowlanes.system.system import System
+from flowlanes.system.tolerance import ENSEMBLE_TOLERANCE
 from nonholonomic.contact.friction.modes import MODE_NAMES
 from nonholonomic.contact.simulation.compiled import CompiledContact
 from nonholonomic.contact.simulation.crossings import Crossing, CrossingCourse
@@ -53,7 +54,7 @@ class ContactSection:
     surface : SectionSurface
     count : int
         Points of each motion.
-    until : float
+    t_end : float
     tolerance : float
     coordinates : tuple of (str, str)
         Names and formulas that are recorded.
@@ -63,7 +64,7 @@ class ContactSection:
     members: Members | None
     surface: SectionSurface
     count: int
-    until: float
+    t_end: float
     tolerance: float
     coordinates: tuple[tuple[str, str], ...]
 
@@ -100,7 +101,7 @@ class ContactSection:
         course = CrossingCourse(
             contact,
             _with_works(contact, state),
-            np.array([0.0, self.until]),
+            np.array([0.0, self.t_end]),
             rules,
             lambda mode, states: self._quantity(mode, states, system),
             lambda crossing: self._counts(crossing, system),
@@ -169,8 +170,8 @@ def contact_section_task(
     members: Members | None = None,
     coordinates: str = "",
     *,
-    until: float,
-    tolerance: float = 1e-13,
+    t_end: float,
+    tolerance: float = ENSEMBLE_TOLERANCE,
 ) -> tuple[Task, tuple[str, ...]]:
     """Prepare a section of motions with friction; also return the coordinates to be drawn.
 
@@ -185,10 +186,10 @@ def contact_section_task(
         Numbers of the file member by member; the start of the experiment alone if left out.
     coordinates : str
         Two or three, separated by commas: recorded quantities, or ``NAME=FORMULA``.
-    until : float
+    t_end : float
         Time after which a motion is given up.
     tolerance : float
-        Relative error of each step.
+        See :mod:`flowlanes.system.tolerance`.
 
     Raises
     ------
@@ -204,8 +205,8 @@ def contact_section_task(
         )
     if points < 1:
         raise InputError(f"{points} points: there must be one at least")
-    if not 0 < until < np.inf:
-        raise InputError(f"--until {until:g}: it must be positive and finite")
+    if not 0 < t_end < np.inf:
+        raise InputError(f"--until {t_end:g}: it must be positive and finite")
     system = subject.system
     require_formula(surface.quantity, system, "--on")
     for quantity, _ in surface.within:
@@ -219,7 +220,7 @@ def contact_section_task(
     variables = section_variables(system, points, chosen)
     used = {dimension for item in variables.values() for dimension in item.dimensions}
     task = Task(
-        ContactSection(experiment, members, surface, points, until, tolerance, chosen),
+        ContactSection(experiment, members, surface, points, t_end, tolerance, chosen),
         1 if members is None else members.size,
         1,
         variables,

@@ -59,7 +59,7 @@ _MOST_BYTES = 2_000_000
 
 
 @arguments_checked
-def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
+def load_experiment(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
     """Read an experiment file.
 
     Parameters
@@ -89,12 +89,12 @@ def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
     >>> with TemporaryDirectory() as folder:
     ...     path = Path(folder, "veselova.toml")
     ...     _ = path.write_text('system = {name = "veselova"}')
-    ...     experiment = ch.load(path, overrides=["run.samples=11"])
+    ...     experiment = ch.load_experiment(path, overrides=["run.samples=11"])
     >>> experiment.run.samples
     11
     """
     if isinstance(source, str) and "\n" in source:
-        return loads(source, overrides=overrides)
+        return parse_experiment(source, overrides=overrides)
     name = str(source)
     if not name.strip():
         raise InputError("the path is empty; it must be that of an experiment file, or its text")
@@ -117,11 +117,11 @@ def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
     if len(content) > _MOST_BYTES:
         message = f"more than {_MOST_BYTES // 1_000_000} MB: an experiment file is far smaller"
         raise InputError(message, name)
-    return loads(text, name, overrides)
+    return parse_experiment(text, name, overrides)
 
 
 @arguments_checked
-def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Experiment:
+def parse_experiment(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Experiment:
     """Read the text of an experiment file.
 
     Parameters
@@ -146,7 +146,7 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
     Examples
     --------
     >>> import chaplygin as ch
-    >>> experiment = ch.loads('''
+    >>> experiment = ch.parse_experiment('''
     ... system = {name = "veselova"}
     ... run = {until = 5.0}
     ... ''')

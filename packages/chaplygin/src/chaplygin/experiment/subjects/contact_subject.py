@@ -15,7 +15,8 @@ from flowlanes.errors import InputError
 from flowlanes.printing.numerals import number
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import System
-from nonholonomic.contact.equations.equations_of_motion import equations_of_motion
+from nonholonomic.contact.dataset import work_meanings
+from nonholonomic.contact.equations.equations_of_motion import contact_equations
 from nonholonomic.contact.equations.situation import FrictionalContact
 from nonholonomic.contact.friction.air_film import AirFilm
 from nonholonomic.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
@@ -36,7 +37,6 @@ from nonholonomic.mechanics.shapes.surfaces import Surface
 from nonholonomic.system_files.open_kinds import KindTable
 from nonholonomic.system_files.sourced import identifier
 
-from ..contact.dataset import work_meanings
 from ..contact.trajectory import ContactTrajectory, contact_trajectory
 from ..file.contact_tables import FrictionTable
 from ..file.tables import CommonRunTable
@@ -243,7 +243,7 @@ def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
     body, surface = contact.body, contact.surface
     title = experiment.title or f"{body.shape.title} on {surface.title}, with friction"
     with experiment.placing_errors("body"):
-        system = equations_of_motion(contact, shown_mode(contact))
+        system = contact_equations(contact, shown_mode(contact))
     return ContactSubject(
         system=replace(system, name=identifier(title), title=title),
         start_values=experiment.start.model_dump(exclude_none=True),

@@ -20,7 +20,7 @@ from flowlanes.system.vectors import real_symbol
 from nonholonomic.mechanics.constraints.integrability import nonholonomy
 from nonholonomic.mechanics.lagrangian.mechanism import TIME, Mechanism
 from nonholonomic.mechanics.lagrangian.plan import plan_of
-from nonholonomic.mechanics.lagrangian.poincare_suslov import equations
+from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.system_files.systems import (
     described_plan,
@@ -143,7 +143,7 @@ def mechanism_subject(experiment: MechanismExperiment) -> DescribedSubject:
     """
     with _placing_errors(experiment):
         mechanism = mechanism_of(experiment)
-        system = with_claims(experiment, equations(mechanism), catalogue_system)
+        system = with_claims(experiment, equations_of_motion(mechanism), catalogue_system)
     return _checked_subject(experiment, system, mechanism)
 
 

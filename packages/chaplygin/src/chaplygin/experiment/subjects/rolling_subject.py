@@ -6,7 +6,7 @@ import sympy as sp
 
 from nonholonomic.catalogue import known_laws_of
 from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, Rolling
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.fluid import Fluid
 from nonholonomic.system_files.sourced import identifier
 
@@ -43,11 +43,11 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
     )
 
 
-def _rolling(experiment: RollingExperiment) -> Rolling:
+def _rolling(experiment: RollingExperiment) -> RollingBody:
     body = body_of(experiment)
     with experiment.placing_errors("surface"):
         ground = experiment.surface.surface()
-    return Rolling(body, ground, experiment.contact.model, forces_of(experiment))
+    return RollingBody(body, ground, experiment.contact.model, forces_of(experiment))
 
 
 def body_of(experiment: BodyOnSurface) -> Body:
@@ -102,7 +102,7 @@ def forces_of(experiment: BodyOnSurface) -> Forces:
         return Forces(forces.gravity, potential, forces.values)
 
 
-def _title(rolling: Rolling) -> str:
+def _title(rolling: RollingBody) -> str:
     """A name for a body that the catalogue has none for."""
     manner = "" if rolling.contact == "marble" else ", rubber contact"
     filled = " with fluid" if rolling.body.fluids else ""

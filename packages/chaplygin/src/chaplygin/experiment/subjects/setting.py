@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from flowlanes.printing.numerals import number
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 
 
-def rolling_setting(rolling: Rolling) -> str:
+def rolling_setting(rolling: RollingBody) -> str:
     """The body, its support, the contact and the forces in one line."""
     manner = "without slipping"
     if rolling.contact == "rubber":
@@ -21,11 +21,8 @@ def rolling_setting(rolling: Rolling) -> str:
     return f"{rolling.body.shape.title} on {rolling.surface.setting}, {manner}; {field}"
 
 
-def cavity_words(rolling: Rolling) -> str:
-    """The fluids in the cavities of a body, as the end of its setting line.
-
-    Empty if there are none.
-    """
+def cavity_words(rolling: RollingBody) -> str:
+    """The fluids in the cavities of a body, to end the line of its setting; empty without any."""
     fluids = rolling.body.fluids
     if not fluids:
         return ""

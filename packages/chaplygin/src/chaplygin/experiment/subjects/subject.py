@@ -26,7 +26,7 @@ from nonholonomic.mechanics.ball.ball import RollingBall
 from nonholonomic.mechanics.lagrangian.mechanism import TIME, Mechanism
 from nonholonomic.mechanics.lagrangian.plan import Plan
 from nonholonomic.mechanics.rolling.body import AnyBody
-from nonholonomic.mechanics.rolling.equations import Rolling
+from nonholonomic.mechanics.rolling.equations import RollingBody
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.surfaces import Surface
 
@@ -62,7 +62,7 @@ class Subject:
         Duration (s).
     variables : mapping of str to (str, str)
         Meaning and unit of variables of the state, where the start is given by it.
-    rolling : Rolling, optional
+    rolling : RollingBody, optional
         The rolling body and its surface.
     ball : RollingBall, optional
         The homogeneous ball and its surface.
@@ -74,7 +74,7 @@ class Subject:
     start_values: StartValues
     until: float
     variables: Variables = field(default_factory=dict)
-    rolling: Rolling | None = None
+    rolling: RollingBody | None = None
     ball: RollingBall | None = None
     plan: Plan | None = None
 
@@ -93,7 +93,7 @@ class Subject:
         return ""
 
     @property
-    def model(self) -> Rolling | Mechanism | None:
+    def model(self) -> RollingBody | Mechanism | None:
         """The body or mechanism from which the equations were derived, if known."""
         return self.rolling
 

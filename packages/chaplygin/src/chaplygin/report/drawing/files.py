@@ -91,8 +91,10 @@ def save(figure: Figure, path: str | FilePath) -> FilePath:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
     >>> with TemporaryDirectory() as folder:
@@ -266,8 +268,10 @@ def page_svgs(
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> figures = {"drift": ch.report.figures.drift(dataset)}
     >>> svgs = {name: ch.report.figures.svg_text(figure) for name, figure in figures.items()}
     >>> pairs, letters = ch.report.figures.page_svgs(figures, svgs)

@@ -102,8 +102,10 @@ def all_figures(
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> sorted(ch.report.figures.all_figures(dataset))
     ['angular_velocity', 'attitude', 'drift', 'normal_force', 'normal_on_sphere']
     """
@@ -164,8 +166,10 @@ def state_figures(
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> sorted(ch.report.figures.state_figures(dataset, ["M", "gamma"]))
     ['drift', 'state']
     """

@@ -44,8 +44,10 @@ def drift(dataset: xr.Dataset) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> figure = ch.report.figures.drift(dataset)
     >>> [axes.get_xlabel() for axes in figure.axes]
     ['time  $t$  (s)']
@@ -129,8 +131,10 @@ def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> float(abs(ch.report.figures.relative_drift(dataset, "energy")).max()) < 1e-12
     True
     """

@@ -71,8 +71,10 @@ def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> from chaplygin.report.drawing.shading import PlaneGround
     >>> figure = ch.report.figures.contact_path(dataset, PlaneGround())
     >>> [axes.get_xlabel() for axes in figure.axes]
@@ -187,8 +189,10 @@ def normal_on_sphere(dataset: xr.Dataset) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> figure = ch.report.figures.normal_on_sphere(dataset)
     >>> len(figure.axes)
     2

@@ -70,8 +70,10 @@ def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> figure = ch.report.figures.state(dataset, ["M", "gamma"])
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['$\\mathbf{M}$  (kg m$^{2}$/s)', '$\\boldsymbol{\\gamma}$']

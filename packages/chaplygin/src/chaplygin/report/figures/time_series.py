@@ -52,8 +52,10 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> figure = ch.report.figures.angular_velocity(dataset)
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['angular velocity  (rad/s)']
@@ -113,8 +115,10 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> figure = ch.report.figures.normal_force(dataset, weight=9.81)
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['normal force  (N)']
@@ -189,8 +193,10 @@ def friction_ratio(dataset: xr.Dataset) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> figure = ch.report.figures.friction_ratio(dataset)
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['friction over normal force']
@@ -250,8 +256,10 @@ def attitude(dataset: xr.Dataset) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> study = ch.prepare(ch.loads('system = {name = "heavy-disk"}', overrides=["run.until=0.2"]))
-    >>> dataset = ch.to_dataset(study.trajectory())
+    >>> study = ch.Study.from_experiment(
+    ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
+    ... )
+    >>> dataset = study.trajectory().to_dataset()
     >>> figure = ch.report.figures.attitude(dataset)
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['angle  (rad)']

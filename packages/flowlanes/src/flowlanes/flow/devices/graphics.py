@@ -10,6 +10,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from ...errors import InputError
+from ...system.tolerance import Precision
 from ..kernel.equations import Equations, serial
 from ..kernel.tableaux import arithmetic_and_method
 from .batch_arrays import BatchInput, BatchOutput, empty_output
@@ -78,7 +79,7 @@ def refuse_graphics(device: Device) -> None:
 
 def graphics_loop(
     equations: Equations,
-    digits: int,
+    precision: Precision,
     tolerance: float,
     open_device: Callable[[], GraphicsProcessor] = open_processor,
 ) -> GraphicsLoop:
@@ -87,7 +88,7 @@ def graphics_loop(
     Parameters
     ----------
     equations : Equations
-    digits : 16 or 30
+    precision : ``"double"`` or ``"quad"``
     tolerance : float
     open_device : callable
         Opens the graphics processor.
@@ -98,8 +99,8 @@ def graphics_loop(
         If there is no graphics processor, or its library is missing.
     """
     processor = open_device()
-    arithmetic, method = arithmetic_and_method(digits, tolerance)
-    key = f"thread {digits} {method.name} {serial(equations)}"
+    arithmetic, method = arithmetic_and_method(precision, tolerance)
+    key = f"thread {precision} {method.name} {serial(equations)}"
     return GraphicsLoop(
         processor, cached_ptx(key, lambda: thread_loop(arithmetic, method, equations))
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass, field
 
+from ...system.tolerance import Precision
 from ..kernel.equations import Equations, serial
 from ..kernel.runge_kutta import runge_kutta_loop
 from ..kernel.tableaux import arithmetic_and_method
@@ -47,13 +48,13 @@ class ProcessorLoop:
         return result
 
 
-def processor_loop(equations: Equations, digits: int, tolerance: float) -> ProcessorLoop:
+def processor_loop(equations: Equations, precision: Precision, tolerance: float) -> ProcessorLoop:
     """Compile the loop for given equations, with 16 or 30 digits and the method for a tolerance."""
     width = native.width()
-    arithmetic, method = arithmetic_and_method(digits, tolerance)
+    arithmetic, method = arithmetic_and_method(precision, tolerance)
 
     def text() -> tuple[str, int]:
         return runge_kutta_loop(arithmetic, method, equations, width)
 
-    key = f"march {width} {digits} {method.name} {serial(equations)}"
+    key = f"march {width} {precision} {method.name} {serial(equations)}"
     return ProcessorLoop(native.load_code(key, text, {"march": SIGNATURE}))

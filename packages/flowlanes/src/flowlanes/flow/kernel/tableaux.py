@@ -10,6 +10,7 @@ from typing import Any
 
 import mpmath
 
+from ...system.tolerance import Precision
 from ..machine_code.arithmetic import Arithmetic, Double, Pair
 from . import dop853_doubles, verner_doubles
 
@@ -95,9 +96,11 @@ def explicit_fine() -> Explicit:
     return Explicit(table.a, table.b, table.e3, table.e5, "Dormand and Prince", 9)
 
 
-def arithmetic_and_method(digits: int, tolerance: float) -> tuple[type[Arithmetic[Any]], Explicit]:
-    """The arithmetic for 16 or 30 digits, and the method for a step tolerance."""
-    if digits == 30:
+def arithmetic_and_method(
+    precision: Precision, tolerance: float
+) -> tuple[type[Arithmetic[Any]], Explicit]:
+    """The arithmetic, of 16 or (quad) 30 digits, and the method for a step tolerance."""
+    if precision == "quad":
         return Pair, explicit_fine()
     return Double, explicit_steady() if tolerance < FINE else explicit()
 

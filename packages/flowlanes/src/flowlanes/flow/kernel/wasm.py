@@ -68,7 +68,7 @@ def emit_integration_loop(
     prefix: str, equations: Equations, lanes: int, tolerance: float
 ) -> tuple[str, int]:
     """Generate the loop ``<prefix>_march`` for a tolerance; also return its memory in doubles."""
-    _, method = arithmetic_and_method(16, tolerance)
+    _, method = arithmetic_and_method("double", tolerance)
     text, work = runge_kutta_loop(WithoutFused, method, equations, lanes)
     return with_prefix(prefix, text), work
 

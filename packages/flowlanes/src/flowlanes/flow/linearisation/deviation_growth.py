@@ -98,7 +98,7 @@ class DeviationGrowth:
         Deviations that count.
     deviations : int
     tolerance : float
-        See :func:`flowlanes.flow.batch.batch_integrator`.
+        See :mod:`flowlanes.system.tolerance`.
     record_width : int
         Further numbers of every interval.
     loop : BatchLoop
@@ -192,9 +192,9 @@ def deviation_growth(
     )
     loop: BatchLoop
     if device == "gpu":
-        loop = graphics_loop(equations, 16, tolerance)
+        loop = graphics_loop(equations, "double", tolerance)
     else:
-        loop = processor_loop(equations, 16, tolerance)
+        loop = processor_loop(equations, "double", tolerance)
     return DeviationGrowth(space, deviations, tolerance, len(recorded), loop)
 
 

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import Any, NoReturn, TypeAlias
 
 import mpmath
 import sympy as sp
@@ -27,6 +27,7 @@ from ...errors import InputError
 from ...formulas.multiprecision import number, slopes
 from ...system.laws import Symmetry
 from ...system.named_formulas import flat_pairs
+from ...system.overview import Overview, WithOverview
 from ...system.parameters import parameter_values
 from ...system.system import System
 from ..initial_states import reduced_start, vector_components
@@ -39,8 +40,12 @@ NEWTON_STEPS = 60
 State: TypeAlias = Mapping[Any, Any] | Sequence[Any]
 
 
-@dataclass(frozen=True)
-class Linearisation:
+#: Growth rates that an overview shows.
+SHOWN = 12
+
+
+@dataclass(frozen=True, repr=False)
+class Linearisation(WithOverview):
     """Small deviations from a steady motion.
 
     Attributes
@@ -71,6 +76,23 @@ class Linearisation:
     reduced: mpmath.matrix
     drift: dict[str, mpmath.mpf]
     digits: int
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("matrices of mpmath cannot be pickled: pickle the eigenvalues")
+
+    def overview(self) -> Overview:
+        """System, dimension, and the growth rates."""
+        rates = [mpmath.nstr(rate, 8) for rate in self.eigenvalues]
+        more = f", and {len(rates) - SHOWN} more" if len(rates) > SHOWN else ""
+        return Overview(
+            f"{self.system.title}: small deviations from a steady motion",
+            (
+                ("variables", ", ".join(map(str, self.variables))),
+                ("dimension", str(self.reduced.rows)),
+                ("growth rates", ", ".join(rates[:SHOWN]) + more),
+                ("digits", str(self.digits)),
+            ),
+        )
 
     @cached_property
     def _modes(self) -> list[tuple[mpmath.mpc, mpmath.matrix]]:
@@ -264,7 +286,7 @@ class _LinearisedSystem:
 
     def _carries(self, law: Symmetry) -> bool:
         """Whether a symmetry is one on all of the phase space, with these parameters."""
-        level = law.scalar.on
+        level = law.scalar.level
         moving = set(self.system.symbols) | {s for s, _ in self.system.scalar_definitions}
         if any(condition.free_symbols & moving for condition in level):
             return False

@@ -13,6 +13,7 @@ from ...arguments import Parameters
 from ...formulas.array_formulas import Formulas
 from ...system.arrays import FloatArray
 from ...system.system import System
+from ...system.tolerance import ENSEMBLE_TOLERANCE
 from ..batch import batch_integrator
 from ..devices.graphics import Device
 from ..kernel.equations import groups
@@ -28,9 +29,9 @@ COUPLING = 1e-4
 def state_scales(
     system: System,
     starts: FloatArray,
-    until: float,
+    t_end: float,
     parameters: Parameters = None,
-    tolerance: float = 1e-12,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     device: Device = "cpu",
 ) -> FloatArray:
     """The largest sizes of the vectors of the state over the first tenth of motions.
@@ -40,12 +41,12 @@ def state_scales(
     system : System
     starts : (n, size) array
         In flat order, on the phase space.
-    until : float
+    t_end : float
         Length of the motions.
     parameters : mapping of Symbol or name to number or (n,) array, optional
         Parameters that replace the defaults.
     tolerance : float
-        See :func:`flowlanes.flow.batch.batch_integrator`.
+        See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
         Where the motions are computed.
 
@@ -54,7 +55,7 @@ def state_scales(
     (n, size) array
         The size of the vector of each variable, positive; see `state_scales_at`.
     """
-    times = STRETCH * until * np.arange(1, LOOKS + 1) / LOOKS
+    times = STRETCH * t_end * np.arange(1, LOOKS + 1) / LOOKS
     flow = batch_integrator(system, tolerance=tolerance, device=device)
     run = flow.propagate(starts, times, parameters)
     first = np.asarray(starts, dtype=np.float64)

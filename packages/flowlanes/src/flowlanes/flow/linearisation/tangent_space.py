@@ -108,7 +108,7 @@ class TangentSpace:
     >>> x, v = sp.symbols("x v", real=True)
     >>> oscillator = flowlanes.System("oscillator", "Oscillator", {x: v, v: -x})
     >>> law = flowlanes.Integral("energy", x**2 + v**2)
-    >>> spectrum = flowlanes.lyapunov_spectrum(oscillator.with_laws(law), (1.0, 0.0), until=20.0)
+    >>> spectrum = flowlanes.lyapunov_spectrum(oscillator.with_laws(law), (1.0, 0.0), t_end=20.0)
     >>> len(spectrum.exponents)
     0
     """

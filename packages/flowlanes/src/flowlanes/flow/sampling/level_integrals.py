@@ -31,7 +31,7 @@ def validate_level(system: System, level: Mapping[str, float], values: FloatArra
             )
         if not np.isfinite(float(value)):
             raise InputError(f"{system.name}: {name} = {value}: a finite number is needed")
-        for condition in known[name].scalar.on:
+        for condition in known[name].scalar.level:
             if not _vanishes(system, condition, level, values):
                 raise InputError(
                     f"{system.name}: {name} is an integral only where {condition} "
@@ -60,7 +60,7 @@ def measures(system: System, level: Mapping[str, float], values: FloatArray) -> 
     return [
         law
         for law in system.laws_of(Measure)
-        if all(_vanishes(system, condition, level, values) for condition in law.on)
+        if all(_vanishes(system, condition, level, values) for condition in law.level)
     ]
 
 

@@ -16,9 +16,9 @@ from ...formulas.array_evaluation import parameter_rows
 from ...formulas.array_formulas import Formulas
 from ...system.arrays import FloatArray
 from ...system.vectors import Vector
-from ..ensemble.task import Coordinate, Task, Variable
+from ..ensembles.task import Coordinate, Task, Variable
 from ..kernel.outcomes import STATUS_MESSAGES
-from ..trajectory import by_name
+from ..motion import by_name
 from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
 from .poincare_map import PoincareMap
 
@@ -164,7 +164,7 @@ def section_task(
     laws = [
         Quantity(f"law_{law.name}", law.value, law.meaning, law.unit or "1")
         for law in system.scalar.integrals
-        if not law.on
+        if not law.level
     ]
     recorded = (*laws, *quantities)
     variables = {

@@ -29,6 +29,7 @@ from ...system.arrays import FloatArray
 from ...system.named_formulas import scalars
 from ...system.parameters import parameters_by_symbol
 from ...system.system import System
+from ...system.tolerance import ENSEMBLE_TOLERANCE
 from ..batch import BatchIntegrator, batch_integrator
 from ..devices.graphics import Device
 from ..kernel.equations import Section
@@ -74,10 +75,10 @@ class PoincareMap:
     parameters : mapping of Symbol or name to number or array (n,), optional
         Values that replace the defaults; an array has one for every point.
     tolerance : float
-        Of the integration, relative error of a step.
+        See :mod:`flowlanes.system.tolerance`.
     backward : bool
         Whether to go back in time: the inverse map.
-    until : float
+    t_end : float
         After so much time (s) without a return a point counts as one that does not return.
     device : "cpu" or "gpu"
         Where the motions are computed; see :func:`flowlanes.flow.batch.batch_integrator`.
@@ -104,15 +105,15 @@ class PoincareMap:
     system: System
     section: Section
     parameters: Mapping[Any, Any] = field(default_factory=dict)
-    tolerance: Positive = 1e-13
+    tolerance: Positive = ENSEMBLE_TOLERANCE
     backward: bool = False
-    until: float = np.inf
+    t_end: float = np.inf
     device: Device = "cpu"
 
     def __post_init__(self) -> None:
         parameters_by_symbol(self.system, self.parameters)
-        if not self.until > 0:
-            raise InputError(f"until = {self.until}: it must be a positive number")
+        if not self.t_end > 0:
+            raise InputError(f"until = {self.t_end}: it must be a positive number")
 
     @property
     def inverse(self) -> PoincareMap:
@@ -156,7 +157,7 @@ class PoincareMap:
             All cores if left out; the result does not depend on it.
         """
         return self._integrator(0).crossings(
-            points, count, self.parameters, until=self.until, threads=threads
+            points, count, self.parameters, t_end=self.t_end, threads=threads
         )
 
     @arguments_checked
@@ -192,7 +193,7 @@ class PoincareMap:
             raise InputError(f"a derivative of {count} returns: there must be one at least")
         frame = np.broadcast_to(np.eye(self.size), (len(starts), self.size, self.size))
         crossed = self._integrator(self.size).crossings(
-            starts, count, self.parameters, until=self.until, deviations=frame.copy()
+            starts, count, self.parameters, t_end=self.t_end, deviations=frame.copy()
         )
         images, times = crossed.states[:, -1], crossed.times[:, -1]
         # Deviations are rows there, columns here.
@@ -230,7 +231,7 @@ class PoincareMap:
         """
         fixed = [*self.system.relations, self.section.value]
         if integrals:
-            fixed += [law.value for law in self.system.integrals if not law.on]
+            fixed += [law.value for law in self.system.integrals if not law.level]
         values = _mapping_at(self.parameters, 0)
         formulas = Formulas(self.system, fixed)
         slopes = formulas.slopes(point, values)

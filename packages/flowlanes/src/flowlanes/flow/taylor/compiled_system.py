@@ -15,12 +15,13 @@ from ...errors import InputError
 from ...formulas.graph import Graph, Reader, Term, topological_order
 from ...system.formula_text import exact_text
 from ...system.system import System
+from ...system.tolerance import FINEST_TOLERANCE, TOLERANCE, Precision
 from ..machine_code import code_cache as cache, jit
 from ..machine_code.native_formulas import SIGNATURE, FormulaShape, NativeFormulas, emit_formulas
 from .projection import Block
 from .recurrences import SERIES_SIGNATURES, emit_series
 from .state_series import SeriesLayout, Step, TaylorSeries, series_order
-from .working_numbers import Direction, Precision, WorkingArray, WorkingNumber
+from .working_numbers import Direction, WorkingArray, WorkingNumber
 
 #: Residuals by name, with the columns of the state that they move.
 Residuals: TypeAlias = dict[str, tuple[list[sp.Expr], slice]]
@@ -269,7 +270,7 @@ class _Plan:
         """The system with 34 digits, compiled by heyoka; derivatives of relations in doubles."""
         from .heyoka_series import HeyokaFormulas, HeyokaSeries, heyoka_code
 
-        double = replace(self, precision="double", tolerance=1e-15).compile()
+        double = replace(self, precision="double", tolerance=TOLERANCE["double"]).compile()
         every = {**self._blocks, **self._law_blocks}
         residuals = {name: block[0] for name, block in every.items()}
         code, from_cache = cache.cached_entry(
@@ -331,7 +332,7 @@ def _depends_on_state(term: Term) -> bool:
 
 def compile_system(
     system: System,
-    tolerance: float = 1e-15,
+    tolerance: float = TOLERANCE["double"],
     precision: Precision = "double",
     direction: Direction = "forward",
 ) -> CompiledSystem:
@@ -342,7 +343,7 @@ def compile_system(
     system : System
         Lifted to space if it has a motion.
     tolerance : float
-        Relative error per step; limited by the working precision.
+        See :mod:`flowlanes.system.tolerance`; limited by the working precision.
     precision : ``"double"`` or ``"quad"``
         16 or 34 digits.
     direction : ``"forward"`` or ``"backward"``
@@ -355,7 +356,7 @@ def compile_system(
     """
     if not 0 < tolerance < 1:
         raise InputError(f"tolerance {tolerance}: it must lie between 0 and 1")
-    if precision == "double" and tolerance < 1e-16:
+    if precision == "double" and tolerance < FINEST_TOLERANCE["double"]:
         raise InputError(
             f"tolerance {tolerance} is beyond double precision: use at least 1e-16, or "
             "precision 'quad'"

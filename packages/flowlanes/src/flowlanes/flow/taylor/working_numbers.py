@@ -7,8 +7,8 @@ from typing import Any, Literal, TypeAlias
 import numpy.typing as npt
 
 from ...errors import InputError
+from ...system.tolerance import Precision
 
-Precision = Literal["double", "quad"]
 Direction = Literal["forward", "backward"]
 
 #: A number of the working precision: a double, or a 34-digit number of heyoka; and arrays.

@@ -199,7 +199,7 @@ def _sample(system: System, law: Law, read: CheckedClaim, conditions: Sequence[s
     """A point of the level at which the law is defined and conditions hold, as text."""
     for alternative in alternatives(system, law):
         claim = polynomial_problems(alternative.system, alternative.law)[-1]
-        for level in LevelSet(claim.system, claim.law.on).components:
+        for level in LevelSet(claim.system, claim.law.level).components:
             points = replace(level, inner=True) if level.parent else level
             for trial in trials(claim.law, points, FURTHER if conditions else FIRST):
                 point = None if trial.witness else witness_point(claim, points, trial.values)
@@ -225,7 +225,7 @@ def _proofs(
     verdict: Verdict,
     budget: Budget,
 ) -> list[Text]:
-    level = LevelSet(system, law.on)
+    level = LevelSet(system, law.level)
     numbers = point_of_level(read, sample)
     point = {str(s): float(numbers(name(str(s))).mid()) for s in level.generators}
     conditions = [

@@ -112,7 +112,7 @@ def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
 
 def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
     steps = dict(system.scalar_definitions)
-    conditions = [_in_sight(c, steps) for c in (*system.scalar.relations, *law.scalar.on)]
+    conditions = [_in_sight(c, steps) for c in (*system.scalar.relations, *law.scalar.level)]
     factors = [_factors(condition) for condition in conditions]
     changed = False
     if law.pointwise:
@@ -129,7 +129,7 @@ def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
     split = len(system.relations)
     parts = []
     for choice in _few(product(*factors)):
-        there = replace(law, on=choice[split:], as_printed=None)
+        there = replace(law, level=choice[split:], as_printed=None)
         there = there.weighted(_shares_of_volume(conditions, choice))
         parts.append(
             Alternative(

@@ -75,9 +75,9 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     )
     agreement = tuple(Rate(s) - rates[s] for s in gone)
     consistency = Identity("the conditions are kept", agreement)
-    excluded = _excluded_factors(system, (*system.relations, *law.on), factors)
+    excluded = _excluded_factors(system, (*system.relations, *law.level), factors)
     # the volume is d^n x divided by the differentials of the conditions
-    there = replace(law, on=(), as_printed=None)
+    there = replace(law, level=(), as_printed=None)
     there = there.weighted(tuple((factor, -sp.S.One) for factor in factors))
     return Graph(reduced, there, consistency, excluded)
 
@@ -90,7 +90,7 @@ def _choices(
     One condition may take a variable that another needs: where the order of the file leaves
     conditions with functions, other orders are tried.
     """
-    conditions = [*system.scalar.relations, *law.scalar.on]
+    conditions = [*system.scalar.relations, *law.scalar.level]
     wild = [i for i, c in enumerate(conditions) if not _polynomial(expand(c, steps), tame)]
     best: tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr], set[int]] | None = None
     for order in islice(permutations(wild), MOST_ORDERS):

@@ -31,11 +31,11 @@ class LevelFormulas:
 
     Parameters
     ----------
-    on : tuple of sympy.Expr
+    level : tuple of sympy.Expr
         The level: further expressions that vanish.
     equations : tuple of sympy.Expr, optional
         Of a component of the level: the polynomials in state and parameters that vanish on it,
-        in place of the relations and of `on`.
+        in place of the relations and of `level`.
     parent : tuple of sympy.Expr, optional
         Of a part of a component where an initial of it vanishes: the component's equations.
     defining_factors : tuple of sympy.Expr
@@ -51,7 +51,7 @@ class LevelFormulas:
     """
 
     system: System
-    on: tuple[sp.Expr, ...] = ()
+    level: tuple[sp.Expr, ...] = ()
     equations: tuple[sp.Expr, ...] | None = None
     parent: tuple[sp.Expr, ...] | None = None
     defining_factors: tuple[sp.Expr, ...] = ()
@@ -160,7 +160,7 @@ class LevelFormulas:
     @cached_property
     def _written(self) -> tuple[sp.Expr, ...]:
         """The relations and the level, by components."""
-        return (*self.system.scalar.relations, *scalars(self.on))
+        return (*self.system.scalar.relations, *scalars(self.level))
 
     def _in_sight(self, condition: sp.Expr) -> sp.Expr:
         """A condition that is a mere name, as the formula that the name stands for."""
@@ -240,7 +240,7 @@ class LevelFormulas:
 
     def _empty(self) -> EmptyLevelSetError:
         return EmptyLevelSetError(
-            f"{self.system.name}: the level {conditions_text(self.on)} is empty; its conditions "
+            f"{self.system.name}: the level {conditions_text(self.level)} is empty; its conditions "
             "contradict each other or the phase space"
         )
 

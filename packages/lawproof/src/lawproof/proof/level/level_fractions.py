@@ -55,7 +55,7 @@ class LevelFractions(LevelFormulas):
         if any(r.func is sp.Gt and r.lhs - r.rhs == formula for r in self.requirements):
             return Sign.POSITIVE
         # as it is written, then reduced by the conditions: either may show what the other hides
-        plain = replace(self, system=replace(self.system, relations=(), laws=()), on=())
+        plain = replace(self, system=replace(self.system, relations=(), laws=()), level=())
         written = replace(plain, equations=None)._sign(formula)
         return self._sign(formula) if written is Sign.UNKNOWN else written
 

@@ -78,7 +78,7 @@ class LevelSet(LevelFractions):
         if part.parent is not None:
             parent = (*formulas(part.parent.equations), *self.zeros)
         return LevelSet(
-            self.system, self.on, equations, parent, formulas(part.defining_factors), part.inner
+            self.system, self.level, equations, parent, formulas(part.defining_factors), part.inner
         )
 
     def point(
@@ -104,7 +104,7 @@ class LevelSet(LevelFractions):
                 return component._try_point(generator, draw)
             except ZeroDivisionError:
                 continue
-        raise OutOfReachError(f"no real point was found on the level {conditions_text(self.on)}")
+        raise OutOfReachError(f"no real point was found on the level {conditions_text(self.level)}")
 
     @cached_property
     def _first_component(self) -> LevelSet:

@@ -89,10 +89,10 @@ def _on_circles(system: System, law: Law, reduced: Graph | None) -> Claim:
     if reduced is not None:
         expressed = _expressed_variables(system, reduced)
         system, law = reduced.system, reduced.law
-    formulas = (*system.relations, *law.on, *(value for _, value in system.definitions))
+    formulas = (*system.relations, *law.level, *(value for _, value in system.definitions))
     changed: Circles | None = None
     if any(sp.sympify(formula).has(TrigonometricFunction) for formula in formulas):
-        changed = circles(system, law.on, formulas_of(law))
+        changed = circles(system, law.level, formulas_of(law))
     if changed is None:
         return Claim(system, law, expressions=expressed)
     lost = tuple((angle, *circle) for angle, circle in changed.replaced_angles.items())

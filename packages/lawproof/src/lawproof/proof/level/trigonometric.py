@@ -168,7 +168,7 @@ def without_angles(system: System, law: Law) -> tuple[System, Law]:
     OutOfReachError
         As :func:`circles`.
     """
-    points = circles(system, law.on, formulas_of(law))
+    points = circles(system, law.level, formulas_of(law))
     return (system, law) if points is None else (points.system, points.law(law))
 
 
@@ -206,7 +206,7 @@ def angle_parts(system: System, law: Law) -> dict[sp.Expr, int]:
     Sines and cosines of x and x/2 are polynomials in those of x/2, so that x has two parts.
     """
     formulas = [*system.rates, *(value for _, value in system.scalar_definitions)]
-    formulas += [*system.relations, *law.on, *formulas_of(law)]
+    formulas += [*system.relations, *law.level, *formulas_of(law)]
     parts: dict[sp.Expr, int] = {}
     for formula in scalars(formulas):
         for node in formula.atoms(TrigonometricFunction):

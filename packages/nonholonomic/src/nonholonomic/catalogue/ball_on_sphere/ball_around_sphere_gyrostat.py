@@ -8,7 +8,7 @@ from flowlanes.system.laws import Integral, Law, Measure
 from flowlanes.system.system import System
 from flowlanes.system.vectors import norm_squared, vectors
 
-from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
 from ..catalogue_entry import Numbers, bruns_factor, laws_for
@@ -22,7 +22,7 @@ from .bruns_field import HALF, SOURCE
 M, k = vectors("M k")
 
 
-def build(p: Numbers) -> Rolling:
+def build(p: Numbers) -> RollingBody:
     """The hollow ball around a sphere, with rotors, in the potential U = ½K(γ, Iγ)."""
     ball = ball_on_sphere.build_around(p)
     body = replace(ball.body, gyrostat=(p["k_1"], p["k_2"], p["k_3"]))
@@ -30,7 +30,7 @@ def build(p: Numbers) -> Rolling:
 
 
 @laws_for("marble", Sphere, Ball)
-def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """The measure in every potential U(γ); |M + k|² where Bruns' field is switched off."""
     body, field = rolling.body, rolling.field
     balanced = ball_on_sphere.ratio(replace(rolling, field=Forces())) is not None
@@ -48,7 +48,7 @@ MOMENTUM = Integral(
     "momentum",
     norm_squared(M + k),
     "square of the momentum",
-    on=(K,),
+    level=(K,),
     source=SOURCE,
     unit=MOMENTUM_UNIT,
 )

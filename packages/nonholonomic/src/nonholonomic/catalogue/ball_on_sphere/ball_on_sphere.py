@@ -19,7 +19,7 @@ from flowlanes.system.vectors import (
 )
 
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.equations import RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
 from ..catalogue_entry import Numbers, laws_for
@@ -32,19 +32,19 @@ I, A = Diagonal("I"), Diagonal("A")
 k, m, R = real_symbol("k"), real_symbol("m"), real_symbol("R")
 
 
-def build(p: Numbers) -> Rolling:
+def build(p: Numbers) -> RollingBody:
     """A ball of radius R on a sphere of signed radius a: k = a/(a + R)."""
     body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"]))
-    return Rolling(body, Sphere.of_signed_radius(p["a"]))
+    return RollingBody(body, Sphere.of_signed_radius(p["a"]))
 
 
-def build_around(p: Numbers) -> Rolling:
+def build_around(p: Numbers) -> RollingBody:
     """A hollow ball whose inner surface, of radius R, rolls around the sphere: k = a/(a − R)."""
     body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"], hollow=True))
-    return Rolling(body, Sphere.of_signed_radius(p["a"]))
+    return RollingBody(body, Sphere.of_signed_radius(p["a"]))
 
 
-def ratio(rolling: Rolling) -> float | None:
+def ratio(rolling: RollingBody) -> float | None:
     """k of a free balanced ball on a sphere; None for anything else."""
     body, surface, field = rolling.body, rolling.surface, rolling.field
     ball, a = body.shape.signed_radius, surface.signed_radius
@@ -56,7 +56,7 @@ def ratio(rolling: Rolling) -> float | None:
 
 
 @laws_for("marble", Sphere, Ball)
-def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """M² and an invariant measure for every k, and a linear integral for k = −1."""
     value = ratio(rolling)
     if value is None:
@@ -97,7 +97,7 @@ def _linear(shift: sp.Expr) -> Integral:
         "linear",
         dot(tensor * M, gamma),
         "linear integral of the case k = −1",
-        on=(k + 1,),
+        level=(k + 1,),
         source="(8.3)",
         unit="kg^2 m^4/s",
     )

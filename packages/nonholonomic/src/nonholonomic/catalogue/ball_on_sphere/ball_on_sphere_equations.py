@@ -75,7 +75,7 @@ def equations_on_sphere() -> System:
                 "linear",
                 dot((sp.Add(*J.symbols) / 2 * identity - J) * M, n),
                 "linear integral of the case k = −1",
-                on=(k + 1,),
+                level=(k + 1,),
                 source="(8.3)",
                 unit="kg^2 m^4/s",
             ),

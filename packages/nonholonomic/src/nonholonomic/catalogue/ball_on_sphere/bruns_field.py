@@ -15,7 +15,7 @@ from flowlanes.system.laws import Integral, Law, Measure
 from flowlanes.system.system import System
 from flowlanes.system.vectors import Diagonal, dot, norm_squared, vectors
 
-from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
 from ..catalogue_entry import Numbers, bruns_factor, laws_for
@@ -31,14 +31,14 @@ SOURCE = "§12, problem 1"
 HALF = sp.Rational(1, 2)
 
 
-def with_rotors(p: Numbers) -> Rolling:
+def with_rotors(p: Numbers) -> RollingBody:
     """The Chaplygin ball with rotors, in Bruns' field."""
     return replace(
         chaplygin_ball.with_rotors(p), field=Forces(potential=BRUNS, values=((K, p["K"]),))
     )
 
 
-def ball_around_sphere(p: Numbers) -> Rolling:
+def ball_around_sphere(p: Numbers) -> RollingBody:
     """The hollow ball around a sphere, in Bruns' field."""
     return replace(
         ball_on_sphere.build_around(p), field=Forces(potential=BRUNS, values=((K, p["K"]),))
@@ -46,7 +46,7 @@ def ball_around_sphere(p: Numbers) -> Rolling:
 
 
 @laws_for("marble", Sphere, Ball)
-def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """Momentum, measure and, for k = −1, the linear integral of a ball on a sphere."""
     body, field = rolling.body, rolling.field
     free = replace(rolling, field=Forces())

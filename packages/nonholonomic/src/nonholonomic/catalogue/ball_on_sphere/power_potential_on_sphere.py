@@ -43,7 +43,7 @@ BRADEN = Integral(
         - h * (sp.Add(*(1 / j for j in J.symbols)) - SQUEEZE) / STRETCH
     ),
     "quadratic integral of Braden's system, k = 1",
-    on=(k - 1,),
+    level=(k - 1,),
     source="§9.4",
     unit="kg m^2/s^2",
 )
@@ -51,7 +51,7 @@ NEUMANN = Integral(
     "neumann",
     dot(M, J * M) / 2 + h * DET_J * SQUEEZE,
     "quadratic integral of Neumann's system, k = −1",
-    on=(k + 1,),
+    level=(k + 1,),
     source="§9.4",
     unit="kg^3 m^6/s^2",
 )

@@ -12,7 +12,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import Diagonal, Symmetric, dot, norm_squared, real_symbol, vectors
 
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
 from ..catalogue_entry import Numbers, laws_for
@@ -24,12 +24,12 @@ J, A = Diagonal("J"), Diagonal("A")
 k = real_symbol("k")
 
 
-def build(p: Numbers) -> Rolling:
+def build(p: Numbers) -> RollingBody:
     """The ball of §8, kept from spinning."""
     return replace(ball_on_sphere.build(p), contact="rubber")
 
 
-def build_around(p: Numbers) -> Rolling:
+def build_around(p: Numbers) -> RollingBody:
     """The hollow ball of §8, kept from spinning."""
     return replace(ball_on_sphere.build_around(p), contact="rubber")
 
@@ -39,7 +39,7 @@ RHO_SQUARED = dot(gamma, A * gamma)
 
 
 @laws_for("rubber", Sphere, Ball)
-def measure(rolling: Rolling, system: System) -> tuple[Measure, ...]:
+def measure(rolling: RollingBody, system: System) -> tuple[Measure, ...]:
     """(9.3), with rotors, under gravity and in every potential."""
     if any(rolling.body.shape.centre):
         return ()
@@ -61,7 +61,7 @@ def as_family() -> Isomorphism:
 
 
 @laws_for("rubber", Sphere, Ball)
-def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """The measure (9.3); for a free ball the family (9.2), and (9.4) for k = −1."""
     known: tuple[Law, ...] = measure(rolling, system)
     value = ball_on_sphere.ratio(rolling)
@@ -77,7 +77,9 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     meaning = "quadratic integral of the case k = −1"
     return (
         *known,
-        Integral("quadratic", integral, meaning, on=(k + 1,), source="(9.4)", unit="kg^2 m^4/s^2"),
+        Integral(
+            "quadratic", integral, meaning, level=(k + 1,), source="(9.4)", unit="kg^2 m^4/s^2"
+        ),
     )
 
 
@@ -85,7 +87,7 @@ def general_system() -> System:
     """The ball on the outside, with rotors, in an arbitrary potential U(γ)."""
     potential = sp.Function("U")(*gamma.symbols)
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0), gyrostat=(0.3, -0.2, 0.5))
-    rolling = Rolling(body, Sphere(2.0), "rubber", Forces(0.0, potential))
+    rolling = RollingBody(body, Sphere(2.0), "rubber", Forces(0.0, potential))
     system = rolling.system("rubber-ball-on-sphere", "Rubber ball on a sphere")
     return system.with_laws(*measure(rolling, system))
 

@@ -114,7 +114,7 @@ ON_PLANE = Integral(
     "momentum",
     norm_squared(cross(J * omega, n)),
     "square of the horizontal momentum, k = 1",
-    on=(k - 1,),
+    level=(k - 1,),
     source="§9.2",
     unit="kg^2 m^4/s^2",
 )
@@ -122,7 +122,7 @@ AROUND = Integral(
     "quadratic",
     (norm_squared(J * omega) + DET_J * dot(omega, J * omega) * norm_squared(A * n)) / RHO_SQUARED,
     "quadratic integral of the case k = −1",
-    on=(k + 1,),
+    level=(k + 1,),
     source="(9.4)",
     unit="kg^2 m^4/s^2",
 )

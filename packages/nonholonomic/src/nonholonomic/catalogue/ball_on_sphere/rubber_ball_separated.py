@@ -96,7 +96,7 @@ def separation() -> Separation:
             Rate(F),
         ),
         meaning="separated equations of the case k = −1",
-        on=(k + 1,),
+        level=(k + 1,),
         source="§9.5",
     )
 

@@ -183,7 +183,7 @@ def meridian_law(axis: str = "z", on: tuple[sp.Expr, ...] = ()) -> Identity:
             (1 - up**2) * Rate(sigma) - (turn - up * sigma) * (Rate(up) - slope * Rate(place[i])),
         ),
         "two linear equations along the meridian, whose solutions give two linear integrals",
-        on=on,
+        level=on,
         source=ROLLING,
     )
 
@@ -197,7 +197,7 @@ def _paraboloid_of_revolution(ball: RollingBall) -> tuple[Law, ...]:
             name,
             ell ** (e * sp.sqrt(share)) * (turn - sign * (1 + e * sp.sqrt(share)) * sigma),
             f"{meaning} linear integral of the paraboloid of revolution",
-            on=(p - q,),
+            level=(p - q,),
             source=ROLLING,
             unit="rad/s",
         )
@@ -206,7 +206,7 @@ def _paraboloid_of_revolution(ball: RollingBall) -> tuple[Law, ...]:
     product = (turn - sign * sigma) ** 2 - share * sigma**2
     meaning = "product of the linear integrals of the paraboloid of revolution"
     both = Integral(
-        "linear_product", product, meaning, on=(p - q,), source=ROLLING, unit="rad^2/s^2"
+        "linear_product", product, meaning, level=(p - q,), source=ROLLING, unit="rad^2/s^2"
     )
     return (*linear, both)
 
@@ -258,4 +258,4 @@ def _rubber_revolution(ball: RollingBall) -> tuple[Law, ...]:
         return ()
     value: sp.Expr = dot(cross(R, v), unit_vector(_third(ball) + 1))
     meaning = "areal velocity about the axis"
-    return (Integral("area", value, meaning, on=level, source="Clairaut 1733", unit="m^2/s"),)
+    return (Integral("area", value, meaning, level=level, source="Clairaut 1733", unit="m^2/s"),)

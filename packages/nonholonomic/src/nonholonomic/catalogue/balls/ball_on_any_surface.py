@@ -25,13 +25,13 @@ from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_sy
 from ...mechanics.ball.equations import (
     Contact,
     Kinematics,
+    ball_equations,
     ball_parameters,
     centre_surface,
-    equations_of_motion,
     supporting_surface,
 )
 from ...mechanics.ball.mechanism import ball_mechanism
-from ...mechanics.lagrangian.poincare_suslov import equations
+from ...mechanics.lagrangian.poincare_suslov import equations_of_motion
 from ..vector_rates import rate
 
 R, x, omega, v, n, ndot, r, N, F, df = vectors("R x omega v n ndot r N F df")
@@ -132,13 +132,13 @@ def _common(kinematics: Kinematics, density: dict[sp.Expr, sp.Expr]) -> tuple[La
 
 def _system(contact: Contact, kinematics: Kinematics) -> System:
     force = -gradient(POTENTIAL, R)
-    system = equations_of_motion(contact, kinematics, force, NUMBERS)
+    system = ball_equations(contact, kinematics, force, NUMBERS)
     return replace(system, reconstruction=None)
 
 
 def _derived_system(contact: Contact) -> System:
     """The equations that follow from Lagrangian, frame and constraints alone."""
-    system = equations(ball_mechanism(contact, SURFACE, POTENTIAL, NUMBERS))
+    system = equations_of_motion(ball_mechanism(contact, SURFACE, POTENTIAL, NUMBERS))
     return replace(system, laws=(), reconstruction=None)
 
 

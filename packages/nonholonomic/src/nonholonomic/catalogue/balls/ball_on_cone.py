@@ -18,7 +18,7 @@ from flowlanes.system.vector_operators import gradient
 from flowlanes.system.vectors import dot, norm_squared, vectors
 
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
+from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
 from ...mechanics.ball.surface import Cone
 from ..catalogue_entry import Numbers
 from .ball_entry import ball_entry
@@ -47,7 +47,7 @@ def any_cone() -> System:
     first, second, third = R.symbols
     shape = first * sp.Function("h")(second / first)
     central = sp.Function("U")(*scalars(norm_squared(R)))
-    system = equations_of_motion(
+    system = ball_equations(
         "marble",
         centre_surface(third - shape),
         -gradient(central, R),

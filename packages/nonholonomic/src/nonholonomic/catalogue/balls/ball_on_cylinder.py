@@ -21,7 +21,7 @@ from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import real_symbol, vectors
 
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
+from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
 from ...mechanics.ball.surface import CircularCylinder
 from ..catalogue_entry import Numbers
 from .ball_entry import ball_entry
@@ -45,7 +45,7 @@ def any_cylinder() -> System:
     """A heavy marble ball in an upright pipe of any cross-section f(R₁, R₂) = const."""
     first, second, _ = R.symbols
     weight = Parameter(g, "acceleration of gravity", 9.81, "m/s^2")
-    system = equations_of_motion(
+    system = ball_equations(
         "marble",
         centre_surface(sp.Function("f")(first, second)),
         -m * g * unit_vector(3),

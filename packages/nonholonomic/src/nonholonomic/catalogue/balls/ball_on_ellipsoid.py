@@ -23,7 +23,7 @@ from flowlanes.system.vectors import (
 )
 
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
+from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
 from ...mechanics.ball.surface import EllipsoidSurface
 from ..catalogue_entry import Numbers
 from .ball_entry import ball_entry
@@ -77,7 +77,7 @@ def any_quadric() -> System:
     """A marble ball whose centre moves on any quadric (R, AR) = const, with A of any signs."""
     form = to_components(dot(R, A * R)) / 2
     entries = tuple(Parameter(s, f"coefficient {s}", 1.0) for s in A.symbols)
-    system = equations_of_motion(
+    system = ball_equations(
         "marble",
         centre_surface(form),
         -gradient(SPRING, R),

@@ -15,7 +15,7 @@ from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import real_symbol, vectors
 
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
+from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
 from ...mechanics.ball.surface import Ring
 from ..catalogue_entry import Numbers
 from .ball_entry import ball_entry
@@ -44,7 +44,7 @@ def any_revolution() -> System:
     first, second, third = R.symbols
     profile = sp.Function("h")(first**2 + second**2)
     weight = Parameter(g, "acceleration of gravity", 9.81, "m/s^2")
-    system = equations_of_motion(
+    system = ball_equations(
         "marble",
         centre_surface(third - profile),
         -m * g * unit_vector(3),

@@ -24,7 +24,7 @@ from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import constant, cross, dot, real_symbol, vectors
 
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
+from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
 from ...mechanics.ball.surface import Paraboloid
 from ..catalogue_entry import Numbers
 from ..vector_rates import rate
@@ -71,7 +71,7 @@ def laws() -> tuple[Law, ...]:
 def any_graph(force: MatrixExpr = FORCE) -> System:
     """The ball over any surface z = f(x, y), with ω₃ = (∂f/∂x) ω₁ + (∂f/∂y) ω₂ as a definition."""
     numbers = ball_parameters(1.0, 0.4, 1.0)
-    system = equations_of_motion("rubber", centre_surface(GRAPH), force, numbers, NAME, TITLE)
+    system = ball_equations("rubber", centre_surface(GRAPH), force, numbers, NAME, TITLE)
     return tangential(replace(system, reconstruction=None))
 
 

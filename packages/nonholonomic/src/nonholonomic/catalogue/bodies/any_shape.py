@@ -25,7 +25,7 @@ from flowlanes.system.vectors import (
 )
 
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import ContactModel, Forces, Rolling
+from ...mechanics.rolling.equations import ContactModel, Forces, RollingBody
 from ...mechanics.shapes.shapes import Ellipsoid
 from ...mechanics.shapes.surfaces import Sphere
 from ..catalogue_entry import Entry, Numbers
@@ -188,12 +188,12 @@ def ellipsoid_entries(
     return (
         python_entry(
             f"{contact}-body",
-            build=lambda p: Rolling(ellipsoid(p), contact=contact, field=Forces(p["g"])),
+            build=lambda p: RollingBody(ellipsoid(p), contact=contact, field=Forces(p["g"])),
             general=general[0],
         ),
         python_entry(
             f"{contact}-body-on-sphere",
-            build=lambda p: Rolling(ellipsoid(p), Sphere.of_signed_radius(p["a"]), contact),
+            build=lambda p: RollingBody(ellipsoid(p), Sphere.of_signed_radius(p["a"]), contact),
             general=general[1],
         ),
     )

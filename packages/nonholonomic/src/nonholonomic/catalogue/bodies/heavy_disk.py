@@ -7,7 +7,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import dot, real_symbol, vectors
 
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Disk
 from ...mechanics.shapes.surfaces import Plane
 from ..catalogue_entry import Numbers, laws_for
@@ -23,14 +23,14 @@ g_1, g_2, g_3 = gamma.symbols
 SOURCE = "§4.1, §11.4"
 
 
-def build(p: Numbers) -> Rolling:
+def build(p: Numbers) -> RollingBody:
     """A disk of radius R with axis of symmetry along body axis 3."""
     body = Body(p["m"], (p["I_1"], p["I_1"], p["I_3"]), Disk(p["R"]))
-    return Rolling(body, field=Forces(p["g"]))
+    return RollingBody(body, field=Forces(p["g"]))
 
 
 @laws_for("marble", Plane(), Disk)
-def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """Symmetry, measure and the linear equations for the two momenta as functions of γ₃."""
     body = rolling.body
     if (
@@ -49,10 +49,10 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
             "rotation",
             {M_1: -M_2, M_2: M_1, g_1: -g_2, g_2: g_1},
             "rotation about the axis of symmetry",
-            on=level,
+            level=level,
             source=SOURCE,
         ),
-        Measure("measure", {}, "invariant measure d³M d³γ", on=level, source=SOURCE),
+        Measure("measure", {}, "invariant measure d³M d³γ", level=level, source=SOURCE),
         Reduction(
             "momenta",
             {u: g_3, p: dot(M, gamma), q: M_3},
@@ -61,7 +61,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
                 Rate(p) - reach * (q / (I_3 + reach) - u * share) * Rate(u),
             ),
             "linear equations for the vertical momentum p and the axial momentum q by u = γ₃",
-            on=level,
+            level=level,
             source=SOURCE,
         ),
     )

@@ -13,7 +13,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import dot, norm_squared, real_symbol, vectors
 
 from ...mechanics.rolling.body import AnyBody, Body
-from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.revolution import Revolution
 from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid
 from ...mechanics.shapes.surfaces import Plane
@@ -31,25 +31,25 @@ g_1, g_2, g_3 = gamma.symbols
 w_1, w_2, w_3 = omega.symbols
 
 
-def build(p: Numbers) -> Rolling:
+def build(p: Numbers) -> RollingBody:
     """An ellipsoid of revolution with its centre of mass on the axis."""
     shape = Ellipsoid((p["b_1"], p["b_1"], p["b_3"]), centre=(0.0, 0.0, p["c_3"]))
     return _rubber(p, shape)
 
 
-def build_disk(p: Numbers) -> Rolling:
+def build_disk(p: Numbers) -> RollingBody:
     """A disk whose centre lies at −a on the axis."""
     return _rubber(p, Disk(p["R"], centre=(0.0, 0.0, p["c_3"])))
 
 
-def build_ball(p: Numbers) -> Rolling:
+def build_ball(p: Numbers) -> RollingBody:
     """A ball whose centre lies at −a on the axis of symmetry."""
     return _rubber(p, Ball(p["R"], centre=(0.0, 0.0, p["c_3"])))
 
 
-def _rubber(p: Numbers, shape: Ball | Disk | Ellipsoid) -> Rolling:
+def _rubber(p: Numbers, shape: Ball | Disk | Ellipsoid) -> RollingBody:
     body = Body(p["m"], (p["I_1"], p["I_1"], p["I_3"]), shape)
-    return Rolling(body, contact="rubber", field=Forces(p["g"]))
+    return RollingBody(body, contact="rubber", field=Forces(p["g"]))
 
 
 def _conditions(body: AnyBody) -> tuple[sp.Expr, ...] | None:
@@ -66,7 +66,7 @@ def _conditions(body: AnyBody) -> tuple[sp.Expr, ...] | None:
 
 
 @laws_for("rubber", Plane())
-def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """(5.1) and (5.2), for every profile and every potential U(γ₃); symmetry and measure."""
     body = rolling.body
     depends = rolling.field.potential.free_symbols & {g_1, g_2}
@@ -105,7 +105,7 @@ def spin(height: sp.Expr, level: tuple[sp.Expr, ...]) -> Integral:
         "spin",
         sp.sqrt(_square(height)) * w_3,
         "integral linear in ω",
-        on=level,
+        level=level,
         source="(5.1)",
         unit="kg^0.5 m/s",
     )
@@ -138,7 +138,7 @@ def quadratures(
             g_2 * Rate(g_1) - g_1 * Rate(g_2) - K / factor,
         ),
         "quadratures for γ₃ = cos θ and φ",
-        on=level,
+        level=level,
         source="(5.2)",
     )
 
@@ -149,7 +149,7 @@ def rotation(level: tuple[sp.Expr, ...] = ()) -> Symmetry:
         "rotation",
         {w_1: -w_2, w_2: w_1, g_1: -g_2, g_2: g_1},
         "rotation about the axis of symmetry",
-        on=level,
+        level=level,
         source="§5, before (5.1)",
     )
 
@@ -160,7 +160,7 @@ def measure(reach: MatrixExpr, height: sp.Expr, level: tuple[sp.Expr, ...] = ())
         "measure",
         {I_1 + m * norm_squared(reach): sp.S.One, _square(height): HALF},
         "invariant measure ρ d³ω d³γ, ρ = BA",
-        on=level,
+        level=level,
         source="§5, after (5.2)",
     )
 
@@ -188,7 +188,7 @@ def rolling_equations(gravity: float = 0.0) -> System:
     """The body from the equations of any rolling body, with I_2 as a symbol."""
     body = Body(1.0, (0.3, 0.3, 0.2), Revolution(1 + g_3**2 / 4))
     field = Forces(gravity, POTENTIAL)
-    system = Rolling(body, contact="rubber", field=field).system("rubber-body-of-revolution")
+    system = RollingBody(body, contact="rubber", field=field).system("rubber-body-of-revolution")
     profile = {
         real_symbol("p"): HEIGHT,
         real_symbol("pprime"): HEIGHT.diff(g_3),

@@ -9,7 +9,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import cross, dot, norm_squared, real_symbol, vectors
 
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import ContactModel, Rolling
+from ...mechanics.rolling.equations import ContactModel, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane, Sphere
 from ..catalogue_entry import Numbers, laws_for
@@ -19,16 +19,16 @@ M, omega, gamma, r, c = vectors("M omega gamma r c")
 m, R = real_symbol("m"), real_symbol("R")
 
 
-def build(p: Numbers, contact: ContactModel = "marble") -> Rolling:
+def build(p: Numbers, contact: ContactModel = "marble") -> RollingBody:
     """A ball whose geometric centre is at c from its centre of mass; on a sphere if a is given."""
     centre = (p["c_1"], p["c_2"], p["c_3"])
     body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"], centre=centre))
     surface = Sphere.of_signed_radius(p["a"]) if "a" in p else Plane()
-    return Rolling(body, surface, contact)
+    return RollingBody(body, surface, contact)
 
 
 @laws_for(None, None, Ball)
-def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
+def laws(rolling: RollingBody, system: System) -> tuple[Integral, ...]:
     """The quadratic integral of a free ball: marble on a plane or a sphere, or rubber on a plane.
 
     M² − m r²(M, ω) of a marble ball, since ṙ is orthogonal to ω; (10.5) of a rubber ball, with

@@ -109,7 +109,7 @@ def laws(p: Numbers) -> tuple[Law, ...]:
             meaning="a single supporting ball",
             onto=(norm_squared(alpha) - 1, norm_squared(beta) - 1),
             source=SOURCE,
-            on=(D_1, D_2),
+            level=(D_1, D_2),
         ),
     )
 

@@ -47,7 +47,7 @@ def laws() -> tuple[Law, ...]:
                 place,
                 dot(total, axis),
                 f"momentum about the direction of the {place} ball",
-                on=level,
+                level=level,
                 source=SOURCE,
                 unit=MOMENTUM,
             )
@@ -80,7 +80,7 @@ def build(p: Numbers) -> System:
 
 def general() -> System:
     """With the laws of a ball without a field."""
-    return replace(build(FILE.parameters), laws=tuple(law for law in laws() if law.on))
+    return replace(build(FILE.parameters), laws=tuple(law for law in laws() if law.level))
 
 
 ENTRIES = (

@@ -24,7 +24,7 @@ from flowlanes.system.vectors import (
 )
 
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
 from ..catalogue_entry import Numbers, bruns_factor, laws_for
@@ -44,28 +44,28 @@ DENSITY = 1 / sp.sqrt(DET_IQ)
 MOMENTUM_UNIT = "kg^2 m^4/s^2"
 
 
-def ball(p: Numbers, rotors: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Rolling:
+def ball(p: Numbers, rotors: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> RollingBody:
     """A ball with its centre of mass at its centre, with rotors or without."""
-    return Rolling(Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"]), gyrostat=rotors))
+    return RollingBody(Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"]), gyrostat=rotors))
 
 
-def build(p: Numbers) -> Rolling:
+def build(p: Numbers) -> RollingBody:
     """The ball alone."""
     return ball(p)
 
 
-def with_rotors(p: Numbers) -> Rolling:
+def with_rotors(p: Numbers) -> RollingBody:
     """The ball with the constant gyrostatic momentum k."""
     return ball(p, (p["k_1"], p["k_2"], p["k_3"]))
 
 
-def in_bruns_field(p: Numbers) -> Rolling:
+def in_bruns_field(p: Numbers) -> RollingBody:
     """The ball in the potential U = ½K(γ, Iγ)."""
     return replace(ball(p), field=Forces(potential=BRUNS, values=((K, p["K"]),)))
 
 
 @laws_for("marble", Plane(), Ball)
-def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """The laws in every potential, and M² without one or in Bruns' field."""
     body = rolling.body
     if any(body.shape.centre):
@@ -138,10 +138,10 @@ def _onto_bracket(potential: sp.Expr, rotors: sp.MatrixExpr) -> Isomorphism:
     )
 
 
-def _general(rolling: Rolling, rotors: sp.MatrixExpr, name: str) -> System:
+def _general(rolling: RollingBody, rotors: sp.MatrixExpr, name: str) -> System:
     """The ball in an unspecified potential, with its Hamiltonian form."""
     potential = sp.Function("U")(*gamma.symbols)
-    system = Rolling(rolling.body, field=Forces(potential=potential)).system(name)
+    system = RollingBody(rolling.body, field=Forces(potential=potential)).system(name)
     area, *_ = laws(rolling, system)
     forms = _forms(system, M + rotors)
     return system.with_laws(area, *forms, _onto_bracket(potential, rotors))

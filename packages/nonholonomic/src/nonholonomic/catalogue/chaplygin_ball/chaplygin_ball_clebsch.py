@@ -123,7 +123,7 @@ def onto_clebsch() -> Isomorphism:
         },
         meaning="Clebsch case (6.14) with I = IJ⁻¹, α = 1, β = −1",
         onto=(dot(CLEBSCH_MOMENTUM, Gamma), neumann.SECOND),
-        on=AREA,
+        level=AREA,
         source="Theorem 10",
     )
     return replace(
@@ -146,7 +146,7 @@ def onto_fedorov() -> Isomorphism:
         constants={beta: D / DET_J * level},
         meaning="Clebsch case in Fedorov's variables",
         onto=(dot(K, gamma), beta * DET_J * SPREAD - D * dot(J * K, INVERSE * K)),
-        on=AREA,
+        level=AREA,
         source=SOURCE,
     )
     return replace(

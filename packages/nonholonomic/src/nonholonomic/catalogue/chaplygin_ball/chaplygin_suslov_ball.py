@@ -119,7 +119,7 @@ def _volume() -> Measure:
         "volume",
         {sp.S.One: 1},
         "the volume itself, when the axis is the principal axis 3",
-        on=PRINCIPAL,
+        level=PRINCIPAL,
         source=SOURCE,
     )
 

@@ -11,7 +11,7 @@ from flowlanes.system.laws import Integral, Law, Measure
 from flowlanes.system.system import System
 from flowlanes.system.vectors import Diagonal, cross, dot, norm_squared, vectors, zero
 
-from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
 from ..catalogue_entry import Numbers, bruns_factor, laws_for
@@ -26,13 +26,13 @@ SOURCE = "§2.4"
 MOMENTUM_UNIT = chaplygin_ball.MOMENTUM_UNIT
 
 
-def build(p: Numbers) -> Rolling:
+def build(p: Numbers) -> RollingBody:
     """The Chaplygin ball with rubber contact."""
     return replace(chaplygin_ball.build(p), contact="rubber")
 
 
 @laws_for("rubber", Plane(), Ball)
-def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """Measure; the square of the horizontal momentum without a potential or with Bruns'."""
     body = rolling.body
     if any(body.shape.centre):

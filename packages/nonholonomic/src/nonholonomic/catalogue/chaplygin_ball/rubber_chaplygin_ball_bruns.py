@@ -8,7 +8,7 @@ from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import Law
 from flowlanes.system.system import System
 
-from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
 from ..catalogue_entry import Numbers, bruns_factor, laws_for
@@ -17,14 +17,14 @@ from ..fixed_point import veselova
 from . import chaplygin_ball, rubber_chaplygin_ball
 
 
-def build(p: Numbers) -> Rolling:
+def build(p: Numbers) -> RollingBody:
     """The ball in the potential U = ½K(γ, Iγ)."""
     field = Forces(potential=chaplygin_ball.BRUNS, values=((veselova.K, p["K"]),))
     return replace(rubber_chaplygin_ball.build(p), field=field)
 
 
 @laws_for("rubber", Plane(), Ball)
-def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """Laws of the ball in a potential, and the isomorphism to the Veselova system."""
     known = rubber_chaplygin_ball.laws(rolling, system)
     if not known or bruns_factor(rolling.field.potential) != veselova.K:

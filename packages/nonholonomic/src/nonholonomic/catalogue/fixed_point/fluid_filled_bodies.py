@@ -191,7 +191,7 @@ def _of_constraint(
             "volume",
             {sp.S.One: sp.S.One},
             "volume of ω, γ, N, when the axis without rotation is a principal axis",
-            on=tuple(s for s in products if s != 0),
+            level=tuple(s for s in products if s != 0),
             source=SOURCE,
         )
     ]

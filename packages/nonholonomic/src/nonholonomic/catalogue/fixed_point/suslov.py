@@ -98,7 +98,7 @@ def in_field(
                 "volume",
                 {sp.S.One: sp.S.One},
                 "volume of ω and γ, when the axis without rotation is a principal axis",
-                on=tuple(product for product in products if product != 0),
+                level=tuple(product for product in products if product != 0),
                 source="§3.2",
             ),
             *laws,

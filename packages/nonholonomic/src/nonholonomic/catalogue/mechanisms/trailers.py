@@ -21,7 +21,7 @@ from flowlanes.system.vectors import real_symbol
 
 from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
-from ...mechanics.lagrangian.poincare_suslov import equations
+from ...mechanics.lagrangian.poincare_suslov import equations_of_motion
 from ..catalogue_entry import Numbers
 from ..file_systems import python_entry
 from ..positive_numbers import positive
@@ -137,7 +137,7 @@ def _parameters(count: int, p: Mapping[str, float]) -> tuple[Parameter, ...]:
 
 def trailers(p: Numbers) -> System:
     """Two trailers: the angles at the hitches, the speed and the turning."""
-    return equations(train(2, p))
+    return equations_of_motion(train(2, p))
 
 
 ENTRIES = (python_entry(name="trailers", build=trailers, plan=drawing_of_trailers(2)),)

@@ -58,7 +58,7 @@ def hamiltonian(p: Column, energy: sp.Expr) -> ConformallyHamiltonian:
         bracket(p),
         energy,
         "Hamiltonian form on a sphere of the ball's own radius",
-        on=(a - R,),
+        level=(a - R,),
         source=SOURCE,
     )
 

@@ -111,7 +111,7 @@ def rate_of_pencil(sign: int = 1) -> System:
     Examples
     --------
     >>> import lawproof
-    >>> [verdict.decision for verdict in lawproof.prove(rate_of_pencil())]
+    >>> [verdict.decision for verdict in lawproof.prove_all(rate_of_pencil())]
     ['proven', 'proven']
     """
     u, q, y = _of("u"), _of("q"), _of(ALONG)

@@ -244,7 +244,7 @@ class QuadraticPencil:
                 f"pencil_{order}",
                 self.coefficient(order),
                 f"member {order} of the pencil of quadratic integrals",
-                on=on,
+                level=on,
                 source=_SOURCE,
             )
             for order in range(1, self.tensor.rows)

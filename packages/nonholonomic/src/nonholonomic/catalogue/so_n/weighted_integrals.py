@@ -72,7 +72,7 @@ def weighted_integrals(inertia: Moments, omega: Skew, k: sp.MatrixBase) -> tuple
             f"quadratic{number}",
             sp.Add(*(K[i, j] * spin[i, j] * k[i, j] for i, j in pairs(n))),
             f"quadratic integral {number} by weights of the planes",
-            on=_conditions(inertia, K),
+            level=_conditions(inertia, K),
             source=SOURCE,
         )
         for number, K in enumerate(further_weights(inertia), 2)
@@ -124,7 +124,7 @@ def lemma() -> System:
     Examples
     --------
     >>> import lawproof
-    >>> {verdict.decision for verdict in lawproof.prove(lemma())}
+    >>> {verdict.decision for verdict in lawproof.prove_all(lemma())}
     {'proven'}
     """
     u, q, gamma, w, d = (Column(name, 3) for name in ("u", "q", "gamma", "w", "d"))

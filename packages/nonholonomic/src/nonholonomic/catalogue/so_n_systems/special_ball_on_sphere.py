@@ -106,7 +106,7 @@ def _quadratic_integrals(inertia: ProductMoments, energy: sp.Expr) -> tuple[Inte
                 f"quadratic{i + 1}",
                 (sp.Add(*turns) + 2 * energy * own * y[i] ** 2) / W,
                 f"quadratic integral of axis {i + 1}, around a sphere of half the radius",
-                on=(2 * a + R,),
+                level=(2 * a + R,),
                 source=SOURCE,
                 unit=SQUARE,
             )

@@ -114,7 +114,7 @@ def _volume(on: tuple[sp.Expr, ...]) -> Measure:
         "volume",
         {sp.S.One: sp.S.One},
         "volume of w and γ, when the last body axis is a principal axis",
-        on=on,
+        level=on,
         source=SOURCE,
     )
 

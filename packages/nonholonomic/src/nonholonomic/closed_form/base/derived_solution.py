@@ -35,11 +35,11 @@ class DerivedSolution(Solution):
         return self.inner.form
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """The phase rate of the other motion."""
-        return self.inner.pace
+        return self.inner.phase_rate
 
     @property
-    def left_open(self) -> str:
+    def not_rigorous(self) -> str:
         """The sentence of the other motion."""
-        return self.inner.left_open
+        return self.inner.not_rigorous

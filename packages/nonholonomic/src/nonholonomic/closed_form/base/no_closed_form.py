@@ -14,7 +14,7 @@ from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Measure
 
 from ...catalogue.ball_on_sphere import rubber_ball_ratio
 from ...catalogue.ball_on_sphere.ball_on_sphere import ratio
-from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.equations import RollingBody
 from .problem import Problem
 
 #: Names of circulation vectors, for one cavity and for several.
@@ -96,7 +96,7 @@ def degenerate(problem: Problem) -> NoClosedFormError:
 
 def _known_laws(problem: Problem) -> str:
     """The laws that hold at the start, as text."""
-    laws = [law for law in problem.system.laws if problem.vanish(law.on, ROUNDING)]
+    laws = [law for law in problem.system.laws if problem.vanish(law.level, ROUNDING)]
     words = [law.meaning or law.name for law in of_kind(laws, Integral)]
     words += [phrase for kind, phrase in _FORMS.items() if any(isinstance(x, kind) for x in laws)]
     if not words:
@@ -126,7 +126,7 @@ def _condition_text(problem: Problem, condition: Condition) -> str:
     written = text(condition.paper_formula)
     if len(written) <= SHORT:
         return f"{written} = 0"
-    laws = [law for law in problem.system.integrals if problem.vanish(law.on, ROUNDING)]
+    laws = [law for law in problem.system.integrals if problem.vanish(law.level, ROUNDING)]
     value, *others = problem.sized_values([condition.formula, *(law.value for law in laws)])
     same = [law for law, other in zip(laws, others, strict=True) if (value - other).vanishes()]
     return f"the {same[0].meaning} vanishes" if same else f"{written} = 0"
@@ -180,7 +180,7 @@ def _title_in_sentence(title: str) -> str:
     return f"the {title if capitalised else f'{first.lower()}{space}{remainder}'}"
 
 
-Rule = Callable[[Problem, Rolling], _Obstacle | None]
+Rule = Callable[[Problem, RollingBody], _Obstacle | None]
 
 
 def _fluid(problem: Problem) -> _Obstacle | None:
@@ -192,19 +192,19 @@ def _fluid(problem: Problem) -> _Obstacle | None:
     )
 
 
-def _rotors(problem: Problem, rolling: Rolling) -> _Obstacle | None:
+def _rotors(problem: Problem, rolling: RollingBody) -> _Obstacle | None:
     if not any(rolling.body.gyrostat):
         return None
     return _Obstacle(f"{_body(rolling)} that carries rotors", "is the same ball without rotors")
 
 
-def _potential(problem: Problem, rolling: Rolling) -> _Obstacle | None:
+def _potential(problem: Problem, rolling: RollingBody) -> _Obstacle | None:
     if rolling.field.potential == 0:
         return None
     return _Obstacle(f"{_body(rolling)} in this potential", "is the same ball without it")
 
 
-def _shape(problem: Problem, rolling: Rolling) -> _Obstacle | None:
+def _shape(problem: Problem, rolling: RollingBody) -> _Obstacle | None:
     shape = rolling.body.shape
     if shape.is_balanced_ball:
         return None
@@ -216,7 +216,7 @@ def _shape(problem: Problem, rolling: Rolling) -> _Obstacle | None:
     )
 
 
-def _gravity_on_sphere(problem: Problem, rolling: Rolling) -> _Obstacle | None:
+def _gravity_on_sphere(problem: Problem, rolling: RollingBody) -> _Obstacle | None:
     if not rolling.field.gravity or rolling.surface.is_flat:
         return None
     return _Obstacle(
@@ -225,7 +225,7 @@ def _gravity_on_sphere(problem: Problem, rolling: Rolling) -> _Obstacle | None:
     )
 
 
-def _ratio(problem: Problem, rolling: Rolling) -> _Obstacle | None:
+def _ratio(problem: Problem, rolling: RollingBody) -> _Obstacle | None:
     k = ratio(rolling)
     if k is None or k == -1:
         return None
@@ -239,13 +239,13 @@ def _ratio(problem: Problem, rolling: Rolling) -> _Obstacle | None:
 _RULES: tuple[Rule, ...] = (_shape, _rotors, _potential, _gravity_on_sphere, _ratio)
 
 
-def _body(rolling: Rolling) -> str:
+def _body(rolling: RollingBody) -> str:
     return f"the ball {_surface_name(rolling)}, {_contact(rolling)},"
 
 
-def _surface_name(rolling: Rolling) -> str:
+def _surface_name(rolling: RollingBody) -> str:
     return f"on a {rolling.surface.kind}"
 
 
-def _contact(rolling: Rolling) -> str:
+def _contact(rolling: RollingBody) -> str:
     return f"{rolling.contact} contact"

@@ -24,7 +24,7 @@ from flowlanes.system.named_formulas import scalars
 from flowlanes.system.parameters import require_admissible
 from flowlanes.system.system import System
 
-from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.equations import RollingBody
 
 #: Number of points at which two fields are compared.
 POINTS = 3
@@ -46,14 +46,14 @@ class Problem:
         A value for every parameter of the system.
     start : tuple of numbers
         The state at time 0, lifted to space where the system has a motion, in flat order.
-    rolling : Rolling or None
+    rolling : RollingBody or None
         What rolls on what, where that is known.
     """
 
     system: System
     parameters: Mapping[sp.Symbol, NumberOrText]
     start: tuple[NumberOrText, ...]
-    rolling: Rolling | None = None
+    rolling: RollingBody | None = None
 
     def well_posed(self) -> Problem:
         """The problem with validated numbers, for a reduced start without lift.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NoReturn
 
 import numpy as np
 import numpy.typing as npt
@@ -13,10 +14,10 @@ from flint import arb
 
 from flowlanes.arguments import NumberOrText, arguments_checked
 from flowlanes.errors import InputError
-from flowlanes.flow.trajectory import by_name
+from flowlanes.flow.sampled_motion import SampledMotion, sampled
 from flowlanes.formulas.array_evaluation import as_float_array
 from flowlanes.system.arrays import FloatArray
-from flowlanes.system.overview import Overview, WithOverview, WithShortRepr
+from flowlanes.system.overview import Overview, WithOverview
 from flowlanes.system.system import System
 
 #: Largest phase Ωt in double precision: beyond 1e15 its digits are lost.
@@ -47,6 +48,12 @@ class NamedConstant:
     value: arb
     meaning: str
     unit: str = ""
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError(
+            "a constant of a closed form is a ball of python-flint, which cannot be pickled: "
+            "pickle float(constant.value), or the text constant.value.str()"
+        )
 
     def text(self) -> str:
         """The value to ten digits, with unit and meaning."""
@@ -116,29 +123,6 @@ class ClosedForm(WithOverview):
         )
 
 
-@dataclass(frozen=True, repr=False)
-class States(WithShortRepr):
-    """States at chosen times, by name.
-
-    Attributes
-    ----------
-    system : System
-        Lifted to space where it has a motion.
-    times : array (n,)
-    values : array (n, size)
-        In the flat order of ``system.symbols``.
-    """
-
-    system: System
-    times: FloatArray
-    values: FloatArray
-
-    def __getitem__(self, name: str) -> FloatArray:
-        """A state variable by name, (n, components) or (n,)."""
-        values: FloatArray = by_name(self.system, self.values, name)
-        return values
-
-
 def finite_times(times: npt.ArrayLike) -> FloatArray:
     """Times as doubles (n,).
 
@@ -155,13 +139,13 @@ def finite_times(times: npt.ArrayLike) -> FloatArray:
     return moments
 
 
-def times_in_range(times: npt.ArrayLike, pace: float) -> FloatArray:
+def times_in_range(times: npt.ArrayLike, phase_rate: float) -> FloatArray:
     """Times (n,) at which states in double precision are meaningful.
 
     Parameters
     ----------
     times : numbers (n,)
-    pace : float
+    phase_rate : float
         That of the motion.
 
     Raises
@@ -170,11 +154,11 @@ def times_in_range(times: npt.ArrayLike, pace: float) -> FloatArray:
         If one is not finite, or the phases there are beyond `LATEST`.
     """
     moments = finite_times(times)
-    if np.any(np.abs(moments) * pace > LATEST):
+    if np.any(np.abs(moments) * phase_rate > LATEST):
         raise InputError(
-            f"times: in double precision they must be within ±{LATEST / (pace or 1.0):.3g}, beyond "
-            "which the phase of the motion is lost; evaluation with error bounds (--digits, "
-            "rigorous) goes further"
+            "times: in double precision they must be within "
+            f"±{LATEST / (phase_rate or 1.0):.3g}, beyond which the phase of the motion is lost; "
+            "evaluation with error bounds (--digits, rigorous) goes further"
         )
     return moments
 
@@ -211,11 +195,11 @@ class Solution(WithOverview):
 
     @property
     @abstractmethod
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """Approximate rate at which the phases of the motion grow; 0 at rest."""
 
     @property
-    def left_open(self) -> str:
+    def not_rigorous(self) -> str:
         """A sentence on the part of the state for which :meth:`rigorous` has no bounds; or ""."""
         return ""
 
@@ -236,19 +220,28 @@ class Solution(WithOverview):
             If so many digits cannot be had.
         """
 
+    def __reduce__(self) -> NoReturn:
+        raise TypeError(
+            "a closed form cannot be pickled: pickle solution(times).to_dataset(), or call solve "
+            "again"
+        )
+
     def overview(self) -> Overview:
         """The overview of the closed form, and of the quantities without rigorous bounds."""
         form = self.form.overview()
-        return Overview(form.heading, (*form.rows, ("left open", self.left_open)))
+        return Overview(form.heading, (*form.rows, ("left open", self.not_rigorous)))
 
     @arguments_checked
-    def __call__(self, times: npt.ArrayLike) -> States:
-        """States at `times`, by name.
+    def __call__(self, times: npt.ArrayLike) -> SampledMotion:
+        """The motion at `times`: its states, by name.
 
         Raises
         ------
         InputError
             If a time is not finite, or so large that doubles lose the phase.
         """
-        moments = times_in_range(times, self.pace)
-        return States(self.system, moments, self.states(moments))
+        moments = times_in_range(times, self.phase_rate)
+        return sampled(self.system, self.parameters, moments, self._states_in_range)
+
+    def _states_in_range(self, times: FloatArray) -> FloatArray:
+        return self.states(times_in_range(times, self.phase_rate))

@@ -74,7 +74,7 @@ def form_of(
             curve,
             (w, y / (z - e_)),
             *equations,
-            (d[4] / d[3], components(separable.clock)[0]),
+            (d[4] / d[3], components(separable.time_rescaling)[0]),
         ),
         constants=tuple(constants),
         ovals=tuple((number(x), number(y)) for x, y in _ovals(start, motion, e)),

@@ -87,7 +87,7 @@ class DegenerateMotion:
     @cached_property
     def _integrands(self) -> ArrayFunction:
         """The rate of the clock, then the velocity in space, all with respect to τ."""
-        clock = on_arrays(self, components(self.separable.clock))
+        clock = on_arrays(self, components(self.separable.time_rescaling))
         rates = place_rates(self.separable.system)
         if not (rates and self.in_space):
             return clock
@@ -126,7 +126,7 @@ class DegenerateMotion:
         doubled until the result no longer changes.
         """
         motion = self.motion
-        clock = on_balls(self, components(self.separable.clock))
+        clock = on_balls(self, components(self.separable.time_rescaling))
         with ctx.workprec(BITS):
             periodic = motion.limit(1) if isinstance(motion, Asymptotic) else motion
             period = periodic.period
@@ -172,7 +172,7 @@ class DegenerateMotion:
     # --- answers -----------------------------------------------------------------------------
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """Periods per unit of time."""
         return 1 / float(self.turn.mid())
 

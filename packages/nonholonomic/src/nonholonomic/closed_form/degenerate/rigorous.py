@@ -59,7 +59,7 @@ def rigorous_state(solution: DegenerateMotion, time: NumberOrText, digits: int) 
         If more digits are needed than the start is carried with.
     """
     moment = exact_time(time)
-    work = working_digits(time, digits, 1, solution.pace)
+    work = working_digits(time, digits, 1, solution.phase_rate)
     with ctx.workprec(working_bits(work)):
         return Rigorous(solution, work).state(moment)
 
@@ -123,7 +123,7 @@ class Rigorous:
     @cached_property
     def _rates(self) -> Callable[..., list[Any]]:
         """The clock, then the velocity in body axes."""
-        clock = components(self.solution.separable.clock)
+        clock = components(self.solution.separable.time_rescaling)
         rates = place_rates(self.solution.separable.system)
         return self._function([*clock, *(velocity(rates) if self.solution.in_space else ())])
 

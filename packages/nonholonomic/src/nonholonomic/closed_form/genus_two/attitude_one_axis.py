@@ -123,7 +123,7 @@ def references(of: SeparatedSystem) -> tuple[Reference, ...]:
     of : SeparatedSystem
         Of a system whose state or definitions name ω.
     """
-    moving = Reference(nu, nuprime / of.clock + cross(omega, nu))
+    moving = Reference(nu, nuprime / of.time_rescaling + cross(omega, nu))
     axes = tuple(Reference(unit_vector(i), cross(omega, unit_vector(i))) for i in (1, 2, 3))
     return (moving, *axes)
 
@@ -163,6 +163,6 @@ def spin_identity(of: SeparatedSystem, reference: Reference) -> Identity:
             level: across,
             a: level / sp.sqrt(norm_squared(level)),
         },
-        on=of.level,
+        level=of.level,
         source=of.source,
     )

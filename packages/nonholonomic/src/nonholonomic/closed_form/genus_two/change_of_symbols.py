@@ -59,7 +59,7 @@ def in_symbols_of(
         roots=images(separable.roots),
         speeds=images(separable.speeds),
         along=None if separable.along is None else images(separable.along),
-        clock=image(separable.clock),
+        time_rescaling=image(separable.time_rescaling),
         state=tuple((names[symbol], image(part)) for symbol, part in flat_pairs(separable.state)),
         fixed=images(separable.fixed),
         laws=(),

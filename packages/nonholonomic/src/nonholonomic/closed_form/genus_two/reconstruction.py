@@ -57,7 +57,9 @@ class Lift(ABC):
 
     @cached_property
     def _clock_rate(self) -> Callable[..., FloatArray]:
-        return on_arrays(self.separated_motion, components(self.separated_motion.separable.clock))
+        return on_arrays(
+            self.separated_motion, components(self.separated_motion.separable.time_rescaling)
+        )
 
     @cached_property
     def _places(self) -> Callable[..., FloatArray]:

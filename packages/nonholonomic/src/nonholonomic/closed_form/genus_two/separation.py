@@ -22,6 +22,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from flowlanes.system.laws import Law
+from flowlanes.system.overview import Overview, WithOverview
 from flowlanes.system.system import System
 from flowlanes.system.vectors import Vector, vectors
 
@@ -29,8 +30,8 @@ from flowlanes.system.vectors import Vector, vectors
 nu, nuprime = vectors("nu nuprime")
 
 
-@dataclass(frozen=True, kw_only=True)
-class SeparatedSystem:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class SeparatedSystem(WithOverview):
     """A system on a level, separated; all formulas, no numbers.
 
     Vectors are formulas of :mod:`flowlanes.system.vectors`; a formula that may use the constants
@@ -59,7 +60,7 @@ class SeparatedSystem:
     along : two formulas, optional
         The speeds of the flow along which ν′ is the derivative of ν, where that is another flow on
         the same torus.
-    clock : formula
+    time_rescaling : formula
         dt/dτ > 0 in ν, ν′, parameters and constants.
     state : pairs of state name to formula
         The state of `system` in ν, ν′, parameters and constants.
@@ -91,12 +92,26 @@ class SeparatedSystem:
     leading: sp.Expr
     roots: tuple[sp.Expr, ...]
     speeds: tuple[sp.Expr, sp.Expr]
-    clock: sp.Expr
+    time_rescaling: sp.Expr
     state: tuple[tuple[sp.Symbol | Vector, sp.Expr], ...]
     fixed: tuple[sp.MatrixExpr, ...] = ()
     along: tuple[sp.Expr, sp.Expr] | None = None
     laws: tuple[Law, ...] = ()
     source: str = ""
+
+    def overview(self) -> Overview:
+        """System, constants, and the curve."""
+        return Overview(
+            f"{self.title}: separated on a curve of genus two",
+            (
+                ("constants", ", ".join(str(name) for name, _ in self.constants)),
+                ("roots", ", ".join(map(str, self.roots))),
+                ("leading coefficient", str(self.leading)),
+                ("poles", ", ".join(map(str, self.poles))),
+                ("dt/dτ", str(self.time_rescaling)),
+                ("level", ", ".join(map(str, self.level))),
+            ),
+        )
 
 
 def gaps(poles: Sequence[sp.Expr]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:

@@ -56,8 +56,8 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
     given_by = {*constants, *(p.symbol for p in separable.system.parameters)}
     moving = [s for s, value in constants.items() if scalars(value)[0].free_symbols - given_by]
     known = {**constants, nu: separable.direction, nuprime: separable.turning}
-    common: dict[str, Any] = {"on": separable.level, "source": separable.source}
-    (clock,) = scalars(separable.clock)
+    common: dict[str, Any] = {"level": separable.level, "source": separable.source}
+    (clock,) = scalars(separable.time_rescaling)
     turned = [
         after - clock * Rate(before)
         for before, after in zip(nu.symbols, nuprime.symbols, strict=True)

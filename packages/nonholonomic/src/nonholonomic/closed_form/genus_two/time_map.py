@@ -93,7 +93,7 @@ def clock_of(motion: SeparatedMotion, bits: int) -> TimeMap:
         Working precision of the frequencies.
     """
     torus = motion.torus
-    rate = components(motion.separable.clock)
+    rate = components(motion.separable.time_rescaling)
     rates, exact = on_arrays(motion, rate), on_balls(motion, rate)
     v_0 = np.array([number(x) for x in torus.v_0])
     (rough,) = series(lambda v: rates(*torus.values(v)))

@@ -229,7 +229,7 @@ class RestSolution(Solution):
         return np.tile(state, (len(finite_times(times)), 1))
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """Zero: nothing moves."""
         return 0.0
 

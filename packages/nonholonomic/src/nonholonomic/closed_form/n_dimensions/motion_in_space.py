@@ -60,9 +60,9 @@ class MotionInSpace(DerivedSolution):
     contact: FloatArray
 
     @property
-    def left_open(self) -> str:
+    def not_rigorous(self) -> str:
         """Quantities without rigorous bounds."""
-        inner = self.inner.left_open
+        inner = self.inner.not_rigorous
         here = (
             "attitude and path have no error bounds: they are integrated along the closed form, "
             f"{MOST} steps of it at most"

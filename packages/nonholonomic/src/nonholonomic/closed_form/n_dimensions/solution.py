@@ -32,7 +32,7 @@ class WaveSolution(Solution):
     """A motion of p and γ as a sum of waves in double precision."""
 
     @property
-    def left_open(self) -> str:
+    def not_rigorous(self) -> str:
         """Quantities without rigorous bounds."""
         return "error bounds: the waves of this motion are summed up in double precision"
 
@@ -91,7 +91,7 @@ class SphereSolution(WaveSolution):
         return in_state(self.system, self.axes @ p, self.axes @ gamma)
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """The rate at which the phases grow with time, in turns."""
         return sum(abs(number(x)) for x in self.motion.frequencies)
 

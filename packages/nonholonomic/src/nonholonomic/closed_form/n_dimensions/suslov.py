@@ -89,7 +89,7 @@ class UniformTurning(Solution):
         return np.stack([*fixed, *(x for row in vectors_then for x in row)], axis=1)
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """Turns per unit of time."""
         return number(self._speed) / (2 * np.pi)
 
@@ -159,13 +159,13 @@ class PlanarTurning(Solution):
         return e, rate, _angle(second, first), _angle(c.sqrt() * y, b.sqrt() * x)
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """The rate of convergence to the limit."""
         _, rate, _, _ = self._angles
         return number(rate) / (2 * np.pi)
 
     @property
-    def left_open(self) -> str:
+    def not_rigorous(self) -> str:
         """Quantities without rigorous bounds."""
         return "γ and the attitude in formulas: they are integrated along the closed form of ω"
 

@@ -148,7 +148,7 @@ class SteadyTurning(Solution):
         return found
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """The fastest rate of turning."""
         return max((number(x) for x in self.rates), default=0.0)
 
@@ -165,7 +165,7 @@ class SteadyTurning(Solution):
     @arguments_checked
     def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
         """The state at one time as balls that contain the exact one."""
-        with ctx.workprec(working_bits(working_digits(time, digits, 1, self.pace))):
+        with ctx.workprec(working_bits(working_digits(time, digits, 1, self.phase_rate))):
             angles = [rate * exact_time(time) for rate in self.rates]
             return tuple(self.frame.at(BALLS, self.lengths, [arb(0)] * 2, angles))
 

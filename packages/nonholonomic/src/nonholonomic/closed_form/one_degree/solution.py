@@ -98,7 +98,7 @@ class QuadratureSolution(Solution):
             return self._write_form()
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """The rate of the phase of x at the turning point."""
         return 1 / self.motion.time_scale
 
@@ -139,7 +139,7 @@ class QuadratureSolution(Solution):
         """
         motion, frame = self.motion, self.frame
         powers = 2 if frame.position and not motion.periodic else 1
-        work = working_digits(time, digits, powers, self.pace)
+        work = working_digits(time, digits, powers, self.phase_rate)
         with ctx.workprec(working_bits(work)):
             constants = self._constants(work)
             sample = motion.sample(exact_time(time), work)

@@ -96,7 +96,7 @@ class UniformSolution(Solution):
         return self.closed_form
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """The faster of the two rotations."""
         return max(abs(float(turn.rate)) for turn in (self.spin, self.precession))
 
@@ -128,7 +128,7 @@ class UniformSolution(Solution):
     @arguments_checked
     def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls that contain the exact one."""
-        with ctx.workprec(working_bits(working_digits(time, digits, 1, self.pace))):
+        with ctx.workprec(working_bits(working_digits(time, digits, 1, self.phase_rate))):
             t = exact_time(time)
             angles = (self.spin.rate * t, self.precession.rate * t)
             circle = circular_path(t, self.precession.rate, acb(1))

@@ -22,14 +22,14 @@ def exact_time(time: NumberOrText) -> arb:
     return arb(fmpq(value.numerator, value.denominator))
 
 
-def working_digits(time: NumberOrText, digits: int, powers: int, pace: float) -> int:
+def working_digits(time: NumberOrText, digits: int, powers: int, phase_rate: float) -> int:
     """Working digits for which `digits` remain when errors grow like a power of the time.
 
     Parameters
     ----------
     time : number
     digits, powers : int
-    pace : float
+    phase_rate : float
         The rate of the fastest phase of the motion.
 
     Raises
@@ -38,7 +38,7 @@ def working_digits(time: NumberOrText, digits: int, powers: int, pace: float) ->
         If more are needed than are carried.
     """
     large = abs(float(exact_time(time).mid()))
-    grown = digits + powers * max(0, math.ceil(math.log10(large * pace + 1))) + 5
+    grown = digits + powers * max(0, math.ceil(math.log10(large * phase_rate + 1))) + 5
     wanted = 10 * -(-grown // 10)
     if wanted > MOST:
         raise InputError(

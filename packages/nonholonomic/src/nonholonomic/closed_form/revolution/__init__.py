@@ -15,7 +15,7 @@ from flowlanes.arguments import NumberOrText, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.system import System
 
-from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.equations import RollingBody
 from ..base.solution import Solution
 from ..one_degree import FAST, Equilibrium, QuadratureMotion, motion_chart
 from ..one_degree.frames import euler_quaternion
@@ -43,7 +43,7 @@ __all__ = ["solve_rolling"]
 
 @arguments_checked
 def solve_rolling(
-    rolling: Rolling,
+    rolling: RollingBody,
     system: System,
     start: Sequence[NumberOrText],
     parameters: Mapping[sp.Symbol, NumberOrText] | None = None,
@@ -55,7 +55,7 @@ def solve_rolling(
 
     Parameters
     ----------
-    rolling : Rolling
+    rolling : RollingBody
         The body, the surface and the forces; their numbers are not used.
     system : System
         ``rolling.system()`` or that of a catalogue entry, not lifted.

@@ -21,7 +21,7 @@ from flowlanes.formulas.balls import exact
 from flowlanes.formulas.relative_zero import vanishes
 from flowlanes.system.vectors import real_symbol, vectors
 
-from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.equations import RollingBody
 from ...mechanics.shapes.surfaces import Plane
 from ..one_degree.divided_differences import Argument, value
 from ..one_degree.formula import program
@@ -158,13 +158,13 @@ class Level:
 
 
 def body_of(
-    rolling: Rolling, parameters: Mapping[sp.Symbol, NumberOrText]
+    rolling: RollingBody, parameters: Mapping[sp.Symbol, NumberOrText]
 ) -> AxisymmetricBody | None:
     """The rubber body of revolution on a plane, or None for any other body.
 
     Parameters
     ----------
-    rolling : Rolling
+    rolling : RollingBody
         Kind of shape, surface, contact and field; its numbers are not used.
     parameters : mapping of Symbol to number
         A value for every parameter.

@@ -27,7 +27,7 @@ from flowlanes.formulas.balls import exact
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.overview import Overview, WithOverview
 
-from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.equations import RollingBody
 from ..one_degree.divided_differences import Argument, Formula, jet
 from .body import AxisymmetricBody, body_of, u
 
@@ -123,7 +123,7 @@ class Diagram(WithOverview):
 
 @arguments_checked
 def revolution_diagram(
-    rolling: Rolling,
+    rolling: RollingBody,
     spins: Sequence[float],
     parameters: Mapping[sp.Symbol, NumberOrText] | None = None,
 ) -> Diagram:
@@ -131,7 +131,7 @@ def revolution_diagram(
 
     Parameters
     ----------
-    rolling : Rolling
+    rolling : RollingBody
         A rubber body of revolution on a plane.
     spins : sequence of float
         Positive values of K, increasing.
@@ -155,7 +155,7 @@ def revolution_diagram(
     >>> import nonholonomic
     >>> from nonholonomic.closed_form import revolution_diagram
     >>> body = nonholonomic.Body(1.0, (0.25, 0.25, 0.5), nonholonomic.Disk(1.0))
-    >>> disk = nonholonomic.Rolling(body, contact="rubber", field=nonholonomic.Forces(9.81))
+    >>> disk = nonholonomic.RollingBody(body, contact="rubber", field=nonholonomic.Forces(9.81))
     >>> diagram = revolution_diagram(disk, [1.0, 4.0])
     >>> [[rotation.stable for rotation in column.rests] for column in diagram.columns]
     [[True, True, False], [True]]

@@ -177,7 +177,7 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: NumberOrText) -> 
     start: Sequence[NumberOrText] = solution.start[: len(own.separable.system.symbols)]
     with ctx.workprec(bits_for(digits, turns) + _GUARD_BITS):
         exact = separate(own.separable, solution.parameters, start)
-        branch = Branch.of(exact, components(own.separable.clock))
+        branch = Branch.of(exact, components(own.separable.time_rescaling))
     (clock,) = quadratures(exact.torus, branch, digits, reach)
     return RigorousMotion(solution, exact, clock, digits, reach)
 
@@ -185,7 +185,7 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: NumberOrText) -> 
 def _turns(solution: TorusMotion, time: NumberOrText) -> float:
     """Turns of the phases up to a time."""
     latest = number(ball(time))
-    pace = solution.pace
+    pace = solution.phase_rate
     if not abs(latest) * pace <= _LATEST:
         raise InputError(
             f"time: bounds are computed up to |t| = {_LATEST / pace:.3g}, not at {latest:g}"
@@ -229,4 +229,4 @@ def rigorous_state(solution: TorusMotion, time: NumberOrText, digits: int) -> tu
 @lru_cache(maxsize=4)
 def _prepared_motion(solution: TorusMotion, digits: int, decades: int) -> RigorousMotion:
     """A motion prepared for turns up to a power of ten; the most recent ones are cached."""
-    return rigorous_motion(solution, digits, 10**decades / solution.pace)
+    return rigorous_motion(solution, digits, 10**decades / solution.phase_rate)

@@ -57,7 +57,7 @@ class Pair:
 
     def turning(self, separated_motion: SeparatedMotion) -> Branch:
         """The rate in τ, as a function of ν and ν′."""
-        formula = components(separated_motion.separable.clock)[0] * self.rate
+        formula = components(separated_motion.separable.time_rescaling)[0] * self.rate
         return Branch.of(separated_motion, [formula])
 
 
@@ -145,7 +145,7 @@ def path_rates(separated_motion: SeparatedMotion, pair: Pair) -> PathRates | Non
     if not rates:
         return None
     products = quaternion_products((_AXES.T * _TRIAD).tolist())
-    clock = components(separated_motion.separable.clock)[0]
+    clock = components(separated_motion.separable.time_rescaling)[0]
     functions: list[sp.Expr] = []
     shares = []
     for rate in rates:

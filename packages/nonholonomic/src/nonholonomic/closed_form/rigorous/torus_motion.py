@@ -30,11 +30,11 @@ class TorusMotion(Protocol):
         """The lifted state at t = 0, as given."""
 
     @property
-    def pace(self) -> float:
+    def phase_rate(self) -> float:
         """The rate at which the phases grow with time, in turns."""
 
     @property
-    def left_open(self) -> str:
+    def not_rigorous(self) -> str:
         """A sentence on the part of the state that has no bounds; or ""."""
 
     def states(self, times: npt.ArrayLike) -> FloatArray:

@@ -116,7 +116,7 @@ def _separation(
         leading=leading,
         roots=(*inertia, *roots),
         speeds=(2 / e_3, T / e_3),
-        clock=clock(nu),
+        time_rescaling=clock(nu),
         state=((M, contact_inertia(turning)), (normal, nu)),
         fixed=(M,),
         source="§8.3, (8.1)–(8.4)",

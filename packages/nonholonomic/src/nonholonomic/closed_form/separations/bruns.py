@@ -73,7 +73,7 @@ def _kept_from_spinning(name: str, title: str, moments: Tensor, offset: sp.Expr)
             leading=-4 * K / sp.Mul(*moments),
             roots=(*moments, sp.S.Zero, *quadratic(K, linear, -F)),
             speeds=(sp.S.Zero, sp.S.One),
-            clock=clock,
+            time_rescaling=clock,
             state=((omega, cross(nuprime, nu) / clock), (gamma, nu)),
             fixed=(gamma,),
             source="Remark 15",

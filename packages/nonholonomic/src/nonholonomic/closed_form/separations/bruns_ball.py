@@ -93,7 +93,7 @@ def _separation(separable: SeparatedSystem) -> tuple[Law, ...]:
     bent = z * turned - square
     kinetic = twice * (z + D) - momentum
     parts = {twice: dot(M, omega), momentum: norm_squared(M)}
-    level: dict[str, Any] = {"on": separable.level, "source": separable.source}
+    level: dict[str, Any] = {"level": separable.level, "source": separable.source}
     return (
         Identity(
             "clock",

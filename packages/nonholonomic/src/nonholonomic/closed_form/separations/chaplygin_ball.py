@@ -57,7 +57,7 @@ def chaplygin_ball() -> SeparatedSystem:
         leading=-8 * h,
         roots=(*I.symbols, sp.S.Zero, -D, f / (2 * h) - D),
         speeds=(sp.S.Zero, sp.S.One),
-        clock=CLOCK,
+        time_rescaling=CLOCK,
         state=((M, I * spinning + D * TURN), (gamma, nu)),
         fixed=(M, gamma),
         source="§7, (7.1)–(7.4)",
@@ -88,7 +88,7 @@ def _separation(system: System) -> tuple[Law, ...]:
             ),
             "the curve in Fedorov's variables",
             (*momentum, *onto.constants, (h, dot(M, omega) / 2), (f, norm_squared(M)), *constants),
-            on=onto.on,
+            level=onto.level,
             source=onto.source,
         ),
     )

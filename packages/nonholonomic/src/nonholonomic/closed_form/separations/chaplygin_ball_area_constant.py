@@ -119,7 +119,7 @@ def chaplygin_area() -> SeparatedSystem:
         leading=-8 * h * e,
         roots=(*moments, -delta, -D, sigma / (2 * h)),
         speeds=(sp.S.Zero, sp.S.One),
-        clock=EVEN * (1 + BETA / n * D_ZERO * SPIN),
+        time_rescaling=EVEN * (1 + BETA / n * D_ZERO * SPIN),
         state=original_vectors(MOMENTUM, nu),
         fixed=(M, nu),
         source="§7, Chaplygin (1903)",

@@ -73,6 +73,6 @@ def _flow(separable: SeparatedSystem) -> Identity:
             total_slope: -2 * dot(nu, I * nuprime),
             product_slope: 2 * dot(nu, inverse * nuprime),
         },
-        on=separable.level,
+        level=separable.level,
         source=separable.source,
     )

@@ -53,7 +53,7 @@ def fedorov() -> SeparatedSystem:
             leading=-8 * E / DET_I,
             roots=(*I.symbols, sp.S.Zero, -(q_1 + r) / (4 * E), (r - q_1) / (4 * E)),
             speeds=(sp.S.Zero, sp.S.One),
-            clock=sp.S.One,
+            time_rescaling=sp.S.One,
             state=((K, I * (TURN + spin * nu)), (gamma, nu)),
             source="§7.5, 2",
         )

@@ -44,7 +44,7 @@ def neumann_system() -> SeparatedSystem:
             leading=-4 * c,
             roots=(*I.symbols, *quadratic(c, 2 * h - c * sp.Add(*I.symbols), -2 * f)),
             speeds=(sp.S.Zero, sp.S.One),
-            clock=sp.S.One,
+            time_rescaling=sp.S.One,
             state=((M, cross(nuprime, nu)), (Gamma, nu)),
             source="Remark 16",
         )

@@ -96,7 +96,7 @@ def _separation_hollow(
             leading=2 * h,
             roots=(*moments, (trace - spread) / 2, (trace + spread) / 2),
             speeds=(sp.S.Zero, 2 / sp.sqrt(det)),
-            clock=rho,
+            time_rescaling=rho,
             state=(
                 (omega, rho * sp.sqrt(det) * (inverse_root * cross(nu, nuprime))),
                 (normal, rho * (root * nu)),
@@ -133,7 +133,7 @@ def on_e3() -> SeparatedSystem:
         ),
         direction=gamma,
         turning=cross(gamma, M) / det,
-        clock=dot(nu, J * nu),
+        time_rescaling=dot(nu, J * nu),
         state=((M, -det * cross(nu, nuprime)), (gamma, nu)),
         source="§9.3, (9.14)",
     )

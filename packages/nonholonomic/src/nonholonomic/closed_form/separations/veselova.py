@@ -59,7 +59,7 @@ def veselova_separation(
             leading=-8 * h / sp.Mul(*moments),
             roots=(*moments, sp.S.Zero, F / (2 * h)),
             speeds=(sp.S.Zero, sp.S.One),
-            clock=clock,
+            time_rescaling=clock,
             state=((omega, cross(nuprime, nu) / clock), (gamma, nu)),
             fixed=(gamma, cross(tensor * omega, gamma)),
             source=source,

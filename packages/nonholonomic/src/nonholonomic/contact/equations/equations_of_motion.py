@@ -78,7 +78,7 @@ def work_symbol(name: str) -> sp.Symbol:
     return real_symbol(f"work_{name}")
 
 
-def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
+def contact_equations(situation: FrictionalContact, mode: Mode) -> System:
     """The equations of motion of a body in one contact mode.
 
     Parameters

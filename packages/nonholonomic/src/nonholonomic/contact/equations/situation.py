@@ -85,7 +85,7 @@ class FrictionalContact:
     @property
     def setting(self) -> str:
         """A description of the friction laws."""
-        return "; ".join(law.words for law in self.laws) or "no friction"
+        return "; ".join(law.description for law in self.laws) or "no friction"
 
     @arguments_checked
     def law(self, kind: type[Law]) -> Law | None:

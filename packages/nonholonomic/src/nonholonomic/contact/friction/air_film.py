@@ -44,7 +44,7 @@ class AirFilm(CoefficientLaw):
     Examples
     --------
     >>> from nonholonomic.contact import AirFilm
-    >>> AirFilm(1.8e-5, 0.0375).words
+    >>> AirFilm(1.8e-5, 0.0375).description
     'film of air under the disk, viscosity 1.8e-05 Pa s'
     """
 
@@ -57,7 +57,7 @@ class AirFilm(CoefficientLaw):
         Coefficient("radius", air_radius, "radius of the disk over the film of air", "m"),
     )
     in_words = "film of air under the disk, viscosity {viscosity:g} Pa s"
-    description = (
+    summary = (
         "Drag of the film of air under the disk: a couple against rolling in proportion to "
         "its angular velocity, whatever the normal force. It holds nothing at rest."
     )

@@ -50,14 +50,14 @@ class Coulomb(FrictionLaw):
     Examples
     --------
     >>> from nonholonomic.contact import Coulomb
-    >>> Coulomb(0.3).words
+    >>> Coulomb(0.3).description
     'dry friction, μ = 0.3'
     """
 
     mu: float
 
     kind = "coulomb"
-    description = (
+    summary = (
         "Dry friction at a point: while the contact slides, the force μN against the slip; "
         "without slip, whatever force holds the contact, up to μN."
     )
@@ -70,7 +70,7 @@ class Coulomb(FrictionLaw):
             raise InputError(f"mu {self.mu}: it must be a number not below zero, or inf")
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """A description of the law."""
         return f"dry friction, μ = {self.mu:g}"
 
@@ -122,7 +122,7 @@ class SpinFriction(CoefficientLaw):
     Examples
     --------
     >>> from nonholonomic.contact import SpinFriction
-    >>> SpinFriction(1e-4).words
+    >>> SpinFriction(1e-4).description
     'friction against spin, arm 0.0001 m'
     """
 
@@ -135,7 +135,7 @@ class SpinFriction(CoefficientLaw):
         ),
     )
     in_words = "friction against spin, arm {arm:g} m"
-    description = (
+    summary = (
         "Friction against spin: a couple about the normal, the arm times N; without spin, "
         "whatever couple holds it, up to this one."
     )
@@ -187,7 +187,7 @@ class ContensouErismann(FrictionLaw):
     Examples
     --------
     >>> from nonholonomic.contact import ContensouErismann
-    >>> ContensouErismann(0.3, 5e-4).words
+    >>> ContensouErismann(0.3, 5e-4).description
     'dry friction over a patch of radius 0.0005 m, μ = 0.3'
     """
 
@@ -195,7 +195,7 @@ class ContensouErismann(FrictionLaw):
     patch: float
 
     kind = "contensou"
-    description = (
+    summary = (
         "Dry friction over a round patch of contact of radius a with Hertz's pressure: slip "
         "and spin share it, so that the force falls with the spin and the couple with the "
         "slip."
@@ -219,7 +219,7 @@ class ContensouErismann(FrictionLaw):
                 )
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """A description of the law."""
         return f"dry friction over a patch of radius {self.patch:g} m, μ = {self.mu:g}"
 

@@ -108,9 +108,9 @@ class FrictionLaw(Registered, ABC):
     """Whether `reaction_along` gives its reaction where sliding begins."""
 
     @property
-    def description(self) -> str:
+    def summary(self) -> str:
         """A sentence or two on the law, for reports."""
-        return f"{self.words[:1].upper()}{self.words[1:]}."
+        return f"{self.description[:1].upper()}{self.description[1:]}."
 
     @property
     def is_smooth(self) -> bool:
@@ -124,7 +124,7 @@ class FrictionLaw(Registered, ABC):
 
     @property
     @abstractmethod
-    def words(self) -> str:
+    def description(self) -> str:
         """A description of the law."""
 
     @property
@@ -279,7 +279,7 @@ class CoefficientLaw(FrictionLaw):
     ...     in_words = "drag {drag:g} kg/m times the square of the slip"
     ...     acts_while = "sliding"
     ...     formula = Reaction(force=-c * slip_speed * slip)
-    >>> Quadratic(0.5).words, Quadratic(0.5).reaction(Mode()).force
+    >>> Quadratic(0.5).description, Quadratic(0.5).reaction(Mode()).force
     ('drag 0.5 kg/m times the square of the slip', (-c_q*slip_speed)*slip)
     """
 
@@ -298,7 +298,7 @@ class CoefficientLaw(FrictionLaw):
             require_coefficient(item.key or item.field, getattr(self, item.field))
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """The law in words."""
         return self.in_words.format_map(vars(self))
 

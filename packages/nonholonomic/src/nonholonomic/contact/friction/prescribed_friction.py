@@ -80,7 +80,7 @@ class PrescribedRolling(FrictionLaw):
     """
 
     law: FrictionLaw
-    words = "resistance to a rolling of prescribed direction"
+    description = "resistance to a rolling of prescribed direction"
 
     @property
     def name(self) -> str:
@@ -126,7 +126,7 @@ class PrescribedPower(FrictionLaw):
     """
 
     law: FrictionLaw
-    words = "friction of a power of the slip, of prescribed direction"
+    description = "friction of a power of the slip, of prescribed direction"
 
     @property
     def name(self) -> str:
@@ -167,7 +167,7 @@ class PrescribedForce(FrictionLaw):
     name: str = "power"
     is_dry: bool = False
     beside_dry: bool = False
-    words = "friction of prescribed force"
+    description = "friction of prescribed force"
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -213,7 +213,7 @@ class PrescribedDirection(FrictionLaw):
     name: str = "coulomb"
     range: Range = ""
     law: FrictionLaw | None = None
-    words = "friction of prescribed direction"
+    description = "friction of prescribed direction"
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:

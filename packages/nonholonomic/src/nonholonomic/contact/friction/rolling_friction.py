@@ -47,7 +47,7 @@ class RollingResistance(CoefficientLaw):
     Examples
     --------
     >>> from nonholonomic.contact import RollingResistance
-    >>> RollingResistance(1e-3).words
+    >>> RollingResistance(1e-3).description
     'resistance to rolling, arm 0.001 m'
     """
 
@@ -58,7 +58,7 @@ class RollingResistance(CoefficientLaw):
         Coefficient("arm", rolling_arm, "arm of the resistance to rolling", "m", "rolling"),
     )
     in_words = "resistance to rolling, arm {arm:g} m"
-    description = (
+    summary = (
         "Resistance to rolling: a couple against rolling, the arm times N, which also holds a "
         "body that does not roll."
     )
@@ -106,7 +106,7 @@ class ViscousRolling(CoefficientLaw):
     Examples
     --------
     >>> from nonholonomic.contact import ViscousRolling
-    >>> ViscousRolling(1e-4).words
+    >>> ViscousRolling(1e-4).description
     'viscous resistance to rolling, 0.0001 m s'
     """
 
@@ -123,7 +123,7 @@ class ViscousRolling(CoefficientLaw):
         ),
     )
     in_words = "viscous resistance to rolling, {coefficient:g} m s"
-    description = (
+    summary = (
         "Viscous resistance to rolling: a couple in proportion to the angular velocity of "
         "rolling and the normal force."
     )
@@ -152,7 +152,7 @@ class ContourResistance(CoefficientLaw):
     Examples
     --------
     >>> from nonholonomic.contact import ContourResistance
-    >>> ContourResistance(1e-3).words
+    >>> ContourResistance(1e-3).description
     'resistance along the contour, 0.001'
     """
 
@@ -169,7 +169,7 @@ class ContourResistance(CoefficientLaw):
         ),
     )
     in_words = "resistance along the contour, {coefficient:g}"
-    description = (
+    summary = (
         "Resistance along the contour: the power lost is the coefficient times N and the "
         "speed of the contact point over the body."
     )

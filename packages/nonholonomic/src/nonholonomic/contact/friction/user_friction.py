@@ -79,7 +79,7 @@ class UserFriction(FrictionLaw):
     >>> law = UserFriction(
     ...     "mu*(1 + 0.3*exp(-slip_speed/v))", mu_static=0.3, values={"mu": 0.2, "v": 0.1}
     ... )
-    >>> law.words
+    >>> law.description
     'friction mu*(1 + 3*exp(-slip_speed/v)/10), mu_static = 0.3'
     >>> round(law.kinetic_mu, 12), law.static_mu
     (0.26, 0.3)
@@ -185,12 +185,12 @@ class UserFriction(FrictionLaw):
     # --- the law ---------------------------------------------------------------------------
 
     @property
-    def description(self) -> str:
+    def summary(self) -> str:
         """The law in words, with what its formulas are."""
-        return f"For each unit of the normal force, {self.words}."
+        return f"For each unit of the normal force, {self.description}."
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """A description of the law."""
         plain = {_parameter(name): sp.Symbol(name) for name, _ in self._values}
         plain[N] = sp.Symbol("normal_force")

@@ -53,7 +53,7 @@ class Viscous(CoefficientLaw):
     Examples
     --------
     >>> from nonholonomic.contact import Viscous
-    >>> Viscous(0.5).words
+    >>> Viscous(0.5).description
     'viscous friction 0.5 kg/s'
     """
 
@@ -68,7 +68,7 @@ class Viscous(CoefficientLaw):
         ),
     )
     in_words = "viscous friction {coefficient:g} kg/s"
-    description = (
+    summary = (
         "Viscous friction: a force in proportion to the slip and a couple in proportion to "
         "the spin, whatever the normal force. It holds nothing at rest."
     )
@@ -76,9 +76,9 @@ class Viscous(CoefficientLaw):
     dissipation = ((viscous, slip_speed**2), (spin_viscous, _SPIN**2))
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """The law in words, with the spin where it resists that."""
-        text = super().words
+        text = super().description
         return f"{text}, against spin {self.spin:g} kg m^2/s" if self.spin else text
 
     @property
@@ -105,7 +105,7 @@ class NormalViscous(CoefficientLaw):
     Examples
     --------
     >>> from nonholonomic.contact import NormalViscous
-    >>> NormalViscous(0.3).words
+    >>> NormalViscous(0.3).description
     'friction 0.3 s/m times normal force and slip'
     """
 
@@ -122,7 +122,7 @@ class NormalViscous(CoefficientLaw):
         ),
     )
     in_words = "friction {coefficient:g} s/m times normal force and slip"
-    description = "Friction in proportion to slip and normal force. It holds nothing at rest."
+    summary = "Friction in proportion to slip and normal force. It holds nothing at rest."
     formula = Reaction(p=-nu * slip)
     dissipation = ((nu, N, slip_speed**2),)
     excludes = {  # noqa: RUF012  (never changed)
@@ -166,7 +166,7 @@ class PowerFriction(FrictionLaw):
     Examples
     --------
     >>> from nonholonomic.contact.friction.viscous_friction import PowerFriction
-    >>> PowerFriction(0.3, 0.5).words
+    >>> PowerFriction(0.3, 0.5).description
     'friction 0.3 (s/m)^0.5 times normal force and slip to the power 0.5'
     """
 
@@ -174,7 +174,7 @@ class PowerFriction(FrictionLaw):
     order: float
 
     kind = "power"
-    description = (
+    summary = (
         "Friction in proportion to the normal force and a power of the slip. It holds nothing "
         "at rest."
     )
@@ -185,7 +185,7 @@ class PowerFriction(FrictionLaw):
             raise InputError(f"slip_order {self.order}: it must be a positive finite number")
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """A description of the law."""
         power = f"{self.order:g}"
         return (

@@ -20,6 +20,7 @@ from flowlanes.errors import RunError
 from flowlanes.flow.taylor.compiled_system import StateSeries, compile_system
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import Guard, Parameter, System
+from flowlanes.system.tolerance import FINEST_TOLERANCE
 from flowlanes.system.vectors import real_symbol
 
 from ..friction.symbols import slip_speed
@@ -274,7 +275,7 @@ def _coefficients(quantity: Linear, clock: float, force: float, scale: float) ->
 
 @lru_cache(maxsize=64)
 def _integrator(varies: bool, force: sp.Expr | None) -> StateSeries:
-    return compile_system(_equations(varies, force), 1e-16).series
+    return compile_system(_equations(varies, force), FINEST_TOLERANCE["double"]).series
 
 
 def _equations(varies: bool, force: sp.Expr | None) -> System:

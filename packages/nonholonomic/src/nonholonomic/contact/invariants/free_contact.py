@@ -208,7 +208,7 @@ def jellett(body: Body) -> Integral:
         jellett_value(body),
         "Jellett's integral",
         unit="kg m^3/s",
-        on=symmetry_conditions(body),
+        level=symmetry_conditions(body),
         source=SOURCE,
     )
 
@@ -227,6 +227,6 @@ def couple_on_jellett(body: Body, couple: MatrixExpr = ANY_COUPLE) -> Identity:
         "couple_on_jellett",
         Rate(jellett_value(body)) + dot(couple, r),
         "a couple K changes Jellett's integral at the rate −(K, r)",
-        on=symmetry_conditions(body),
+        level=symmetry_conditions(body),
         source=SOURCE,
     )

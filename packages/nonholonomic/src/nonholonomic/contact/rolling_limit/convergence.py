@@ -19,7 +19,7 @@ class Family(Protocol):
     """Motions that depend on a coefficient, and their possible limit."""
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """A description of the family, its coefficient and its limit."""
 
     @property
@@ -39,7 +39,7 @@ class Convergence:
 
     Attributes
     ----------
-    words : str
+    description : str
         The family, its coefficient and its limit.
     times : array (n,)
         Moments at which motions are compared.
@@ -58,7 +58,7 @@ class Convergence:
     (True, [1.0, 1.0])
     """
 
-    words: str
+    description: str
     times: FloatArray
     coefficients: FloatArray
     errors: FloatArray
@@ -124,7 +124,7 @@ def convergence(family: Family, times: Sequence[float]) -> Convergence:
     _check_increasing("coefficients", coefficients, 2)
     limit = family.limit(moments)
     errors = [float(np.abs(family.motion(c, moments) - limit).max()) for c in coefficients]
-    return Convergence(family.words, moments, coefficients, np.array(errors))
+    return Convergence(family.description, moments, coefficients, np.array(errors))
 
 
 def _check_increasing(name: str, numbers: FloatArray, least: int) -> None:

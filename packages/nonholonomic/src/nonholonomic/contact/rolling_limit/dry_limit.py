@@ -19,7 +19,7 @@ from flowlanes.system.arrays import FloatArray
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
 from ...mechanics.shapes.surfaces import Plane
-from ..equations.equations_of_motion import equations_of_motion
+from ..equations.equations_of_motion import contact_equations
 from ..equations.situation import FrictionalContact
 from ..friction.dry_friction import Coulomb
 from ..friction.modes import Mode
@@ -56,7 +56,7 @@ class DryContact:
     >>> from nonholonomic.contact.rolling_limit.dry_limit import DryContact
     >>> ball = nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
     >>> state = (1, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1)
-    >>> DryContact(ball, state, (1, 2)).words
+    >>> DryContact(ball, state, (1, 2)).description
     'dry friction with μ → ∞, against rolling'
     """
 
@@ -70,7 +70,7 @@ class DryContact:
         object.__setattr__(self, "state", checked_state(self.state))
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """A description of the family and its limit."""
         return "dry friction with μ → ∞, against rolling"
 
@@ -84,7 +84,7 @@ class DryContact:
             If the body still slides at the first moment, or friction cannot hold it afterwards.
         """
         situation = FrictionalContact(self.body, Plane(), (Coulomb(coefficient),), self.field)
-        sliding = equations_of_motion(situation, Mode())
+        sliding = contact_equations(situation, Mode())
         stick = tuple(guard for guard in sliding.guards if guard.name == "stick")
         start = [*self.state, *([0.0] * (len(sliding.symbols) - WORK))]
         slide = integrate(replace(sliding, guards=stick), start, [0.0, times[0]])
@@ -94,7 +94,7 @@ class DryContact:
                 "motions later"
             )
         stop, state = float(slide.times[-1]), slide.states[-1]
-        held = equations_of_motion(situation, Mode(sliding=False))
+        held = contact_equations(situation, Mode(sliding=False))
         rolling = integrate(replace(held, guards=()), [*state], [0.0, *(times - stop)])
         force = np.linalg.norm(rolling["friction_force"], axis=1)
         if np.any(force > coefficient * rolling["normal_force"]):

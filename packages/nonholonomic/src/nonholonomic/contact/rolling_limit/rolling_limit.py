@@ -27,7 +27,7 @@ from flowlanes.system.system import System
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
 from ...mechanics.shapes.surfaces import Plane
-from ..equations.equations_of_motion import equations_of_motion
+from ..equations.equations_of_motion import contact_equations
 from ..equations.situation import FrictionalContact
 from ..friction.dry_friction import Coulomb
 from ..friction.modes import Mode
@@ -74,7 +74,7 @@ def start_of_limit(body: Body, state: Sequence[float] | FloatArray, spinning: bo
 
 def two_sided(situation: FrictionalContact, mode: Mode) -> System:
     """The equations of a mode in which the contact lasts for every sign of the normal force."""
-    return replace(equations_of_motion(situation, mode), guards=())
+    return replace(contact_equations(situation, mode), guards=())
 
 
 def states_without_work(
@@ -136,7 +136,7 @@ class ViscousContact:
     >>> from nonholonomic.contact.rolling_limit.rolling_limit import ViscousContact
     >>> ball = nonholonomic.Body(1.0, (0.4, 0.4, 0.4), nonholonomic.Ball(1.0, centre=(0.2, 0, 0)))
     >>> state = (1, 0, 0, 0, 0, 0, 1, 1, 0, -0.2, 0, 1, 0, 0, 0, 1)
-    >>> ViscousContact(ball, state, (100, 200)).words
+    >>> ViscousContact(ball, state, (100, 200)).description
     'sliding with viscosity c → ∞, against rolling'
     """
 
@@ -153,7 +153,7 @@ class ViscousContact:
             raise InputError(f"spin_share {self.spin_share}: it must be a finite number, 0 or more")
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """A description of the family and its limit."""
         limit = "rolling without spin" if self.spin_share else "rolling"
         return f"sliding with viscosity c → ∞, against {limit}"

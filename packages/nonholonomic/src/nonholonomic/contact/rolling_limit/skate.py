@@ -150,7 +150,7 @@ class Skate:
     Examples
     --------
     >>> from nonholonomic.contact.rolling_limit.skate import Skate
-    >>> Skate((10.0, 20.0), mass=1.0).words
+    >>> Skate((10.0, 20.0), mass=1.0).description
     'skates with added inertia s → ∞, against the vakonomic skate'
     """
 
@@ -170,7 +170,7 @@ class Skate:
             )
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """A description of the family and its limit."""
         if not self.mass:
             return "skates with side friction s → ∞, against the nonholonomic skate"

@@ -19,8 +19,9 @@ from flowlanes.system.arrays import FloatArray
 from flowlanes.system.formula_text import exact_text
 from flowlanes.system.named_formulas import flat, scalars
 from flowlanes.system.system import System
+from flowlanes.system.tolerance import FINEST_TOLERANCE
 
-from ..equations.equations_of_motion import equations_of_motion, work_symbol
+from ..equations.equations_of_motion import contact_equations, work_symbol
 from ..equations.free_body import free_body_parameters
 from ..equations.situation import FrictionalContact
 from ..equations.structure import SharedEquations
@@ -133,7 +134,7 @@ class CompiledContact:
     ----------
     situation : FrictionalContact
     tolerance : float
-        Relative error of each step, at most 1e-10.
+        See :mod:`flowlanes.system.tolerance`, at most 1e-10.
 
     Raises
     ------
@@ -142,6 +143,7 @@ class CompiledContact:
 
     Examples
     --------
+    >>> import flowlanes
     >>> import nonholonomic
     >>> from nonholonomic.contact import Coulomb, FrictionalContact
     >>> ball = nonholonomic.Body(0.2, (2e-4, 2e-4, 2e-4), nonholonomic.Ball(0.05))
@@ -152,7 +154,9 @@ class CompiledContact:
     18
     """
 
-    def __init__(self, situation: FrictionalContact, tolerance: float = 1e-16) -> None:
+    def __init__(
+        self, situation: FrictionalContact, tolerance: float = FINEST_TOLERANCE["double"]
+    ) -> None:
         if tolerance > COARSEST_WITH_FRICTION:
             raise InputError(
                 f"tolerance {tolerance:g}: with friction it must be at most "
@@ -172,6 +176,12 @@ class CompiledContact:
         self._last: tuple[bytes, ContactNumbers] | None = None
         self._mass = situation.body.mass
         self._inverse_inertia = inverse_of(situation.body.tensor)
+
+    def __repr__(self) -> str:
+        return f"CompiledContact({self.situation.setting}; tolerance {self.tolerance:g})"
+
+    def __reduce__(self) -> tuple[type[CompiledContact], tuple[FrictionalContact, float]]:
+        return CompiledContact, (self.situation, self.tolerance)
 
     def mode(self, mode: Mode, situation: FrictionalContact | None = None) -> ModeIntegrator:
         """The integrator of a mode, for this situation or for one with other laws of friction."""
@@ -320,7 +330,7 @@ def _mode_of_thread(
 @lru_cache(maxsize=256)
 def _prepared_mode(equations: SharedEquations, mode: Mode, tolerance: float) -> ModeIntegrator:
     """A mode shared by all situations with the same equations, with the values of one of them."""
-    system = equations_of_motion(equations.situation, mode)
+    system = contact_equations(equations.situation, mode)
     code = compile_system(system, tolerance)
     return ModeIntegrator(
         system=system,
@@ -363,7 +373,7 @@ def _prepared_numbers(equations: SharedEquations) -> _PreparedNumbers:
     situation = equations.situation
     # Laws without a threshold for slip or spin act the same way in all modes.
     others = tuple(law for law in situation.laws if law.static_mu is None and not law.spin_arm)
-    neutral = equations_of_motion(replace(situation, laws=others), Mode())
+    neutral = contact_equations(replace(situation, laws=others), Mode())
     return _PreparedNumbers(
         function=_compile_numbers(neutral, situation.laws),
         size=len(neutral.symbols),

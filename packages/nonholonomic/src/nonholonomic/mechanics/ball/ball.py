@@ -23,9 +23,9 @@ from .equations import (
     Carrier,
     Contact,
     Kinematics,
+    ball_equations,
     ball_parameters,
     centre_surface,
-    equations_of_motion,
     supporting_surface,
 )
 from .surface import SmoothSurface
@@ -72,7 +72,7 @@ class RollingBall:
     >>> ball = nonholonomic.RollingBall(
     ...     mass=1.0, inertia=0.4, radius=1.0, surface=pipe, gravity=9.81
     ... )
-    >>> [(verdict.law, verdict.decision) for verdict in lawproof.prove(ball.system())]
+    >>> [(verdict.law, verdict.decision) for verdict in lawproof.prove_all(ball.system())]
     [('energy', 'proven'), ('volume', 'proven')]
     """
 
@@ -192,9 +192,7 @@ class RollingBall:
         of the normal force is not watched.
         """
         kinematics = self.kinematics
-        system = equations_of_motion(
-            self.contact, kinematics, self.force, self.parameters, name, title
-        )
+        system = ball_equations(self.contact, kinematics, self.force, self.parameters, name, title)
         watched = tuple(item for item in system.guards if self.has_forces or not item.lift_off)
         surface, symbols = kinematics.surface, kinematics.surface.free_symbols
         on_surface = Integral("surface", surface, "the ball stays on its surface", source="(2.7)")

@@ -133,7 +133,7 @@ def ball_parameters(mass: float, inertia: float, radius: float) -> tuple[Paramet
     )
 
 
-def equations_of_motion(
+def ball_equations(
     contact: Contact,
     kinematics: Kinematics,
     force: MatrixExpr,

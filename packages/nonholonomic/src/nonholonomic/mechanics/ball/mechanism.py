@@ -1,7 +1,8 @@
 """A homogeneous ball on a surface as a mechanism.
 
-From it :func:`nonholonomic.mechanics.lagrangian.poincare_suslov.equations` derives the closed
-equations that :mod:`nonholonomic.mechanics.ball.equations` writes down; a test compares both.
+From it :func:`nonholonomic.mechanics.lagrangian.poincare_suslov.equations_of_motion` derives the
+closed equations that :mod:`nonholonomic.mechanics.ball.equations` writes down; a test compares
+both.
 """
 
 from __future__ import annotations

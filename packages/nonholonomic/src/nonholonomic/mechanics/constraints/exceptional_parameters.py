@@ -87,7 +87,7 @@ def exceptional_values(
     >>> import nonholonomic
     >>> ball = nonholonomic.Body(1.0, (0.4, 0.4, 0.4), nonholonomic.Ball(1.0))
     >>> mechanism = nonholonomic.rolling_mechanism(
-    ...     nonholonomic.Rolling(ball, nonholonomic.Sphere(3.0), "rubber")
+    ...     nonholonomic.RollingBody(ball, nonholonomic.Sphere(3.0), "rubber")
     ... )
     >>> [
     ...     str(item.value)

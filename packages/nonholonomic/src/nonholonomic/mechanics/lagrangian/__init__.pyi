@@ -5,4 +5,4 @@ from .mechanism import (
     euclidean as euclidean,
 )
 from .plan import Plan as Plan
-from .poincare_suslov import equations as equations
+from .poincare_suslov import equations_of_motion as equations_of_motion

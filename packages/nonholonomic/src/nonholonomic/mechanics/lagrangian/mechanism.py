@@ -258,7 +258,12 @@ class Mechanism:
     >>> body_axes = nonholonomic.Frame({x: u * c - v * s, y: u * s + v * c, phi: w}, (u, v, w))
     >>> energy = (u**2 + (v + w) ** 2 + w**2) / 2
     >>> sleigh = nonholonomic.Mechanism("sleigh", body_axes, energy, constraints=(v,))
-    >>> dict(zip(nonholonomic.equations(sleigh).state, nonholonomic.equations(sleigh).rates))
+    >>> dict(
+    ...     zip(
+    ...         nonholonomic.equations_of_motion(sleigh).state,
+    ...         nonholonomic.equations_of_motion(sleigh).rates,
+    ...     )
+    ... )
     {u: omega**2, omega: -omega*u/2}
     """
 

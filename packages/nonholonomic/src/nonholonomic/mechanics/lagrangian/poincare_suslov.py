@@ -71,7 +71,7 @@ def derive(mechanism: Mechanism) -> DerivedEquations:
 
 
 @arguments_checked
-def equations(mechanism: Mechanism) -> System:
+def equations_of_motion(mechanism: Mechanism) -> System:
     """The closed equations of motion of a mechanism.
 
     Parameters
@@ -102,7 +102,7 @@ def equations(mechanism: Mechanism) -> System:
     >>> particle = nonholonomic.Mechanism(
     ...     "particle", nonholonomic.coordinates(x, y, z), lagrangian, (constraint,)
     ... )
-    >>> dict(nonholonomic.equations(particle).field)
+    >>> dict(nonholonomic.equations_of_motion(particle).field)
     {y: ydot, xdot: -xdot*y*ydot/(y**2 + 1), ydot: 0}
     """
     derived = derive(mechanism)

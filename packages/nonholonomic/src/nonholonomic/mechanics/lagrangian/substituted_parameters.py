@@ -52,7 +52,7 @@ def with_parameters(mechanism: Mechanism, values: Mapping[sp.Symbol, sp.Expr]) -
         observables=tuple(replace(o, value=put_in(o.value)) for o in mechanism.observables),
         guards=tuple(replace(g, value=put_in(g.value)) for g in mechanism.guards),
         laws=tuple(
-            replace(law, value=put_in(law.value), on=tuple(map(put_in, law.on)))
+            replace(law, value=put_in(law.value), level=tuple(map(put_in, law.level)))
             if isinstance(law, Integral)
             else law
             for law in mechanism.laws

@@ -22,7 +22,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import real_symbol
 
 from ..lagrangian.mechanism import Mechanism
-from ..lagrangian.poincare_suslov import equations
+from ..lagrangian.poincare_suslov import equations_of_motion
 from ..lagrangian.substituted_parameters import with_parameters
 from .base_coordinates import Base, base
 from .canonical import canonical, canonical_law
@@ -80,7 +80,7 @@ def chaplygin_form(
         return form
     level, value = special
     inner = chaplygin_form(with_parameters(mechanism, value), levels)
-    return replace(inner, on=(level, *inner.on))
+    return replace(inner, level=(level, *inner.level))
 
 
 def _special(
@@ -173,7 +173,7 @@ def _form(
 
 def _original(mechanism: Mechanism, here: Base, up: Lift) -> System:
     """The equations of motion with the linear integrals as laws."""
-    system = with_base(equations(mechanism), here)
+    system = with_base(equations_of_motion(mechanism), here)
     names = [f"linear_{i + 1}" for i in range(len(up.integrals))]
     return system.with_laws(
         *(

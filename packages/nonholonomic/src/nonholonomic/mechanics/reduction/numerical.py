@@ -112,7 +112,7 @@ def gyroscopic_integral(
     >>> import nonholonomic
     >>> body = nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
     >>> form = nonholonomic.chaplygin_form(
-    ...     nonholonomic.rolling_mechanism(nonholonomic.Rolling(body, contact="rubber"))
+    ...     nonholonomic.rolling_mechanism(nonholonomic.RollingBody(body, contact="rubber"))
     ... )
     >>> value, error = nonholonomic.mechanics.reduction.gyroscopic_integral(form)
     >>> abs(value) < 1e-6

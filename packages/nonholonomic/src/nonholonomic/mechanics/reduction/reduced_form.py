@@ -71,7 +71,7 @@ class ChaplyginForm(WithOverview):
         `system` in the time τ and canonical variables, where S̄ is exact in closed form.
     local : Local
         Evaluates (4.4) at points.
-    on : tuple of Expr
+    level : tuple of Expr
         Expressions in the parameters that vanish for the numbers of the mechanism and are a case
         of their own, with a multiplier or another than elsewhere.  They are settled in all
         systems here.
@@ -105,7 +105,7 @@ class ChaplyginForm(WithOverview):
     lifted: System | None
     hamiltonian: System | None
     local: PointwiseForm
-    on: tuple[sp.Expr, ...] = ()
+    level: tuple[sp.Expr, ...] = ()
 
     def claims(self) -> Iterator[tuple[System, Law]]:
         """All that is claimed, as pairs of a system and a law of it."""
@@ -145,8 +145,8 @@ def _rows(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
         momenta = f"{text(constant)} = {text(integral.in_momenta)}, M = ∂L/∂({velocities})"
         yield "level", momenta
     yield "energy", f"L = E₂ − E₀ from {form.role}"
-    if form.on:
-        yield "where", f"{', '.join(f'{text(f)} = 0' for f in form.on)}, a case of its own"
+    if form.level:
+        yield "where", f"{', '.join(f'{text(f)} = 0' for f in form.level)}, a case of its own"
     if form.multiplier is None:
         yield from _refusal_rows(form)
         return

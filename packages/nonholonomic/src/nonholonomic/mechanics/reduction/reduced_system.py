@@ -141,7 +141,7 @@ def bracket(on: tuple[sp.Expr, ...] = ()) -> PoissonStructure:
         sp.zeros(2).row_join(pair).col_join((-pair).row_join(turn)),
         rank=4,
         meaning="canonical bracket of q and p = N P, with {p₁, p₂} = S̄",
-        on=on,
+        level=on,
         source="(4.6)",
     )
 
@@ -158,7 +158,7 @@ def theorem_6(
             "measure",
             tuple(powers),
             "measure whose density depends on the coordinates alone",
-            on=on,
+            level=on,
             source="Theorem 6",
         ),
         structure,
@@ -168,7 +168,7 @@ def theorem_6(
             structure,
             hamiltonian,
             "conformally Hamiltonian form, dτ = N dt",
-            on=on,
+            level=on,
             source="Theorem 6",
         ),
     )

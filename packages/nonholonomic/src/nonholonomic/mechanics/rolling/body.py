@@ -112,7 +112,7 @@ class Body(WithInertia):
     >>> ball = nonholonomic.Body(
     ...     1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0), gyrostat=(0.0, 0.0, 0.2)
     ... )
-    >>> nonholonomic.roll(ball).defaults
+    >>> nonholonomic.rolling_system(ball).defaults
     {m: 1.0, I_1: 0.4, I_2: 0.5, I_3: 0.6, k_1: 0.0, k_2: 0.0, k_3: 0.2, R: 1.0}
     """
 

@@ -57,7 +57,7 @@ class Cavity:
     >>> import nonholonomic
     >>> cavity = nonholonomic.Cavity((0.5, 0.4, 0.3), mass=0.8)
     >>> ball = nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0), cavity=cavity)
-    >>> nonholonomic.roll(ball).state
+    >>> nonholonomic.rolling_system(ball).state
     (M, gamma, N)
     """
 

@@ -80,10 +80,10 @@ class Forces:
     >>> import sympy as sp
     >>> gamma_3, k = sp.symbols("gamma_3 k")
     >>> spring = nonholonomic.Forces(potential=k * gamma_3**2 / 2, values={k: 0.1})
-    >>> ball = nonholonomic.roll(
+    >>> ball = nonholonomic.rolling_system(
     ...     nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0)), field=spring
     ... )
-    >>> [(verdict.law, verdict.decision) for verdict in lawproof.prove(ball)]
+    >>> [(verdict.law, verdict.decision) for verdict in lawproof.prove_all(ball)]
     [('energy', 'proven')]
     """
 
@@ -100,7 +100,7 @@ class Forces:
 
 @arguments_checked
 @dataclass(frozen=True)
-class Rolling:
+class RollingBody:
     """A body, a surface, a contact model and a field, with their numbers.
 
     Parameters
@@ -117,8 +117,8 @@ class Rolling:
     >>> ball = nonholonomic.Body(
     ...     1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0, centre=(0.0, 0.0, 0.1))
     ... )
-    >>> rolling = nonholonomic.Rolling(ball, nonholonomic.Plane(), "rubber")
-    >>> nonholonomic.measure_exists(rolling).decision
+    >>> rolling = nonholonomic.RollingBody(ball, nonholonomic.Plane(), "rubber")
+    >>> nonholonomic.invariant_measure(rolling).decision
     'none'
     """
 
@@ -128,7 +128,7 @@ class Rolling:
     field: Forces = Forces()
 
     @property
-    def equivalent(self) -> Rolling:
+    def equivalent(self) -> RollingBody:
         """Itself with the rigid body that is equivalent to the body with its fluid at rest.
 
         At rest means in potential flow (Zhukovsky); without fluid it is the body itself.
@@ -137,12 +137,12 @@ class Rolling:
 
     @arguments_checked
     def system(self, name: str = "rolling-body", title: str = "Rolling body") -> System:
-        """The equations of motion; see :func:`roll`."""
-        return roll(self.body, self.surface, self.contact, self.field, name, title)
+        """The equations of motion; see :func:`rolling_system`."""
+        return rolling_system(self.body, self.surface, self.contact, self.field, name, title)
 
 
 @arguments_checked
-def roll(
+def rolling_system(
     body: AnyBody,
     surface: Surface = Plane(),  # noqa: B008  (immutable)
     contact: ContactModel = "marble",
@@ -184,7 +184,7 @@ def roll(
     --------
     >>> import nonholonomic
     >>> ball = nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
-    >>> system = nonholonomic.roll(ball, nonholonomic.Plane(), "marble")
+    >>> system = nonholonomic.rolling_system(ball, nonholonomic.Plane(), "marble")
     >>> dict(system.field)
     {M: Cross(M, omega), gamma: Cross(gamma, omega)}
     """

@@ -83,7 +83,9 @@ def initial_state(
     Examples
     --------
     >>> import nonholonomic
-    >>> ball = nonholonomic.roll(nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0)))
+    >>> ball = nonholonomic.rolling_system(
+    ...     nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
+    ... )
     >>> start = nonholonomic.initial_state(ball, omega=(1, 0, 2), gamma=(0, 0, 1))
     >>> [float(x) for x in start[:6]]
     [1.4, 0.0, 1.2, 0.0, 0.0, 1.0]

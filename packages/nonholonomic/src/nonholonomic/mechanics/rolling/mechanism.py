@@ -28,7 +28,7 @@ from flowlanes.system.vectors import (
 
 from ..lagrangian.mechanism import Frame, Mechanism, StructureConstants, euclidean, rotations
 from .contact import contact as contact_of
-from .equations import Rolling
+from .equations import RollingBody
 from .fluid import Fluid
 
 omega, v, gamma, zeta, X, k = (Vector(n) for n in ("omega", "v", "gamma", "zeta", "X", "k"))
@@ -37,19 +37,19 @@ HALF = sp.Rational(1, 2)
 
 
 @arguments_checked
-def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism:
+def rolling_mechanism(rolling: RollingBody, name: str = "rolling-body") -> Mechanism:
     """The mechanism of a rolling body.
 
     Parameters
     ----------
-    rolling : Rolling
+    rolling : RollingBody
         Body, surface, contact model and field; the numbers become defaults of the parameters.
     name : str
 
     Returns
     -------
     Mechanism
-        Its equations are those of :func:`nonholonomic.mechanics.rolling.equations.roll`.
+        Its equations are those of :func:`nonholonomic.mechanics.rolling.equations.rolling_system`.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     --------
     >>> import nonholonomic
     >>> ball = nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
-    >>> mechanism = nonholonomic.rolling_mechanism(nonholonomic.Rolling(ball, contact="rubber"))
+    >>> mechanism = nonholonomic.rolling_mechanism(nonholonomic.RollingBody(ball, contact="rubber"))
     >>> nonholonomic.nonholonomy(mechanism).growth
     (2, 3, 5)
     """
@@ -125,7 +125,7 @@ def _guard(guard: Guard, swinging: dict[sp.Symbol, sp.Expr]) -> Guard:
 
 
 def _parameters(
-    rolling: Rolling, inertia: Diagonal | Symmetric, of_contact: tuple[Parameter, ...]
+    rolling: RollingBody, inertia: Diagonal | Symmetric, of_contact: tuple[Parameter, ...]
 ) -> tuple[Parameter, ...]:
     body, field = rolling.equivalent.body, rolling.field
     parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]

@@ -57,7 +57,7 @@ class Implicit(Shape):
     >>> import sympy as sp
     >>> x, y, z = sp.symbols("x y z")
     >>> cushion = nonholonomic.Implicit(x**4 + y**4 + z**4 + x**2 + y**2 + z**2 - 1)
-    >>> nonholonomic.roll(nonholonomic.Body(1.0, (0.2, 0.2, 0.2), cushion)).state
+    >>> nonholonomic.rolling_system(nonholonomic.Body(1.0, (0.2, 0.2, 0.2), cushion)).state
     (M, r)
     """
 

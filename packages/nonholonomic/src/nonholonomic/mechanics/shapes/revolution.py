@@ -58,7 +58,7 @@ class Revolution(SupportShape):
     >>> import sympy as sp
     >>> u, a, b = sp.symbols("gamma_3 a b")
     >>> egg = nonholonomic.Revolution(sp.sqrt(a**2 * (1 - u**2) + b**2 * u**2), {a: 0.02, b: 0.03})
-    >>> system = nonholonomic.roll(
+    >>> system = nonholonomic.rolling_system(
     ...     nonholonomic.Body(0.05, (8e-6, 8e-6, 6e-6), egg), contact="rubber"
     ... )
     >>> lawproof.prove(system, "energy").decision

@@ -213,7 +213,7 @@ class Ellipsoid(SupportShape):
     >>> import lawproof
     >>> import nonholonomic
     >>> shape = nonholonomic.Ellipsoid((0.2, 0.03, 0.02), turn=-0.0143, centre=(0.0, 0.0, 0.01))
-    >>> stone = nonholonomic.roll(
+    >>> stone = nonholonomic.rolling_system(
     ...     nonholonomic.Body(1.0, (2e-4, 16e-4, 17e-4), shape),
     ...     field=nonholonomic.Forces(gravity=9.81),
     ... )
@@ -313,7 +313,7 @@ class Disk(SupportShape):
     --------
     >>> import nonholonomic
     >>> coin = nonholonomic.Body(0.005, (1.25e-7, 1.25e-7, 2.5e-7), nonholonomic.Disk(0.01))
-    >>> system = nonholonomic.roll(coin, field=nonholonomic.Forces(gravity=9.81))
+    >>> system = nonholonomic.rolling_system(coin, field=nonholonomic.Forces(gravity=9.81))
     >>> [guard.message for guard in system.guards]
     ['the body lies flat (tilt below 1e-06 rad)', 'the normal force changes sign']
     """
@@ -373,7 +373,7 @@ class Torus(SupportShape):
     >>> coin = nonholonomic.Body(
     ...     0.005, (1.25e-7, 1.25e-7, 2.5e-7), nonholonomic.Torus(0.009, 0.001)
     ... )
-    >>> nonholonomic.roll(coin).defaults
+    >>> nonholonomic.rolling_system(coin).defaults
     {m: 0.005, I_1: 1.25e-07, I_2: 1.25e-07, I_3: 2.5e-07, R: 0.009, rho: 0.001}
     """
 

@@ -173,7 +173,7 @@ class Plane(Surface):
     --------
     >>> import nonholonomic
     >>> ball = nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
-    >>> nonholonomic.roll(
+    >>> nonholonomic.rolling_system(
     ...     ball, nonholonomic.Plane(), field=nonholonomic.Forces(gravity=9.81)
     ... ).state  # gamma is the vertical
     (M, gamma)
@@ -274,7 +274,7 @@ class Sphere(Surface):
     >>> import nonholonomic
     >>> ball = nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
     >>> bowl = nonholonomic.Sphere(3.0, side="inside")
-    >>> nonholonomic.roll(
+    >>> nonholonomic.rolling_system(
     ...     ball, bowl, field=nonholonomic.Forces(gravity=9.81)
     ... ).state  # zeta: the vertical, body axes
     (M, gamma, zeta)

@@ -26,7 +26,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import real_symbol
 
 from ..lagrangian.mechanism import Mechanism, coordinates
-from ..lagrangian.poincare_suslov import equations
+from ..lagrangian.poincare_suslov import equations_of_motion
 from .kane import Kane, kane
 from .names import Defaults, Inputs, name_translation
 
@@ -82,7 +82,9 @@ def from_sympy(
     {theta: thetadot, thetadot: -g*sin(theta)/l}
     """
     translation = _translation(model, parameters, inputs, name, title or name)
-    return translation.system() if isinstance(translation, Kane) else equations(translation)
+    return (
+        translation.system() if isinstance(translation, Kane) else equations_of_motion(translation)
+    )
 
 
 @arguments_checked
@@ -126,7 +128,7 @@ def mechanism_from_sympy(
     >>> pendulum = nonholonomic.mechanism_from_sympy(
     ...     LagrangesMethod(lagrangian, [theta]), {g: 9.81, l: 1.0}
     ... )
-    >>> lawproof.prove(nonholonomic.equations(pendulum), "energy").decision
+    >>> lawproof.prove(nonholonomic.equations_of_motion(pendulum), "energy").decision
     'proven'
     """
     translation = _translation(model, parameters, inputs, name, title or name)

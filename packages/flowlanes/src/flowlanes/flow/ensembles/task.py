@@ -71,7 +71,7 @@ class Variable:
     Examples
     --------
     >>> import flowlanes
-    >>> flowlanes.flow.ensemble.Variable(("vector",), (3,), attributes={"units": "m"}).dtype
+    >>> flowlanes.flow.ensembles.Variable(("vector",), (3,), attributes={"units": "m"}).dtype
     'float64'
     """
 
@@ -187,7 +187,7 @@ class IncompleteError(RunError):
     Examples
     --------
     >>> import flowlanes
-    >>> issubclass(flowlanes.flow.ensemble.IncompleteError, flowlanes.RunError)
+    >>> issubclass(flowlanes.flow.ensembles.IncompleteError, flowlanes.RunError)
     True
     """
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.members import Members, from_lists, grid, random_starts, single
+from flowlanes.flow.ensembles.members import Members, from_lists, grid, random_starts, single
 
 
 def test_a_list_goes_row_by_row() -> None:

@@ -24,9 +24,9 @@ import chaplygin
 import counted
 from counted import task
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.computation import compute
-from flowlanes.flow.ensemble.task import IncompleteError, Task, Variable
-from flowlanes.flow.ensemble.zarr_store import read_store
+from flowlanes.flow.ensembles.computation import compute
+from flowlanes.flow.ensembles.task import IncompleteError, Task, Variable
+from flowlanes.flow.ensembles.zarr_store import read_store
 
 
 def same(first: xr.Dataset, second: xr.Dataset) -> None:
@@ -232,7 +232,7 @@ def test_marks_are_on_the_disk_before_a_block_counts(
     def settle(chunk: Path) -> None:
         settled.append(chunk.relative_to(tmp_path / "a.zarr").parts[0])
 
-    monkeypatch.setattr("flowlanes.flow.ensemble.zarr_store.flush", settle)
+    monkeypatch.setattr("flowlanes.flow.ensembles.zarr_store.flush", settle)
     compute(task(block=35), tmp_path / "a.zarr")
     assert set(settled[:-1]) == set(task().variables)
     assert settled[-1] == "done"
@@ -328,7 +328,7 @@ def test_a_table_is_on_the_disk_before_the_mark(
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr("flowlanes.flow.ensemble.zarr_store.write_chunk_table", stop)
+        patch.setattr("flowlanes.flow.ensembles.zarr_store.write_chunk_table", stop)
         with pytest.raises(KeyboardInterrupt):
             compute(task(log=str(log)), place)
     assert not zarr.open_group(place)["done"][:].any()
@@ -478,12 +478,12 @@ def test_a_store_of_another_version(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         compute(task(), tmp_path / "a.zarr")
     monkeypatch.undo()
     with monkeypatch.context() as patch:
-        patch.setattr("flowlanes.flow.ensemble.zarr_store.computation_digest", lambda: "newer")
+        patch.setattr("flowlanes.flow.ensembles.zarr_store.computation_digest", lambda: "newer")
         with pytest.raises(InputError, match=r"a\.zarr was begun by another version"):
             compute(task(), tmp_path / "a.zarr")
     whole = compute(task(), tmp_path / "a.zarr")
     # what is complete can be read by any version
-    monkeypatch.setattr("flowlanes.flow.ensemble.zarr_store.computation_digest", lambda: "newer")
+    monkeypatch.setattr("flowlanes.flow.ensembles.zarr_store.computation_digest", lambda: "newer")
     same(whole, compute(task(), tmp_path / "a.zarr"))
 
 

@@ -20,8 +20,8 @@ import xarray as xr
 
 from counted import deadly, mistaken, task
 from flowlanes.errors import InputError
-from flowlanes.flow.ensemble.computation import compute
-from flowlanes.flow.ensemble.task import IncompleteError, Task, Variable
+from flowlanes.flow.ensembles.computation import compute
+from flowlanes.flow.ensembles.task import IncompleteError, Task, Variable
 from needs import optional
 
 dask, distributed = optional("dask"), optional("distributed")
@@ -144,7 +144,7 @@ def test_workers_without_the_package(
 @pytest.mark.slow
 @pytest.mark.parametrize("address", ["nonsense", "tcp://127.0.0.1:1"])
 def test_no_scheduler(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("flowlanes.flow.ensemble.dask.CONNECTION_TIMEOUT", "0.2s")
+    monkeypatch.setattr("flowlanes.flow.ensembles.dask.CONNECTION_TIMEOUT", "0.2s")
     with pytest.raises(InputError, match=f"^there is no Dask scheduler at '{address}'"):
         compute(task(), client=address)
 

@@ -14,9 +14,9 @@ import xarray as xr
 
 from flowlanes.errors import InputError
 from flowlanes.flow.batch import batch_integrator
-from flowlanes.flow.ensemble.members import from_lists, grid, random_starts, single
-from flowlanes.flow.ensemble.run import ensemble, ensemble_task
-from flowlanes.flow.ensemble.task import Divisible
+from flowlanes.flow.ensembles.members import from_lists, grid, random_starts, single
+from flowlanes.flow.ensembles.run import ensemble, ensemble_task
+from flowlanes.flow.ensembles.task import Divisible
 from flowlanes.flow.integrator import integrate
 from flowlanes.flow.sampling.level_sampler import sample_level
 from flowlanes.system.system import Guard
@@ -94,7 +94,7 @@ def test_bits_do_not_depend_on_blocks(name: str, tmp_path: Path) -> None:
     def made(block: int | None, where: Path | None = None) -> dict[str, bytes]:
         return bits(
             ensemble(
-                BALL, EVERYONE[name], TIMES, record=("omega", "area"), block=block, where=where
+                BALL, EVERYONE[name], TIMES, record=("omega", "area"), block=block, store=where
             )
         )
 
@@ -222,15 +222,15 @@ def test_times_are_refused_in_a_sentence(times: Any) -> None:
 def test_the_same_numbers_are_the_same_experiment(tmp_path: Path) -> None:
     mass = BALL.parameters[0]
     same = [None, {}, {"m": mass.default}, {mass.symbol: int(mass.default)}]
-    made = [ensemble(BALL, SPUN, [1.0], given, where=tmp_path / "a.zarr") for given in same]
+    made = [ensemble(BALL, SPUN, [1.0], given, store=tmp_path / "a.zarr") for given in same]
     assert all(bits(made[0]) == bits(other) for other in made)
     with pytest.raises(InputError, match="another experiment: its parameters is"):
-        ensemble(BALL, SPUN, [1.0], {"m": 2.0}, where=tmp_path / "a.zarr")
+        ensemble(BALL, SPUN, [1.0], {"m": 2.0}, store=tmp_path / "a.zarr")
 
 
 def test_no_store_is_begun_for_a_mistake_that_shows(tmp_path: Path) -> None:
     with pytest.raises(InputError):
-        ensemble(BALL, single(M=(1, 2), gamma=(0, 0, 1)), TIMES, where=tmp_path / "a.zarr")
+        ensemble(BALL, single(M=(1, 2), gamma=(0, 0, 1)), TIMES, store=tmp_path / "a.zarr")
     assert not [*tmp_path.iterdir()]
 
 
@@ -256,17 +256,17 @@ def test_a_share_is_small() -> None:
 
 
 def test_another_start_is_another_experiment(tmp_path: Path) -> None:
-    ensemble(BALL, SPUN, TIMES, where=tmp_path / "a.zarr")
+    ensemble(BALL, SPUN, TIMES, store=tmp_path / "a.zarr")
     other = single(omega=(0.7, 0.4, 1.2), gamma=(0.2, -0.3, 0.93))
     with pytest.raises(InputError, match="another experiment: its members of the work is another"):
-        ensemble(BALL, other, TIMES, where=tmp_path / "a.zarr")
+        ensemble(BALL, other, TIMES, store=tmp_path / "a.zarr")
     with pytest.raises(InputError, match="another experiment: its tolerance is 1e-13, not 1e-12;"):
-        ensemble(BALL, SPUN, TIMES, where=tmp_path / "a.zarr", tolerance=1e-12)
+        ensemble(BALL, SPUN, TIMES, store=tmp_path / "a.zarr", tolerance=1e-12)
 
 
 def test_another_formula_of_the_same_name_is_another_experiment(tmp_path: Path) -> None:
     (energy, *others) = BALL.laws
-    ensemble(BALL, SPUN, TIMES, record=("energy",), where=tmp_path / "a.zarr")
+    ensemble(BALL, SPUN, TIMES, record=("energy",), store=tmp_path / "a.zarr")
     doubled = replace(BALL, laws=(replace(energy, value=2 * energy.value), *others))
     with pytest.raises(InputError, match="another experiment: its system of the work is another"):
-        ensemble(doubled, SPUN, TIMES, record=("energy",), where=tmp_path / "a.zarr")
+        ensemble(doubled, SPUN, TIMES, record=("energy",), store=tmp_path / "a.zarr")

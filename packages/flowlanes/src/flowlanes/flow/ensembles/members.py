@@ -154,7 +154,7 @@ def from_lists(**values: npt.ArrayLike) -> Members:
     Examples
     --------
     >>> import flowlanes
-    >>> flowlanes.flow.ensemble.from_lists(I_1=[1.0, 1.2], M=[(1, 0, 0), (0, 1, 0)]).size
+    >>> flowlanes.flow.ensembles.from_lists(I_1=[1.0, 1.2], M=[(1, 0, 0), (0, 1, 0)]).size
     2
     """
     arrays = {name: _finite(name, value) for name, value in values.items()}
@@ -188,7 +188,7 @@ def single(**values: npt.ArrayLike) -> Members:
     Examples
     --------
     >>> import flowlanes
-    >>> flowlanes.flow.ensemble.single(M=(1, 0, 0), gamma=(0, 0, 1)).size
+    >>> flowlanes.flow.ensembles.single(M=(1, 0, 0), gamma=(0, 0, 1)).size
     1
     """
     return from_lists(**{name: _numbers(name, value)[np.newaxis] for name, value in values.items()})
@@ -215,7 +215,7 @@ def grid(**values: npt.ArrayLike) -> Members:
     Examples
     --------
     >>> import flowlanes
-    >>> flowlanes.flow.ensemble.grid(I_1=[1.0, 1.2], I_2=[1.5, 1.6, 1.7]).size
+    >>> flowlanes.flow.ensembles.grid(I_1=[1.0, 1.2], I_2=[1.5, 1.6, 1.7]).size
     6
     """
     if not values:
@@ -251,7 +251,7 @@ def random_starts(count: int, level: Mapping[str, float], seed: int = 0) -> Memb
     Examples
     --------
     >>> import flowlanes
-    >>> flowlanes.flow.ensemble.random_starts(100, {"energy": 2.0}, seed=1).size
+    >>> flowlanes.flow.ensembles.random_starts(100, {"energy": 2.0}, seed=1).size
     100
     """
     if not isinstance(count, int | np.integer) or count < 1:

@@ -16,8 +16,9 @@ from ...system.system import System
 from ..batch import BatchIntegrator, batch_integrator
 from ..devices.graphics import Device
 from ..initial_states import flat_starts
+from ..motion import by_name
+from ..recorded_quantities import RecordedQuantity, recorded_quantities
 from ..sampling.level_sampler import LevelSampler, level_sampler
-from ..trajectory import RecordedQuantity, by_name, recorded_quantities
 from .members import ListedMembers, Members, SampledMembers
 from .task import Arrays
 
@@ -50,7 +51,7 @@ def _is_observable(name: str) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class EnsembleWork:
-    """The work of an ensemble; see :class:`flowlanes.flow.ensemble.task.Work`.
+    """The work of an ensemble; see :class:`flowlanes.flow.ensembles.task.Work`.
 
     Parameters
     ----------

@@ -17,6 +17,7 @@ from ...errors import InputError
 from ...formulas.array_evaluation import as_float_array
 from ...formulas.digest import canonical
 from ...system.system import System
+from ...system.tolerance import ENSEMBLE_TOLERANCE
 from ..cost import TooMuchError
 from ..devices.graphics import Device
 from ..kernel.outcomes import STATUS_MESSAGES
@@ -48,10 +49,10 @@ def ensemble(
     parameters: Parameters = None,
     *,
     record: Sequence[str] = (),
-    tolerance: float = 1e-13,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     device: Device = "cpu",
     block: int | None = None,
-    where: str | Path | None = None,
+    store: str | Path | None = None,
     client: Client | str | int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
@@ -62,10 +63,10 @@ def ensemble(
     system : System
         As it is to be integrated: ``system.lifted()`` carries the motion in space along.
     members : Members or array (n, size)
-        Starts and parameters, by :func:`~flowlanes.flow.ensemble.members.from_lists`,
-        :func:`~flowlanes.flow.ensemble.members.grid`,
-        :func:`~flowlanes.flow.ensemble.members.single`,
-        :func:`~flowlanes.flow.ensemble.members.random_starts` and products of them with ``*``; or
+        Starts and parameters, by :func:`~flowlanes.flow.ensembles.members.from_lists`,
+        :func:`~flowlanes.flow.ensembles.members.grid`,
+        :func:`~flowlanes.flow.ensembles.members.single`,
+        :func:`~flowlanes.flow.ensembles.members.random_starts` and products of them with ``*``; or
         starts alone, in flat order.
     times : array (k,)
         In s, increasing from 0 or later, or decreasing from 0 or before; motions begin at 0.
@@ -74,14 +75,14 @@ def ensemble(
     record : sequence of str
         Observables and integrals to be recorded too.
     tolerance : float
-        Error allowed in a step; see :func:`~flowlanes.flow.batch.batch_integrator`.
+        See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
         Where the motions are computed; likewise.
     block : int, optional
         Members computed, written and lost at once; chosen by their size unless given.
-    where, client, progress
+    store, client, progress
         A store on disk, a cluster, a function that is called with the progress; see
-        :func:`~flowlanes.flow.ensemble.compute`.
+        :func:`~flowlanes.flow.ensembles.compute`.
 
     Returns
     -------
@@ -121,7 +122,7 @@ def ensemble(
         block=block,
         shares=1 if client is None else SHARES,
     )
-    return compute(task, where, client=client, progress=progress)
+    return compute(task, store, client=client, progress=progress)
 
 
 def ensemble_task(
@@ -131,7 +132,7 @@ def ensemble_task(
     parameters: Parameters = None,
     *,
     record: Sequence[str] = (),
-    tolerance: float = 1e-13,
+    tolerance: float = ENSEMBLE_TOLERANCE,
     device: Device = "cpu",
     block: int | None = None,
     shares: int = 1,

@@ -7,7 +7,7 @@ import pytest
 
 from flow.backwards import runs_backwards
 from flowlanes.formulas.array_formulas import Formulas
-from flowlanes.orbits.reversing_symmetries import Reversor, reversors
+from flowlanes.orbits.reversor import Reversor, reversing_symmetries
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import real_symbol
 from lawproof.proof.prover import prove
@@ -21,7 +21,7 @@ def _named(found: Reversor) -> tuple[str, str]:
 
 
 def test_displacements_take_reflections_away() -> None:
-    found = dict(map(_named, reversors(from_catalogue("unbalanced-ball"))))
+    found = dict(map(_named, reversing_symmetries(from_catalogue("unbalanced-ball"))))
     assert found["M_1 M_2 M_3"] == ""
     assert found["M_2 gamma_2"] == "c_2"
     assert found["M_3 gamma_1 gamma_2"] == "c_1 c_2"
@@ -30,14 +30,14 @@ def test_displacements_take_reflections_away() -> None:
 
 
 def test_a_rattleback_is_turned_against_its_axes() -> None:
-    found = dict(map(_named, reversors(from_catalogue("rattleback"))))
+    found = dict(map(_named, reversing_symmetries(from_catalogue("rattleback"))))
     assert found["M_1 M_2 M_3"] == ""
     assert found["M_1 gamma_1"] == "delta c_1"
     assert found["M_3 gamma_3"] == "c_3"
 
 
 def test_rotors_break_the_change_of_all_momenta() -> None:
-    found = dict(map(_named, reversors(from_catalogue("chaplygin-ball-gyrostat"))))
+    found = dict(map(_named, reversing_symmetries(from_catalogue("chaplygin-ball-gyrostat"))))
     assert found["M_1 M_2 M_3"] == "k_1 k_2 k_3"
     assert found["M_1 gamma_1"] == "k_1"
 
@@ -47,7 +47,7 @@ def test_every_one_reverses_the_numbers(name: str) -> None:
     system = from_catalogue(name)
     rates = Formulas(system, system.rates)
     states = np.random.default_rng(3).uniform(0.2, 0.8, (5, len(system.symbols)))
-    found = reversors(system)
+    found = reversing_symmetries(system)
     assert found
     for reversor in found:
         signs, at = reversor.signs(system), {s: 0.0 for s in reversor.vanishing}
@@ -57,18 +57,18 @@ def test_every_one_reverses_the_numbers(name: str) -> None:
 
 def test_the_prover_agrees() -> None:
     system = from_catalogue("suslov")
-    for reversor in reversors(system):
+    for reversor in reversing_symmetries(system):
         signs = {s: -1 for s in (*reversor.odd, *reversor.vanishing)}
         assert prove(system, runs_backwards(system, signs))
 
 
 def test_none_where_there_is_none() -> None:
-    assert reversors(System("fall", "Fall", {x: -x, y: x * y + 1})) == ()
+    assert reversing_symmetries(System("fall", "Fall", {x: -x, y: x * y + 1})) == ()
 
 
 def test_conditions_are_as_weak_as_can_be() -> None:
     system = System("shift", "Shift", {x: y + a, y: x**3}, (Parameter(a, "shift", 0.5),))
-    found = {_named(r) for r in reversors(system)}
+    found = {_named(r) for r in reversing_symmetries(system)}
     assert found == {("x", ""), ("y", "a")}
 
 
@@ -76,7 +76,7 @@ def test_parameters_that_must_be_positive_are_kept() -> None:
     b = real_symbol("b")
     positive = Parameter(b, "positive", 0.5, "", (b > 0,))
     system = System("push", "Push", {x: y + b, y: x**3}, (positive,))
-    assert {_named(r) for r in reversors(system)} == {("x", "")}
+    assert {_named(r) for r in reversing_symmetries(system)} == {("x", "")}
 
 
 def test_words() -> None:

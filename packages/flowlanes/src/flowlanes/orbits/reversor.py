@@ -55,7 +55,7 @@ class Reversor:
     >>> import sympy as sp
     >>> x, v = sp.symbols("x v", real=True)
     >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
-    >>> [reversor.odd for reversor in flowlanes.reversors(pendulum)]
+    >>> [reversor.odd for reversor in flowlanes.reversing_symmetries(pendulum)]
     [(x,), (v,)]
     """
 
@@ -85,7 +85,7 @@ class Reversor:
 
 
 @arguments_checked
-def reversors(system: System) -> tuple[Reversor, ...]:
+def reversing_symmetries(system: System) -> tuple[Reversor, ...]:
     """All sign changes that are proven to reverse a system.
 
     Parameters
@@ -113,7 +113,7 @@ def reversors(system: System) -> tuple[Reversor, ...]:
     >>> damping = flowlanes.Parameter(k, "damping", 0.1)
     >>> field = {x: v, v: -sp.sin(x) - k * v}
     >>> pendulum = flowlanes.System("pendulum", "Damped pendulum", field, (damping,))
-    >>> [reversor.words(pendulum) for reversor in flowlanes.reversors(pendulum)]
+    >>> [reversor.words(pendulum) for reversor in flowlanes.reversing_symmetries(pendulum)]
     ['x changes sign where k = 0', 'v changes sign where k = 0']
     """
     accepted: list[Reversor] = []

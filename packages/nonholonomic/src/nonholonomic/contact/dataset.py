@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -11,10 +11,10 @@ import xarray as xr
 
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import System
-from nonholonomic.contact.equations.situation import FrictionalContact
-from nonholonomic.contact.friction.modes import MODE_NAMES
 
-from .trajectory import ContactTrajectory, work_names
+from .equations.situation import FrictionalContact
+from .friction.modes import MODE_NAMES
+from .simulation.events import ContactEvent
 
 #: Dimensions, values and attributes of a variable of the events.
 EventVariable: TypeAlias = tuple[
@@ -24,50 +24,38 @@ EventVariable: TypeAlias = tuple[
 #: State variables that the dataset stores in space axes under other names.
 _ELSEWHERE = ("position", "v")
 
-#: Maximum number of events listed in the text attribute; the variables hold all of them.
-_MOST_EVENTS = 100
-
 _WORKS = {
     "work_impact": "work lost in impacts",
     "work_support": "work lost to the moving support",
 }
 
 
-def contact_dataset(trajectory: ContactTrajectory, samples: xr.Dataset) -> xr.Dataset:
-    """The dataset of a motion with friction.
+def with_contact(
+    samples: xr.Dataset,
+    modes: npt.NDArray[np.int8],
+    events: Sequence[ContactEvent],
+    columns: Sequence[str],
+) -> xr.Dataset:
+    """A dataset of samples together with the modes of the contact and its events.
 
     Parameters
     ----------
-    trajectory : ContactTrajectory
     samples : xarray.Dataset
-        What any trajectory has: its states, observables and laws.
-
-    Returns
-    -------
-    xarray.Dataset
-        The variables of a rolling body; ``velocity``, ``slip``, ``spin``, ``friction_force``,
-        ``friction_couple``, ``power_lost``, ``gap``, the work lost to each law ``work_<law>``,
-        and ``mode``, a flag.  A dimension ``event`` has ``event_time``, ``event_kind``, the mode
-        that follows, states before and after (dimension ``state``), and impulses.
+    modes : array (n,)
+        Of each sample, an index into `MODE_NAMES`.
+    events : sequence of ContactEvent
+    columns : sequence of str
+        Names of the components of the state.
     """
-    dataset = samples.drop_vars([name for name in _ELSEWHERE if name in samples])
-    modes = trajectory.modes.astype(np.int8)
-    dataset["mode"] = ("time", modes, mode_flags("mode of the contact"))
-    dataset = dataset.assign(_event_variables(trajectory))
-    dataset = dataset.assign_coords(state=("state", _columns(trajectory), _STATE))
-    lines = [str(event) for event in trajectory.events]
-    if len(lines) > _MOST_EVENTS + 1:
-        more = f"... {len(lines) - _MOST_EVENTS - 1} more events: see event_time and event_kind"
-        lines = [*lines[:_MOST_EVENTS], more, lines[-1]]
-    return dataset.assign_attrs(
-        events="\n".join(lines),
-        end_time=float(trajectory.times[-1]),
-        end_reason=trajectory.reason,
-        energy_balance_drift=trajectory.drift,
-        friction=trajectory.contact.setting,
-        restitution=trajectory.rules.restitution,
-        impact_law=trajectory.rules.impact_law,
-    )
+    others = samples.drop_vars([name for name in _ELSEWHERE if name in samples])
+    dataset = others.assign(mode=("time", modes.astype(np.int8), mode_flags("mode of the contact")))
+    dataset = dataset.assign(_event_variables(events, len(columns)))
+    return dataset.assign_coords(state=("state", list(columns), _STATE))
+
+
+def work_names(system: System) -> list[str]:
+    """The variables of a state that are work lost."""
+    return [str(name) for name in system.state if str(name).startswith("work_")]
 
 
 _STATE = {
@@ -79,12 +67,8 @@ _STATE = {
 
 def work_meanings(contact: FrictionalContact, system: System) -> dict[str, tuple[str, str]]:
     """Meaning and unit of the work dissipated by each law, by the names of a system."""
-    words = {f"work_{law.name}": f"work lost to {law.words}" for law in contact.laws}
+    words = {f"work_{law.name}": f"work lost to {law.description}" for law in contact.laws}
     return {name: ((_WORKS | words).get(name, name), "J") for name in work_names(system)}
-
-
-def _columns(trajectory: ContactTrajectory) -> list[str]:
-    return [str(symbol) for symbol in trajectory.system.symbols]
 
 
 def mode_flags(meaning: str) -> dict[str, object]:
@@ -98,9 +82,8 @@ def mode_flags(meaning: str) -> dict[str, object]:
     }
 
 
-def _event_variables(trajectory: ContactTrajectory) -> dict[str, EventVariable]:
+def _event_variables(events: Sequence[ContactEvent], size: int) -> dict[str, EventVariable]:
     """The variables of the dimension ``event``."""
-    events, size = trajectory.changes, len(trajectory.system.symbols)
 
     def rows(values: list[FloatArray], width: int) -> FloatArray:
         return np.array(values, dtype=float).reshape(len(events), width)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 @arguments_checked
 def compute(
     task: Task,
-    where: str | Path | None = None,
+    store: str | Path | None = None,
     *,
     client: Client | str | int | None = None,
     progress: Progress | None = None,
@@ -33,7 +33,7 @@ def compute(
     Parameters
     ----------
     task : Task
-    where : path, optional
+    store : path, optional
         Folder of the Zarr store that is to hold the result, usually called ``….zarr``: written
         block by block; created, or resumed if it exists.  Without it everything is kept
         in memory.
@@ -70,21 +70,21 @@ def compute(
     >>> grid = flowlanes.scans.scan_grid(pendulum, *axes, {"x": 0.5, "v": 0.0})
     >>> rule = flowlanes.scans.survival_time(pendulum, 5.0)
     >>> task = flowlanes.scans.scan(flowlanes.scans.Scan(grid, rule, "survival", "Survival time"))
-    >>> flowlanes.flow.ensemble.compute(task)["survival"].values.tolist()
+    >>> flowlanes.flow.ensembles.compute(task)["survival"].values.tolist()
     [[5.0, 5.0, 5.0], [5.0, 5.0, 5.0]]
     """
     text = progress if progress is not None else _no_progress
-    _require_room(task, where)
-    return _in_memory(task, client, text) if where is None else _in_store(task, where, client, text)
+    _require_room(task, store)
+    return _in_memory(task, client, text) if store is None else _in_store(task, store, client, text)
 
 
-def _require_room(task: Task, where: str | Path | None) -> None:
+def _require_room(task: Task, store: str | Path | None) -> None:
     """Raise an error if the result does not fit into memory or on the disk."""
     sizes = [
         (task.size * math.prod(variable.shape), np.dtype(variable.dtype).itemsize)
         for variable in task.variables.values()
     ]
-    folder = None if where is None else Path(where)
+    folder = None if store is None else Path(store)
     if folder is None or not folder.exists():
         what = f"the {sum(count for count, _ in sizes):,} numbers of the result"
         require_room(sum(count * size for count, size in sizes), folder, what)

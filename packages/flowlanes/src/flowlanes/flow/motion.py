@@ -1,0 +1,220 @@
+"""Motions: what all of them have in common, whoever computed them."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+
+from ..arguments import arguments_checked
+from ..errors import InputError, nearest
+from ..system.system import System
+from .taylor.working_numbers import WorkingArray, WorkingNumber
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Number = TypeVar("Number", bound=np.generic)
+
+
+class UnknownVariableError(InputError, KeyError):
+    """A name that matches no quantity of a motion; also a KeyError, as for any mapping."""
+
+
+def read_only(array: npt.NDArray[Number]) -> npt.NDArray[Number]:
+    """A read-only view of an array."""
+    view = array.view()
+    view.flags.writeable = False
+    return view
+
+
+def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArray[Number]:
+    """A variable of states (n, size) by name: (n, components), or (n,) for a scalar.
+
+    Raises
+    ------
+    UnknownVariableError
+        If the system has no such variable.
+    """
+    for variable, columns in system.slices:
+        if str(variable) == name:
+            block = states[:, columns]
+            column: npt.NDArray[Number] = block[:, 0]
+            return column if isinstance(variable, sp.Symbol) else block
+    raise unknown_variable(system.name, name, map(str, system.state))
+
+
+def unknown_variable(owner: str, name: object, known: Iterable[str]) -> UnknownVariableError:
+    """The error for a quantity that is neither in the state nor recorded."""
+    if not isinstance(name, str):
+        return UnknownVariableError(
+            f"{owner}: a quantity is asked for by its name in quotes, not by {name!r}"
+        )
+    return UnknownVariableError(f"{owner}: no quantity {name!r}{nearest(name, [*known])}")
+
+
+def _frozen(value: object) -> object:
+    """Arrays, alone or in a mapping, that cannot be written into; other values as they are."""
+    if isinstance(value, np.ndarray):
+        return read_only(value)
+    if isinstance(value, dict):
+        return {key: _frozen(item) for key, item in value.items()}
+    return value
+
+
+class Motion(ABC):
+    """One motion: states at times, quantities by name; its arrays are read-only.
+
+    Every integrator, every closed form and every plan gives one.  ``motion["omega"]`` is a
+    quantity by its name, (n,) or (n, components); iterating over a motion gives these names.
+
+    Attributes
+    ----------
+    times : array (n,)
+        In s.
+    states : array (n, size)
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import nonholonomic
+    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+    >>> motion = flowlanes.integrate(
+    ...     ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0], dense=True
+    ... )
+    >>> isinstance(motion, flowlanes.flow.Motion), "attitude" in motion
+    (True, True)
+    >>> motion([2.5, 7.5])["omega"].shape
+    (2, 3)
+    """
+
+    times: WorkingArray
+    states: WorkingArray
+
+    @abstractmethod
+    def __getitem__(self, name: str) -> WorkingArray:
+        """A quantity by name, (n,) or (n, components).
+
+        Raises
+        ------
+        UnknownVariableError
+            An InputError and a KeyError, if the motion has no such quantity.
+        """
+
+    @abstractmethod
+    def __iter__(self) -> Iterator[str]:
+        """The names of all quantities."""
+
+    @abstractmethod
+    def to_dataset(self) -> xr.Dataset:
+        """The motion as an ``xarray.Dataset`` with the dimension ``time``."""
+
+    def __contains__(self, name: object) -> bool:
+        return name in tuple(self)
+
+    def __call__(self, times: npt.ArrayLike) -> Motion:
+        """The motion at other times, which must lie within it.
+
+        Raises
+        ------
+        InputError
+            If the motion is known at its samples alone, or a time lies outside it.
+        """
+        raise InputError(f"{type(self).__name__}: it is known at its samples alone")
+
+    def __setstate__(self, state: Mapping[str, object]) -> None:
+        """Restore a pickled motion: its arrays are read-only again."""
+        for name, value in state.items():
+            self.__dict__[name] = _frozen(value)
+
+
+class SystemMotion(Motion):
+    """A motion of a System.
+
+    Attributes
+    ----------
+    system : System
+    parameters : mapping of Symbol to number
+    records : mapping of str to array
+        Quantities beside the state by name, (n,) or (n, components).
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, WorkingNumber]
+    records: Mapping[str, WorkingArray]
+
+    def __getitem__(self, name: str) -> WorkingArray:
+        if isinstance(name, str) and name in self.records:
+            return self.records[name]
+        return self.variable(name)
+
+    def variable(self, name: str) -> WorkingArray:
+        """A variable of the state, (n,) or (n, components).
+
+        Raises
+        ------
+        UnknownVariableError
+            If the state has no such variable.
+        """
+        if isinstance(name, str) and name in map(str, self.system.state):
+            return by_name(self.system, self.states, name)
+        raise unknown_variable(self.system.name, name, self)
+
+    def __iter__(self) -> Iterator[str]:
+        names = [str(variable) for variable in self.system.state]
+        return iter(dict.fromkeys([*names, *self.records]))
+
+    def facts(self) -> dict[str, object]:
+        """How the motion was computed, for the attributes of its dataset."""
+        return {}
+
+    @arguments_checked
+    def to_dataset(
+        self,
+        attributes: Mapping[str, object] | None = None,
+        meanings: Mapping[str, tuple[str, str]] | None = None,
+    ) -> xr.Dataset:
+        """The motion as a dataset.
+
+        Parameters
+        ----------
+        attributes : mapping, optional
+            Additional global attributes, such as the text of the experiment file.
+        meanings : mapping of str to (str, str), optional
+            Meaning and SI unit of variables of the state, by name.
+
+        Returns
+        -------
+        xarray.Dataset
+            Dimension ``time``; vectors have ``axis`` (body), ``space`` or ``quaternion``, and
+            vectors of the state in no known frame a dimension ``<name>_component``.  Every
+            variable has ``long_name``, ``units`` and ``source``.  Numbers of 34 digits are split:
+            the sum of ``<name>`` and ``<name>_low`` has all of them.
+
+        Examples
+        --------
+        >>> import flowlanes
+        >>> import nonholonomic
+        >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
+        >>> motion = flowlanes.integrate(
+        ...     ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0]
+        ... )
+        >>> omega = motion.to_dataset()["omega"]
+        >>> omega.dims, omega.attrs["units"], omega.attrs["frame"]
+        (('time', 'axis'), 'rad/s', 'body axes')
+        """
+        from .motion_dataset import motion_dataset
+
+        return motion_dataset(
+            self.system,
+            self.parameters,
+            self.times,
+            {name: self[name] for name in self},
+            start=self.states[0],
+            facts=self.facts(),
+            meanings=meanings,
+        ).assign_attrs(attributes or {})
