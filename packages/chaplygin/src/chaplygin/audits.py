@@ -150,7 +150,7 @@ class Audit(Protocol):
         self,
         section: int | None = None,
         workers: int | None = None,
-        report: Callable[[float], None] = ...,
+        progress: Callable[[float], None] = ...,
     ) -> Judgements:
         """The claims judged in several processes."""
         ...
