@@ -81,15 +81,14 @@ class Motion(ABC):
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> motion = flowlanes.integrate(
-    ...     ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0], dense=True
-    ... )
-    >>> isinstance(motion, flowlanes.flow.Motion), "attitude" in motion
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> motion = flowlanes.integrate(pendulum, {"x": 1, "v": 0}, [0.0, 5.0, 10.0], dense=True)
+    >>> isinstance(motion, flowlanes.flow.Motion), "v" in motion
     (True, True)
-    >>> motion([2.5, 7.5])["omega"].shape
-    (2, 3)
+    >>> motion([2.5, 7.5])["x"].shape
+    (2,)
     """
 
     times: WorkingArray
@@ -198,14 +197,12 @@ class SystemMotion(Motion):
         Examples
         --------
         >>> import flowlanes
-        >>> import nonholonomic
-        >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-        >>> motion = flowlanes.integrate(
-        ...     ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0]
-        ... )
-        >>> omega = motion.to_dataset()["omega"]
-        >>> omega.dims, omega.attrs["units"], omega.attrs["frame"]
-        (('time', 'axis'), 'rad/s', 'body axes')
+        >>> import sympy as sp
+        >>> x, v = sp.symbols("x v", real=True)
+        >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+        >>> motion = flowlanes.integrate(pendulum, {"x": 1, "v": 0}, [0.0, 5.0, 10.0])
+        >>> dict(motion.to_dataset().sizes)
+        {'time': 3}
         """
         from .motion_dataset import motion_dataset
 

@@ -32,13 +32,18 @@ class SampledMotion(SystemMotion, WithOverview):
     Examples
     --------
     >>> import flowlanes
-    >>> import nonholonomic
-    >>> disk = nonholonomic.from_catalogue("rubber-disk")
-    >>> motion = nonholonomic.solve(disk, nonholonomic.CATALOGUE["rubber-disk"].start.values)(
-    ...     [0.0, 1.0, 2.0]
+    >>> import numpy as np
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = flowlanes.System("oscillator", "Oscillator", {x: v, v: -x})
+    >>> def turning(times):
+    ...     return np.column_stack([np.sin(times), np.cos(times)])
+    >>> times = np.array([0.0, 1.0, 2.0])
+    >>> motion = flowlanes.flow.sampled_motion.SampledMotion(
+    ...     oscillator, {}, times, turning(times), turning
     ... )
-    >>> motion["omega"].shape, motion["law_energy"].shape, motion([0.5]).times.tolist()
-    ((3, 3), (3,), [0.5])
+    >>> motion["x"].shape, motion([0.5]).times.tolist()
+    ((3,), [0.5])
     """
 
     system: System

@@ -116,11 +116,14 @@ def prove_all(system: System, *, effort: int = EFFORT) -> tuple[Verdict, ...]:
 
     Examples
     --------
+    >>> import flowlanes
     >>> import lawproof
-    >>> import nonholonomic
-    >>> verdicts = lawproof.prove_all(nonholonomic.from_catalogue("veselova"))
-    >>> {verdict.decision for verdict in verdicts}
-    {'proven'}
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> energy = flowlanes.Integral("energy", v**2 / 2 - sp.cos(x))
+    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)}, laws=(energy,))
+    >>> [verdict.decision for verdict in lawproof.prove_all(pendulum)]
+    ['proven']
     """
     checked_effort(effort)
     return tuple(judgement_of(prove, system, each, effort) for each in system.laws)
