@@ -12,7 +12,7 @@ from .claim import Claim, Remark
 
 
 def _modules() -> dict[str, int]:
-    """Modules of claims in reading order, each with the section of the paper it belongs to."""
+    """Modules of claims in reading order, each with its section of the paper."""
     folders = pkgutil.walk_packages([str(Path(__file__).parent)], f"{__package__}.")
     names = sorted(m.name for m in folders if not m.ispkg and ".section_" in m.name)
     return {name: int(name.split(".section_")[1][:2]) for name in names}

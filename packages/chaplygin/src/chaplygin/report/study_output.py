@@ -97,7 +97,7 @@ def write_study(
     ['experiment.toml', 'figures', 'report.html', 'trajectory.nc']
     """
     told = progress or _Silent()
-    # a law of one mode alone says nothing of a motion through several
+    # A law of a single mode does not apply to a motion through several.
     allowed = 0 if study.subject.changes_equations else total_budget
     budget = ProofBudget(effort, allowed, lambda what: told.say(f"proving: {what}"))
     with being_written(folder):

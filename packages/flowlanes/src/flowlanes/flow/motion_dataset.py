@@ -31,7 +31,7 @@ Samples: TypeAlias = npt.NDArray[Any]
 #: Dimensions, values and attributes of a variable.
 Variable: TypeAlias = tuple[str | tuple[str, ...], FloatArray | list[object], dict[str, str]]
 
-#: Horizontal place of a centre of mass in the lift to space, which is recorded whole.
+#: Horizontal position of a centre of mass in the lift to space, which is recorded as part of it.
 _PLACE = "place"
 
 
@@ -128,7 +128,7 @@ def _add_state(
     values: Samples,
     description: tuple[str, str] | None,
 ) -> None:
-    """A variable of the state, its meaning given or inferred from its name."""
+    """Add a state variable, with its meaning given or inferred from its name."""
     size = values.shape[1] if values.ndim > 1 else 1
     meaning, units, source, frame = variable_metadata(system, name, size, description)
     variable = next(v for v in system.state if str(v) == name)
@@ -165,7 +165,7 @@ def _add(
 
 
 def _split(values: Samples) -> tuple[FloatArray, FloatArray | None]:
-    """Doubles, and for 34-digit numbers what is missing to them."""
+    """Doubles and, for 34-digit numbers, the remainders."""
     array = np.asarray(values)
     if array.dtype == np.float64:
         return array, None

@@ -1,4 +1,4 @@
-"""A motion with friction as a dataset: contact mode of each sample, events, dissipated work."""
+"""Datasets of motions with friction: the mode of the contact, and its events."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ EventVariable: TypeAlias = tuple[
     str | tuple[str, ...], FloatArray | npt.NDArray[Any], Mapping[str, object]
 ]
 
-#: State variables that the dataset stores in space axes under other names.
+#: Variables of the state that a dataset has in space axes under other names.
 _ELSEWHERE = ("position", "v")
 
 _WORKS = {
@@ -54,7 +54,7 @@ def with_contact(
 
 
 def work_names(system: System) -> list[str]:
-    """The variables of a state that are work lost."""
+    """The variables of a state that are dissipated work."""
     return [str(name) for name in system.state if str(name).startswith("work_")]
 
 

@@ -22,7 +22,10 @@ def rolling_setting(rolling: RollingBody) -> str:
 
 
 def cavity_words(rolling: RollingBody) -> str:
-    """The fluids in the cavities of a body, to end the line of its setting; empty without any."""
+    """The fluids in the cavities of a body, as the end of its setting line.
+
+    Empty if there are none.
+    """
     fluids = rolling.body.fluids
     if not fluids:
         return ""
