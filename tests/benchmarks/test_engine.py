@@ -70,7 +70,7 @@ def test_a_step_of_order_eight_is_right(contest: SimpleNamespace):
     body = contest.bodies.BODIES["chaplygin-ball"]
     names: dict[str, Any] = {"sqrt": math.sqrt}
     names["field"] = contest.generated.defined(contest.generated.field_text(body), names)["field"]
-    step = contest.generated.defined(contest.generated.emit_step(body.size), names)["step"]
+    step = contest.generated.defined(contest.generated.step_text(body.size), names)["step"]
     (start,) = body.starts(7, 1)
     exact = body.ends(start[None], 0.0625)[0]
     assert np.allclose(step(0.0625, *start)[: body.size], exact, rtol=0, atol=1e-11)

@@ -29,7 +29,7 @@ omega = [1, 0, 0]
 def test_a_parameter_alone_by_its_name(ask: Ask) -> None:
     code, out, _ = ask("show", "chaplygin-ball", "--as", "toml", "--set", "I_1=1.25")
     assert code == 0
-    assert "I_1 = 1.25" in out
+    assert "I_1 = { value = 1.25" in out
 
 
 def test_a_parameter_of_a_file_alone_by_its_name(ask: Ask) -> None:

@@ -109,7 +109,7 @@ MISTAKES: dict[str, tuple[str, str]] = {
         BALL + FRICTION + "nu = 0.1\n" + CONTACT,
         "line 9, contact.nu: unknown key; allowed: model, mu, spin_arm, patch, "
         "viscous, spin_viscous, slip, slip_order, force, couple, mu_static, values, rolling, "
-        "rolling_viscous, contour, air, restitution, impact_law, on_paradox",
+        "rolling_viscous, contour, air, laws, restitution, impact_law, on_paradox",
     ),
     "unknown reaction": (
         PLAIN + '[run]\non_liftoff = "jump"\n',

@@ -325,7 +325,6 @@ main()
 @pytest.mark.parametrize(
     "arguments",
     [
-        ("list",),
         ("show", "veselova"),
         ("run", "veselova", "-o", "x.nc"),
         ("study", "trailers"),

@@ -167,8 +167,8 @@ def formula_text(formula: Formula, definitions: Mapping[sp.Symbol, sp.Basic] | N
     Raises
     ------
     InputError
-        If an argument is of another type, or a part of the formula has no form in a file, such as
-        an unspecified function.
+        If an argument is of another type, a number is not finite, or a part of the formula has no
+        form in a file, such as an unspecified function.
 
     Examples
     --------
@@ -177,6 +177,8 @@ def formula_text(formula: Formula, definitions: Mapping[sp.Symbol, sp.Basic] | N
     'cross(I*omega, omega)'
     """
     value: Any = sp.sympify(formula)
+    if value.has(sp.zoo, sp.nan, sp.oo, -sp.oo):
+        raise InputError(f"{value} has a value that is not finite")
     if not isinstance(value, MatrixExpr):
         value = with_exact_decimals(value)
     return str(_FilePrinter(definitions or {}).doprint(value))

@@ -127,7 +127,7 @@ class OpenKinds(_Open):
 
     def tables(self, kind: object = None) -> tuple[type[KindTable], ...]:
         """All tables, or those of this package alone if one of them has that kind."""
-        if kind in self._own:
+        if isinstance(kind, str) and kind in self._own:
             return tuple(self._own.values())
         tables = {**self.added(), **self._own}
         if isinstance(kind, str) and kind not in tables:

@@ -7,11 +7,10 @@ Units are SI, angles in radians.
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
 
-from nonholonomic.contact.friction import friction_law
 from nonholonomic.contact.simulation.event_rules import COARSEST_WITH_FRICTION
 from nonholonomic.system_files.open_kinds import KindTable, OpenTable
 from nonholonomic.system_files.table import (
@@ -28,6 +27,9 @@ from nonholonomic.system_files.table import (
 )
 
 from .tables import FINEST_DOUBLE, CommonRunTable, PlaneTable, SphereTable
+
+if TYPE_CHECKING:
+    from nonholonomic.contact.friction.friction_law import FrictionLaw
 
 COEFFICIENT = "a finite number not below zero"
 FRICTION_COEFFICIENT = "a number not below zero, or inf"
@@ -62,8 +64,15 @@ _WITH_KEYS = frozenset(
     ]
 )
 
+
 #: Laws of friction that other modules have added.
-LAWS = OpenTable(KindTable, lambda: friction_law.FrictionLaw, _WITH_KEYS)
+def _laws_of_friction() -> type[FrictionLaw]:
+    from nonholonomic.contact.friction.friction_law import FrictionLaw
+
+    return FrictionLaw
+
+
+LAWS = OpenTable(KindTable, _laws_of_friction, _WITH_KEYS)
 
 
 class FrictionTable(Table):

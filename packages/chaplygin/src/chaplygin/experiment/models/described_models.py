@@ -5,7 +5,6 @@ from __future__ import annotations
 from pydantic import Field
 
 from nonholonomic.system_files.described import DescribedFile, EquationsFile, MechanismFile
-from nonholonomic.system_files.write import file_text
 
 from ..file.tables import RunTable, StateTable
 from .base import ExperimentBase
@@ -19,6 +18,8 @@ class OwnExperiment(DescribedFile, ExperimentBase):
 
     def toml(self) -> str:
         """A complete TOML text, defaults included, that reads back to an equal experiment."""
+        from nonholonomic.system_files.write import file_text
+
         return file_text(self.model_dump(exclude_none=True))
 
 
