@@ -13,6 +13,9 @@ import numpy as np
 import pytest
 
 from chaplygin import lambdify
+from needs import needs
+
+pytestmark = needs("heyoka")
 
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 NAMES = ["chaplygin-ball", "unbalanced-ball", "ellipsoid"]

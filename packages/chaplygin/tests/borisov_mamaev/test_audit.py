@@ -25,6 +25,23 @@ def judged():
     return audit(SECTION).judgements
 
 
+def supposed() -> list[Judgement]:
+    """The claims of the section with the verdicts that they should have, without their proofs."""
+    right = Verdict("right", "proven", finding="it is so")
+    wrong = Verdict("wrong", "refuted", finding="at a point it is not so")
+    return [
+        Judgement(n, c, right, None, 0.1)
+        if c.corrected is None
+        else Judgement(n, c, wrong, right, 0.1)
+        for n, c in claims(SECTION)
+    ]
+
+
+@pytest.fixture(params=["supposed", pytest.param("computed", marks=pytest.mark.slow)])
+def judgements(request):
+    return supposed() if request.param == "supposed" else request.getfixturevalue("judged")
+
+
 @pytest.mark.slow
 def test_every_claim_is_judged_in_reading_order(judged):
     assert [j.claim.source for j in judged] == [c.source for _, c in claims(SECTION)]
@@ -196,27 +213,26 @@ def test_the_opposite_of_what_is_proven_in_part_is_undecided():
     assert not opposite.conditions
 
 
-@pytest.mark.slow
-def test_counts_add_up(judged):
-    table = counts(judged)
-    assert sum(table["printed"].values()) == len(judged)
-    assert sum(table["corrected"].values()) == sum(j.corrected is not None for j in judged)
+def test_counts_add_up(judgements):
+    table = counts(judgements)
+    assert sum(table["printed"].values()) == len(judgements)
+    assert sum(table["corrected"].values()) == sum(j.corrected is not None for j in judgements)
 
 
-def test_the_page_shows_every_claim_typeset(judged):
-    text = page(judged, SECTION)
+def test_the_page_shows_every_claim_typeset(judgements):
+    text = page(judgements, SECTION)
     body = text.split("</style>")[1]
-    assert body.count('<article class="claim') == len(judged)
-    assert body.count(" misprint") == counts(judged)["printed"]["refuted"]
+    assert body.count('<article class="claim') == len(judgements)
+    assert body.count(" misprint") == counts(judgements)["printed"]["refuted"]
     assert "$" not in body
     assert "<merror" not in body
     assert TITLES[SECTION] in body
     assert not re.search(r'(src|href)="http', text)
 
 
-def test_the_page_of_the_whole_paper_has_all_sections_with_claims(judged):
+def test_the_page_of_the_whole_paper_has_all_sections_with_claims(judgements):
     assert {number for number, _ in claims()} <= set(TITLES)
-    assert 'id="section-6"' in page(judged)
+    assert 'id="section-6"' in page(judgements)
 
 
 def test_what_was_not_computed_is_listed_with_its_reason():
@@ -224,8 +240,8 @@ def test_what_was_not_computed_is_listed_with_its_reason():
     assert all(r.source and r.statement and r.reason for r in remarks())
 
 
-def test_records_have_the_agreed_fields(judged):
-    for judgement in judged:
+def test_records_have_the_agreed_fields(judgements):
+    for judgement in judgements:
         record = judgement.record()
         assert {"source", "statement", "printed", "seconds"} <= set(record)
         assert ("corrected" in record) == (judgement.corrected is not None)

@@ -22,6 +22,7 @@ from flowlanes.flow.machine_code import code_cache as cache
 from flowlanes.flow.taylor.compiled_system import compile_system
 from flowlanes.system.laws import Integral
 from flowlanes.system.system import Guard, Observable, Parameter, System
+from needs import needs
 
 x, y, p, q = sp.symbols("x y p q", real=True)
 
@@ -268,6 +269,7 @@ def test_the_last_digit_of_a_decimal_counts(place):
     assert compile_system(system(0.3)).from_cache
 
 
+@needs("heyoka")
 def test_tolerance_precision_and_direction_are_other_code(place):
     assert not compile_system(OSCILLATOR, 1e-15).from_cache
     assert not compile_system(OSCILLATOR, 1e-12).from_cache
