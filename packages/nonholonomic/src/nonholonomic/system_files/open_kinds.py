@@ -9,6 +9,7 @@ imported when a file names a kind that nobody knows yet.
 from __future__ import annotations
 
 import dataclasses
+import sys
 from collections.abc import Callable
 from functools import cache, reduce
 from importlib.metadata import entry_points
@@ -48,6 +49,8 @@ if TYPE_CHECKING:
 
 #: Modules that add kinds are entry points of this group.
 GROUP = "nonholonomic.kinds"
+#: The module of `Registered`, which takes long to import.
+_BASE_OF_KINDS = "nonholonomic.mechanics.shapes.kinds"
 
 Register: TypeAlias = "Callable[[], type[Registered]]"
 
@@ -85,6 +88,9 @@ class _Open:
 
     def added(self) -> dict[str, type[KindTable]]:
         """The tables of kinds that other modules have added, by their words."""
+        # nobody has added any where the base of all of them is not imported
+        if _BASE_OF_KINDS not in sys.modules:
+            return {}
         return {
             word: table_of(kind, self._base)  # type: ignore[arg-type]  # a class has a hash
             for word, kind in self._register().kinds().items()
