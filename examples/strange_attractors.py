@@ -212,7 +212,7 @@ def main() -> None:
 def summary(attractor: Attractor) -> str:
     """What was measured of a case, in lines."""
     result = attractor.spectrum
-    lines = [f"{result.system.title}, energy {attractor.case.energy:g} J, {result.until:g} s"]
+    lines = [f"{result.system.title}, energy {attractor.case.energy:g} J, {result.t_end:g} s"]
     lines += [
         f"  λ{number} = {item.value:.3f} ± {item.error:.3f} /s"
         for number, item in enumerate(result.exponents, 1)

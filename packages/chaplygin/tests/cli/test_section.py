@@ -179,7 +179,7 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
         (["--points", "0"], "--points 0: it must be at least 1"),
         (["-o", "ball.nc"], "--output ball.nc: its name must end in .zarr"),
         (["--starts", "0"], "--starts 0: it must be at least 1"),
-        (["--until", "-1"], "--until -1: it must be positive"),
+        (["--until", "-1"], "--until -1.0: it must be positive and finite"),
         (["--level", "energy"], "--level energy: it is written NAME=VALUE"),
         (["--level", "energi=1"], "energi"),
         (["--coordinates", "M_1"], "two or three are needed"),

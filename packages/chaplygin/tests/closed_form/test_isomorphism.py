@@ -96,7 +96,7 @@ def test_veselova_by_way_of_neumann_is_proven(law):
 
 
 def test_another_clock_is_refuted():
-    wrong = replace(VESELOVA, time_rescaling=1 / VESELOVA.clock)
+    wrong = replace(VESELOVA, time_rescaling=1 / VESELOVA.time_rescaling)
     (law,) = (each for each in separation_laws(wrong) if each.name == "direction")
     assert prove(VESELOVA.system, law).decision == "refuted"
 

@@ -61,7 +61,7 @@ def motion() -> SeparatedMotion:
 
 
 def clock(motion: SeparatedMotion) -> Branch:
-    rate = components(VESELOVA.clock)
+    rate = components(VESELOVA.time_rescaling)
     return Branch(rate, motion.values, steps_from_torus(VESELOVA, rate)[1])
 
 

@@ -57,5 +57,5 @@ def test_a_contact_that_is_to_hold_has_no_guard() -> None:
     free, kept = (chart_of(s, "duration", *axes) for s in (study(text), held))
     assert any(guard.lift_off for guard in free.rule.system.guards)
     assert not any(guard.lift_off for guard in kept.rule.system.guards)
-    assert free.rule.until == 2.0
+    assert free.rule.t_end == 2.0
     assert np.nanmin(free(0, 2)["duration"]) < np.nanmin(kept(0, 2)["duration"]) == 2.0

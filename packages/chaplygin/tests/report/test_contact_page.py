@@ -66,7 +66,7 @@ samples = 61
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
 def test_every_law_is_told_in_words(law: FrictionLaw) -> None:
     row = law_row(law)
-    assert row.words.endswith(".") and row.words != law.words
+    assert row.words.endswith(".") and row.words != law.description
     assert law.name in LOSSES
     assert len(row.coefficients.split("; ")) == len(law.parameters)
     assert not re.search(r"\d[eE][+-]?\d", row.coefficients)

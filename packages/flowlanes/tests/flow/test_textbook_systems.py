@@ -23,7 +23,7 @@ def lorenz() -> System:
 
 def test_exponents_of_lorenz() -> None:
     """0.9056, 0 and −14.5723: Sprott, Chaos and Time-Series Analysis (2003)."""
-    spectrum = lyapunov_spectrum(lorenz(), [1.0, 1.0, 20.0], until=2000.0)
+    spectrum = lyapunov_spectrum(lorenz(), [1.0, 1.0, 20.0], t_end=2000.0)
     np.testing.assert_allclose(spectrum.values, [0.9056, -14.5723], atol=0.02)
     # the exponent of the flow is left out, and its growth observed
     ((kind, growth),) = ((item.kind, rate) for item, rate in spectrum.trivial)

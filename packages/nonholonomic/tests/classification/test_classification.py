@@ -38,7 +38,7 @@ x, p = vectors("x p")
 def found(system: System, **verdicts: Verdict) -> Classification:
     """The place, with some verdicts replaced."""
     budget = ProofBudget(EFFORT // 5)
-    return classify_laws(system, budget.verdicts(system) | verdicts, ProofBudget(EFFORT // 5))
+    return classify_laws(system, budget.verdicts(system) | verdicts, ProofBudget(EFFORT // 5), None)
 
 
 def of(name: str, **parameters: float) -> Classification:
@@ -320,7 +320,7 @@ def test_a_fast_answer_says_what_it_leaves_out(
     assert {v.decision for v in verdicts.values()} == {"undecided"}
     assert all("was spent" in v.reason for v in verdicts.values())
     named = replace(system, laws=system.laws[:1])
-    assert "was spent" in str(classify_laws(named, verdicts, budget))
+    assert "was spent" in str(classify_laws(named, verdicts, budget, None))
 
 
 @pytest.mark.slow
@@ -352,7 +352,9 @@ def test_a_measure_left_open_is_named_where_it_would_decide() -> None:
 
 def classified_with(system: System, verdict: Verdict) -> str:
     """What is said of motions, with nothing proven besides."""
-    return " ".join(str(classify_laws(system, {verdict.law: verdict}, ProofBudget(1, 1))).split())
+    return " ".join(
+        str(classify_laws(system, {verdict.law: verdict}, ProofBudget(1, 1), None)).split()
+    )
 
 
 # --- measures on the configuration ---------------------------------------------------------

@@ -113,7 +113,7 @@ def slips(separable: SeparatedSystem) -> Iterator[tuple[str, Law]]:
         "root": ("separation", {"roots": (*roots[:-1], 2 * roots[-1])}),
         "weight": ("separation", {"weights": (2 * weights[0], *weights[1:])}),
         "speed": ("separation", {"speeds": (a, 2 * b)}),
-        "clock": ("direction", {"clock": 2 * separable.time_rescaling}),
+        "time_rescaling": ("direction", {"time_rescaling": 2 * separable.time_rescaling}),
         "state": ("reconstruction", {"state": tuple((n, 2 * v) for n, v in separable.state)}),
     }
     if separable.fixed:

@@ -125,7 +125,7 @@ def test_even_part_of_the_clock():
     with mpmath.workdps(34):
         known = located(SEPARABLE, values)
         back = known | {s: -known[s] for s in nuprime.symbols}
-        mean = (at(SEPARABLE.clock, known) + at(SEPARABLE.clock, back)) / 2
+        mean = (at(SEPARABLE.time_rescaling, known) + at(SEPARABLE.time_rescaling, back)) / 2
         assert abs(mean - at(EVEN, known)) < 1e-30
 
 
@@ -136,7 +136,7 @@ def test_zero_area_constant_is_the_special_case():
     with mpmath.workdps(34):
         here, there = located(SEPARABLE, values), located(special, values)
         for one, other in (
-            (SEPARABLE.clock, special.clock),
+            (SEPARABLE.time_rescaling, special.time_rescaling),
             (SEPARABLE.leading, special.leading),
             *zip(SEPARABLE.roots, special.roots, strict=True),
             *zip(SEPARABLE.weights, special.weights, strict=True),

@@ -44,7 +44,7 @@ def test_the_rate_by_the_normal_is_proven():
 
 @pytest.mark.slow
 def test_a_wrong_velocity_is_refuted():
-    law = spin_identity(BALL, Reference(nu, nuprime / BALL.clock))
+    law = spin_identity(BALL, Reference(nu, nuprime / BALL.time_rescaling))
     assert prove(BALL.system, law).decision == "refuted"
 
 

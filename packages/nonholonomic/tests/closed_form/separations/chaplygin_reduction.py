@@ -212,10 +212,10 @@ def _still() -> tuple[Law, ...]:
                 ),
             ],
         ),
-        "clock": (
+        "time_rescaling": (
             "clock and M′ at zero area constant",
             [
-                separable.time_rescaling - _at_zero(zero.clock * (1 + b * D * SPIN)),
+                separable.time_rescaling - _at_zero(zero.time_rescaling * (1 + b * D * SPIN)),
                 *to_components(MOMENTUM - _at_zero(dict(zero.state)[M])),
             ],
         ),

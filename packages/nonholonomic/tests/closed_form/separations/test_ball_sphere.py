@@ -47,7 +47,7 @@ CURVES = {
     ),
 }
 STATED = {
-    "clock": ({"clock": 1 / BY_TENSOR.clock}, "direction"),
+    "time_rescaling": ({"time_rescaling": 1 / BY_TENSOR.time_rescaling}, "direction"),
     "momentum": (
         {"state": tuple((name, -formula) for name, formula in BY_TENSOR.state)},
         "reconstruction",
@@ -84,7 +84,7 @@ def test_along_a_motion(order):
                 assert abs(known[symbol] - begin[symbol]) < 1e-27
             for symbol, value in restored(BALL, known).items():
                 assert abs(value - known[symbol]) < 1e-28
-            assert at(BALL.clock, known) > 0
+            assert at(BALL.time_rescaling, known) > 0
 
 
 I_NAMES = ("I_1", "I_2", "I_3")

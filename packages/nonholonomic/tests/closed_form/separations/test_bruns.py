@@ -34,7 +34,7 @@ PLANTED = {
         {"roots": (*VESELOVA.roots[:4], *(sp.S.Zero,) * 2)},
     ),
     "leading": ("separation", {"leading": 2 * VESELOVA.leading}),
-    "clock": ("direction", {"clock": 1 / VESELOVA.clock}),
+    "time_rescaling": ("direction", {"time_rescaling": 1 / VESELOVA.time_rescaling}),
     "fixed": ("fixed_1", {"fixed": (VESELOVA.state[0][0],)}),
 }
 

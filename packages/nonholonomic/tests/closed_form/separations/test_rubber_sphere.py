@@ -73,7 +73,7 @@ PLANTED = {
     ),
     "speed": ({"speeds": (FAMILY.speeds[0], 2 * FAMILY.speeds[1])}, "separation"),
     "first speed": ({"speeds": (sp.S.One, FAMILY.speeds[1])}, "separation"),
-    "clock": ({"clock": 1 / FAMILY.clock}, "direction"),
+    "time_rescaling": ({"time_rescaling": 1 / FAMILY.time_rescaling}, "direction"),
     "state": (
         {"state": tuple((name, -formula) for name, formula in FAMILY.state)},
         "reconstruction",
@@ -107,6 +107,6 @@ def test_along_a_motion(order):
                 assert abs(known[symbol] - begin[symbol]) < 1e-27
             for symbol, value in restored(BALL, known).items():
                 assert abs(value - known[symbol]) < 1e-28
-            assert at(BALL.clock, known) > 0
+            assert at(BALL.time_rescaling, known) > 0
         # the last root lies beyond all poles
         assert roots[-1] > max(at(pole, begin) for pole in BALL.poles)

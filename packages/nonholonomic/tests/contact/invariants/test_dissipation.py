@@ -89,7 +89,7 @@ def test_a_force_along_the_slip_is_refuted() -> None:
 def test_the_power_of_a_foreign_law_is_not_known() -> None:
     class Foreign(FrictionLaw):
         name = "foreign"
-        words = "a law of another package"
+        description = "a law of another package"
         parameters: tuple[Parameter, ...] = ()
 
         def reaction(self, mode: Mode) -> Reaction:
