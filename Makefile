@@ -4,6 +4,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 PYTEST_FLAGS ?= -n 2
 SITE_FLAGS ?=
+# tests that are rewritten when imported are compiled once, not in each process
+export PYTHONDONTWRITEBYTECODE :=
 # one package, or all of them
 PACKAGE ?=
 TESTS := $(if $(PACKAGE),packages/$(PACKAGE),)
@@ -12,7 +14,7 @@ SOURCES := $(wildcard packages/*/pyproject.toml requirements/*.txt) constraints.
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test alone slow check lint types format site dist web pictures bench clean
+.PHONY: help demo test alone slow pages check lint types format site dist web pictures bench clean
 
 # A virtual environment knows its own address: in a folder that was moved or copied it is made anew.
 ifneq ($(shell cat $(VENV)/address 2>/dev/null),$(CURDIR))
@@ -35,8 +37,11 @@ test: $(VENV)/test ## run the tests, PACKAGE=flowlanes those of a package; PYTES
 alone: ## test PACKAGE=flowlanes in an environment of its own, with its own dependencies only
 	@sh scripts/test_alone.sh $(PACKAGE)
 
-slow: $(VENV)/dev ## run the slow tests, of which `make test` runs one in 25, and the campaigns
+slow: $(VENV)/dev ## run the slow tests and the campaigns, which `make test` leaves out
 	@$(BIN)/python -m pytest $(PYTEST_FLAGS) --slow -m "slow or campaign"
+
+pages: $(VENV)/dev ## run the tests of pages in a browser and of servers, which `make test` leaves out
+	@$(BIN)/python -m pytest $(PYTEST_FLAGS) -m "browser or server"
 
 check: lint types test ## all that a change must pass: format, lint, types, tests
 

@@ -83,7 +83,7 @@ class Attractor:
 
     case: Case
     spectrum: Spectrum
-    reversing_symmetries: tuple[Reversor, ...]
+    reversors: tuple[Reversor, ...]
     points: np.ndarray
 
 

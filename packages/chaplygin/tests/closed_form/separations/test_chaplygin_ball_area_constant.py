@@ -25,8 +25,8 @@ from nonholonomic.closed_form.separations.chaplygin_ball_area_constant import (
 
 SEPARABLE = chaplygin_area()
 ON_CHART = ("energy", "square", "momentum", "levels", "time")
-AT_LEVEL = ("constants", "normal", "state", "curve", "clock")
-SLIPS = ("leading", "root", "weight", "speed", "clock", "state", "fixed")
+AT_LEVEL = ("constants", "normal", "state", "curve", "time_rescaling")
+SLIPS = ("leading", "root", "weight", "speed", "time_rescaling", "state", "fixed")
 the_chart, the_level = cache(chart), cache(chart_at_level)
 
 

@@ -154,8 +154,8 @@ def write_lock(target: Path, inside: bool = False) -> Iterator[None]:
 def remove_leftovers(folder: Path) -> None:
     """Remove what killed processes have left in a folder, and report it."""
     found = []
-    with suppress(OSError):
-        for entry in os.scandir(folder):
+    with suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
             if entry.name.startswith(".") and _is_abandoned(entry):
                 _remove(Path(entry.path))
                 found.append(entry.name)
