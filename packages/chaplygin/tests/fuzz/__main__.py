@@ -1,6 +1,6 @@
 """Plant laws, have them judged, and print what came of it.
 
-python -m tests.planting --count 5000 --seed 1
+python -m fuzz --count 5000 --seed 1
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from fuzz.planter import FAMILIES, planted_case
 
 def main() -> int:
     """Run a campaign."""
-    parser = argparse.ArgumentParser(prog="python -m tests.planting", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m fuzz", description=__doc__)
     parser.add_argument("--count", type=int, default=5000, help="how many cases")
     parser.add_argument("--first", type=int, default=0, help="number of the first one")
     parser.add_argument("--seed", type=int, default=1)
