@@ -92,7 +92,7 @@ def reversing_symmetries(system: System) -> tuple[Reversor, ...]:
     ----------
     system : System
         Conditions are found among its parameters; those that hold at given values are chosen by
-        :meth:`~flowlanes.orbits.reversing_symmetries.Reversor.holds`.
+        :meth:`~flowlanes.orbits.reversor.Reversor.holds`.
 
     Returns
     -------
