@@ -33,7 +33,7 @@ def test_samples_where_sliding_begins_have_all_observables() -> None:
     times = np.concatenate([[0.0], begin.time + np.geomspace(1e-6, 1e-3, 40)])
     motion = contact_motion(contact, state, times)
     seen = motion
-    assert all(len(values) == len(times) for values in seen.values())
+    assert all(len(seen[name]) == len(times) for name in seen)
     speed = np.linalg.norm(seen["slip"][1:], axis=1)
     assert np.all(np.diff(speed) > 0)
     friction = np.linalg.norm(seen["friction_force"][1:], axis=1)

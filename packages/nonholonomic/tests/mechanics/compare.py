@@ -163,7 +163,9 @@ def equations(case: Case, package: Package = PACKAGE) -> System:
     )
     names = {f"gamma{i}": symbol for i, symbol in enumerate(GAMMA, 1)}
     field = package.rolling.Forces(case.forces.gravity, formula(case.potential, names))
-    return package.rolling.roll(body, surface_of(case.surface, package), case.contact, field)
+    return package.rolling.rolling_system(
+        body, surface_of(case.surface, package), case.contact, field
+    )
 
 
 def surface_of(surface: reference.Surface, package: Package = PACKAGE) -> Any:

@@ -9,7 +9,7 @@ from nonholonomic.closed_form.separations.veselova import veselova
 
 @pytest.fixture(scope="module")
 def clock():
-    return solution(veselova(), without(OMEGA, GAMMA), GAMMA).time_rescaling
+    return solution(veselova(), without(OMEGA, GAMMA), GAMMA).clock
 
 
 def test_the_clock_and_its_inverse(clock) -> None:
