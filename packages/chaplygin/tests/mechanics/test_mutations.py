@@ -101,6 +101,9 @@ _SIZE = "1 + abs(sp.N(chi_1.subs(here)))"
 
 #: Changes that alter no motion, with the reason.
 HARMLESS = {
+    "shapes.Ball.signed_radius: -self.radius -> self.radius": (
+        "the equations take the Gauss map, and ask of the radius only whether there is one"
+    ),
     **dict.fromkeys(
         (
             "shapes.Ball.gauss: 2 * signed -> 2",
@@ -402,8 +405,10 @@ def unnoticed(table: dict[str, Change], witnesses: list[Witness]) -> set[str]:
 @pytest.mark.parametrize("part", spread(range(PARTS), PARTS))
 @pytest.mark.parametrize("module", CHANGED)
 def test_every_planted_error_is_noticed(module, part, witnesses):
-    chosen = dict(list(named(changes(module)).items())[part::PARTS])
-    assert chosen
+    every = named(changes(module))
+    assert every
+    # of a module with fewer changes than parts, the last parts have none
+    chosen = dict(list(every.items())[part::PARTS])
     assert unnoticed(chosen, witnesses) == chosen.keys() & HARMLESS.keys()
 
 
