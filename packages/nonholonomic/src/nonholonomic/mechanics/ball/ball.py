@@ -1,4 +1,4 @@
-"""A homogeneous ball, what it rolls on and the forces on it, with their numbers."""
+"""A homogeneous ball with its surface, its forces and their numerical values."""
 
 from __future__ import annotations
 
@@ -52,11 +52,11 @@ class RollingBall:
     gravity : float
         Acceleration g (m/s²).
     direction : 3 floats
-        Where it points, space axes; of any length.
+        Direction of gravity in space axes; it need not be a unit vector.
     potential : sympy.Expr
         U in ``R_1``, ``R_2``, ``R_3``, the place of the centre; it may use m and `numbers`.
     numbers : tuple of Parameter
-        Those in `potential`.
+        The parameters in `potential`.
 
     Raises
     ------
@@ -114,7 +114,7 @@ class RollingBall:
 
     @cached_property
     def kinematics(self) -> Kinematics:
-        """The surface in the state variables: R if the centre's is known, else x."""
+        """The surface in the state variables: R if the centre's surface has an equation, else x."""
         offset = b if self.carrier == "support" else sp.S.Zero
         equation = self.surface.equation(R.symbols, offset)
         if equation is not None:
@@ -123,7 +123,7 @@ class RollingBall:
 
     @cached_property
     def carrying(self) -> sp.Expr:
-        """The equation of the supporting surface in x; of the centre's if that is given."""
+        """The equation in x of the given surface, the supporting one or that of the centre."""
         equation = self.surface.equation(x.symbols)
         if equation is None:
             raise InputError(f"{type(self.surface).__name__} has no equation")
@@ -131,7 +131,7 @@ class RollingBall:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """All symbols with their numbers."""
+        """All parameters of the equations."""
         parameters = [
             *ball_parameters(self.mass, self.inertia, self.radius),
             *self.surface.parameters,
@@ -160,7 +160,7 @@ class RollingBall:
 
     @property
     def _gravity_direction(self) -> MatrixExpr:
-        """The direction of gravity, by numbers along an axis and by parameters otherwise."""
+        """The direction of gravity: numbers if it is along an axis, parameters otherwise."""
         if self._along_axis:
             return constant([int(value) for value in self._unit])
         pairs = zip(down, self._unit, strict=True)
@@ -196,7 +196,7 @@ class RollingBall:
         watched = tuple(item for item in system.guards if self.has_forces or not item.lift_off)
         surface, symbols = kinematics.surface, kinematics.surface.free_symbols
         on_surface = Integral("surface", surface, "the ball stays on its surface", source="(2.7)")
-        # what is no polynomial is kept as an integral, since proofs go modulo polynomials
+        # proofs reduce modulo polynomial relations; any other f is stated as an integral instead
         polynomial = surface.is_rational_function(*symbols)
         return replace(
             system,
@@ -208,7 +208,8 @@ class RollingBall:
     def _laws(self) -> tuple[Law, ...]:
         half = sp.Rational(1, 2)
         energy = half * m * norm_squared(v) + half * mu * norm_squared(omega) + self.height
-        # the relations are cut out by df, of length ell, and for rubber by d(ω, df) besides
+        # the area of f = 0 is |df| δ(f) dx with |df| = ell; for rubber the plane (ω, df) = 0 of ω
+        # gives a second factor ell
         density: dict[sp.Symbol, int] = {ell: 1 if self.contact == "marble" else 2}
         if self.kinematics.fit is not None:
             density[Delta] = 1

@@ -51,7 +51,7 @@ Contact = Literal["marble", "rubber"]
 
 @dataclass(frozen=True)
 class Kinematics:
-    """The normal as a function of the place of the ball.
+    """The normal of the surface as a function of the position of the ball.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Kinematics:
     rate : MatrixExpr
         Rate of `place`.
     fit : sympy.Expr or None
-        Δ, which is positive while the ball touches the surface nowhere else nearby.
+        Δ, positive while the ball fits the curvature of the surface; None if f is the centre's.
     """
 
     surface: sp.Expr
@@ -108,6 +108,9 @@ def supporting_surface(surface: sp.Expr) -> Kinematics:
     surface : sympy.Expr
         f in ``x_1``, ``x_2``, ``x_3``.
     """
+    # On the tangent plane tr(1 + bS) = 2 + 2bH and det(1 + bS) = Δ, so that by Cayley and Hamilton
+    # (1 + bS)⁻¹ = (1 + 2bH − bS)/Δ; the same theorem, S² = 2H S − K, gives ṅ = S ẋ. H and K of an
+    # implicit surface: R. Goldman, Comput. Aided Geom. Design 22 (2005) 632.
     second = sp.hessian(surface, x.symbols)
     normal = (
         *_normal(surface, x),
@@ -147,20 +150,22 @@ def ball_equations(
     ----------
     contact : ``"marble"`` or ``"rubber"``
     kinematics : Kinematics
-        From `centred` or `supported`; the surface may be an unspecified function.
+        From `centre_surface` or `supporting_surface`; f may be an unspecified function.
     force : vector
         F in space axes, in R, ω and parameters; it may be unspecified too.
     parameters : tuple of Parameter
-        m, μ, b and all that surface and force use.
+        m, μ, b and those in the surface and the force.
     name, title : str
 
     Returns
     -------
     System
-        State R or x, and ω, in space axes.  It keeps f at the value of the start, whatever it is:
-        who wants f = 0 adds it to the relations.
+        State R or x, and ω, in space axes. f is a first integral; add it to the relations to
+        require f = 0.
     """
     share = (mu / b**2) / mtilde
+    # N follows from N = m v̇ − F. Its normal part uses (v, n) = 0, hence (v̇, n) = −(v, ṅ); its
+    # tangential part is v̇ = ṙ×ω + r×ω̇ with ω̇ inserted.
     across = F - dot(F, n) * n
     pressed = -(m * dot(v, ndot) + dot(F, n)) * n
     turning: MatrixExpr = cross(F, r) / (b**2 * mtilde)

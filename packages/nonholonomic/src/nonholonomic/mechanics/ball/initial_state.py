@@ -1,4 +1,4 @@
-"""The initial state of a homogeneous ball on a surface, from place and angular velocity.
+"""The initial state of a homogeneous ball on a surface, from position and angular velocity.
 
 As in :mod:`nonholonomic.mechanics.rolling.initial_state`, numbers are carried with 50 digits.
 """
@@ -23,7 +23,7 @@ from .ball import RollingBall
 
 R, x = Vector("R"), Vector("x")
 
-#: Steps by which the nearest point of a surface is approached, at most.
+#: Maximum number of iterations in the search for the nearest point of a surface.
 _STEPS = 400
 
 
@@ -64,9 +64,9 @@ def ball_state(
     ----------
     ball : RollingBall
     system : System
-        That of the ball.
+        The system of the ball.
     place : 3 floats
-        Contact point, if the surface carries the ball; centre, if that moves on the surface.
+        The contact point if the surface carries the ball, the centre if this moves on the surface.
     omega : 3 floats
         Angular velocity, space axes.
 
@@ -121,7 +121,7 @@ class _Surface:
         self._values = values
 
     def at(self, point: Sequence[mpmath.mpf], name: str) -> _SurfacePoint:
-        """Value, gradient and Hessian at a point; InputError without a normal."""
+        """Value, gradient and Hessian at a point; InputError if there is no normal."""
         try:
             numbers = Multiprecision({**self._values, **dict(zip(x.symbols, point, strict=True))})
             values = [numbers(formula) for formula in self._formulas]
@@ -141,7 +141,7 @@ class _Surface:
 
 
 def _nearest_or_refused(surface: _Surface, point: list[mpmath.mpf], name: str) -> list[mpmath.mpf]:
-    """The nearest point of the surface, if the given one is no farther than rounding."""
+    """The nearest point of the surface; InputError unless it is within rounding errors."""
     spot = surface.at(point, name)
     scale = 1 + max(abs(value) for value in point)
     distance = abs(spot.value) / spot.steepness
@@ -168,11 +168,12 @@ def _nearest(surface: _Surface, point: list[mpmath.mpf], name: str) -> list[mpma
         sunk = dot(away, spot.normal)
         aside = [a - sunk * n for a, n in zip(away, spot.normal, strict=True)]
         drift = max(map(abs, aside))
-        # the nearest point is wanted to all digits of a double, the surface to all there are
+        # the foot is needed to double precision only, but it must lie on the surface to all digits
         if abs(fall) < good and (drift < mpmath.mpf(10) ** -20 or step > _STEPS // 2):
             return candidate
         low, high = spot.curvatures()
-        # the factor by which lengths beside the surface change when projected onto it
+        # Along the surface the gradient of half the squared distance is −aside, and its second
+        # derivatives are 1 + sunk·κ; a step divided by a bound of these cannot overshoot.
         gentle = 1 / max(1 + abs(sunk * low), 1 + abs(sunk * high))
         if drift < mpmath.mpf(10) ** -20:
             gentle = mpmath.mpf(0)
@@ -195,7 +196,7 @@ def _positive(system: System, guard: Guard, values: dict[sp.Symbol, mpmath.mpf])
 
 
 def _check_fit(ball: RollingBall, spot: _SurfacePoint, name: str) -> None:
-    """A ball fits where it is rounder than the surface, seen from its side."""
+    """Refuse a ball whose radius is not below the radius of curvature of a concave surface."""
     radius = mpmath.mpf(ball.radius)
     low, high = spot.curvatures()
     if ball.carrier == "support" and not 1 + radius * low > 0:
@@ -214,7 +215,7 @@ def _check_fit(ball: RollingBall, spot: _SurfacePoint, name: str) -> None:
 def _without_spin(
     ball: RollingBall, omega: list[mpmath.mpf], normal: list[mpmath.mpf]
 ) -> list[mpmath.mpf]:
-    """ω of a rubber ball made exactly tangent; more than rounding is refused."""
+    """ω without the spin of a rubber ball about the normal; refuse more than rounding errors."""
     if ball.contact == "marble":
         return omega
     excess = dot(omega, normal)

@@ -1,8 +1,8 @@
 """A homogeneous ball on a surface as a mechanism.
 
 From it :func:`nonholonomic.mechanics.lagrangian.poincare_suslov.equations_of_motion` derives the
-closed equations that :mod:`nonholonomic.mechanics.ball.equations` writes down; a test compares
-both.
+equations that :mod:`nonholonomic.mechanics.ball.equations` states in closed form; a test compares
+them.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ def ball_mechanism(
 ) -> Mechanism:
     """A ball whose centre moves on `surface` = 0, with ω and v in space axes.
 
-    The rotations enter by ω alone, and their structure constants in space axes are those of body
-    axes with the other sign.  That f keeps its value follows from v = r×ω.
+    The rotations enter through ω alone; their structure constants in space axes are those in body
+    axes with the opposite sign. f stays constant because v = r×ω is tangent to the surface.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def ball_mechanism(
     surface, potential : sympy.Expr
         f and U in ``R_1``, ``R_2``, ``R_3``; both may be unspecified functions.
     parameters : tuple of Parameter
-        m, μ, b and all that both use.
+        m, μ, b and those in both formulas.
     """
     structure: NamedFormulas = {
         pair: {k: -c for k, c in row.items()} for pair, row in rotations(omega).items()

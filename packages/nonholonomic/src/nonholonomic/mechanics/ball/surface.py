@@ -1,8 +1,8 @@
 """Surfaces f = 0 on which a homogeneous ball rolls, or on which its centre moves.
 
-f grows towards the ball.  Planes, spheres, circular cylinders and tori know the surface parallel
-to them, on which the centre of a ball moves that rolls on them; of other surfaces the
-parallel one has no simple equation.
+f grows towards the ball. The centre of the ball moves on the parallel surface. For planes, spheres,
+circular cylinders and tori this has an equation of the same kind; for other surfaces it has no
+simple equation.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ class SmoothSurface(Registered, ABC):
     Parameters
     ----------
     side : ``"outside"`` or ``"inside"``
-        Where the ball is: on the side of larger or of smaller f as `level` writes it.  Above and
-        outside are the same side.
+        Side of the surface with the ball: f of `level` is larger outside, which includes above, and
+        smaller inside.
     axis : ``"x"``, ``"y"`` or ``"z"``
-        The space axis that is the surface's third one; the others follow cyclically.
+        Space axis along the third axis of the surface; the others follow cyclically.
     """
 
     side: Side = "outside"
@@ -49,17 +49,17 @@ class SmoothSurface(Registered, ABC):
 
     @property
     def title(self) -> str:
-        """The surface in titles, with its article."""
+        """Name of the surface for titles, with an article."""
         return f"a {self.kind.replace('_', ' ').replace('-', ' ')}"
 
     @property
     @abstractmethod
     def parameters(self) -> tuple[Parameter, ...]:
-        """Its numbers, with their symbols."""
+        """The parameters of the surface."""
 
     @abstractmethod
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
-        """f of the surface at the distance `offset` to the outside; None if it has none."""
+        """f of the parallel surface at distance `offset`; None if it has no simple equation."""
 
     def guards(self, point: Point) -> tuple[Guard, ...]:
         """Further quantities that must stay positive."""
@@ -67,7 +67,7 @@ class SmoothSurface(Registered, ABC):
 
     @property
     def widest(self) -> float | None:
-        """A radius that a ball inside must not reach; None where curvature alone decides."""
+        """Upper bound of the radius of a ball inside; None if only the curvature limits it."""
         return None
 
     @property
@@ -83,7 +83,7 @@ class SmoothSurface(Registered, ABC):
     def equation(self, point: Point, offset: sp.Expr = sp.S.Zero) -> sp.Expr | None:
         """f, positive on the ball's side, of the parallel surface at distance `offset`.
 
-        None if that surface has no simple equation; there always is one for `offset` zero.
+        None if that surface has no simple equation, which happens for nonzero `offset` only.
         """
         level = self.level(self.own_coordinates(point), self.sign * offset)
         return None if level is None else self.sign * level
@@ -217,7 +217,7 @@ class EllipticCylinder(SmoothSurface):
         )
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
-        """x²/a₁² + y²/a₂² − 1; no simple equation elsewhere."""
+        """x²/a₁² + y²/a₂² − 1; None for a nonzero offset."""
         x, y, _ = point
         return x**2 / axes[0] ** 2 + y**2 / axes[1] ** 2 - 1 if offset == 0 else None
 
@@ -250,7 +250,7 @@ class Cone(SmoothSurface):
         return (Parameter(k, meaning, _number(k, meaning, self.slope).default, "1", (k > 0,)),)
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
-        """x² + y² − k²z²; at a distance the apex lies elsewhere, by a root of 1 + k²."""
+        """x² + y² − k²z²; None for a nonzero offset, which moves the apex by a root of 1 + k²."""
         x, y, z = point
         return x**2 + y**2 - k**2 * z**2 if offset == 0 else None
 
@@ -284,7 +284,7 @@ class EllipsoidSurface(SmoothSurface):
         )
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
-        """x²/a₁² + y²/a₂² + z²/a₃² − 1; no simple equation elsewhere."""
+        """x²/a₁² + y²/a₂² + z²/a₃² − 1; None for a nonzero offset."""
         if offset != 0:
             return None
         return sp.Add(*(s**2 / axis**2 for s, axis in zip(point, axes, strict=True))) - 1
@@ -324,7 +324,7 @@ class Paraboloid(SmoothSurface):
         return tuple(parameters)
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
-        """z − x²/2p − y²/2q; no simple equation elsewhere."""
+        """z − x²/2p − y²/2q; None for a nonzero offset."""
         x, y, z = point
         return z - x**2 / (2 * p) - y**2 / (2 * q) if offset == 0 else None
 
@@ -359,7 +359,7 @@ class Ring(SmoothSurface):
         return self.tube if self.side == "inside" else None
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr:
-        """(x² + y² + z² + a² − c²)² − 4a²(x² + y²), with c larger by the distance."""
+        """(x² + y² + z² + a² − c²)² − 4a²(x² + y²), with c + offset for c."""
         x, y, z = point
         tube = c + offset
         return (x**2 + y**2 + z**2 + a**2 - tube**2) ** 2 - 4 * a**2 * (x**2 + y**2)
@@ -391,13 +391,13 @@ class ImplicitSurface(SmoothSurface):
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Its named numbers."""
+        """The parameters of the formula."""
         for number in self.numbers:
             _finite(str(number.symbol), (number.default,))
         return self.numbers
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
-        """The formula; no simple equation elsewhere."""
+        """The given formula; None for a nonzero offset."""
         known = (*self.coordinates, *(number.symbol for number in self.numbers))
         replaced = dict(zip(self.coordinates, point, strict=True))
         return by_name(self.formula, known).xreplace(replaced) if offset == 0 else None

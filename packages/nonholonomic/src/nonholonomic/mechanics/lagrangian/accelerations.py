@@ -1,4 +1,4 @@
-"""Accelerations and multipliers: the linear equations in ẇ and λ, solved."""
+"""Accelerations ẇ and multipliers λ, the solution of linear equations."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from .ldl import Factorisation, product
 
 @dataclass(frozen=True)
 class LinearEquations:
-    """The equations A u̇ = h + Cᵀλ, C u̇ = b of the free velocities u, as they are solved.
+    """The linear equations A u̇ = h + Cᵀλ, C u̇ = b of the free velocities u.
 
     Attributes
     ----------
     mass, slopes : tuple of rows
-        A, and C of those constraints that give no velocity.
+        A, and C of the constraints that are not solved for a velocity.
     force, drift, multipliers : tuple of Expr
         h, b and λ.
     constraints : tuple of Expr
-        What these constraints say vanishes.
+        The left sides of these constraints.
     """
 
     mass: tuple[tuple[sp.Expr, ...], ...]
@@ -47,9 +47,9 @@ class Accelerations:
     rates : mapping of velocity to Expr
         ẇ of the free velocities.
     multipliers : tuple of (Symbol, Expr)
-        λ_μ in the order of the constraints, those of the positions last.
+        λ_μ in the order of the constraints, position constraints last.
     equations : LinearEquations
-        What the rates solve.
+        The equations solved by the rates.
     """
 
     rates: Mapping[sp.Symbol, sp.Expr]
@@ -68,7 +68,9 @@ def accelerations(parts: Balance) -> Accelerations:
     """
     tape, w = parts.tape, parts.mechanism.frame.w
     size = len(w)
-    # ẇ = Z u̇ + what is contained in the rate of p at fixed u
+    # Velocities solved for are definitions, so that derivatives by u include them: ẇ = Z u̇ + …,
+    # and the dots are part of the rate of p at fixed u. Virtual displacements δw = Z δu satisfy the
+    # solved constraints; projected by Zᵀ, the equations are free of their multipliers.
     Z = [[tape.along(parts.by_velocity(s), w[i]) for s in parts.free] for i in range(size)]
     h = [
         tape.name(tape.short(push - tape.along(parts.time, p)))
@@ -125,8 +127,8 @@ def _with_multipliers(
     """u̇ and λ from A u̇ = h + Cᵀλ, C u̇ = b."""
     tape = parts.tape
     if _deficient(parts, mass):
-        # C u̇ = b may be added to the equations: A + CᵀC is regular where A is so on the
-        # velocities that the constraints allow, and the multipliers stay what they are
+        # Cᵀ(C u̇ − b) = 0 may be added to the equations without a change of the multipliers; A +
+        # CᵀC is regular if A is regular on the kernel of C.
         count = range(len(force))
         mass = [
             [
@@ -150,6 +152,8 @@ def _with_multipliers(
     bare = solver.solve(force)
     if not C:
         return bare, []
+    # u̇ = A⁻¹h + A⁻¹Cᵀλ in C u̇ = b gives (C A⁻¹ Cᵀ) λ = b − C A⁻¹h, with a positive definite
+    # matrix
     columns = [solver.solve(row) for row in C]
     gram = [[tape.name(tape.short(product(row, x))) for x in columns] for row in C]
     defect = [tape.name(tape.short(v - product(row, bare))) for v, row in zip(b, C, strict=True)]
@@ -204,11 +208,13 @@ def _all_multipliers(
     symbols = parts.multipliers
     values = dict(names)
     place = {index: w.index(s) for s, index in parts.constraint_of.items()}
-    # the equation of a solved velocity holds the multipliers of all constraints in which it stands
+    # the equation of a solved velocity contains the multipliers of all constraints with that
+    # velocity
     needs = {
         index: {other for other in place if other != index and parts.slopes[other][i] != 0}
         for index, i in place.items()
     }
+    # a cycle cannot occur: a velocity is solved for after those in its own constraint
     for index in TopologicalSorter(needs).static_order():
         i = place[index]
         others = [parts.slopes[other][i] * symbols[other] for other in (*names, *needs[index])]

@@ -25,7 +25,7 @@ from .structure_functions import Coefficients, structure, written_frame
 
 @dataclass(frozen=True)
 class Balance:
-    """The parts of the equations of motion, as formulas with names from a tape.
+    """The parts of the equations of motion, as formulas in the names of a tape.
 
     Attributes
     ----------
@@ -36,9 +36,9 @@ class Balance:
     coefficients : Coefficients
         Structure functions.
     constraints : tuple of Expr
-        All constraints on velocities; those that keep the positions, Ḟ = 0, come last.
+        All constraints on velocities; the derivatives Ḟ = 0 of position constraints come last.
     constraint_of : mapping of velocity to index
-        The velocities that a constraint gives, and which one.
+        The velocities that are solved for, each with the index of its constraint.
     free : tuple of int
         Indices of the other velocities u.
     momenta : tuple of Expr
@@ -70,12 +70,12 @@ class Balance:
 
     @property
     def time(self) -> Derivation:
-        """The rate of change along the motion, with the free velocities held."""
+        """The rate of change along the motion at fixed free velocities."""
         frame = self.mechanism.frame
         return Derivation((*zip(frame.coordinates, frame.qdot, strict=True), (TIME, sp.S.One)))
 
     def by_velocity(self, index: int) -> Derivation:
-        """∂/∂u for a free velocity, the solved ones following."""
+        """∂/∂u by a free velocity; the solved ones depend on it."""
         return Derivation(((self.mechanism.frame.w[index], sp.S.One),))
 
     def moves(self, formula: sp.Expr) -> bool:
@@ -85,7 +85,7 @@ class Balance:
         return any(value.free_symbols & w for value in values)
 
     def at(self, formulas: Sequence[sp.Expr]) -> tuple[GenericPoint, ...]:
-        """The generic points, the solved velocities as the constraints give them."""
+        """The generic points, with the solved velocities determined by the constraints."""
         steps = self.tape.steps(formulas)
         free = [
             {s: v for s, v in p.point.items() if s not in self.constraint_of} for p in self.points
@@ -93,7 +93,7 @@ class Balance:
         return tuple(GenericPoint(point, steps) for point in free)
 
     def typical(self, formulas: Sequence[sp.Expr]) -> GenericPoint:
-        """A configuration with the default parameters."""
+        """A generic configuration with the default parameters."""
         mechanism = self.mechanism
         values = default_parameters(mechanism)
         point = generic_points(mechanism.name, mechanism.frame, mechanism, values, many=1)[0].point
@@ -101,7 +101,7 @@ class Balance:
         return GenericPoint({s: v for s, v in point.items() if s not in self.constraint_of}, steps)
 
     def at_any(self, formulas: Sequence[sp.Expr]) -> tuple[GenericPoint, ...]:
-        """The generic points with velocities that satisfy no constraint."""
+        """The generic points with independent velocities, which violate the constraints."""
         steps = self.tape.steps(formulas)
         definitions = [(s, v) for s, v in steps if s not in self.constraint_of]
         return tuple(GenericPoint(point.point, definitions) for point in self.points)
@@ -179,7 +179,7 @@ def _only(w: Sequence[sp.Symbol], index: int) -> Derivation:
 
 
 def _along_field(mechanism: Mechanism, index: int) -> Derivation:
-    """E_i, with the velocities held."""
+    """The field E_i, at fixed velocities."""
     frame = mechanism.frame
     constant = tuple((s, sp.S.Zero) for s in frame.w)
     return Derivation((*frame.field(index).items(), *constant))
@@ -214,7 +214,7 @@ def _solve_velocities(
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> dict[sp.Symbol, int]:
-    """Velocities determined by constraints, as definitions in the free ones."""
+    """Solve constraints for velocities, which become definitions; their constraints by index."""
     w = mechanism.frame.w
     solved: dict[sp.Symbol, int] = {}
     for index, f in enumerate(constraints):
@@ -222,7 +222,8 @@ def _solve_velocities(
             if s in solved or not slope.is_Number or slope == 0:
                 continue
             remainder = f.xreplace({s: sp.S.Zero})
-            # the velocity must enter openly, not through a definition, and define itself in no way
+            # the velocity must occur in the formula itself, not through a definition, and the
+            # remainder must not depend on it through definitions
             if sp.diff(f, s) != slope or s in _uses(tape, remainder):
                 continue
             tape.define(s, tape.short(-remainder / slope))
@@ -232,7 +233,7 @@ def _solve_velocities(
 
 
 def _uses(tape: Tape, value: sp.Expr) -> set[sp.Symbol]:
-    """All symbols on which a formula depends, through definitions."""
+    """All symbols on which a formula depends, also through definitions."""
     symbols = set(value.free_symbols)
     for symbol, inner in tape.steps([value]):
         symbols |= {symbol} | inner.free_symbols

@@ -37,7 +37,7 @@ class Restriction:
     ----------
     mechanism : Mechanism
     velocities : tuple of Symbol
-        y, those of the quasi-velocities that remain independent.
+        The independent quasi-velocities y.
     basis : rows of Expr
         Z: the quasi-velocities w_i (rows) in the velocities y_s (columns).
     anchor : rows of Expr
@@ -49,9 +49,9 @@ class Restriction:
     structure : mapping of (r, s) to tuple of Expr
         C^t_rs over t, for r < s.
     definitions : tuple of (Symbol, Expr)
-        Names used in all of these, in order.
+        The named quantities in these formulas, in order.
     nonzero : tuple of Expr
-        Denominators: the basis is one where none of them vanishes.
+        Denominators of the basis; it is valid where they do not vanish.
     """
 
     mechanism: Mechanism
@@ -86,6 +86,8 @@ def constraint_distribution(mechanism: Mechanism) -> Restriction:
         for index, f in enumerate(parts.constraints)
         if index not in parts.constraint_of.values()
     ]
+    # Gaussian elimination of the constraints not yet solved: one velocity y_p = −Σ (c_s/c_p) y_s
+    # each, put into the columns of Z and into the constraints that follow.
     nonzero: list[sp.Expr] = []
     for place in range(len(rows)):
         row = {s: tape.short(c) for s, c in rows[place].items()}
@@ -126,6 +128,7 @@ def constraint_distribution(mechanism: Mechanism) -> Restriction:
             f"{mechanism.name}: the mass matrix is singular on the velocities that the "
             "constraints allow"
         ) from None
+    # C^t_rs η_t is the projection of [η_r, η_s] in the metric A: g C = Zᵀ A [η_r, η_s]
     structure = {
         pair: tuple(solver.solve([product([row[t] for row in AZ], value) for t in count]))
         for pair, value in brackets.items()
@@ -172,9 +175,9 @@ def _check(parts: Balance) -> None:
 
 
 def _pivot(parts: Balance, row: Mapping[int, sp.Expr]) -> int:
-    """The velocity for which a constraint is solved: its coefficient is the simplest.
+    """The velocity for which a constraint is solved, with the simplest coefficient.
 
-    A coefficient in which no parameter stands is preferred, as it vanishes for no value of them.
+    A coefficient without parameters is preferred, since no choice of their values makes it vanish.
     """
     entries = [c for c in row.values() if c != 0]
     points = parts.at(entries)

@@ -1,4 +1,4 @@
-"""Definitions for a reader: few, numbered in order, vectors undivided."""
+"""Definitions in readable form: few, numbered in order, vectors kept as vectors."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ from flowlanes.system.vectors import Vector, constant, real_symbol, to_component
 from .assembly import Balance
 
 SHORT = 12
-"""Operations up to which a value used once is put where it is used."""
+"""Largest number of operations of a value that is inlined if it is used only once."""
 
 
 @dataclass(frozen=True)
 class NamedDefinitions:
-    """Definitions in order, and what became of the names that are gone.
+    """Definitions in order, with the replacements of names that were dropped.
 
     Attributes
     ----------
     definitions : pairs
     table : mapping of Symbol to Expr
-        Names that were replaced.
+        Replacements of dropped names.
     """
 
     definitions: Pairs
     table: Mapping[sp.Symbol, sp.Expr]
 
     def __call__(self, formula: sp.Basic) -> sp.Basic:
-        """A formula in the names that are left."""
+        """The formula in the remaining names."""
         value = to_components(formula)
         return formula if not value.free_symbols & self.table.keys() else value.xreplace(self.table)
 
@@ -43,8 +43,8 @@ class NamedDefinitions:
 def name_definitions(parts: Balance, formulas: Sequence[sp.Expr]) -> NamedDefinitions:
     """The definitions on which formulas depend.
 
-    Short intermediate results that are used once are put where they are used; the others are
-    numbered in order.  Vectors keep the form in which they were written where possible.
+    Short intermediate results used once are inlined; the others are numbered in order. Vectors keep
+    their original form where possible.
     """
     wanted = scalars(tuple(formulas))
     steps = parts.tape.steps(wanted)
@@ -67,13 +67,13 @@ def name_definitions(parts: Balance, formulas: Sequence[sp.Expr]) -> NamedDefini
 
 
 def _own(parts: Balance) -> set[sp.Symbol]:
-    """Names that mean something to the reader."""
+    """Names given by the user: of the mechanism, solved velocities and multipliers."""
     defined = {s for s, _ in parts.mechanism.steps}
     return defined | {*parts.constraint_of} | {*parts.multipliers}
 
 
 def _numbered_names(parts: Balance, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
-    """z_1, z_2, … in order, past the names of the mechanism's own."""
+    """New names z_1, z_2, … in order, skipping names used by the mechanism."""
     own = {s for s in symbols if str(s).startswith("z_")}
     mechanism = parts.mechanism
     parameters = {p.symbol for p in mechanism.parameters}
@@ -90,7 +90,7 @@ def _numbered_names(parts: Balance, symbols: Sequence[sp.Symbol]) -> dict[sp.Sym
 
 
 def _vector_definitions(parts: Balance, steps: Sequence[Step]) -> Pairs:
-    """Scalar steps with components joined to vectors where their order allows it."""
+    """Scalar steps with components joined to vectors, if their dependences allow it."""
     mechanism = parts.mechanism
     values = dict(steps)
     groups: dict[Name, sp.Basic] = {

@@ -25,9 +25,9 @@ class EnergyTheorem:
     energy : sympy.Expr
         E = w_i ∂L/∂w_i − L, (3.3).
     work : tuple of sympy.Expr
-        ∂f_μ/∂w_i w_i for every constraint: times λ_μ the power of its reaction.
+        w_i ∂f_μ/∂w_i for every constraint; its reaction has the power λ_μ times this.
     failures : tuple of str
-        The hypotheses that fail, one phrase each; energy is conserved when there are none.
+        Descriptions of the hypotheses that fail; without any, energy is conserved.
     """
 
     energy: sp.Expr
@@ -37,7 +37,7 @@ class EnergyTheorem:
 
 @with_working_precision
 def energy_theorem(parts: Balance) -> EnergyTheorem:
-    """The energy, and which hypotheses of Theorem 1 fail."""
+    """The energy, and the hypotheses of Theorem 1 that fail."""
     mechanism, tape = parts.mechanism, parts.tape
     w = mechanism.frame.w
     energy = _energy(parts)
@@ -48,7 +48,7 @@ def energy_theorem(parts: Balance) -> EnergyTheorem:
     if any(TIME in value.free_symbols for value in (*timed, *(v for _, v in steps))):
         broken.append("time enters the Lagrangian, a force or a constraint")
     for index, (f, row) in enumerate(zip(parts.constraints, parts.slopes, strict=True)):
-        # not shortened: that would put in velocities which the constraints give
+        # not shortened, since that would substitute solved velocities, and f would vanish
         if not _homogeneous(parts, f, product(row, w)):
             broken.append(
                 f"the constraint {index + 1}, {text(f)} = 0, is not homogeneous in velocities"
@@ -60,7 +60,7 @@ def energy_theorem(parts: Balance) -> EnergyTheorem:
 
 
 def _energy(parts: Balance) -> sp.Expr:
-    """E as T + U where the Lagrangian is T − U with T quadratic, else w_i p_i − L."""
+    """The energy: T + U if the Lagrangian is T − U with T quadratic, else w_i p_i − L."""
     mechanism, tape = parts.mechanism, parts.tape
     virial = product(mechanism.frame.w, parts.momenta)
     terms = sp.Add.make_args(sp.sympify(mechanism.lagrangian))
@@ -76,6 +76,8 @@ def _energy(parts: Balance) -> sp.Expr:
 def _homogeneous(parts: Balance, f: sp.Expr, euler: sp.Expr) -> bool:
     """Whether w ∂f/∂w = κ f with one number κ, at all generic points."""
     raw = parts.at_any([f, euler])
+    # Euler's theorem: w ∂f/∂w = κ f for a homogeneous f of degree κ; then the reaction does no work
+    # where f = 0
     ratios = []
     for point in raw:
         value, slope = point.value(f), point.value(euler)

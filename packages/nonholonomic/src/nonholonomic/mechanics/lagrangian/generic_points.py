@@ -1,4 +1,4 @@
-"""Generic points of a configuration space, and formulas evaluated there.
+"""Generic points of a configuration space, and evaluation of formulas there.
 
 Decisions at such points (ranks, whether a coefficient is a constant) only select the form in which
 equations are written; the equations themselves are proven.
@@ -26,14 +26,14 @@ SEED = 20080830
 POINTS = 3
 ATTEMPTS = 40
 NEWTON_STEPS = 60
-#: Below this a number of moderate size counts as zero.
+#: Bound below which a number of moderate size counts as zero.
 ZERO = mpmath.mpf(10) ** (-DIGITS // 2)
 P = ParamSpec("P")
 T = TypeVar("T")
 
 
 def with_working_precision(function: Callable[P, T]) -> Callable[P, T]:
-    """Decorate a function so that it computes with the working precision."""
+    """Decorate a function to compute with `DIGITS` digits of mpmath."""
 
     @wraps(function)
     def wrapper(*args: P.args, **kwargs: P.kwargs) -> T:
@@ -47,7 +47,7 @@ Point = Mapping[sp.Symbol, mpmath.mpf]
 
 
 class GenericPoint:
-    """A point, at which formulas are evaluated through definitions."""
+    """A point at which formulas and their definitions are evaluated."""
 
     def __init__(self, point: Point, steps: Sequence[tuple[sp.Symbol, sp.Expr]] = ()) -> None:
         self.point = dict(point)
@@ -56,7 +56,7 @@ class GenericPoint:
             self._values[symbol] = value_at_generic_point(value, self._values)
 
     def value(self, formula: sp.Expr) -> mpmath.mpf:
-        """A formula as a number.
+        """The value of a formula at the point.
 
         Raises
         ------
@@ -66,7 +66,7 @@ class GenericPoint:
         return value_at_generic_point(formula, self._values)
 
     def further(self, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> GenericPoint:
-        """The point with further definitions."""
+        """The same point with further definitions."""
         point = GenericPoint(self.point)
         point._values = dict(self._values)
         for symbol, value in steps:
@@ -77,7 +77,7 @@ class GenericPoint:
 
 @with_working_precision
 def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, mpmath.mpf]) -> mpmath.mpf:
-    """A formula at numbers, unspecified functions being replaced by generic ones."""
+    """The value of a formula; unspecified functions are replaced by generic polynomials."""
     number = Multiprecision(values)(_with_generic_functions(formula))
     if isinstance(number, mpmath.mpc):
         if abs(number.imag) > ZERO:
@@ -89,7 +89,7 @@ def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, mpmath.m
 
 
 def _with_generic_functions(formula: sp.Expr) -> sp.Expr:
-    """Unspecified functions as generic polynomials of their arguments."""
+    """Replace unspecified functions by generic polynomials of their arguments."""
     if not formula.has(AppliedUndef):
         return formula
 
@@ -108,7 +108,7 @@ def _with_generic_functions(formula: sp.Expr) -> sp.Expr:
 
 @with_working_precision
 def generic_parameters(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
-    """Parameters near their defaults, but of no special value."""
+    """Generic values of the parameters, within 10 % or so of their defaults."""
     rng = random.Random(SEED)
     return {
         p.symbol: p.default * (1 + _number(rng) / 10) if p.default else _number(rng)
@@ -118,7 +118,7 @@ def generic_parameters(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
 
 @with_working_precision
 def default_parameters(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
-    """Parameters at their defaults."""
+    """The default values of the parameters."""
     return {p.symbol: mpmath.mpf(repr(float(p.default))) for p in mechanism.parameters}
 
 
@@ -130,7 +130,7 @@ def generic_points(
     parameters: Point | None = None,
     many: int = POINTS,
 ) -> tuple[GenericPoint, ...]:
-    """Random points on relations and position constraints, with random velocities.
+    """Random points that satisfy relations and position constraints, with random velocities.
 
     Parameters are generic unless given.
 
@@ -171,6 +171,7 @@ def generic_points(
 
 
 def _number(rng: random.Random) -> mpmath.mpf:
+    # the offset excludes zero and simple fractions, at which formulas may be singular
     return mpmath.mpf(rng.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
 
 
@@ -181,7 +182,7 @@ def _on_relations(
     steps: Sequence[tuple[sp.Symbol, sp.Expr]],
     constants: Point,
 ) -> dict[sp.Symbol, mpmath.mpf]:
-    """A random point moved to the nearest solution of the relations by Newton."""
+    """A random point moved to a solution of the relations by Newton's method."""
     point = {**constants, TIME: _number(rng), **{q: _number(rng) for q in coordinates}}
     written = [expand(relation, steps) for relation in relations]
     slopes = [[sp.diff(f, q) for q in coordinates] for f in written]
@@ -193,7 +194,8 @@ def _on_relations(
         jacobian = mpmath.matrix(
             [[value_at_generic_point(s, point) for s in row] for row in slopes]
         )
-        # redundant relations make the rows dependent: a shift keeps the equations solvable
+        # redundant relations make J Jᵀ singular; the shift (Levenberg–Marquardt) vanishes with the
+        # square of the defect, so that convergence stays quadratic
         gram = jacobian * jacobian.T
         for i in range(gram.rows):
             gram[i, i] += defect**2 + ZERO**2
@@ -207,7 +209,7 @@ def _on_relations(
 
 @with_working_precision
 def is_numerically_zero(formula: sp.Expr, points: Iterable[GenericPoint]) -> bool:
-    """Whether a formula vanishes at all points, to the digits carried."""
+    """Whether a formula vanishes at all points, to working precision."""
     if formula == 0:
         return True
     return all(abs(point.value(formula)) < ZERO for point in points)
@@ -215,11 +217,13 @@ def is_numerically_zero(formula: sp.Expr, points: Iterable[GenericPoint]) -> boo
 
 @with_working_precision
 def regular_minor(rows: Sequence[Sequence[mpmath.mpf]]) -> tuple[list[int], list[int]]:
-    """Rows and columns of a largest regular minor, the first rows preferred."""
+    """Rows and columns of a regular minor of maximal size, with the first rows preferred."""
     left = [list(row) for row in rows]
     chosen: list[int] = []
     columns: list[int] = []
     for index, row in enumerate(left):
+        # Gaussian elimination with the largest entry of each row as pivot; rows are not
+        # interchanged
         column = max(range(len(row)), key=lambda j: abs(row[j]), default=None)
         if column is None or abs(row[column]) < ZERO:
             continue

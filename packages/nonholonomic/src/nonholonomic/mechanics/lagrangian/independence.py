@@ -1,4 +1,4 @@
-"""Constraints that repeat or contradict each other."""
+"""Checks that constraints are independent and consistent."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .generic_points import ZERO, GenericPoint, regular_minor, with_working_prec
 from .mechanism import Mechanism
 
 NEWTON_STEPS = 80
-#: Below this a derivative by a velocity counts as zero where a constraint holds.
+#: Bound below which the derivative of a constraint by a velocity counts as zero.
 FLAT = mpmath.mpf(10) ** -10
 
 
@@ -31,7 +31,7 @@ def check_constraints(
     Raises
     ------
     InputError
-        Naming the first constraint that adds nothing to those before it, or contradicts them.
+        Names the first constraint that follows from those before it, or contradicts them.
     """
     if not constraints:
         return
@@ -43,7 +43,7 @@ def check_constraints(
         if len(chosen) == len(constraints):
             return
     spare = next(i for i in range(len(constraints)) if i not in chosen)
-    words = _words(mechanism, spare)
+    words = _constraint_text(mechanism, spare)
     if not any(abs(x) for x in rows[spare]):
         raise InputError(f"{mechanism.name}: {words} does not restrict the velocities")
     if _contradicts(point, constraints, rows, mechanism):
@@ -64,9 +64,9 @@ def check_velocities(
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> None:
-    """Refuse constraints without solutions, or singular at their solutions.
+    """Refuse nonlinear constraints without solutions, or singular at their solutions.
 
-    Linear ones have been checked before.
+    Linear constraints are left to `check_constraints`.
 
     Raises
     ------
@@ -83,7 +83,7 @@ def check_velocities(
         for index, row in enumerate(slopes):
             if all(abs(state.value(e)) < FLAT for e in row):
                 raise InputError(
-                    f"{mechanism.name}: {_words(mechanism, index)} is singular where it holds: its "
+                    f"{mechanism.name}: {_constraint_text(mechanism, index)} is singular where it holds: its "
                     "derivatives by the velocities vanish there; write it without the power"
                 )
         return
@@ -100,7 +100,7 @@ def _admissible_velocities(
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> GenericPoint | None:
-    """Velocities at a configuration that satisfy the constraints, by Newton."""
+    """Velocities at a configuration that satisfy the constraints, by Newton's method."""
     place = dict(point.point)
     for _ in range(NEWTON_STEPS):
         here = GenericPoint(place, steps)
@@ -111,13 +111,14 @@ def _admissible_velocities(
         gram = rows * rows.T
         for i in range(gram.rows):
             gram[i, i] += ZERO**2
+        # the shortest step that solves the linearised equations (Gauss–Newton)
         move = rows.T * mpmath.lu_solve(gram, values)
         for s, change in zip(w, move, strict=True):
             place[s] -= change
     return None
 
 
-def _words(mechanism: Mechanism, index: int) -> str:
+def _constraint_text(mechanism: Mechanism, index: int) -> str:
     velocity = len(mechanism.f)
     if index < velocity:
         return f"the constraint {index + 1}, {mechanism.f[index]} = 0,"

@@ -1,4 +1,4 @@
-"""Linear equations solved symbolically by A = L D Lᵀ, with named steps."""
+"""Symbolic solution of linear equations by A = L D Lᵀ, with named intermediate results."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ def product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
 
 
 class Factorisation:
-    """A symmetric matrix factored as L D Lᵀ, rows with few entries first.
+    """The factorisation L D Lᵀ of a symmetric matrix, rows with few entries first.
 
-    No pivots are sought: a positive definite matrix needs none, and every pivot is positive.
+    There is no pivoting: a positive definite matrix does not need it, and has positive pivots.
 
     Parameters
     ----------
     tape : Tape
-        Where intermediate results get their names.
+        The tape that names intermediate results.
     matrix : sequence of rows
 
     Raises
@@ -38,6 +38,8 @@ class Factorisation:
         remainder = [[matrix[i][j] for j in self._order] for i in self._order]
         self.pivots: list[sp.Expr] = []
         self._lower = [[sp.S.Zero] * size for _ in range(size)]
+        # outer-product form: after step k the remainder is the Schur complement of the leading
+        # block
         for k in range(size):
             pivot = tape.name(tape.short(remainder[k][k]))
             if pivot == 0:
@@ -72,8 +74,10 @@ class Factorisation:
 
 
 def _sparse_first(matrix: Sequence[Sequence[sp.Expr]]) -> list[int]:
-    """An order of elimination that preserves zeros: the sparsest row goes next."""
+    """An order of elimination with little fill-in: the sparsest row comes next."""
     left = set(range(len(matrix)))
+    # Minimum degree ordering (A. George, J. W. H. Liu, SIAM Review 31 (1989) 1): elimination of a
+    # row links all its neighbours, and each new link is a new nonzero entry.
     links = {i: {j for j in left if j != i and matrix[i][j] != 0} for i in left}
     order = []
     while left:

@@ -7,9 +7,9 @@ it into a System.
 
 Coordinates may be redundant (direction cosines, quaternions): the frame is then tangent to the
 relations between them.  A frame may also act on fewer coordinates than it has fields: those of a
-system reduced by a symmetry group, such as the vertical γ of a body whose place and heading are
-of no account.  The fields on the coordinates are then dependent, and the structure functions of
-(1.8) have to be given.
+system reduced by a symmetry group, such as the vertical γ of a body whose position and heading are
+cyclic. The fields on the coordinates are then dependent, and the structure functions of (1.8) have
+to be given.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from flowlanes.system.system import Guard, Name, Observable, Parameter, unknown_
 from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import Vector, cross, real_symbol
 
-#: c_ij^k by the velocities (w_i, w_j), then by w_k; what is not named is zero or follows by
+#: c_ij^k by the velocities (w_i, w_j), then by w_k; missing entries are zero or follow by
 #: antisymmetry.
 Structure: TypeAlias = tuple[tuple[tuple[sp.Symbol, sp.Symbol], Pairs], ...]
 
@@ -43,7 +43,7 @@ TIME = real_symbol("t")
 @arguments_checked
 @dataclass(frozen=True)
 class Frame:
-    """Coordinates, quasi-velocities and how the one move with the other (1.7).
+    """Coordinates and quasi-velocities, related by q̇ = G(q) w (1.7).
 
     Parameters
     ----------
@@ -52,15 +52,15 @@ class Frame:
     velocities : tuple of Vector or Symbol
         The quasi-velocities w, in order.
     relations : tuple of sympy.Expr
-        Vanish on the configuration space; the frame must be tangent to it.
+        Expressions that vanish on the configuration space; the frame must be tangent to it.
     structure : Structure, optional
-        c_ij^k of (1.8), where they are not to be computed from the fields: as a mapping from
-        pairs of velocities to mappings from velocity to coefficient.
+        c_ij^k of (1.8) if they are not to be computed from the fields: a mapping from pairs of
+        velocities to mappings from velocity to coefficient.
 
     Raises
     ------
     InputError
-        If a rate is not linear in the velocities, or uses one that nobody declared.
+        If a rate is not linear in the velocities, or two symbols have the same name.
 
     Examples
     --------
@@ -115,7 +115,7 @@ class Frame:
 
     @arguments_checked
     def field(self, index: int) -> dict[sp.Symbol, sp.Expr]:
-        """E_i as a mapping from coordinate to component, without the zero ones."""
+        """E_i as a mapping from coordinates to nonzero components."""
         if not 0 <= index < len(self.w):
             raise InputError(f"there is no field {index}; they are 0 to {len(self.w) - 1}")
         column = self.matrix[:, index]
@@ -124,7 +124,7 @@ class Frame:
     def _check(self) -> None:
         if not self.w:
             raise InputError("frame: it has no velocities; a frame needs one at least")
-        for name in _twice((*self.coordinates, *self.w)):
+        for name in _duplicate_names((*self.coordinates, *self.w)):
             raise InputError(f"frame: {name} stands for two things; rename one of them")
         velocities = set(self.w)
         for q, rate in zip(self.coordinates, self.qdot, strict=True):
@@ -137,8 +137,8 @@ class Frame:
                 )
 
 
-def _twice(names: Iterable[sp.Symbol]) -> list[str]:
-    """Names that several symbols have."""
+def _duplicate_names(names: Iterable[sp.Symbol]) -> list[str]:
+    """Names shared by several symbols."""
     return [name for name, count in Counter(map(str, names)).items() if count > 1]
 
 
@@ -151,7 +151,7 @@ def coordinates(*names: Name, dot: str = "dot") -> Frame:
     names : Vector or Symbol
         The coordinates, in order.
     dot : str
-        What the name of a velocity adds to that of its coordinate.
+        Suffix that turns the name of a coordinate into that of its velocity.
 
     Returns
     -------
@@ -182,7 +182,7 @@ def rotations(omega: Vector) -> StructureConstants:
 
 @arguments_checked
 def euclidean(omega: Vector, v: Vector) -> StructureConstants:
-    """Structure constants of the motions of space in body axes, (1.12).
+    """Structure constants of the Euclidean group in body axes, (1.12).
 
     Parameters
     ----------
@@ -233,9 +233,9 @@ class Mechanism:
         f(t, q, w) that vanish: linear, affine, or nonlinear in the velocities; a vector counts
         as three.
     positions : tuple of formulas
-        F(t, q) that vanish: holonomic constraints besides the relations of the frame.
+        F(t, q) that vanish: holonomic constraints beyond the relations of the frame.
     forces : mapping of velocity to formula
-        Generalised forces Q_i besides those of the potential, along the fields E_i.
+        Generalised forces Q_i along the fields E_i, in addition to those of the potential.
     definitions : mapping of Vector or Symbol to formula
         Named quantities in t, q, w, parameters and earlier ones; never expanded.
     parameters : tuple of Parameter
@@ -246,7 +246,7 @@ class Mechanism:
     Raises
     ------
     InputError
-        If a formula uses a name that nobody declared.
+        If a formula uses a name that is not declared.
 
     Examples
     --------
@@ -317,7 +317,7 @@ class Mechanism:
 
     @arguments_checked
     def expand(self, formula: sp.Expr) -> sp.Expr:
-        """A scalar formula without definitions."""
+        """A scalar formula with all definitions substituted."""
         return expand(sp.sympify(formula), self.steps)
 
     @property
@@ -329,7 +329,7 @@ class Mechanism:
         parameters = {p.symbol for p in self.parameters}
         known = {TIME, *parameters}
         named = (*(p.symbol for p in self.parameters), *self.symbols, *(s for s, _ in self.steps))
-        for name in _twice(named):
+        for name in _duplicate_names(named):
             raise InputError(f"{self.name}: {name} stands for two things; rename one of them")
         still = known | set(self.frame.coordinates)
         defined = {s for s, _ in self.steps}

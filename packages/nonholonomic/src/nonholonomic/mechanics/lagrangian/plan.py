@@ -1,7 +1,8 @@
 """The drawing of a mechanism in the plane: path, links, wheels and blades.
 
-Places are pairs of formulas (x, y); wheels, axles and blades have the angle of their heading with
-the axis x for a third.  All are formulas in the state lifted to space, definitions and parameters.
+Points are pairs of formulas (x, y); wheels, axles and blades have a third one, the angle between
+their heading and the x axis. All are formulas in the state lifted to space, definitions and
+parameters.
 """
 
 from __future__ import annotations
@@ -23,9 +24,9 @@ from .mechanism import Mechanism
 PlanePoint: TypeAlias = tuple[Any, Any]
 Pose: TypeAlias = tuple[Any, Any, Any]
 
-#: Frames of more coordinates are not inverted to find what stands on the ground.
+#: Largest number of coordinates of a frame that is inverted symbolically.
 _MOST = 8
-#: Random places at which a length must be the same to be one.
+#: Number of random configurations at which a length must agree to count as constant.
 _PLACES = 6
 _SAME = 1e-9
 
@@ -38,13 +39,13 @@ class Plan:
     Attributes
     ----------
     path : (x, y)
-        The place whose path is drawn.
+        The point whose path is drawn.
     links : tuple of (x, y, x, y)
-        Straight rods, from a place to another.
+        Straight rods between two points.
     wheels, axles, blades : tuple of (x, y, heading)
         A wheel seen from above, two wheels side by side, a blade.
     points : tuple of (x, y)
-        Places to be marked by a ring, such as a centre of mass.
+        Points marked by a ring, such as a centre of mass.
 
     Examples
     --------
@@ -64,10 +65,10 @@ class Plan:
 
 
 def plan_of(mechanism: Mechanism) -> Plan | None:
-    """The plan that follows from the constraints; None without x and y.
+    """The drawing that follows from the constraints; None without coordinates x and y.
 
-    A constraint that forbids a place to move sideways is drawn as a wheel there, where the place
-    lies at constant distances along headings from (x, y); rods lead to it.
+    A constraint that forbids sideways motion of a point is drawn as a wheel, if the point is
+    reached from (x, y) by rods of constant length along coordinate angles.
     """
     x, y = real_symbol("x"), real_symbol("y")
     coordinates = mechanism.frame.coordinates
@@ -90,7 +91,7 @@ def plan_of(mechanism: Mechanism) -> Plan | None:
 
 
 def _forms(mechanism: Mechanism) -> list[dict[sp.Symbol, sp.Expr]]:
-    """Linear constraints as forms in the rates of the coordinates."""
+    """Linear constraints as one-forms in the rates of the coordinates."""
     frame = mechanism.frame
     G = frame.matrix
     if G.rows != G.cols or G.rows > _MOST:
@@ -110,10 +111,10 @@ def _forms(mechanism: Mechanism) -> list[dict[sp.Symbol, sp.Expr]]:
 def _arms(
     mechanism: Mechanism, form: dict[sp.Symbol, sp.Expr]
 ) -> list[tuple[sp.Symbol, float]] | None:
-    """Angles and lengths from (x, y) to the point that a constraint concerns.
+    """Angles and lengths of the rods from (x, y) to the point constrained.
 
-    With n the normal of the heading, the velocity of a place Σ a_θ (cos θ, sin θ) has the
-    component Σ a_θ θ̇ (n_y cos θ − n_x sin θ) along n.  None where no constant lengths do.
+    With n the normal of the heading, the velocity of the point Σ a_θ (cos θ, sin θ) has the
+    component Σ a_θ θ̇ (n_y cos θ − n_x sin θ) along n. None if the lengths are not constant.
     """
     x, y = real_symbol("x"), real_symbol("y")
     others = [q for q in mechanism.frame.coordinates if q not in (x, y)]
@@ -135,7 +136,7 @@ def _arms(
 def _lengths(
     angles: Sequence[sp.Symbol], places: FloatArray, rows: FloatArray
 ) -> list[tuple[sp.Symbol, float]] | None:
-    """The lengths by the coefficients at some places, where they are constant."""
+    """The lengths from coefficients at several configurations; None unless constant."""
     across = np.hypot(rows[:, 0], rows[:, 1])
     if not np.all(np.isfinite(rows)) or np.any(across < _SAME):
         return None

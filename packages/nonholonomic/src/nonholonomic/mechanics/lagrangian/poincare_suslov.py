@@ -1,17 +1,16 @@
-"""Poincaré–Suslov equations (1.9), closed: a Mechanism becomes a System.
+"""The Poincaré–Suslov equations (1.9) in closed form: a Mechanism becomes a System.
 
 With p_i = ∂L/∂w_i and the constraints f_μ = 0, the equations
 
     ṗ_i − c_ji^k p_k w_j − E_i(L) = Q_i + λ_μ ∂f_μ/∂w_i,      q̇ = G w
 
-(Chetaev's rule where a constraint is not linear) are linear in ẇ and λ.  Velocities that a
-constraint gives in terms of the others, with a number as coefficient, become definitions; the
-equations of the others follow from virtual displacements that satisfy these constraints.  The
-remaining multipliers follow from the rates of the remaining constraints.  In the frame of the
-coordinates themselves these are the equations of Ferrers, (1.3)–(1.5).
+(Chetaev's rule where a constraint is not linear) are linear in ẇ and λ. Velocities that occur in a
+constraint with a numerical coefficient are solved for and become definitions; the equations of the
+others follow from virtual displacements that satisfy these constraints. The other multipliers
+follow from the time derivatives of the other constraints. In the frame of the coordinates
+themselves these are the equations of Ferrers, (1.3)–(1.5).
 
-Coordinates on which nothing depends are cyclic: they are not part of the System, and are
-reconstructed from its motion.
+Cyclic coordinates are not part of the System and are reconstructed from its motion.
 """
 
 from __future__ import annotations
@@ -40,7 +39,7 @@ from .units import momentum_units, multiplier_units
 
 @dataclass(frozen=True)
 class DerivedEquations:
-    """The equations of motion of a mechanism before they are put into a System.
+    """The equations of motion of a mechanism, from which a System is built.
 
     Attributes
     ----------
@@ -81,12 +80,12 @@ def equations_of_motion(mechanism: Mechanism) -> System:
     Returns
     -------
     System
-        State: the coordinates that matter and the velocities that no constraint gives, and the
-        time where it enters.  Relations: those of the frame, position constraints, and the
-        constraints that are not solved for a velocity.  The multipliers are observables, named
-        ``lambda_1``, … in the order of the constraints.  It claims the energy integral where
-        the hypotheses of Theorem 1 hold and the momenta of cyclic velocities, and records
-        ``energy`` and ``power`` where they do not.
+        State: the coordinates that are not cyclic, the velocities that are not solved for, and the
+        time if it occurs. Relations: those of the frame, position constraints, and the constraints
+        that are not solved for a velocity. The multipliers are observables, named ``lambda_1``, …
+        in the order of the constraints. Its laws are the energy integral, if the hypotheses of
+        Theorem 1 hold, and the momenta of cyclic velocities; otherwise ``energy`` and ``power`` are
+        observables.
 
     Raises
     ------
@@ -183,11 +182,11 @@ def equations_of_motion(mechanism: Mechanism) -> System:
     )
 
 
-# --- what matters --------------------------------------------------------------------------
+# --- the state ------------------------------------------------------------------------------
 
 
 def _driving(equations: DerivedEquations) -> list[sp.Expr]:
-    """Formulas that decide what belongs to the state."""
+    """Formulas whose variables belong to the state."""
     parts = equations.parts
     mechanism = parts.mechanism
     values: list[sp.Basic] = [
@@ -215,7 +214,7 @@ def _depends(parts: Balance, formulas: Iterable[sp.Basic], symbols: Iterable[sp.
 
 
 def _state_coordinates(equations: DerivedEquations) -> set[Name]:
-    """Coordinates (whole vectors) on which the motion depends."""
+    """Coordinates, as whole vectors, on which the motion depends."""
     parts = equations.parts
     frame = parts.mechanism.frame
     used = _uses(parts, _driving(equations))
@@ -235,7 +234,7 @@ def _irrelevant_coordinates(parts: Balance, relevant: set[Name]) -> tuple[sp.Sym
 def _without_irrelevant(
     parts: Balance, irrelevant: Sequence[sp.Symbol], formula: sp.Basic
 ) -> sp.Basic:
-    """A formula without definitions that depend on irrelevant coordinates."""
+    """A formula with definitions that depend on irrelevant coordinates substituted."""
     far: dict[sp.Symbol, sp.Expr] = {}
     # each step comes after those it uses
     for symbol, value in parts.tape.steps(scalars(formula)):
@@ -256,14 +255,14 @@ def _energy_law(equations: DerivedEquations) -> tuple[Law, ...]:
 
 
 def _energy_warning(energy: EnergyTheorem) -> tuple[str, ...]:
-    """The sentence on an energy that is not conserved."""
+    """A sentence about the hypotheses that fail; empty if energy is conserved."""
     if not energy.failures:
         return ()
     return (f"Theorem 1 does not give an energy integral: {'; '.join(energy.failures)}.",)
 
 
 def _momenta(parts: Balance) -> tuple[Law, ...]:
-    """Momenta of velocities on which no force, reaction or turning of the frame acts."""
+    """Integrals p_i = const. of velocities without force, reaction and structure terms."""
     momenta = {
         s: parts.momenta[i]
         for i, s in enumerate(parts.mechanism.frame.w)
@@ -303,7 +302,7 @@ def _observables(equations: DerivedEquations) -> tuple[Observable, ...]:
 
 
 def _velocity_rates(mechanism: Mechanism, solution: Accelerations) -> Pairs:
-    """Rates of the free velocities; a vector stays one where all of it is free."""
+    """Rates of the free velocities; a vector is kept if all its components are free."""
     pairs: list[tuple[sp.Basic, sp.Basic]] = []
     for name in mechanism.frame.velocities:
         parts = [s for s in flat((name,)) if s in solution.rates]

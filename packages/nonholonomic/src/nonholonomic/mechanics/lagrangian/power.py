@@ -1,7 +1,7 @@
-"""What the theorem on energy needs of a mechanism: the equations that its accelerations solve.
+"""Data of the energy theorem: the equations that the accelerations of a mechanism solve.
 
-They are written in the names of the finished system, in which short results are written out and
-the others numbered.
+They use the names of the finished system, in which short results are inlined and the others
+numbered.
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ def power_theorem(
     names: NamedDefinitions,
     relations: Sequence[sp.Expr],
 ) -> PowerTheorem | None:
-    """The linear equations of a mechanism; None where a constraint has no degree.
+    """The data of the energy theorem; None if a constraint is not homogeneous.
 
     Parameters
     ----------
     relations : sequence of Expr
-        Those of the frame and the position constraints, as the system has them.
+        Relations of the frame and position constraints, as in the system.
     """
     solved = solution.equations
     velocities = tuple(parts.mechanism.frame.w[i] for i in parts.free)
@@ -72,7 +72,7 @@ def _degrees(
     slopes: Iterable[tuple[sp.Expr, ...]],
     constraints: Iterable[sp.Expr],
 ) -> tuple[sp.Integer, ...] | None:
-    """The degrees of constraints in the velocities, as they appear at a generic point."""
+    """The degrees of homogeneity of constraints in the velocities, from a generic point."""
     degrees = []
     for row, f in zip(slopes, constraints, strict=True):
         euler = product(row, list(velocities))
@@ -84,7 +84,7 @@ def _degrees(
 
 
 def _rates_of_relations(parts: Balance, names: NamedDefinitions) -> list[sp.Expr]:
-    """Of the relations of the frame and the position constraints: constraints, or zero."""
+    """The constraint equal to the rate of each relation and position constraint, or zero."""
     solved = set(parts.constraint_of.values())
     first = len(parts.mechanism.f)
     return [
@@ -99,7 +99,7 @@ def _rates_of_relations(parts: Balance, names: NamedDefinitions) -> list[sp.Expr
 def _final_names(
     parts: Balance, names: NamedDefinitions, formulas: Iterable[sp.Expr]
 ) -> tuple[Mapping[sp.Symbol, sp.Expr], tuple[tuple[sp.Symbol, sp.Expr], ...]]:
-    """What names of the tape are in the finished system, and definitions of those it lacks."""
+    """Names of the tape in terms of the finished system, and definitions it does not have."""
     kept = {s for s, _ in flat_pairs(names.definitions)}
     own = {s for s, _ in parts.mechanism.steps} | {*parts.constraint_of} | {*parts.multipliers}
     parameters = {p.symbol for p in parts.mechanism.parameters}
@@ -119,7 +119,7 @@ def _final_names(
 
 
 def _fresh(symbol: sp.Symbol, used: set[str]) -> sp.Symbol:
-    """A name like that of a symbol which nothing bears."""
+    """An unused name derived from that of a symbol."""
     name = f"{symbol}_"
     while name in used:
         name += "_"
@@ -128,9 +128,9 @@ def _fresh(symbol: sp.Symbol, used: set[str]) -> sp.Symbol:
 
 
 def _stays_whole(parts: Balance, symbol: sp.Symbol) -> bool:
-    """Whether the tape never writes a name out: it is one to begin with, or long.
+    """Whether the tape never expands a name: it is a definition of the mechanism, or long.
 
-    Only such names occur in the solution as they occur in the equations.
+    Only such names occur in the same form in the equations and in their solution.
     """
     tape = parts.tape
     inputs = {s for s, _ in parts.mechanism.steps}

@@ -21,16 +21,16 @@ from .generic_points import (
 )
 from .mechanism import Frame, Mechanism
 
-#: c_ij^k by (i, j, k), for i < j; what is not named is zero.
+#: c_ij^k by (i, j, k), for i < j; missing entries are zero.
 Coefficients = Mapping[tuple[int, int, int], sp.Expr]
 VectorField = Mapping[sp.Symbol, sp.Expr]
 
 DENOMINATOR = 1000
-"""Constants are recognised as fractions with denominators up to this."""
+"""Largest denominator of a constant recognised as a fraction."""
 
 
 def commutator(first: VectorField, second: VectorField) -> VectorField:
-    """[u, w] = uw − wu, without the components that are zero."""
+    """The nonzero components of [u, w] = uw − wu."""
     components = {}
     for q in {**first, **second}:
         value = lie_derivative(first, second.get(q, sp.S.Zero)) - lie_derivative(
@@ -42,7 +42,7 @@ def commutator(first: VectorField, second: VectorField) -> VectorField:
 
 
 def lie_derivative(field: VectorField, function: sp.Expr) -> sp.Expr:
-    """A field applied to a function."""
+    """The derivative of a function along a field."""
     return sp.Add(*(rate * sp.diff(function, q) for q, rate in field.items()))
 
 
@@ -50,14 +50,14 @@ def lie_derivative(field: VectorField, function: sp.Expr) -> sp.Expr:
 def structure(frame: Frame, owner: str = "frame") -> Coefficients:
     """The structure functions of a frame.
 
-    Constants are recognised at generic points; others come from solving the equations of as
-    many coordinates as there are fields, and are checked on the others at generic points.
+    Constants are recognised at generic points; other functions solve the equations of as many
+    coordinates as there are fields, and are checked on the remaining ones at generic points.
 
     Raises
     ------
     InputError
         If the fields are dependent, if there are fewer than the configuration space has
-        dimensions, or if `Frame.structure` names no pair of velocities.
+        dimensions, or if `Frame.structure` uses an unknown velocity.
     """
     if frame.structure is not None:
         return _stated_coefficients(frame, owner)
@@ -87,7 +87,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
 
 
 def written_frame(mechanism: Mechanism) -> Frame:
-    """The frame of a mechanism without definitions, ready for commutators."""
+    """The frame of a mechanism with definitions substituted, for commutators."""
     frame, defined = mechanism.frame, {s for s, _ in mechanism.steps}
     if frame.structure is not None or not any(r.free_symbols & defined for r in frame.qdot):
         return frame
@@ -97,7 +97,7 @@ def written_frame(mechanism: Mechanism) -> Frame:
 
 @with_working_precision
 def check_structure(frame: Frame, owner: str = "frame") -> None:
-    """Refuse structure functions that no frame with these rates can have.
+    """Refuse structure functions that are impossible for a frame with these rates.
 
     Raises
     ------
@@ -125,6 +125,8 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
                     f"{owner}: the commutator of {frame.w[i]} and {frame.w[j]} is not that of "
                     f"their rates: they differ on the coordinate {q}"
                 )
+    # Jacobi identity with variable coefficients: the cyclic sum of c_ab^s c_sd^n − E_d(c_ab^n)
+    # vanishes
     for i, j, k in combinations(size, 3):
         for n in size:
             terms = [
@@ -158,7 +160,7 @@ def _stated_coefficients(frame: Frame, owner: str) -> Coefficients:
 
 
 def _spanning(frame: Frame, point: GenericPoint, owner: str) -> list[int]:
-    """Rows of a regular minor of G; InputError if the fields form no frame."""
+    """Rows of a regular minor of G; InputError if the fields are not a frame."""
     numbers = [[point.value(e) for e in frame.matrix.row(i)] for i in range(len(frame.qdot))]
     rows, _ = regular_minor(numbers)
     slopes = [[point.value(sp.diff(f, q)) for q in frame.coordinates] for f in frame.relations]
@@ -180,7 +182,7 @@ def _spanning(frame: Frame, point: GenericPoint, owner: str) -> list[int]:
 def _constant(
     frame: Frame, points: Sequence[GenericPoint], rows: Sequence[int], column: Sequence[sp.Expr]
 ) -> list[sp.Expr] | None:
-    """The coefficients of a commutator if they are the same fractions at all points."""
+    """The coefficients of a commutator if they are equal fractions at all points, else None."""
     coefficients: list[sp.Expr] | None = None
     for point in points:
         matrix = mpmath.matrix([[point.value(e) for e in frame.matrix.row(i)] for i in rows])

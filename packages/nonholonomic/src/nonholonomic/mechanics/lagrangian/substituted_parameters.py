@@ -1,4 +1,4 @@
-"""A mechanism with some of its parameters given as formulas."""
+"""Substitution of formulas for parameters of a mechanism."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ def with_parameters(mechanism: Mechanism, values: Mapping[sp.Symbol, sp.Expr]) -
     ----------
     mechanism : Mechanism
     values : mapping of Symbol to Expr
-        Of parameters; they are none of the mechanism any more.
+        Values or formulas of parameters, which are removed from the mechanism.
     """
     table = {s: sp.sympify(v) for s, v in values.items()}
 
     def put_in(formula: sp.Basic) -> sp.Basic:
-        # a tensor hides its entries until it is written out
+        # the entries of a tensor are visible only in components
         written = to_components(sp.sympify(formula))
         return written.xreplace(table) if written.free_symbols & set(table) else formula
 

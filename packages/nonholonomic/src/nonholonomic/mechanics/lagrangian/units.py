@@ -1,7 +1,7 @@
 """Units of momenta and multipliers of a mechanism, from the units of its parameters.
 
 Every term of the kinetic energy is an energy. A term c s² with a coefficient c of known unit gives
-the unit of the velocity s, and so that of a coordinate whose rate is s; such coordinates may stand
+the unit of the velocity s, and so that of a coordinate whose rate is s; such coordinates may occur
 in the coefficients of other velocities. A multiplier times ∂f/∂s times s is a power.
 """
 
@@ -42,7 +42,7 @@ _FACTOR = re.compile(r"(\w+?)(?:\^(-?\d+))?")
 
 
 def momentum_units(mechanism: Mechanism) -> dict[sp.Symbol, str]:
-    """The unit of ∂L/∂s for every velocity s; empty if parameters leave it open."""
+    """The unit of ∂L/∂s for every velocity s; empty if the parameters do not determine it."""
     known = _dimensions(mechanism)
     return {
         s: _text(_times(_ENERGY, known[s], -1)) if s in known else "" for s in mechanism.frame.w
@@ -50,7 +50,7 @@ def momentum_units(mechanism: Mechanism) -> dict[sp.Symbol, str]:
 
 
 def multiplier_units(mechanism: Mechanism) -> tuple[str, ...]:
-    """The unit of the multiplier of each constraint, on velocities first, then on positions.
+    """The unit of the multiplier of each constraint, velocity constraints first.
 
     The reaction along the velocity s is λ ∂f/∂s, so that λ s ∂f/∂s is a power; for a constraint
     F(q) = 0, which is kept by Ḟ = 0, the product λ q ∂F/∂q is an energy.  Empty text where the
@@ -73,7 +73,7 @@ def _unit_of_multiplier(
     product: Dimension,
     dimensions: Mapping[sp.Symbol, Dimension],
 ) -> str:
-    """The unit by which the dimension of a constraint becomes that of the product."""
+    """The unit of λ that makes λ s ∂f/∂s have the dimension of `product`."""
     found = set()
     for s in variables:
         for term in sp.Add.make_args(sp.expand(sp.diff(constraint, s))):
@@ -87,7 +87,7 @@ def _unit_of_multiplier(
 
 
 def _dimensions(mechanism: Mechanism) -> dict[sp.Symbol, Dimension]:
-    """The known dimensions of parameters, velocities and coordinates."""
+    """The dimensions of parameters, velocities and coordinates, where known."""
     known = _with_units(mechanism.parameters)
     while velocities := dict(_velocities(mechanism, known)):
         known |= velocities
@@ -99,7 +99,7 @@ def _dimensions(mechanism: Mechanism) -> dict[sp.Symbol, Dimension]:
 def _velocities(
     mechanism: Mechanism, dimensions: Mapping[sp.Symbol, Dimension]
 ) -> Iterator[tuple[sp.Symbol, Dimension]]:
-    """Velocities of yet unknown unit whose square has a coefficient of known unit."""
+    """Velocities not in `dimensions` whose square has a coefficient of known unit."""
     for s in mechanism.frame.w:
         if s in dimensions:
             continue
@@ -112,7 +112,7 @@ def _velocities(
 
 
 def _of_term(term: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
-    """The dimension of a product of powers; None where that of a factor is unknown."""
+    """The dimension of a product of powers; None if that of a factor is unknown."""
     if term == 0:
         return None
     total = _NONE
@@ -131,13 +131,13 @@ def _times(one: Dimension, other: Dimension, power: Fraction | int = 1) -> Dimen
 
 
 def _with_units(parameters: Iterable[Parameter]) -> dict[sp.Symbol, Dimension]:
-    """The parameters whose unit is declared and consists of known units."""
+    """The dimensions of parameters whose unit is declared and known."""
     dimensions = ((parameter.symbol, _read(parameter.unit)) for parameter in parameters)
     return {symbol: value for symbol, value in dimensions if value is not None}
 
 
 def _read(unit: str) -> Dimension | None:
-    """The dimension of a unit such as ``kg m^2/s``; None of one that is not known."""
+    """The dimension of a unit such as ``kg m^2/s``; None if it is not known."""
     total = _NONE
     for place, part in enumerate(unit.split("/")):
         for word in part.strip("()").split():
@@ -150,7 +150,7 @@ def _read(unit: str) -> Dimension | None:
 
 
 def _text(dimension: Dimension) -> str:
-    """A unit as it is written; empty text if an exponent is not whole."""
+    """The text of a unit; empty if an exponent is not an integer."""
     if any(exponent.denominator != 1 for exponent in dimension):
         return ""
     above: list[str] = []

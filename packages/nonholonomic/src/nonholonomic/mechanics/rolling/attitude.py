@@ -50,18 +50,18 @@ def rotation() -> sp.ImmutableDenseMatrix:
 
 
 def unit_length() -> sp.Expr:
-    """Vanishes for a unit quaternion."""
+    """The expression |q|² − 1, which vanishes for a unit quaternion."""
     return sp.Add(*(s**2 for s in attitude.symbols)) - 1
 
 
 def attitude_relations(vertical: MatrixExpr) -> tuple[sp.Expr, ...]:
-    """Vanish when `vertical` (body axes) is the third space axis seen from the body."""
+    """Expressions that vanish when `vertical` is the third space axis in body axes."""
     row = rotation().row(2)
     return tuple(a - b for a, b in zip(row, scalars(vertical), strict=True))
 
 
 def attitude_observable() -> Observable:
-    """The quaternion itself, as it is recorded."""
+    """The observable that records the quaternion."""
     return Observable(
         "attitude",
         attitude,
@@ -72,14 +72,14 @@ def attitude_observable() -> Observable:
 
 
 def motion_in_space(contact: Contact, surface: Surface, tilting: bool) -> Reconstruction:
-    """The equations for attitude and place of a rolling body, driven by its reduced motion.
+    """The equations of attitude and position of a rolling body, driven by the reduced motion.
 
     Parameters
     ----------
     contact : Contact
     surface : Surface
     tilting : bool
-        Whether ζ, the vertical in body axes, belongs to the state where it is not γ.
+        Whether ζ, the vertical in body axes, is a state variable if it differs from γ.
     """
     placed = surface.placement(contact.r, contact.rdot, contact.height, rotation())
     relations = (unit_length(), *placed.relations)
@@ -97,7 +97,7 @@ def motion_in_space(contact: Contact, surface: Surface, tilting: bool) -> Recons
 
 
 def place_rates(system: System) -> list[sp.Expr]:
-    """Rates of the variables of the motion in space, the attitude left out."""
+    """Rates of the variables of the motion in space, except the attitude."""
     motion = system.reconstruction
     pairs = () if motion is None else flat_pairs(motion.field)
     return [formula for name, formula in pairs if name not in attitude.symbols]

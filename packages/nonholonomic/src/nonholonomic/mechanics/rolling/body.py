@@ -37,7 +37,7 @@ class WithInertia:
     shape: Shape
 
     buildable: ClassVar[bool] = True
-    """Whether a rigid body can have this inertia, which the triangle inequality decides."""
+    """Whether the moments obey the triangle inequality, as those of a rigid body must."""
 
     @property
     def fluids(self) -> tuple[Fluid, ...]:
@@ -58,10 +58,10 @@ class WithInertia:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Sentences on what is unusual about it; none on an ordinary body.
+        """Warnings about unusual values; empty for an ordinary body.
 
-        A centre of mass outside the shape is allowed, as something massless may hold both
-        together, but it is more often a mistake.
+        A centre of mass outside the shape is allowed, since a massless frame may connect the two,
+        but it is more often a mistake.
 
         Examples
         --------
@@ -92,8 +92,8 @@ class Body(WithInertia):
     gyrostat : 3 floats
         Constant momentum k of symmetric rotors, body axes (kg m²/s); the total momentum is Iω + k.
     cavity : Cavity or sequence of Cavity
-        Ellipsoidal cavities filled with an ideal fluid.  Mass, inertia and the centre of mass from
-        which everything is measured are those of the solid body, without the fluid.
+        Ellipsoidal cavities filled with an ideal fluid. Mass, inertia and the centre of mass, the
+        origin of the body axes, are those of the solid body without the fluid.
 
     Raises
     ------
@@ -147,13 +147,13 @@ class Body(WithInertia):
 
 @dataclass(frozen=True)
 class EquivalentBody(WithInertia):
-    """The rigid body that a body with fluid is equivalent to while its fluid is in potential flow.
+    """The rigid body equivalent to a body whose fluid is in potential flow.
 
     Zhukovsky's theorem: an ideal fluid in potential flow acts on the body that holds it as a rigid
     body of the same mass and centre of mass.  For an ellipsoidal cavity its inertia tensor about
-    the centre is K(E − C²) of :mod:`nonholonomic.mechanics.rolling.cavity`.  The whole could
-    not be built: a fluid turns less than it weighs, and the three moments need not obey the
-    triangle inequality.
+    the centre is K(E − C²) of :mod:`nonholonomic.mechanics.rolling.cavity`. It need not exist as a
+    solid: the fluid takes only part in the rotation, and the three moments may break the triangle
+    inequality.
 
     Attributes
     ----------
@@ -195,6 +195,7 @@ def equivalent_body(body: AnyBody) -> AnyBody:
     common = sum((share * centre for share, centre in parts), sp.zeros(3, 1)) / mass
     for share, centre in parts:
         arm = centre - common
+        # Steiner's theorem for the mass of each part
         inertia += share * (arm.dot(arm) * sp.eye(3) - arm * arm.T)
     offset = sp.Matrix([exact_number(x) for x in body.shape.centre]) - common
     tensor = np.array(inertia.tolist(), dtype=float)
@@ -208,7 +209,7 @@ def equivalent_body(body: AnyBody) -> AnyBody:
 
 
 def as_tuple(inertia: npt.ArrayLike) -> Inertia:
-    """Moments or a tensor as tuples of floats."""
+    """Principal moments or an inertia tensor as tuples of floats."""
     array = np.asarray(inertia, dtype=float)
     if array.ndim == 2:
         return tuple(tuple(map(float, row)) for row in array)
@@ -219,7 +220,7 @@ def as_tuple(inertia: npt.ArrayLike) -> Inertia:
 def triangle_inequalities(moments: Sequence[sp.Symbol]) -> dict[sp.Symbol, tuple[sp.Basic, ...]]:
     """Conditions on three moments of inertia about orthogonal axes, by moment.
 
-    They are positive, and none is greater than the sum of the others.
+    Each is positive and at most the sum of the other two.
     """
     total = sp.Add(*moments)
     return {moment: (moment > 0, moment <= total - moment) for moment in moments}

@@ -40,9 +40,8 @@ class Cavity:
         Mass of the fluid, not negative (kg); the mass of the body does not contain it.  An empty
         cavity, of mass zero, has no influence.
     turn : 4 floats
-        Attitude of the cavity in the body: the quaternion (w, x, y, z), of any length, that turns
-        the axes of the cavity into its axes as seen from the body, as an attitude does from body
-        to space.
+        Attitude of the cavity in the body: the quaternion (w, x, y, z), of any length, of the
+        rotation from cavity axes to body axes.
     centre : 3 floats
         Centre of the cavity minus centre of mass of the solid body, without the fluid; body axes
         (m).
@@ -87,7 +86,7 @@ class Cavity:
 
     @property
     def rotation(self) -> sp.ImmutableDenseMatrix:
-        """The rational matrix from cavity to body axes, of the normalised quaternion."""
+        """The rotation matrix from cavity to body axes, with rational entries."""
         turn = [exact_number(x) for x in self.turn]
         return sp.ImmutableDenseMatrix(rotation_rows(turn, 2 / sp.Add(*(x * x for x in turn))))
 

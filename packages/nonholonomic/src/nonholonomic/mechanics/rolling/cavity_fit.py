@@ -14,18 +14,18 @@ from ..shapes.rays import directions
 from ..shapes.shape_base import Shape
 from .cavity import Cavity
 
-#: Tangent planes that are looked at, and how often the neighbourhood of the worst is looked at.
+#: Number of tangent planes examined, and of refinements around the worst of them.
 PLANES, ROUNDS = 2000, 12
-#: By how much of its size a cavity may reach out of a body, for rounding.
+#: Relative amount by which a cavity may protrude from a body, for rounding errors.
 SLACK = 1e-9
 
 
 def check_cavities(shape: Shape, cavities: Sequence[Cavity]) -> None:
-    """Refuse cavities that reach out of a shape, or overlap.
+    """Refuse cavities that protrude from a shape, or overlap.
 
-    A convex body contains an ellipsoid if and only if it reaches as far in every direction; what
-    is refused reaches further in a direction that was looked at.  A hollow ball has its matter
-    outside, and nothing is refused there.
+    A convex body contains an ellipsoid if and only if its support function is nowhere smaller; a
+    cavity is refused if it reaches further in one of the sampled directions. A hollow ball has its
+    matter outside its surface, so nothing is refused there.
 
     Raises
     ------
@@ -40,26 +40,27 @@ def check_cavities(shape: Shape, cavities: Sequence[Cavity]) -> None:
                 "fit into the body; make it smaller, or move its centre"
             )
     for (i, one), (j, other) in combinations(enumerate(cavities, 1), 2):
-        if not _apart(one, other):
+        if not _are_disjoint(one, other):
             raise InputError(
                 f"cavities {i} and {j} overlap; move their centres apart, or make them smaller"
             )
 
 
 def _support(cavity: Cavity, normals: FloatArray) -> FloatArray:
-    """Extent of a cavity along unit vectors (n, 3), from the centre of mass."""
+    """Support function of a cavity at unit vectors (n, 3), from the centre of mass."""
     turn = np.array(cavity.rotation.tolist(), dtype=float)
+    # an ellipsoid x = T diag(b) u, |u| = 1, has the support function |diag(b) Tᵀ ν|
     lengths = np.linalg.norm((normals @ turn) * np.array(cavity.axes), axis=1)
     heights: FloatArray = normals @ np.array(cavity.centre) + lengths
     return heights
 
 
 def _reaches_out(shape: Shape, cavity: Cavity) -> bool:
-    """Whether it reaches further than the shape in some direction."""
+    """Whether a cavity extends beyond the shape in some direction."""
 
     def excess(normals: FloatArray) -> FloatArray:
         with np.errstate(all="ignore"):
-            # a direction without contact point (a flat face) tells nothing
+            # a direction without a contact point (a flat face) is skipped
             beyond = _support(cavity, normals) - shape.heights(normals)
             out: FloatArray = np.nan_to_num(beyond, nan=-np.inf)
             return out
@@ -67,7 +68,7 @@ def _reaches_out(shape: Shape, cavity: Cavity) -> bool:
     return _greatest(excess) > SLACK * max(cavity.axes)
 
 
-def _apart(one: Cavity, other: Cavity) -> bool:
+def _are_disjoint(one: Cavity, other: Cavity) -> bool:
     """Whether a plane separates two cavities."""
 
     def gap(normals: FloatArray) -> FloatArray:
@@ -77,11 +78,13 @@ def _apart(one: Cavity, other: Cavity) -> bool:
 
 
 def _greatest(function: Callable[[FloatArray], FloatArray]) -> float:
-    """The greatest value found of a function of unit vectors."""
+    """The greatest value found of a function on the unit sphere."""
     normals = directions(PLANES)
     values = function(normals)
     best = normals[int(np.argmax(values))]
     width = 4 / np.sqrt(PLANES)
+    # the maximum is refined among 200 directions around the best one, in a neighbourhood that
+    # shrinks by 3
     for _ in range(ROUNDS):
         near = best + width * directions(200)
         near /= np.linalg.norm(near, axis=1, keepdims=True)

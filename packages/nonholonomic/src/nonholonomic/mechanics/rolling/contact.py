@@ -22,7 +22,7 @@ def contact(
     shape : Shape
     surface : Surface
     slip : MatrixExpr
-        Velocity of the touching particle of the body over a surface at rest, body axes; it is
+        Velocity of the particle at the contact relative to the surface, body axes; it is
         tangential, and zero without slip.
     radius : sympy.Expr
         Signed radius of the supporting sphere; that of a concentric sphere through the nearest

@@ -1,7 +1,7 @@
 """The equations of both contact models, from tensors, forces and the kinematics of the contact.
 
-Fluid in cavities is a gyrostat whose momentum CN obeys an equation of its own; M contains it.  With
-it the equations of :mod:`nonholonomic.mechanics.rolling.equations` are those of the equivalent
+Fluid in cavities acts as a gyrostat whose momentum CN, a part of M, obeys an equation of its own.
+With it the equations of :mod:`nonholonomic.mechanics.rolling.equations` are those of the equivalent
 rigid body with the rotors k + CN, and −CṄ on the right side of Ĩω̇.
 """
 
@@ -30,7 +30,7 @@ m, U, lambda_0 = (real_symbol(name) for name in ("m", "U", "lambda_0"))
 
 @dataclass(frozen=True)
 class Balance:
-    """Tensors, forces and definitions, which both contact models share."""
+    """Tensors, forces and definitions shared by both contact models."""
 
     kinematics: Contact
     definitions: Pairs
@@ -46,7 +46,7 @@ class Balance:
 
     @property
     def reaction(self) -> Vector:
-        """The contact force; N is the circulation vector of a fluid."""
+        """Name of the contact force: f if N is the circulation vector of a fluid."""
         return f if self.fluids else N
 
     @property
@@ -72,7 +72,7 @@ def _momentum(balance: Balance) -> MatrixExpr:
 
 
 def marble(balance: Balance, surface: Surface, name: str, title: str) -> System:
-    """The body does not slip; its state is M, γ and N of each fluid."""
+    """The equations without slip; the state is M, γ and N of each fluid."""
     kinematics = balance.kinematics
     r, rdot = kinematics.r, kinematics.rdot
     rate = (
@@ -82,6 +82,7 @@ def marble(balance: Balance, surface: Surface, name: str, title: str) -> System:
         - cross(r, balance.force)
         + balance.torque
     )
+    # M determines ω through M − CN = Ĩω, and Ĩ depends on the position
     # definitions of the position that use ω come after it
     before, after = by_dependence(kinematics.definitions, omega.symbols)
     at_start = sum((fluid.C * fluid.initial for fluid in balance.fluids), zero)
@@ -114,8 +115,10 @@ def marble(balance: Balance, surface: Surface, name: str, title: str) -> System:
 
 
 def rubber(balance: Balance, surface: Surface, name: str, title: str) -> System:
-    """The body neither slips nor spins; its state is ω, γ and N of each fluid."""
+    """The equations without slip and spin; the state is ω, γ and N of each fluid."""
     kinematics = balance.kinematics
+    # The multiplier λ₀ follows from the derivative of (ω, γ) = 0: (ω̇, γ) + (ω, γ̇) = 0 with ω̇ =
+    # Ĩ⁻¹(X + λ₀γ). On a plane γ̇ = γ×ω is orthogonal to ω.
     B, acceleration = Vector("gammatilde"), balance.solve(X)
     spin_rate = sp.S.Zero if surface.is_flat else dot(omega, kinematics.gammadot)
     definitions = (
@@ -160,7 +163,7 @@ def _free_torque(balance: Balance) -> MatrixExpr:
 
 
 def _circulations(balance: Balance) -> Pairs:
-    """N of each fluid at a start."""
+    """Initial values of N of each fluid."""
     return tuple((fluid.N, fluid.initial) for fluid in balance.fluids)
 
 
@@ -185,8 +188,10 @@ def _system(
     kinematics = balance.kinematics
     r = kinematics.r
     fluids, reaction = balance.fluids, balance.reaction
+    # without slip 2T = (Ĩω, ω) = (M, ω) for the equivalent rigid body
     kinetic = sp.Rational(1, 2) * dot(momentum - balance.momentum_of_fluids, omega)
     kinetic = sp.Add(kinetic, *(fluid.energy for fluid in fluids))
+    # v̇ + ω×v with v = r×ω, in body axes
     acceleration = (
         cross(kinematics.rdot, omega) + cross(r, omegadot) + cross(omega, cross(r, omega))
     )

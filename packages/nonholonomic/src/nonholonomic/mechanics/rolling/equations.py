@@ -64,7 +64,7 @@ class Forces:
         Acceleration g along −z of space (m/s²).
     potential : sympy.Expr, optional
         U(γ), in J, of ``gamma_1``, ``gamma_2``, ``gamma_3``; it may also use the body's parameters
-        ``I_1`` … and ``m``.  It acts as a couple, so that it does not enter the contact force.
+        ``I_1`` … and ``m``.  It acts as a pure torque, so that it does not enter the contact force.
     values : mapping of Symbol to float
         Values of further symbols in `potential`.
 
@@ -101,7 +101,7 @@ class Forces:
 @arguments_checked
 @dataclass(frozen=True)
 class RollingBody:
-    """A body, a surface, a contact model and a field, with their numbers.
+    """A body, a surface, a contact model and forces, with their numerical values.
 
     Parameters
     ----------
@@ -129,9 +129,9 @@ class RollingBody:
 
     @property
     def equivalent(self) -> RollingBody:
-        """Itself with the rigid body that is equivalent to the body with its fluid at rest.
+        """The same rolling body with the equivalent rigid body in place of body and fluid.
 
-        At rest means in potential flow (Zhukovsky); without fluid it is the body itself.
+        The fluid is then in potential flow (Zhukovsky); a body without fluid stays as it is.
         """
         return replace(self, body=equivalent_body(self.body))
 
@@ -150,7 +150,7 @@ def rolling_system(
     name: str = "rolling-body",
     title: str = "Rolling body",
 ) -> System:
-    """The System of a body that rolls on a surface.
+    """The equations of motion of a body that rolls on a surface.
 
     Parameters
     ----------
@@ -159,13 +159,13 @@ def rolling_system(
         parameters.  A centre offset or gyrostat that is exactly zero is left out of the equations.
         With fluid the parameters m, I and c are those of the equivalent rigid body.
     surface : Surface
-        What it rolls on.
+        The supporting surface.
     contact : ``"marble"`` or ``"rubber"``
         No slip; or no slip and no spin about the normal, (ω, γ) = 0.
     field : Forces
         Gravity and a potential U(γ).
     name, title : str
-        Identifier and human form.
+        Identifier and display title.
 
     Returns
     -------
@@ -238,6 +238,8 @@ def _balance(whole: AnyBody, surface: Surface, field: Forces) -> Balance:
         _check_potential(potential, parameters)
         definitions += ((U, potential),)
         energy = energy + U
+        # γ̇ = P(γ×ω) gives U̇ = (∂U/∂γ, γ̇) = −(γ×Pᵀ∂U/∂γ, ω), so that this torque has the power
+        # −U̇
         torque = cross(gamma, kinematics.pull(gradient(potential, gamma)))
     return Balance(
         kinematics=kinematics,

@@ -37,7 +37,7 @@ class Fluid:
     ----------
     cavity : Cavity
     number : str
-        Which of several cavities; empty for the only one.
+        Number of the cavity; empty if there is only one.
     """
 
     cavity: Cavity
@@ -45,17 +45,17 @@ class Fluid:
 
     @property
     def N(self) -> Vector:
-        """Circulation vector, of the state."""
+        """Circulation vector N, a state variable."""
         return Vector(f"N{self.number}")
 
     @property
     def xi(self) -> Vector:
-        """Motion relative to the body."""
+        """Motion ξ of the fluid relative to the body."""
         return Vector(f"xi{self.number}")
 
     @property
     def start(self) -> Vector:
-        """The name under which a start gives ξ, and a dataset holds it."""
+        """Name of ξ in initial states and datasets."""
         return Vector(f"fluid{self.number}")
 
     @property
@@ -74,7 +74,7 @@ class Fluid:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """The entries of W = K⁻¹ and C; with K⁻¹ for K the laws have shorter proofs."""
+        """The entries of W = K⁻¹ and C; proofs are shorter in terms of K⁻¹ than of K."""
         where = f"cavity {self.number}" if self.number else "the cavity"
         solid = f"inverse of the inertia that the fluid in {where} would have as a solid"
         described = (
@@ -95,12 +95,12 @@ class Fluid:
 
     @property
     def motion(self) -> Pairs:
-        """ξ, in ω and N."""
+        """The definition of ξ in terms of ω and N."""
         return ((self.xi, self.W * self.N - self.C * omega),)
 
     @property
     def rate(self) -> MatrixExpr:
-        """Ṅ, as Helmholtz's theorem gives it."""
+        """Ṅ = ξ×N, Helmholtz's theorem."""
         return cross(self.xi, self.N)
 
     @property
@@ -110,12 +110,12 @@ class Fluid:
 
     @property
     def energy(self) -> sp.Expr:
-        """½(N, WN), what the fluid adds to the energy of the equivalent body."""
+        """½(N, WN), the energy of the fluid beyond that of the equivalent body."""
         return HALF * dot(self.N, self.W * self.N)
 
     @property
     def solid_inertia(self) -> Pairs:
-        """K, for the kinetic energy in velocities."""
+        """The definition of K = W⁻¹, for the kinetic energy in velocities."""
         return ((self._tensor("K"), self.W**-1),)
 
     @property
@@ -126,12 +126,12 @@ class Fluid:
 
     @property
     def initial(self) -> MatrixExpr:
-        """N = K(ξ + Cω) from the ω and ξ of a start."""
+        """N = K(ξ + Cω) for initial values of ω and ξ."""
         return self.W**-1 * (self.start + self.C * omega)
 
     @property
     def circulation(self) -> Integral:
-        """Kelvin's theorem."""
+        """The first integral N² = const., Kelvin's theorem."""
         return Integral(
             f"circulation{self.number}",
             norm_squared(self.N),
@@ -142,7 +142,7 @@ class Fluid:
 
     @property
     def observable(self) -> Observable:
-        """ξ along a motion."""
+        """The observable that records ξ."""
         meaning = f"motion of the fluid{self._which} relative to the body"
         return Observable(str(self.start), self.xi, meaning, "rad/s", "body")
 

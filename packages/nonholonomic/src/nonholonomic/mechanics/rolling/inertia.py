@@ -1,4 +1,4 @@
-"""The inertia that a rigid body can have; free of SymPy, as wrong files are refused at once."""
+"""Checks of the inertia of a rigid body; free of SymPy, so that invalid files fail at once."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def check_inertia(inertia: Sequence[float] | Sequence[Sequence[float]]) -> None:
 
 
 def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray:
-    """The entries as an array; an empty one if they do not form any."""
+    """The entries as an array; an empty array if they do not form one."""
     try:
         return np.asarray(inertia, dtype=float)
     except (TypeError, ValueError, OverflowError):

@@ -1,7 +1,7 @@
 """The initial state of a rolling body, from angular velocity and normal.
 
-Everything here is computed with 50 digits and rounded once, so that a start is as good as the
-numbers in which it is given; a decimal such as 0.1 means one tenth at any precision.
+Everything is computed with 50 digits and rounded once, so that an initial state is as accurate as
+the given numbers; a decimal such as 0.1 means one tenth at any precision.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from .attitude import attitude
 
 DIGITS = 50
 
-#: A start may miss a constraint by this much, relative to its size; more is refused.
+#: Largest relative violation of a constraint that is corrected; larger ones are refused.
 SLACK = 1e-12
 
 omega, gamma, zeta, r = Vector("omega"), Vector("gamma"), Vector("zeta"), Vector("r")
@@ -46,7 +46,7 @@ def initial_state(
     parameters: Parameters = None,
     fluid: Sequence[float] | Sequence[Sequence[float]] = (),
 ) -> tuple[Any, ...]:
-    """The state of a system, lifted to space, that begins with given ω and γ.
+    """The initial state of a system, lifted to space, from given ω and γ.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ _OMEGA, _GAMMA = omega.symbols, gamma.symbols
 
 
 def _check_determined(system: System, lifted: System) -> None:
-    """Refuse a system whose state does not follow from ω and γ of a body in three dimensions."""
+    """Refuse a system whose state is not determined by ω and γ."""
     names = (omega, gamma, r, attitude, zeta, place, *system.start_vectors)
     following = {s for name in names for s in name.symbols}
     following |= set(scalar_names(system.start))
@@ -178,7 +178,7 @@ def _check_spin(system: System, spin: list[mpmath.mpf], up: list[mpmath.mpf]) ->
     excess = dot(spin, up)
     size = max(abs(x) for x in spin)
     nearest = [x - excess * y for x, y in zip(spin, up, strict=True)]
-    # what the working precision leaves of a spin along the normal is zero
+    # components at the level of the working precision are zeros with rounding errors
     nearest = [x if abs(x) > mpmath.mpf(10) ** (10 - DIGITS) * size else 0 * x for x in nearest]
     if abs(excess) > SLACK * size:
         shown = ", ".join(repr(float(x)) for x in nearest)
@@ -196,7 +196,7 @@ def is_no_spin(relation: sp.Expr) -> bool:
 
 
 def _of_attitude(start: Pairs) -> Pairs:
-    """What of a start follows from the attitude alone, such as a direction of the surface."""
+    """The pairs of a start that depend on the attitude alone, as a direction of the surface does."""
     return tuple(
         (name, formula)
         for name, formula in start
@@ -224,11 +224,14 @@ def attitude_of_normal(
     cosine = dot(up, normal)
     axis = cross(up, normal)
     if cosine < -1 + mpmath.mpf(10) ** -20:
-        # opposite: any half turn about a perpendicular axis will do; take the most lateral one
+        # opposite vectors: take the half turn about a perpendicular axis, built from the basis
+        # vector farthest from `up`
         least = min(range(3), key=lambda i: abs(up[i]))
         axis = cross(up, [mpmath.mpf(int(i == least)) for i in range(3)])
         short = [mpmath.mpf(0), *axis]
     else:
+        # (1 + cos α, sin α · axis) is the quaternion of the rotation by α, up to its length 2
+        # cos(α/2)
         short = [1 + cosine, *axis]
     half = heading / 2
     turn = [mpmath.cos(half), *(mpmath.sin(half) * x for x in normal)]
@@ -265,7 +268,7 @@ def _contact_point(
 ) -> list[mpmath.mpf]:
     """The point r of an implicit surface f(r − c) = 0 whose outward normal is −γ.
 
-    A point good to double precision is polished by Newton's method for ∇f + ℓγ = 0, f = 0, with
+    A solution in double precision is refined by Newton's method for ∇f + ℓγ = 0, f = 0, with
     the length ℓ of the gradient as fourth unknown.
     """
     surface, coordinates = system.scalar.relations[0], r.symbols

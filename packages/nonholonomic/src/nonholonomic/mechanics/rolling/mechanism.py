@@ -4,8 +4,8 @@ The quasi-velocities are ω and the velocity v of the centre of mass, both in bo
 brackets (1.12); the constraints are v + ω×r = 0 (1.14) and, for a rubber body, (ω, γ) = 0 (1.15).
 Place and heading are cyclic.  On a plane the height R₃ of the centre of mass stays a coordinate,
 so that the multipliers are the contact force itself, gravity apart; on a sphere the centre of mass
-X (body axes, from the centre of the sphere) does the same.  Fluid in a cavity adds the velocity
-ξ of its motion relative to the body, whose brackets have the sign opposite to those of ω.
+X (body axes, from the centre of the sphere) takes this role. Fluid in a cavity adds the velocity ξ
+of its motion relative to the body, whose structure constants are those of ω with the opposite sign.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def rolling_mechanism(rolling: RollingBody, name: str = "rolling-body") -> Mecha
 
 
 def _brackets(fluids: tuple[Fluid, ...]) -> StructureConstants:
-    """Those of the motions of the fluids: a fluid turns in the cavity from the other side."""
+    """Structure constants of ξ, opposite to those of ω: its axes are fixed outside the fluid."""
     return {
         pair: {s: -constant for s, constant in row.items()}
         for fluid in fluids

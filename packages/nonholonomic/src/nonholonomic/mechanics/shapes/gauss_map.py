@@ -1,4 +1,4 @@
-"""The inverse Gauss map of a body, by formulas and in numbers: contact points at many normals."""
+"""The inverse Gauss map of a body, symbolic and numerical: contact points at many normals."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _ITERATIONS = 200
 
 @dataclass(frozen=True)
 class GaussMap:
-    """A shape seen through its inverse Gauss map, as formulas in γ.
+    """The inverse Gauss map of a shape, as formulas in γ.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class GaussMap:
 
 
 def points_of_map(body: GaussMap, centre: Sequence[float]) -> Callable[[FloatArray], FloatArray]:
-    """The function γ ↦ r of a Gauss map with its own numbers, for unit vectors (n, 3)."""
+    """The function γ ↦ r of a Gauss map at its default parameters, for unit vectors (n, 3)."""
     origin = np.array(centre)
     gamma_symbols = Vector("gamma").symbols
     steps = list(flat_pairs(body.definitions))
@@ -76,8 +76,8 @@ def contact_points_of_normals(
 ) -> FloatArray:
     """Points of the surface f = 0 whose outward normals are −γ.
 
-    Solves ∇f + ℓγ = 0, ℓ = |∇f|, by damped Newton iteration from the points below the origin of
-    the coordinates, which must lie inside.
+    Solves ∇f + ℓγ = 0, ℓ = |∇f|, by damped Newton iteration; it starts where the rays −γ from the
+    origin, which must lie inside, leave the body.
 
     Parameters
     ----------
@@ -111,16 +111,17 @@ def contact_points_of_normals(
     for _ in range(_ITERATIONS):
         level, slope, hessian = at(x)
         length = np.linalg.norm(slope, axis=1)
+        # unknowns (x, ℓ): the rows are ∇²f dx + γ dℓ = −(∇f + ℓγ) and (∇f, dx) = −f
         matrix = np.zeros((len(x), 4, 4))
         matrix[:, :3, :3] = hessian
         matrix[:, :3, 3] = gamma
         matrix[:, 3, :3] = slope
         defect = np.concatenate([slope + length[:, None] * gamma, level[:, None]], axis=1)
-        # where f is flat the equations are nearly singular; the least-squares step is the
-        # one that does not run away
+        # where the Hessian of f is nearly singular, the least-squares step stays bounded
         step = -np.einsum("nij,nj->ni", np.linalg.pinv(matrix), defect)[:, :3]
         move = np.abs(step).max(axis=1)
         size = np.abs(x).max(axis=1)
+        # a step of at most 0.3 of the distance from the origin cannot jump across the body
         damping = np.minimum(1.0, 0.3 * size / np.maximum(move, 1e-300))
         x = x + damping[:, None] * step
         if np.all(move <= 1e-14 * size):

@@ -1,7 +1,7 @@
 """Convex bodies given by an equation f = 0.
 
-They have no closed inverse of the Gauss map: the contact point r itself is the state, and the shape
-operator W⁻¹ follows from f(r) = 0.
+Their inverse Gauss map has no closed form: the contact point r itself is the state, and the shape
+operator W⁻¹ follows from the derivatives of f.
 """
 
 from __future__ import annotations
@@ -93,12 +93,12 @@ class Implicit(Shape):
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """The further symbols of f."""
+        """The parameters of f."""
         return tuple(Parameter(s, "parameter of the surface", value) for s, value in self.values)
 
     @property
     def title(self) -> str:
-        """Its name in titles."""
+        """Name of the shape for titles."""
         return "Convex body"
 
     def gauss(self) -> GaussMap:
@@ -115,7 +115,7 @@ class Implicit(Shape):
         )
 
     def contact(self, surface: Surface, swing: MatrixExpr, radius: sp.Expr) -> Contact:
-        """A shape f(r − c) = 0 with the state r, and its operator S of curvature."""
+        """The contact kinematics of f(r − c) = 0 with the state r and the shape operator S."""
         x = IMPLICIT_POINT
         f = self.level(x)
         slope, ell = IMPLICIT_GRADIENT, real_symbol("ell")
@@ -127,6 +127,9 @@ class Implicit(Shape):
         def shape_operator(vector: MatrixExpr) -> MatrixExpr:
             return (F * vector - dot(gamma, F * vector) * gamma) / ell
 
+        # Curvatures of a level surface: S = (F − γ⊗Fγ)/ℓ on tangent vectors, tr S = (tr F − (γ,
+        # Fγ))/ℓ and det S = (γ, adj(F) γ)/ℓ² (R. Goldman, Comput. Aided Geom. Design 22 (2005)
+        # 632).
         body = LevelSurface(shape_operator, mean, gauss, ell)
         moving = surface.under_level_surface(body, swing, radius)
         definitions: Pairs = (
@@ -162,7 +165,7 @@ class Implicit(Shape):
         return self.surface.xreplace(dict(zip(self.coordinates, point.symbols, strict=True)))
 
     def _level_of_state(self, f: sp.Expr) -> sp.Expr:
-        """F as a function of the state r."""
+        """f as a function of the state r."""
         offset = self.offset
         shift = (0, 0, 0) if not isinstance(offset, Vector) else offset.symbols
         names = zip(IMPLICIT_POINT.symbols, r.symbols, shift, strict=True)

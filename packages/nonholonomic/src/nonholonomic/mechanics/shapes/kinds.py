@@ -1,4 +1,4 @@
-"""Kinds that are known by a word: a class registers itself as its module is imported."""
+"""Classes known by a keyword: a class registers itself when its module is imported."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ Kind = TypeVar("Kind", bound="Registered")
 
 
 class Registered:
-    """A base of classes of which each may have a word of its own, by which files name it.
+    """Base of classes that experiment files refer to by a keyword.
 
-    A class directly below it keeps the register of its subclasses.
+    Each direct subclass keeps the register of its own subclasses.
 
     Examples
     --------
@@ -26,7 +26,7 @@ class Registered:
     """
 
     kind: ClassVar[str]
-    """The word that names it in an experiment file."""
+    """The keyword of the class in experiment files."""
 
     _register: ClassVar[dict[str, Any]]
 
@@ -37,21 +37,21 @@ class Registered:
         word = cls.__dict__.get("kind")
         if isinstance(word, str):
             known = cls._register.get(word)
-            if known is not None and _place(known) != _place(cls):
+            if known is not None and _qualified_name(known) != _qualified_name(cls):
                 raise InputError(
-                    f"kind {word!r} of {cls.__qualname__}: {_place(known)} has it already; choose "
+                    f"kind {word!r} of {cls.__qualname__}: {_qualified_name(known)} has it already; choose "
                     "another word"
                 )
             cls._register[word] = cls
 
     @classmethod
     def kinds(cls: type[Kind]) -> dict[str, type[Kind]]:
-        """The classes known by now, by their words."""
+        """The registered classes, by keyword."""
         return dict(cls._register)
 
     @classmethod
     def of_kind(cls: type[Kind], word: str) -> type[Kind]:
-        """The class of a word.
+        """The class registered under a keyword.
 
         Raises
         ------
@@ -62,5 +62,5 @@ class Registered:
         return found
 
 
-def _place(kind: type) -> str:
+def _qualified_name(kind: type) -> str:
     return f"{kind.__module__}.{kind.__qualname__}"

@@ -1,9 +1,9 @@
-"""Kinematics of a contact: what shapes and surfaces tell each other.
+"""Kinematics of a contact: the quantities that shapes and surfaces exchange.
 
-Without slip the material point at the contact is at rest, so that the contact point wanders over
-the body (rate ṙ, body axes) as fast as over the surface.  With the spread W of the body, ṙ = −Wγ̇,
-and the operator K of the curvature of the surface, which takes a velocity of the contact over the
-surface to the rate of its normal, this reads for every shape and surface
+Without slip the material point at the contact is at rest, so that the contact point moves over the
+body (rate ṙ, body axes) with the same velocity as over the surface. With the spread W of the body,
+ṙ = −Wγ̇, and the operator K of the curvature of the surface, which takes a velocity of the contact
+over the surface to the rate of its normal, this reads for every shape and surface
 
     γ̇ + ω×γ = K ṙ,      (E + KW) γ̇ = γ×ω + K u,
 
@@ -39,7 +39,7 @@ class Contact:
     state : pairs
         The variables that describe the position, with their rates.
     relations : tuple of sympy.Expr
-        Vanish for every position.
+        Expressions that vanish for every position.
     parameters, definitions, guards
         As in a :class:`~flowlanes.system.system.System`.
     r, rdot, gammadot : MatrixExpr
@@ -53,9 +53,9 @@ class Contact:
     pull : callable
         ∂U/∂γ ↦ the vector whose product γ× is the torque of a potential U(γ).
     volume : tuple of sympy.Expr
-        Factors of the volume of the position's variables that depend on the position.
+        Position-dependent factors of the volume form in the position variables.
     start : pairs
-        How variables of the position other than γ and r follow from the attitude at a start.
+        Initial values of the position variables other than γ and r, in terms of the attitude.
     """
 
     state: Pairs
@@ -86,14 +86,14 @@ class NormalMotion:
         The transpose of the operator that takes γ×ω to γ̇; it takes ∂U/∂γ to the vector whose
         product γ× is the torque of a potential U(γ).
     definitions : pairs
-        Named quantities in which they are written.
+        Named quantities used in `rate` and `pull`.
     guards : tuple of Guard
         Positive while the body fits the surface at the contact.
     volume : tuple of sympy.Expr
-        Factors of the volume of the position's variables.
+        Factors of the volume form in the position variables.
     state, relations, start
-        Further variables of the position, such as a direction of the surface in body axes, with
-        their rates, what vanishes for every position, and how they follow from the attitude.
+        Further position variables, such as a direction of the surface in body axes: their rates,
+        expressions that vanish for every position, and their initial values by the attitude.
     """
 
     rate: MatrixExpr
@@ -108,7 +108,7 @@ class NormalMotion:
 
 @dataclass(frozen=True)
 class LevelSurface:
-    """A body given by f(r − c) = 0, at its contact: the operator S = W⁻¹ of its curvature.
+    """The curvature S = W⁻¹ of a body f(r − c) = 0 at its contact.
 
     Attributes
     ----------
@@ -132,16 +132,16 @@ class LevelSurface:
 
 @dataclass(frozen=True)
 class Placement:
-    """Where a body and its contact are in space, as formulas.
+    """The position of a body and its contact point in space, as formulas.
 
     Attributes
     ----------
     centre, point : MatrixExpr
         Centre of mass and contact point, space axes.
     field : pairs
-        Variables of the place that the reduced motion drives, with their rates.
+        Position variables driven by the reduced motion, with their rates.
     relations : tuple of sympy.Expr
-        Vanish for every attitude, besides those of unit lengths and of the vertical.
+        Expressions that vanish for every attitude, beyond those of unit lengths and the vertical.
     """
 
     centre: MatrixExpr

@@ -1,4 +1,4 @@
-"""Bodies of revolution, by their support function or their profile."""
+"""Bodies of revolution, given by their support function or their profile."""
 
 from __future__ import annotations
 
@@ -130,12 +130,12 @@ class Revolution(SupportShape):
 
     @property
     def title(self) -> str:
-        """Its name in titles."""
+        """Name of the shape for titles."""
         return "Body of revolution"
 
     @property
     def axial_symmetry(self) -> AxialSymmetry:
-        """Always."""
+        """Symmetry without conditions."""
         return AxialSymmetry((), self.support)
 
     def _value(self, expression: sp.Expr, cosine: float) -> float:

@@ -4,7 +4,7 @@ A shape is described by its support function h(ν), the distance of the tangent 
 normal ν from the geometric centre.  The contact point with ν = −γ is ∇h, and its derivative,
 the *spread* W = ∂²h, is a symmetric operator on the tangent plane whose eigenvalues are the
 principal radii of curvature.  A new shape derives from `SupportShape` and gives its Gauss map;
-whatever rolls, slides, is drawn or written asks the methods below.
+rolling, sliding, drawings and messages use only the methods below.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from .surfaces import Surface
 
 c = Vector("c")
 
-#: Tangent planes examined.
+#: Number of tangent planes examined.
 PLANES = 2000
 
 
@@ -58,7 +58,7 @@ def require_positive(shape: str, **lengths: float) -> None:
 def real_values(
     values: Iterable[tuple[sp.Symbol, float]] | Mapping[sp.Symbol, float],
 ) -> tuple[tuple[sp.Symbol, float], ...]:
-    """Values by real symbols, whatever else was assumed of these."""
+    """Values by symbol, each replaced by the real symbol of the same name."""
     return tuple((real_symbol(str(symbol)), value) for symbol, value in dict(values).items())
 
 
@@ -89,14 +89,14 @@ def check_centre(centre: tuple[float, float, float]) -> None:
 
 @dataclass(frozen=True)
 class AxialSymmetry:
-    """What makes a shape one of revolution about body axis 3.
+    """Conditions under which a shape is a body of revolution about body axis 3.
 
     Attributes
     ----------
     conditions : tuple of sympy.Expr
-        Vanish, in the parameters of the shape, where it is one of revolution.
+        Expressions in the parameters that vanish if the shape is one of revolution.
     support : sympy.Expr
-        The support function, in ``gamma_3``, where they vanish.
+        The support function in ``gamma_3`` under these conditions.
     """
 
     conditions: tuple[sp.Expr, ...]
@@ -128,17 +128,17 @@ class Shape(Registered, ABC):
     centre: tuple[float, float, float] = field(default=(0.0, 0.0, 0.0), kw_only=True)
 
     by_equation: ClassVar[bool] = False
-    """Whether it is given by an equation f = 0, so that the state has r in place of γ."""
+    """Whether the shape is given by an equation f = 0, so that r replaces γ in the state."""
     has_flat_face: ClassVar[bool] = False
-    """Whether no single point has the normal ±e₃, so that the equations end as it lies flat."""
+    """Whether the normals ±e₃ have no unique point: the equations fail when the body lies flat."""
     numbers_are_parameters: ClassVar[bool] = False
-    """Whether two of the class with positive numbers have the same equations."""
+    """Whether all members with positive numbers have the same equations."""
     is_ellipsoid: ClassVar[bool] = False
     """Whether it is an ellipsoid with the semi-axes b_1, b_2, b_3."""
 
     @property
     def title(self) -> str:
-        """Its name in titles."""
+        """Name of the shape for titles."""
         return self.kind.replace("_", " ").replace("-", " ").capitalize()
 
     @property
@@ -158,24 +158,24 @@ class Shape(Registered, ABC):
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """The numbers of its surface, with their symbols."""
+        """The parameters of the surface."""
         return self.gauss().parameters
 
     def level(self, point: Vector) -> sp.Expr | None:
-        """f of a surface f = 0 at a point from the geometric centre; None where a map is known."""
+        """f at a point from the geometric centre; None for shapes given by a Gauss map."""
         return None
 
     @property
     def signed_radius(self) -> float | None:
-        """Radius of the sphere that is its surface, negative of a hollow one; None of others.
+        """Radius of a spherical surface, negative if hollow; None for other shapes.
 
-        Where there is one, the equations call it R.
+        Its absolute value is R of the equations.
         """
         return None
 
     @property
     def is_ball(self) -> bool:
-        """Whether its surface is a sphere."""
+        """Whether the surface is a sphere."""
         return self.signed_radius is not None
 
     @property
@@ -185,37 +185,37 @@ class Shape(Registered, ABC):
 
     @property
     def hollow(self) -> bool:
-        """Whether its inner surface touches, so that the support is inside."""
+        """Whether the inner surface makes contact, with the support inside."""
         return False
 
     @property
     def is_turned(self) -> bool:
-        """Whether its axes of symmetry are turned from the body axes."""
+        """Whether the axes of symmetry are rotated against the body axes."""
         return False
 
     @property
     def edge_radius(self) -> float | None:
-        """Radius of the circular edge along which alone it touches; None of others."""
+        """Radius of the circular edge of a shape that touches only there; None for others."""
         return None
 
     @property
     def axial_symmetry(self) -> AxialSymmetry | None:
-        """When it is of revolution about body axis 3; None where that is not known."""
+        """Conditions for symmetry about body axis 3; None if they are not known."""
         return None
 
     @abstractmethod
     def gauss(self) -> GaussMap:
-        """The inverse Gauss map γ ↦ r − c by formulas.
+        """The inverse Gauss map γ ↦ r − c in closed form.
 
         Raises
         ------
         InputError
-            If there are none.
+            If there is none.
         """
 
     @abstractmethod
     def contact(self, surface: Surface, swing: MatrixExpr, radius: sp.Expr) -> Contact:
-        """The kinematics of its contact with a surface.
+        """The kinematics of the contact with a surface.
 
         Parameters
         ----------
@@ -228,12 +228,12 @@ class Shape(Registered, ABC):
         Raises
         ------
         InputError
-            If the body does not fit the surface anywhere.
+            If the body fits the surface nowhere.
         """
 
     @abstractmethod
     def _points(self) -> Callable[[FloatArray], FloatArray]:
-        """The function of `contact_points`, made anew."""
+        """Construct the function of `contact_points`."""
 
     def contact_points(self) -> Callable[[FloatArray], FloatArray]:
         """The function γ ↦ r in numbers, for unit vectors (n, 3) in body axes.
@@ -244,11 +244,11 @@ class Shape(Registered, ABC):
 
     @property
     def centre_outside(self) -> bool:
-        """Whether the centre of mass lies outside, by many tangent planes.
+        """Whether the centre of mass lies outside the shape, tested on many tangent planes.
 
-        A hollow ball has nothing inside; there it is whether the centre lies outside its sphere.  A
-        disk or a torus is the rim on which a body rolls, a cylinder or a cup of any height: the
-        centre is outside where it is farther from the axis than the rim.
+        For a hollow ball: outside its sphere. A disk or a torus is the rim of a rolling body, such
+        as a cylinder or a cup of any height: the centre is outside if it is farther from the axis
+        than the rim.
         """
         return any(self.centre) and bool((self.heights(-directions(PLANES)) < 0).any())
 
@@ -259,13 +259,13 @@ class Shape(Registered, ABC):
 
     @property
     def half_breadth(self) -> float:
-        """Half the largest distance of two points with opposite normals, by many planes."""
+        """Half the largest distance between points with opposite normals, sampled."""
         return _half_breadth(self)
 
 
 @lru_cache(maxsize=64)
 def _points_of(shape: Shape) -> Callable[[FloatArray], FloatArray]:
-    """The function of a shape, as many starts have one body."""
+    """Cached `contact_points` of a shape: many initial states share one body."""
     return shape._points()
 
 
@@ -281,7 +281,7 @@ def _half_breadth(shape: Shape) -> float:
 
 @dataclass(frozen=True)
 class SupportShape(Shape):
-    """A shape with a closed inverse of the Gauss map, which is all that it has to give.
+    """A shape defined by a closed-form inverse Gauss map.
 
     Examples
     --------
@@ -295,7 +295,7 @@ class SupportShape(Shape):
     """
 
     def contact(self, surface: Surface, swing: MatrixExpr, radius: sp.Expr) -> Contact:
-        """A shape with r(γ): (E + KW) γ̇ = γ×ω + K u on the tangent plane."""
+        """The contact kinematics of r(γ): (E + KW) γ̇ = γ×ω + K u on the tangent plane."""
         body = self.gauss()
         moving = surface.under_map(body, swing, radius)
         return Contact(

@@ -1,4 +1,4 @@
-"""Convex shapes with a closed inverse of the Gauss map.
+"""Convex shapes with a closed-form inverse Gauss map.
 
 The maps are those of :mod:`nonholonomic.mechanics.shapes.shape_base`.
 """
@@ -34,7 +34,7 @@ from .kinematics import Contact, gamma, r
 from .shape_base import AxialSymmetry, SupportShape, check_centre, length, require_positive
 from .surfaces import Surface
 
-#: A flat face is reached when the symmetry axis leans from the normal by less than this (radians).
+#: Smallest angle between symmetry axis and normal (rad); below it the body lies flat.
 FLAT = 1e-6
 
 R = real_symbol("R")
@@ -81,7 +81,7 @@ class Ball(SupportShape):
 
     @property
     def title(self) -> str:
-        """Its name in titles."""
+        """Name of the shape for titles."""
         return "Hollow ball" if self.hollow else "Ball"
 
     @property
@@ -91,7 +91,7 @@ class Ball(SupportShape):
 
     @property
     def axial_symmetry(self) -> AxialSymmetry:
-        """Always."""
+        """Symmetry without conditions."""
         return AxialSymmetry((), -R if self.hollow else R)
 
     def gauss(self) -> GaussMap:
@@ -113,7 +113,7 @@ class Ball(SupportShape):
         Raises
         ------
         InputError
-            If the ball is larger than its bowl, or a hollow one goes around nothing.
+            If the ball is larger than its bowl, or a hollow ball is not around a smaller sphere.
         """
         self._require_room(surface)
         ball, c = self.gauss(), self.offset
@@ -173,7 +173,10 @@ def _tensor_map(
     definitions: Pairs,
     guards: tuple[Guard, ...] = (),
 ) -> GaussMap:
-    """The support function √(ν, Bν) + ρ: an ellipsoid, or a disk, thickened by a ball."""
+    """The map of the support function √(ν, Bν) + ρ: an ellipsoid or a disk, thickened by a ball."""
+    # h(ν) = s + ρ|ν| with s = √(ν, Bν) gives ∇h = Bν/s + ρν and W = ∂²h = ρE + B/s − Bν⊗Bν/s³ at ν
+    # = −γ. The normal is a null vector of W − ρE, so that the trace over space is that over the
+    # tangent plane; there the product of the eigenvalues of W − ρE is det B/s⁴.
     s = real_symbol("s")
     Bg = B * gamma
     return GaussMap(
@@ -244,7 +247,7 @@ class Ellipsoid(SupportShape):
 
     @property
     def axial_symmetry(self) -> AxialSymmetry:
-        """Where the first two semi-axes agree."""
+        """Symmetry if the first two semi-axes agree."""
         support = sp.sqrt(b[0] ** 2 * (1 - g_3**2) + b[2] ** 2 * g_3**2)
         return AxialSymmetry((b[0] - b[1],), support)
 
@@ -330,12 +333,12 @@ class Disk(SupportShape):
 
     @property
     def edge_radius(self) -> float:
-        """The radius."""
+        """Radius of the disk."""
         return self.radius
 
     @property
     def axial_symmetry(self) -> AxialSymmetry:
-        """Always."""
+        """Symmetry without conditions."""
         return AxialSymmetry((), R * sp.sqrt(1 - g_3**2))
 
     @property
@@ -390,12 +393,12 @@ class Torus(SupportShape):
 
     @property
     def title(self) -> str:
-        """Its name in titles."""
+        """Name of the shape for titles."""
         return "Disk with a rounded edge"
 
     @property
     def axial_symmetry(self) -> AxialSymmetry:
-        """Always."""
+        """Symmetry without conditions."""
         return AxialSymmetry((), rho + R * sp.sqrt(1 - g_3**2))
 
     @property

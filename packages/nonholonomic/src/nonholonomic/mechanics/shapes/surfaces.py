@@ -38,10 +38,10 @@ Rotation: TypeAlias = sp.ImmutableDenseMatrix
 
 
 class Surface(Registered, ABC):
-    """A fixed surface on which a body rolls; the base of all of them.
+    """A fixed surface on which a body rolls; the base of all surfaces.
 
-    A new surface gives its curvature, by `swing` and `under_map`; where a body on it is in space,
-    by `placement` and `height`; and its equation, by which it is drawn.
+    A new surface defines its curvature (`swing`, `under_map`), the position of a body in space
+    (`placement`, `height`), and its equation for drawings (`equation`).
 
     Notes
     -----
@@ -58,56 +58,56 @@ class Surface(Registered, ABC):
 
     turntable: float = 0.0
     numbers_are_parameters: ClassVar[bool] = False
-    """Whether two of the class with positive numbers have the same equations."""
+    """Whether all members with positive numbers have the same equations."""
     is_flat: ClassVar[bool] = False
-    """Whether it is a horizontal plane, whose normal is the vertical."""
+    """Whether the surface is a horizontal plane, whose normal is the vertical."""
     vertical: ClassVar[Vector] = zeta
-    """The vertical of space in body axes, as the equations call it."""
+    """Name of the vertical in body axes."""
     relations_of_vertical: ClassVar[tuple[sp.Expr, ...]] = ()
-    """Vanish for every position, besides ζ² − 1, where ζ belongs to the state."""
+    """Expressions besides ζ² − 1 that vanish for every position, if ζ is a state variable."""
     level: ClassVar[sp.Expr] = a
-    """(γ, x) of the points x of the surface, from the origin of space."""
+    """(γ, x) at the contact point x, measured from the origin of space."""
 
     @property
     @abstractmethod
     def words(self) -> str:
-        """The surface as a sentence names it."""
+        """Name of the surface in sentences."""
 
     @property
     def title(self) -> str:
-        """The surface as a title names it."""
+        """Name of the surface in titles."""
         return self.words
 
     @property
     def setting(self) -> str:
-        """The surface with its numbers, in a line on the setting of a motion."""
+        """The surface with its numbers, for a one-line description of a motion."""
         return self.words
 
     @property
     def signed_radius(self) -> float | None:
-        """Radius of a sphere, which the equations call a, negative inside; None of others."""
+        """Radius a of a sphere, negative inside; None for other surfaces."""
         return None
 
     @property
     def is_even(self) -> bool:
-        """Whether its curvature is the same everywhere, in every direction: plane and sphere."""
+        """Whether the curvature is constant and isotropic: plane and sphere."""
         return self.is_flat or self.signed_radius is not None
 
     @property
     @abstractmethod
     def parameters(self) -> tuple[Parameter, ...]:
-        """Its numbers, with their symbols."""
+        """The parameters of the surface."""
 
     @abstractmethod
     def swing(self, slip: MatrixExpr, radius: sp.Expr) -> MatrixExpr:
-        """γ×ω + K u: the rate of the normal but for the curvature of the body.
+        """γ×ω + K u, the right-hand side of (E + KW) γ̇ = γ×ω + K u.
 
         Parameters
         ----------
         slip : MatrixExpr
             u, tangential, in body axes; zero without slip.
         radius : sympy.Expr
-            The symbol a, or the radius of a concentric sphere; no other surface has it.
+            The symbol a, or the radius of a concentric sphere; used by spheres only.
         """
 
     @abstractmethod
@@ -115,20 +115,20 @@ class Surface(Registered, ABC):
         """The rate of the normal under a body with spread W: (E + KW) γ̇ = `swing`."""
 
     def under_ball(self, ball: GaussMap, swing: MatrixExpr, radius: sp.Expr) -> NormalMotion:
-        """The same under a ball, whose spread is a number."""
+        """The rate of the normal under a ball, whose spread is a multiple of E."""
         return self.under_map(ball, swing, radius)
 
     def under_level_surface(
         self, body: LevelSurface, swing: MatrixExpr, radius: sp.Expr
     ) -> NormalMotion:
-        """The same under a body f = 0, with r as state; ṙ is among the definitions."""
+        """The rate of the normal under a body f = 0 with the state r; the definitions have ṙ."""
         return _through_spread(self, body, swing, radius)
 
     @abstractmethod
     def placement(
         self, reach: MatrixExpr, rate: MatrixExpr, height: sp.Expr, turn: Rotation
     ) -> Placement:
-        """Where a body is in space whose contact point is at `reach`.
+        """The position in space of a body whose contact point is at `reach`.
 
         Parameters
         ----------
@@ -145,7 +145,7 @@ class Surface(Registered, ABC):
         return dot(a * gamma - reach, zeta)
 
     def refusal_of_normal(self, normal: Sequence[float]) -> str:
-        """Why the surface has no such normal in space, in words; empty if it has."""
+        """Message why the surface has no such normal in space; empty if it has."""
         return ""
 
     @abstractmethod
@@ -192,12 +192,12 @@ class Plane(Surface):
 
     @property
     def words(self) -> str:
-        """The surface as a sentence names it."""
+        """Name of the surface in sentences."""
         return "a horizontal plane"
 
     @property
     def title(self) -> str:
-        """The surface as a title names it."""
+        """Name of the surface in titles."""
         return "a plane"
 
     @property
@@ -216,7 +216,7 @@ class Plane(Surface):
     def under_level_surface(
         self, body: LevelSurface, swing: MatrixExpr, radius: sp.Expr
     ) -> NormalMotion:
-        """The same, with ṙ = −W(γ×ω)."""
+        """γ̇ = γ×ω and ṙ = −W(γ×ω)."""
         wandering = (body.shape_operator(swing) - body.mean * swing) / body.gauss
         return NormalMotion(
             swing, _unchanged, ((rdot, wandering),), volume=(body.slope, body.gauss)
@@ -240,7 +240,7 @@ class Plane(Surface):
         return height
 
     def refusal_of_normal(self, normal: Sequence[float]) -> str:
-        """The normal is the vertical alone."""
+        """Refuse any normal but the vertical."""
         if tuple(normal) == (0.0, 0.0, 1.0):
             return ""
         return "normal is for a sphere alone; on a plane it is always [0, 0, 1]"
@@ -313,12 +313,12 @@ class Sphere(Surface):
 
     @property
     def words(self) -> str:
-        """The surface as a sentence names it."""
+        """Name of the surface in sentences."""
         return f"the {self.side} of a fixed sphere"
 
     @property
     def title(self) -> str:
-        """The surface as a title names it."""
+        """Name of the surface in titles."""
         return "a sphere" if self.side == "outside" else "the inside of a sphere"
 
     @property
@@ -337,7 +337,9 @@ class Sphere(Surface):
         return cross(gamma, omega) + slip / radius
 
     def under_map(self, body: GaussMap, swing: MatrixExpr, radius: sp.Expr) -> NormalMotion:
-        """γ̇ (E + W/a) = `swing`: the inverse of a symmetric operator by Cayley and Hamilton."""
+        """(E + W/a) γ̇ = `swing`, solved with the Cayley–Hamilton theorem."""
+        # With τ = tr W on the tangent plane tr(E + W/a) = 2 + τ/a and a² det(E + W/a) = A_a; the
+        # inverse of a 2×2 operator A is (tr A − A)/det A.
         area, trace = real_symbol("A_a"), real_symbol("tau")
 
         def solve(vector: MatrixExpr) -> MatrixExpr:
@@ -389,12 +391,12 @@ class Sphere(Surface):
     def placement(
         self, reach: MatrixExpr, rate: MatrixExpr, height: sp.Expr, turn: Rotation
     ) -> Placement:
-        """The contact is at aγ, whatever the way of the body."""
+        """The contact point is aγ, independent of the path of the body."""
         point = a * turn * to_components(gamma)
         return Placement(centre=point - turn * to_components(reach), point=point)
 
     def equation(self, point: Sequence[sp.Symbol]) -> sp.Expr:
-        """The distance from the origin less the radius, outwards; the opposite inside."""
+        """|x| − a outside; −a − |x| inside, where a is negative."""
         distance = sp.sqrt(sum(s**2 for s in point))
         return distance - a if self.side == "outside" else -a - distance
 
@@ -402,7 +404,7 @@ class Sphere(Surface):
 def _through_spread(
     surface: Surface, body: LevelSurface, swing: MatrixExpr, radius: sp.Expr
 ) -> NormalMotion:
-    """The motion under a body f = 0, by that under a body with W = S⁻¹."""
+    """`under_level_surface` in terms of `under_map`, with W = S⁻¹."""
     as_map = GaussMap(
         parameters=(),
         definitions=(),

@@ -1,7 +1,7 @@
-"""The forces that auxiliary speeds of a Kane model bring out.
+"""The reaction forces determined by auxiliary speeds of a Kane model.
 
-An auxiliary speed is zero; its equation F + F* + Σ λ_μ ∂f_μ/∂u = 0 holds unknown forces of the
-loads.  The last term is the reaction of the velocity constraints f that contain the speed.
+An auxiliary speed is zero; its equation F + F* + Σ λ_μ ∂f_μ/∂u = 0 contains unknown forces among
+the loads. The last term is the reaction of the velocity constraints f that contain the speed.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def auxiliary_reactions(
     moving: Sequence[sp.Expr],
     inputs: Inputs,
 ) -> dict[sp.Expr, sp.Expr]:
-    """Unknown forces of the loads by the equations of the auxiliary speeds.
+    """Unknown forces among the loads, solved from the equations of the auxiliary speeds.
 
     Parameters
     ----------

@@ -1,9 +1,9 @@
 """Conversion of models made with `sympy.physics.mechanics`.
 
-`KanesMethod`, `LagrangesMethod` and `System` objects of SymPy become a System of this package, to
-be integrated, linearised, searched for integrals, or a `Mechanism`, to be asked for its
-nonholonomy, its invariant measure and its reduction.  Functions of time become plain symbols of the
-same name (`q1(t)` is ``q1``, its rate ``q1dot``), constants become parameters.
+`KanesMethod`, `LagrangesMethod` and `System` objects of SymPy become a System of this package, for
+integration, linearisation and the search for integrals, or a `Mechanism`, for questions of
+nonholonomy, invariant measure and reduction. Functions of time become plain symbols of the same
+name (`q1(t)` is ``q1``, its rate ``q1dot``), constants become parameters.
 """
 
 from __future__ import annotations
@@ -47,9 +47,9 @@ def from_sympy(
     Parameters
     ----------
     model : KanesMethod, LagrangesMethod or System of sympy.physics.mechanics
-        It is not changed.  For a `System` the method is the one that formed its equations;
-        when they were not, by Lagrange's if its speeds are the rates of its coordinates, by
-        Kane's otherwise.
+        It is not changed. A `System` is converted by the method that formed its equations; if there
+        is none, by Lagrange's method if its speeds are the rates of its coordinates, by Kane's
+        method otherwise.
     parameters : mapping of Symbol or name to number or Parameter
         A default for every constant of the model.
     inputs : mapping of function of time or name to Expr
@@ -98,9 +98,9 @@ def mechanism_from_sympy(
 ) -> Mechanism:
     """A SymPy mechanics model as a mechanism: frame, Lagrangian, forces, constraints.
 
-    A `LagrangesMethod` has all of these.  A model of Kane's method gives its kinetic energy and
-    active forces, if these have the same equations of motion: where a constraint was built into
-    the velocities of its points (a contact point at rest), Lagrange's equations are not Kane's.
+    A `LagrangesMethod` has all of these. A model of Kane's method has a kinetic energy and active
+    forces; they define a mechanism if Lagrange's equations agree with Kane's. They differ if a
+    constraint was built into the velocities of points (a contact point at rest).
 
     Parameters
     ----------
@@ -114,8 +114,8 @@ def mechanism_from_sympy(
     Raises
     ------
     InputError
-        As :func:`from_sympy`, and if Lagrange's equations of a model of Kane's method are not
-        its own.
+        As :func:`from_sympy`, and if Lagrange's equations of a model of Kane's method differ from
+        Kane's.
 
     Examples
     --------
@@ -227,7 +227,7 @@ def _lagrange(
 
 
 def _generalised_force(model: LagrangesMethod, rate: sp.Expr) -> sp.Expr:
-    """Virtual power of the loads per unit of a generalised velocity."""
+    """The generalised force of the loads, Σ F·∂v/∂q̇ over points and Σ τ·∂ω/∂q̇ over frames."""
     total = sp.S.Zero
     for place, load in model.forcelist:
         moves = place.ang_vel_in if hasattr(place, "ang_vel_in") else place.vel

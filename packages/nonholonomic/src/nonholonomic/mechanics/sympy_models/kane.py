@@ -1,7 +1,7 @@
-"""Kane's equations of a SymPy model as a System, constraints by multipliers.
+"""Kane's equations of a SymPy model as a System, with constraints by multipliers.
 
-SymPy eliminates dependent speeds symbolically, which makes formulas swell and divides by a
-determinant that may vanish.  Here the equations of the unconstrained bodies are formed, and the
+SymPy eliminates dependent speeds symbolically, which leads to large formulas and division by a
+determinant that may vanish. Here the equations of the unconstrained bodies are formed, and the
 constraints enter by multipliers:
 
     A u̇ = F + Bᵀ λ,      B u + b = 0,      d(B u + b)/dt = 0,
@@ -41,7 +41,7 @@ from .names import Defaults, Inputs, NameTranslation, name_translation
 
 
 class _Plain(Tape):
-    """A tape that does not simplify: SymPy's formulas are long, their parts named."""
+    """A tape without simplification, since SymPy's formulas are long and shared parts have names."""
 
     def short(self, value: sp.Expr, hold: Collection[sp.Symbol] = ()) -> sp.Expr:
         """The formula itself."""
@@ -56,14 +56,14 @@ class Kane:
     ----------
     name, title : str
     words : Renamed
-        From the model's formulas to plain ones.
+        Translation of the model's formulas to plain symbols.
     coordinates, speeds : tuple of Symbol
     rates : tuple of Expr
-        Of the coordinates, in the speeds.
+        Rates of the coordinates, in terms of the speeds.
     mass : tuple of tuples of Expr
-        A, of the unconstrained bodies.
+        The mass matrix A of the unconstrained bodies.
     force : tuple of Expr
-        F: generalised forces less the part of the inertia that is free of u̇.
+        F: generalised active forces plus the inertia forces at u̇ = 0.
     active : tuple of Expr
         Generalised active forces alone.
     kinetic : Expr
@@ -78,7 +78,7 @@ class Kane:
         Forces that auxiliary speeds determine; they may contain `accelerations` and multipliers
         ``lambda_1``, ….
     accelerations : tuple of Symbol
-        Stand for u̇ in the reactions.
+        Symbols of u̇ in the reactions.
     """
 
     name: str
@@ -186,7 +186,7 @@ class Kane:
 
     @with_working_precision
     def _independent_of_positions(self, free: Mechanism) -> tuple[sp.Expr, ...]:
-        """The velocity constraints that do not follow from those on positions."""
+        """The velocity constraints that do not follow from the position constraints."""
         rates = [
             [
                 sp.Add(
@@ -206,7 +206,7 @@ class Kane:
 
     @with_working_precision
     def require_same_motion(self, mechanism: Mechanism) -> None:
-        """Refuse a mechanism whose bodies, set free, do not move by Kane's equations.
+        """Refuse a mechanism whose equations without constraints differ from Kane's.
 
         Compared at generic points, with 50 digits.
         """
@@ -222,7 +222,7 @@ class Kane:
                 )
 
     def _shared_formulas(self) -> tuple[Tape, tuple[Any, ...]]:
-        """A tape with what the formulas have in common, and the formulas in its names."""
+        """A tape of common subexpressions, and the formulas in terms of its names."""
         groups: list[Sequence[sp.Expr]] = [
             *self.mass, self.force, *self.slopes, self.rates, self.constraints, (self.kinetic,)
         ]  # fmt: skip
@@ -260,6 +260,7 @@ class Kane:
         solver = Factorisation(tape, mass)
         if not slopes:
             return solver.solve(force), []
+        # B u̇ = d with u̇ = A⁻¹(F + Bᵀλ) gives (B A⁻¹ Bᵀ) λ = d − B A⁻¹F
         bare = solver.solve(force)
         columns = [solver.solve(row) for row in slopes]
         gram = [[tape.name(product(row, column)) for column in columns] for row in slopes]
@@ -318,7 +319,7 @@ def kane(
         raise InputError(
             f"{name}: the KanesMethod object has no kinematic differential equations (kd_eqs)"
         ) from None
-    # the same bodies without constraints; SymPy sets auxiliary speeds to zero
+    # the same bodies without constraints; SymPy itself sets auxiliary speeds to zero
     free = KanesMethod(
         model._inertial,
         q_ind=q,
@@ -339,7 +340,7 @@ def kane(
     whole = list(model._k_nh * sp.Matrix(u) + model._f_nh) if slopes else []
     constraints = [f.xreplace(absent) for f in whole]
     multipliers = [sp.Function(f"lambda_{i + 1}")(dynamicsymbols._t) for i in range(len(whole))]
-    # what the reactions of the constraints do where an auxiliary speed moves
+    # generalised forces of the constraint reactions along the auxiliary speeds
     work = [
         sp.Add(*(x * sp.diff(f, s) for x, f in zip(multipliers, whole, strict=True))) for s in extra
     ]
@@ -382,7 +383,7 @@ def _with_constraint_inertia(
     slopes: Sequence[Sequence[sp.Expr]],
     defect: Sequence[sp.Expr],
 ) -> tuple[list[list[sp.Expr]], list[sp.Expr]]:
-    """A + BᵀB and F + Bᵀd: the same motion, as B u̇ = d, but every speed has inertia."""
+    """A + BᵀB and F + Bᵀd, equivalent because B u̇ = d; every speed then has inertia."""
     columns = list(zip(*slopes, strict=True)) if slopes else [()] * len(force)
     return (
         [

@@ -24,14 +24,14 @@ Inputs: TypeAlias = Mapping[sp.Expr | str, sp.Expr]
 
 @dataclass(frozen=True)
 class NameTranslation:
-    """A translation of formulas.
+    """The translation of a model's formulas to symbols of this package.
 
     Attributes
     ----------
     name : str
         The model's name, for messages.
     table : mapping of SymPy objects to Expr
-        Functions of time, their rates, constants and the time, in the words of this package.
+        Functions of time, their rates, constants and the time, as symbols of this package.
     parameters : tuple of Parameter
     """
 
@@ -40,7 +40,7 @@ class NameTranslation:
     parameters: tuple[Parameter, ...]
 
     def __call__(self, formula: sp.Expr) -> sp.Expr:
-        """A formula with plain symbols only."""
+        """The formula in plain symbols."""
         translated = sp.sympify(formula).xreplace(dict(self.table))
         unknown = sorted(map(str, translated.atoms(AppliedUndef)))
         if unknown:
@@ -48,11 +48,11 @@ class NameTranslation:
                 f"{self.name}: {', '.join(unknown)} depends on the time and is neither a "
                 "coordinate nor a speed; give its formula in 'inputs'"
             )
-        # the rate of an input
+        # derivatives of inputs
         return translated.doit() if translated.has(sp.Derivative) else translated
 
     def all(self, formulas: Iterable[sp.Expr]) -> list[sp.Expr]:
-        """Several formulas."""
+        """The translations of several formulas."""
         return [self(formula) for formula in formulas]
 
 
@@ -64,7 +64,7 @@ def name_translation(
     parameters: Defaults,
     inputs: Inputs,
 ) -> NameTranslation:
-    """The translation for a model.
+    """The name translation of a model.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def name_translation(
     plain |= {s: p.symbol for s, p in zip(constants, chosen, strict=True)}
     plain[time] = TIME
     table = dict(plain)
-    # what the user writes in an input is in plain symbols already, or in those of the model
+    # the formula of an input may use plain symbols as well as those of the model
     table |= {f: formula.xreplace(plain) for f, formula in input_formulas.items()}
     table |= {rate: value.xreplace(table) for rate, value in rates.items()}
     return NameTranslation(name, table, chosen)
