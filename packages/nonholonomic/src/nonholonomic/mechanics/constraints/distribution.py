@@ -1,8 +1,8 @@
-"""The distribution of velocities that constraints admit (§2.1).
+"""The distribution of admissible velocities of a mechanism (§2.1).
 
 Constraints Σ a_μi(q) w_i = 0, (2.1), leave at each point a linear space of velocities, spanned
-by the fields η_s = Σ w_i^(s) E_i of (2.2).  Affine constraints and those that depend on the time
-are read in the space of (t, q), with one more velocity, that of t.
+by the fields η_s = Σ w_i^(s) E_i of (2.2). Affine and time-dependent constraints are treated in the
+space of (t, q), with ṫ as an additional velocity.
 """
 
 from __future__ import annotations
@@ -32,17 +32,17 @@ class Distribution:
     ----------
     name : str
     coordinates : tuple of Symbol
-        They may be redundant.
+        Coordinates, which may be redundant.
     relations : tuple of formula
-        Vanish on the configuration space, the given position constraints among them.
+        Expressions that vanish on the configuration space, including position constraints.
     velocities : tuple of Symbol
     frame : tuple of mapping from Symbol to formula
         E_i of (1.7) by coordinate, one for each velocity.
     forms : tuple of tuple of formula
-        a_μi of (2.1), a row for each constraint; none where `frame` is all that is admitted.
+        a_μi of (2.1), a row for each constraint; empty if `frame` spans the distribution.
     structure : mapping, optional
-        c_ij^k of (1.8) where the frame acts on fewer coordinates than it has fields; None if
-        the coordinates describe the whole configuration.
+        c_ij^k of (1.8) if the frame acts on fewer coordinates than it has fields; None if the
+        coordinates describe the whole configuration.
     steps : pairs (Symbol, formula)
         Definitions used by the formulas.
     constants : pairs (Symbol, number)
@@ -61,7 +61,7 @@ class Distribution:
 
     @cached_property
     def formulas(self) -> tuple[sp.Expr, ...]:
-        """Everything that says what the distribution is."""
+        """All formulas that define the distribution."""
         return (
             *(value for field in self.frame for value in field.values()),
             *(entry for row in self.forms for entry in row),
@@ -71,7 +71,7 @@ class Distribution:
     def space(
         self, free: Sequence[sp.Symbol] = (), zeros: Sequence[sp.Expr] = ()
     ) -> ConfigurationSpace:
-        """The conditions on its points; `free` parameters have no value."""
+        """The configuration space with its conditions; `free` parameters have no value."""
         return ConfigurationSpace(
             self.coordinates,
             self.relations,
@@ -83,7 +83,7 @@ class Distribution:
 
     @cached_property
     def with_numbers(self) -> Distribution:
-        """The distribution with numbers for its parameters."""
+        """The distribution with parameters replaced by their values."""
         table = {s: with_exact_decimals(v) for s, v in self.constants}
         return replace(
             self,
@@ -106,8 +106,8 @@ class Distribution:
     def fields(self) -> tuple[VectorField, ...]:
         """η_s of (2.2) by coordinate, with the definitions as symbols.
 
-        Each has one free velocity equal to 1; it is singular where the others cannot be solved
-        for.
+        In each, one free velocity is 1 and the others are 0; it is singular where the constraints
+        cannot be solved for the dependent ones.
         """
         fields = []
         for combination in _admissible(self.forms, len(self.velocities)):
@@ -120,7 +120,7 @@ class Distribution:
 
 
 def _admissible(forms: Sequence[Sequence[sp.Expr]], width: int) -> list[list[sp.Expr]]:
-    """A basis of the solutions of the constraints; pivots are numbers if possible."""
+    """A basis of the solutions of the constraints, with numbers as pivots if possible."""
     rows = [list(row) for row in forms]
     pivots: list[tuple[int, list[sp.Expr]]] = []
     while rows:
@@ -160,7 +160,7 @@ def distribution_spanned_by(
     relations: Sequence[sp.Expr] = (),
     constants: Mapping[sp.Symbol, ParameterValue] | None = None,
 ) -> Distribution:
-    """The distribution spanned by fields that are given outright."""
+    """The distribution spanned by given fields."""
     return Distribution(
         name,
         tuple(coordinates),
@@ -172,13 +172,13 @@ def distribution_spanned_by(
 
 
 def distribution(mechanism: Mechanism) -> Distribution:
-    """The motions that the constraints of a mechanism admit.
+    """The distribution of admissible velocities of a mechanism.
 
     Parameters
     ----------
     mechanism : Mechanism
-        A frame reduced by rotations or by motions of space is completed by direction cosines α,
-        β, γ and the place R, so that integrals of the constraints can be written down.
+        A frame reduced by rotations or Euclidean motions is completed by direction cosines α, β, γ
+        and the position R, so that integrals of the constraints can be written down.
 
     Raises
     ------

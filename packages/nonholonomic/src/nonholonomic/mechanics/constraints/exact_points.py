@@ -1,7 +1,7 @@
 """Exact points of a configuration space.
 
-Unit vectors, rows of a rotation matrix and angles are given rational numbers outright; what
-other relations there are is solved for one coordinate at a time, where it is linear or quadratic.
+Unit vectors, rows of a rotation matrix and angles have rational parametrisations; other relations
+are solved for one coordinate each, if they are linear or quadratic in it.
 """
 
 from __future__ import annotations
@@ -24,39 +24,39 @@ from flowlanes.system.rotations import rotation_rows
 
 ATTEMPTS = 60
 
-#: A number of the field in which a point is taken.
+#: An element of the field over which a point is taken.
 FieldElement: TypeAlias = fmpq | nmod
-#: A parameter's value; a decimal stands for itself.
+#: Value of a parameter; a decimal is meant exactly.
 ParameterValue: TypeAlias = float | sp.Expr
-#: Orthogonal vectors of one length, by their components, and the square of the length.
+#: Orthogonal vectors of equal length, by components, and the square of the length.
 Block: TypeAlias = tuple[tuple[tuple[sp.Symbol, ...], ...], sp.Expr]
 
 
 class NoPointError(ArithmeticError):
-    """No point was found with the numbers in use."""
+    """No point was found over the field in use."""
 
 
 class UnsolvedError(InputError):
-    """A relation that can be solved for none of its coordinates."""
+    """A relation cannot be solved for any of its coordinates."""
 
 
 @dataclass(frozen=True)
 class ConfigurationSpace:
-    """Conditions on points, and formulas to be evaluated at them.
+    """Conditions on points, and formulas to be evaluated there.
 
     Parameters
     ----------
     coordinates : tuple of Symbol
     relations : tuple of formula
-        Vanish.
+        Expressions that vanish at the points.
     steps : pairs (Symbol, formula)
         Definitions.
     formulas : tuple of formula
-        All formulas that will be evaluated; they determine the angles.
+        All formulas to be evaluated; the angles are taken from them.
     constants : pairs (Symbol, number)
         Parameters.
     free : tuple of Symbol
-        Parameters without a value: any number.
+        Parameters without a value; they get random ones.
     """
 
     coordinates: tuple[sp.Symbol, ...]
@@ -73,32 +73,32 @@ class ConfigurationSpace:
 
     @cached_property
     def expanded_relations(self) -> tuple[sp.Expr, ...]:
-        """The relations with the definitions written out."""
+        """The relations with definitions substituted."""
         return tuple(expand(r, self.steps) for r in self.relations)
 
     @cached_property
     def blocks(self) -> list[Block]:
-        """Spheres among the relations."""
+        """Spheres among the relations, grouped by orthogonality."""
         return _blocks(self.expanded_relations, set(self.coordinates))
 
 
 @dataclass(frozen=True)
 class ExactPoint:
-    """A point, as numbers.
+    """A point with exact coordinates.
 
     Attributes
     ----------
     numbers : Numbers
     values : mapping of Symbol to number
-        Coordinates and constants; for an angle, a number that is free of its sine and cosine.
+        Coordinates and constants; the number of an angle is independent of its sine and cosine.
     circles : mapping of formula to (number, number)
         Sines and cosines, as of :class:`~flowlanes.formulas.expansion.TaylorExpansion`.
     formulas : mapping of Symbol to formula
-        The same for a reader; empty modulo a prime.
+        The coordinates as formulas; empty modulo a prime.
     formal : bool
-        Whether a free number stands for a transcendental one.
+        Whether a random number represents a transcendental one.
     seed : int
-        Of the numbers taken for other transcendental values.
+        Seed of the numbers that represent other transcendental values.
     """
 
     numbers: Numbers
@@ -123,7 +123,7 @@ class ExactPoint:
 
 
 def random_point(space: ConfigurationSpace, numbers: Numbers, rng: random.Random) -> ExactPoint:
-    """A point at random.
+    """A random point of a configuration space.
 
     Raises
     ------
@@ -139,12 +139,12 @@ def point_at(
     numbers: Numbers,
     rng: random.Random,
 ) -> ExactPoint:
-    """The point given; coordinates that are not named are chosen at random.
+    """A given point; coordinates not given are chosen at random.
 
     Raises
     ------
     NoPointError
-        If the numbers in use do not contain the point.
+        If the field in use does not contain the point.
     InputError
         If a relation does not hold at the point.
     """
@@ -222,7 +222,7 @@ def _circle(
     plain: TaylorExpansion,
     rng: random.Random,
 ) -> tuple[tuple[FieldElement, FieldElement], bool]:
-    """Sine and cosine of core/n, and whether they stand for transcendental numbers."""
+    """Sine and cosine of core/n, and whether they represent transcendental numbers."""
     constants = {s: _rational(v) for s, v in space.constants}
     angle = core.xreplace({**constants, **fixed}) / n
     if not angle.free_symbols:
@@ -231,6 +231,9 @@ def _circle(
             exact = (sp.sin(angle), sp.cos(angle))
             if not any(value.has(sp.sin, sp.cos) for value in exact):
                 return (plain.series(exact[0]).value, plain.series(exact[1]).value), False
+    # rational point of the circle by the tangent of the half angle; an angle that must have a
+    # value, such as 1 rad, is represented by a random point, since its sine and cosine are
+    # transcendental
     t = plain.numbers.random_number(rng)
     if core.is_Symbol and core not in constants and core not in fixed and plain.numbers.exact:
         formulas[core] = 2 * n * sp.atan(sp.Rational(int(t.p), int(t.q)))
@@ -239,7 +242,7 @@ def _circle(
 
 
 def _blocks(relations: Sequence[sp.Expr], coordinates: set[sp.Symbol]) -> list[Block]:
-    """Spheres among the relations by orthogonal groups, with the radius squared."""
+    """Groups of orthogonal vectors of fixed length, with the squared length."""
     spheres: dict[tuple[sp.Symbol, ...], sp.Expr] = {}
     products: list[sp.Expr] = []
     for relation in relations:
@@ -286,19 +289,20 @@ def _rows(
     (own,) = vectors
     free = [numbers.random_number(rng) for _ in own[1:]]
     total = sum((x * x for x in free), numbers.number(0))
+    # stereographic projection from the plane of `free`
     first = (1 - total) / (1 + total)
     others = [2 * x / (1 + total) for x in free]
     return {s: length * x for s, x in zip(own, (first, *others), strict=True)}
 
 
 def _rotation(numbers: Numbers, rng: random.Random) -> list[list[FieldElement]]:
-    """The matrix of a quaternion drawn at random."""
+    """The rotation matrix of a random quaternion."""
     quaternion = [numbers.random_number(rng) for _ in range(4)]
     return rotation_rows(quaternion, 2 / sum((q * q for q in quaternion), numbers.number(0)))
 
 
 class _Trial:
-    """A point under construction: the coordinates that have a value."""
+    """A point under construction: the coordinates that already have values."""
 
     def __init__(
         self,
@@ -331,6 +335,7 @@ class _Trial:
                 "no point of it can be found; give a point"
             )
         moving = [s for s in reversed(open_) if s in degrees and s in self.space.coordinates]
+        # solve for the coordinate of lowest degree, the last one of equals
         main = min(moving or [s for s in open_ if s in degrees], key=lambda s: degrees[s])
         for s in open_:
             if s != main:

@@ -1,9 +1,8 @@
-"""Parameter values at which the growth of a distribution is smaller than usual.
+"""Parameter values at which the growth vector of a distribution is smaller than usual.
 
-At a fixed point, modulo a prime, the pivots of the elimination that tells the growth are rational
-functions of the parameter.  They are interpolated; a value at which the growth is less makes one
-of them vanish at every point, so that it is a common zero.  Each common zero that is rational is
-then tried.
+At a fixed point, modulo a prime, the pivots of the elimination that determines the growth are
+rational functions of the parameter, found by interpolation. At a value with smaller growth one of
+them vanishes at every point. Every rational zero common to several points is then tested.
 """
 
 from __future__ import annotations
@@ -31,23 +30,23 @@ from .vector_field_series import SingularError
 
 POINTS = 3
 SAMPLES = 240
-"""Interpolation is given up where numerator and denominator have more coefficients."""
+"""Largest number of samples for the interpolation of a pivot."""
 
 
 @dataclass(frozen=True)
 class ExceptionalValue:
-    """A value of a parameter and the growth there.
+    """A parameter value and the growth vector there.
 
     Attributes
     ----------
     parameter : Symbol
     value : Rational
     growth : tuple of int
-        At this value, at a generic point.
+        Growth vector at this value, at a generic point.
     usual : tuple of int
-        At almost all values.
+        Growth vector at almost all values.
     dimension : int
-        Of the configuration space.
+        Dimension of the configuration space.
     """
 
     parameter: sp.Symbol
@@ -73,13 +72,13 @@ def exceptional_values(
     Returns
     -------
     tuple of ExceptionalValue
-        Each with its growth vector.
+        The exceptional values, each with its growth vector.
 
     Raises
     ------
     InputError
-        If there is no such parameter, if the configuration space depends on it, or if it does
-        not enter rationally.
+        If there is no such parameter, if the configuration space depends on it, or if the
+        constraints are not rational in it.
 
     Examples
     --------
@@ -118,7 +117,7 @@ def exceptional_values(
 def _growth_at_value(
     admissible: Distribution, parameter: sp.Symbol, value: sp.Rational
 ) -> Filtration | None:
-    """The growth at a value of a parameter; None if constraints become dependent."""
+    """The growth at a value of a parameter; None if the constraints become dependent."""
     constants = tuple((s, value if s == parameter else v) for s, v in admissible.constants)
     try:
         return generic(replace(admissible, constants=constants))
@@ -127,7 +126,7 @@ def _growth_at_value(
 
 
 def _candidates(admissible: Distribution, parameter: sp.Symbol) -> list[sp.Rational]:
-    """Common zeros of the pivots at several points."""
+    """Rational zeros common to the pivots at several points."""
     numbers = Modular(PRIMES[0])
     rng = random.Random(SEED)
     products = (_vanishing(admissible, parameter, numbers, rng) for _ in range(POINTS))
@@ -140,8 +139,8 @@ def _candidates(admissible: Distribution, parameter: sp.Symbol) -> list[sp.Ratio
 def _vanishing(
     admissible: Distribution, parameter: sp.Symbol, numbers: Modular, rng: random.Random
 ) -> nmod_poly:
-    """The product of the numerators of the pivots at a point."""
-    place = _place(admissible, parameter, numbers, rng)
+    """The product of the numerators of the pivots at a random point."""
+    place = _random_point_of(admissible, parameter, numbers, rng)
     samples: list[tuple[nmod, tuple[Any, ...]]] = []
     wanted = 8
     while wanted <= SAMPLES:
@@ -162,7 +161,7 @@ def _vanishing(
     raise InputError(f"{admissible.name}: {parameter} does not enter the constraints rationally")
 
 
-def _place(
+def _random_point_of(
     admissible: Distribution, parameter: sp.Symbol, numbers: Modular, rng: random.Random
 ) -> ExactPoint:
     try:
@@ -186,7 +185,10 @@ def _pivots(
 
 
 def _numerator(samples: Sequence[tuple[nmod, nmod]], prime: int) -> nmod_poly | None:
-    """The numerator of the rational function through samples; None if undetermined."""
+    """The numerator of the rational function through samples; None if not determined."""
+    # Cauchy interpolation (J. von zur Gathen, J. Gerhard, Modern Computer Algebra, §5.8): Newton's
+    # polynomial through all samples, then the extended Euclidean algorithm with Π (x − x_i); each
+    # remainder over its cofactor takes the sampled values.
     modulus, through = nmod_poly([1], prime), nmod_poly([0], prime)
     for place, value in samples:
         step = (value - through(place)) / modulus(place)
@@ -194,7 +196,8 @@ def _numerator(samples: Sequence[tuple[nmod, nmod]], prime: int) -> nmod_poly | 
         modulus = modulus * nmod_poly([-place, 1], prime)
     before, last = modulus, through
     factors = nmod_poly([0], prime), nmod_poly([1], prime)
-    # as soon as both degrees are small the fraction is the one sought
+    # the Euclidean scheme is stopped halfway; the fraction is accepted only if a surplus of samples
+    # over coefficients confirms it
     while last.degree() > len(samples) // 2 - 2:
         quotient, remainder = divmod(before, last)
         before, last = last, remainder

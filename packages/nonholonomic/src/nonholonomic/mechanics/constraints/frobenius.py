@@ -1,4 +1,4 @@
-"""The criterion of Frobenius, decided as an identity."""
+"""The Frobenius criterion of integrability, verified as an identity."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from .zero_test import vanishes
 
 
 def involutive(distribution: Distribution) -> bool:
-    """Whether all commutators of admissible fields are combinations of these.
+    """Whether all commutators of admissible fields are combinations of these fields.
 
-    False also where that is not shown: if the frame was reduced by a group, or if no coordinate
-    moves with one of the fields alone.
+    False also if this is not shown: if the frame was reduced by a group, or if some field has no
+    coordinate that moves with it alone.
     """
     if distribution.structure is not None:
         return False
@@ -34,7 +34,7 @@ def involutive(distribution: Distribution) -> bool:
 
 
 def _own(fields: list[dict[sp.Symbol, sp.Expr]], index: int) -> sp.Symbol | None:
-    """A coordinate that moves with one field alone, and with the velocity 1."""
+    """A coordinate that moves along one field only, with rate 1."""
     others = [field for i, field in enumerate(fields) if i != index]
     for q, value in fields[index].items():
         if value == 1 and not any(q in field for field in others):
@@ -48,6 +48,8 @@ def _combination(
     free: list[sp.Symbol],
     distribution: Distribution,
 ) -> bool:
+    # η_i(q_j) = δ_ij for the coordinates q_j in `free`, which move with one field only, so that the
+    # factors of a combination are the components of the bracket along q_j
     factors = [bracket.get(q, sp.S.Zero) for q in free]
     return all(
         vanishes(

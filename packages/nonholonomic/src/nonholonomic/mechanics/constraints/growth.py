@@ -1,8 +1,8 @@
 """The growth vector of a distribution, computed exactly.
 
-Fields are Taylor series about a point.  A commutator is first freed of the fields found before
-by multiplying these with functions, which changes no span of the following steps: a new direction
-counts, a remainder that vanishes at the point alone is kept for further commutators.
+Fields are Taylor series about a point. Fields found before, multiplied by functions, are subtracted
+from a commutator, which does not change the span of later steps. A remainder that does not vanish
+at the point is a new direction; one that vanishes only there is kept for further commutators.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ SEED = 20080830
 RATIONAL_ATTEMPTS = 4
 ATTEMPTS = 40
 TERMS = 10000
-"""Terms that a series may have; they bound the steps at a singular point."""
+"""Maximum number of terms of a series; it bounds the number of steps at a singular point."""
 START = 3
 
 
@@ -45,18 +45,19 @@ class Filtration:
     Attributes
     ----------
     growth : tuple of int
-        Dimensions, until they grow no more.
+        Dimensions, up to the step at which they stop growing.
     dimension : int
-        Of the configuration space.
+        Dimension of the configuration space.
     words : tuple of tuple of str
-        The commutators that each step adds, such as ``[η1, [η1, η2]]``.
+        The commutators added by each step, such as ``[η1, [η1, η2]]``.
     point : mapping of Symbol to formula
-        Where; empty for a point modulo a prime, which stands for a generic one.
+        The point; empty for a point modulo a prime, which represents a generic one.
     exact : bool
-        Whether the dimensions were found by rational numbers at that very point; otherwise each
-        is certainly no less, and greater only with a probability below 10⁻¹⁰.
+        Whether the dimensions were computed with rational numbers at that point; otherwise each is
+        a lower bound, and too small only with a probability below 10⁻¹⁰.
     is_final : bool
-        Whether all further commutators add nothing; at a singular point this may be left open.
+        Whether no further commutator can add a dimension; at a singular point this may be
+        undecided.
     """
 
     growth: tuple[int, ...]
@@ -68,22 +69,22 @@ class Filtration:
 
     @property
     def rank(self) -> int:
-        """Of the distribution itself."""
+        """Rank of the distribution itself."""
         return self.growth[0]
 
     @property
     def final(self) -> int:
-        """The dimension reached."""
+        """Dimension reached by all commutators."""
         return self.growth[-1]
 
 
 def pivots_at(distribution: Distribution, place: ExactPoint) -> tuple[FieldElement, ...]:
-    """Numbers that vanish where the growth at a point is smaller.
+    """Pivots of the elimination, one of which vanishes if the growth at the point is smaller.
 
     Raises
     ------
     SingularError, ZeroDivisionError, IrrationalError
-        Where the constraints are dependent or singular, or contain an irrational root.
+        If the constraints are dependent or singular, or contain an irrational root.
     """
     order = START
     while True:
@@ -99,7 +100,7 @@ def pivots_at(distribution: Distribution, place: ExactPoint) -> tuple[FieldEleme
 def _filtration_and_sufficiency(
     distribution: Distribution, place: ExactPoint, order: int
 ) -> tuple[Filtration, bool]:
-    """The filtration by series of an order, and whether the order sufficed."""
+    """The filtration by series of given order, and whether the order sufficed."""
     bundle = Bundle(distribution, place.germs(distribution.space(), order))
     return _filtration_of_span(distribution, place, bundle, Span(place.numbers))
 
@@ -123,12 +124,14 @@ def _filtration_of_span(
     generators = [section for _, section in last]
     letters = [name for name, _ in last]
     while last and counts[-1] < dimension:
+        # each bracket costs one order of the series: with order 0 no further bracket is known
         if last[0][1][0].order == 0:
             return _filtration(distribution, place, counts, dimension, words, False), False
         next_sections: list[tuple[str, Section]] = []
         directions: tuple[str, ...] = ()
         for i, (letter, field) in enumerate(zip(letters, generators, strict=True)):
             for j, (word, other) in enumerate(last):
+                # in the first step [η_i, η_j] = −[η_j, η_i]
                 if len(counts) == 1 and j <= i:
                     continue
                 added = span.add(bundle.bracket(field, other))
@@ -162,7 +165,7 @@ def _filtration(
 
 
 def _dimension(distribution: Distribution, bundle: Bundle) -> int:
-    """Of the configuration space at the point."""
+    """Dimension of the configuration space at the point."""
     germs = bundle.germs
     if germs.order == 0:
         return len(distribution.coordinates)
@@ -188,8 +191,8 @@ def filtration(distribution: Distribution, point: Mapping[sp.Symbol, ParameterVa
     ----------
     distribution : Distribution
     point : mapping of Symbol to exact number
-        Rational numbers, roots of them, and multiples of π for angles; what is not named is
-        chosen at random.  Parameters may be named, too.
+        Rational numbers, roots of them, and multiples of π for angles; coordinates not given are
+        chosen at random. Parameters may be given, too.
 
     Raises
     ------
@@ -224,7 +227,7 @@ def filtration(distribution: Distribution, point: Mapping[sp.Symbol, ParameterVa
 
 
 def _first_confirmed(trial: Callable[[Numbers], Filtration | None]) -> Filtration | None:
-    """A result modulo a prime; the rational one if both agree."""
+    """A result modulo a prime, or the result with rational numbers if both agree."""
     result: Filtration | None = None
     for prime in PRIMES:
         result = result or trial(Modular(prime))
@@ -238,9 +241,9 @@ def _first_confirmed(trial: Callable[[Numbers], Filtration | None]) -> Filtratio
 def _filtration_reaching(
     distribution: Distribution, place: ExactPoint, final: int = 0
 ) -> Filtration:
-    """The filtration by series of as high an order as it takes to reach a dimension.
+    """The filtration by series of sufficient order to reach a dimension.
 
-    A section that vanishes up to an order at a singular point may matter beyond it.
+    At a singular point a section that vanishes up to some order may contribute at a higher one.
     """
     order, highest = START, _highest(len(distribution.coordinates))
     while True:
@@ -253,7 +256,7 @@ def _filtration_reaching(
 
 
 def _highest(variables: int) -> int:
-    """The order up to which series have no more than so many terms."""
+    """The largest order at which series have at most `TERMS` terms."""
     order = START
     while variables and comb(order + 1 + variables, variables) <= TERMS:
         order += 1
@@ -261,18 +264,18 @@ def _highest(variables: int) -> int:
 
 
 def generic(distribution: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtration:
-    """The growth at a generic point, a rational one if one with this growth is found.
+    """The growth at a generic point, which is rational if one with this growth is found.
 
     Parameters
     ----------
     distribution : Distribution
     free : sequence of Symbol
-        Parameters for which any value is taken instead of their own.
+        Parameters that get random values instead of their own.
 
     Raises
     ------
     InputError
-        If no point was found at all.
+        If no point was found.
     """
     rng = random.Random(SEED)
     space = distribution.space(free)
@@ -311,12 +314,12 @@ def growth(
     coordinates : sequence of Symbol
         They may be redundant; the fields are then tangent to the relations between them.
     point : mapping of Symbol to exact number
-        Coordinates and constants.
+        Values of coordinates and constants.
 
     Returns
     -------
     tuple of int
-        Until they grow no more.
+        Dimensions, up to the step at which they stop growing.
     """
     own = set(coordinates)
     constants = {s: v for s, v in point.items() if s not in own}

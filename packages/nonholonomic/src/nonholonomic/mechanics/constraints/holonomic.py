@@ -1,4 +1,4 @@
-"""Holonomic constraints as integrals: functions constant along all admissible motions.
+"""Holonomic constraints as first integrals: functions constant along all admissible motions.
 
 Such a function F(q) is sought as a combination of monomials in the coordinates, the definitions,
 sines and cosines, and, if that is not enough, inverses and logarithms.  η_s(F) = 0 at sufficiently
@@ -31,9 +31,9 @@ from .zero_test import vanishes
 #: Degrees of the monomials tried, with or without inverses and logarithms.
 STAGES = ((1, False), (2, False), (2, True), (3, False))
 MONOMIALS = 500
-"""No stage with more monomials than this is tried."""
+"""Stages with more monomials are skipped."""
 SPARE = 8
-"""Equations more than unknowns."""
+"""Surplus of equations over unknowns."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class ConstraintIntegral:
     formula : formula
         F of F(q) = const.
     proven : bool
-        Whether η_s(F) = 0 was verified as an identity; otherwise at many points modulo a prime.
+        Whether η_s(F) = 0 was verified as an identity, not only at many points modulo a prime.
     """
 
     formula: sp.Expr
@@ -61,7 +61,7 @@ def constant_along(distribution: Distribution, function: sp.Expr) -> bool:
 
 
 def _rates(distribution: Distribution, function: sp.Expr) -> Iterator[sp.Expr]:
-    """η_s(F), the definitions being differentiated as what they stand for."""
+    """η_s(F) for each s, with definitions differentiated by the chain rule."""
     for field in distribution.fields:
         total = lie_derivative(field, function)
         known: dict[sp.Symbol, sp.Expr] = {}
@@ -84,9 +84,9 @@ def constraint_integrals(
     ----------
     distribution : Distribution
     many : int
-        How many there are, as from the growth; fewer may be found.
+        Their number, known from the growth vector; fewer may be found.
     free : sequence of Symbol
-        Parameters that the functions may contain, and for all values of which they are constant.
+        Parameters that may occur in the functions, which are then integrals for all their values.
     """
     chosen: tuple[ConstraintIntegral, ...] = ()
     narrow = _Search(distribution, free, wide=False)
@@ -100,7 +100,7 @@ def constraint_integrals(
 
 
 class _Search:
-    """Monomials in some letters, and points at which they are evaluated."""
+    """Monomials in a set of letters, and points at which they are evaluated."""
 
     def __init__(self, distribution: Distribution, free: Sequence[sp.Symbol], wide: bool) -> None:
         self.distribution, self.free = distribution, tuple(free)
@@ -130,7 +130,7 @@ class _Search:
         return len(self._monomials(degree))
 
     def _monomials(self, degree: int) -> list[tuple[int, ...]]:
-        """Monomials as letters by number, from the most complex to the simplest; not 1."""
+        """Monomials as tuples of letter indices, the most complex first, without 1."""
         monomials = []
         for d in range(degree, 0, -1):
             level = combinations_with_replacement(range(len(self.letters)), d)
@@ -158,7 +158,7 @@ class _Search:
     def extension(
         self, degree: int, many: int, integrals: tuple[ConstraintIntegral, ...]
     ) -> tuple[ConstraintIntegral, ...]:
-        """The functions chosen already, and more of them."""
+        """The given integrals, extended by new ones of the given degree."""
         monomials = self._monomials(degree)
         width = max(1, len(self.distribution.fields))
         points = self.points((len(monomials) + SPARE) // width + 2)
@@ -169,6 +169,8 @@ class _Search:
             for point in points
             for rates in point.along
         ]
+        # A solution counts if its gradient at a test point is independent of the relations and of
+        # the integrals found before; so constants and functions of known integrals drop out.
         kernel = _kernel(self.numbers, rows, len(monomials))
         test = points[-1]
         span = test.normals + [slopes(test.germs, f.formula) for f in integrals]
@@ -206,14 +208,14 @@ class _Search:
             sp.Rational(c.numerator, c.denominator) * product
             for (_, c), product in zip(fractions, products, strict=True)
         ]
-        # without a common numerical factor, the simplest term being positive
+        # without a common numerical factor, and with a positive simplest term
         content = sp.Add(*terms).as_content_primitive()[0]
         sign = -1 if fractions[-1][1] < 0 else 1
         return sp.Add(*(sign * term / content for term in terms))
 
 
 def _named_letters(distribution: Distribution) -> list[sp.Symbol]:
-    """Definitions that the constraints or the rates of coordinates consist of."""
+    """Definitions that occur in the constraints or the rates of coordinates."""
     used = {s for row in distribution.forms for entry in row for s in entry.free_symbols}
     used |= {v for field in distribution.frame for v in field.values()}
     constant = {s for s, _ in distribution.constants}
@@ -221,7 +223,7 @@ def _named_letters(distribution: Distribution) -> list[sp.Symbol]:
 
 
 def _factors(distribution: Distribution) -> list[sp.Expr]:
-    """Polynomial factors of numerators and denominators in the constraints."""
+    """Sums among the polynomial factors of numerators and denominators in the constraints."""
     own = set(distribution.coordinates)
     factors: set[sp.Expr] = set()
     for entry in {entry for row in distribution.forms for entry in row}:
@@ -232,11 +234,12 @@ def _factors(distribution: Distribution) -> list[sp.Expr]:
 
 
 def _arcs(factors: Sequence[sp.Expr], own: set[sp.Symbol]) -> list[sp.Expr]:
-    """Arctangents with such denominators in their derivatives: x/y for x² + y²."""
+    """Arctangents whose derivatives have these denominators, such as atan(x/y) for x² + y²."""
     arcs = []
     for factor in factors:
         for s in sorted(factor.free_symbols & own, key=str):
             if factor.is_Add and sp.degree(factor, s) == 2:
+                # ∫ ds/(as² + bs + c) = 2/√D atan((2as + b)/√D) with D = 4ac − b²
                 a, b, c = sp.Poly(factor, s).all_coeffs()
                 root = sp.sqrt(sp.factor(4 * a * c - b**2)).replace(sp.Abs, lambda x: x)
                 if root.is_polynomial(*own) and not root.has(sp.I):
@@ -246,7 +249,7 @@ def _arcs(factors: Sequence[sp.Expr], own: set[sp.Symbol]) -> list[sp.Expr]:
 
 
 def _rate(monomial: Sequence[int], letters: Sequence[Any], rates: Sequence[Any]) -> Any:
-    """The derivative of a monomial by the values and rates of its letters."""
+    """The derivative of a monomial from values and rates of its letters."""
     total = letters[0] * 0
     for i, own in enumerate(monomial):
         product = rates[own]
@@ -260,7 +263,7 @@ def _rate(monomial: Sequence[int], letters: Sequence[Any], rates: Sequence[Any])
 
 
 def _kernel(numbers: Modular, rows: Sequence[Sequence[Any]], width: int) -> list[dict[int, Any]]:
-    """A basis of the solutions, each with its own first unknown, the simplest last."""
+    """A basis of the solutions in echelon form, the simplest one last."""
     reduced, rank = numbers.matrix(rows, width).rref()
     pivots: list[int] = []
     table = [[numbers.number(int(reduced[r, c])) for c in range(width)] for r in range(rank)]

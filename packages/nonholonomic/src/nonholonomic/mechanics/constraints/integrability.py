@@ -1,10 +1,10 @@
 """Whether constraints on velocities are holonomic (§2.1).
 
-The admissible fields span, together with all their commutators, a space of some dimension.  If
-it is that of the configuration space, any two configurations can be joined by an admissible
-motion and the constraints are completely nonholonomic; if it is the number of admissible fields,
-they are holonomic (Frobenius); in between, there are as many holonomic constraints as dimensions
-are missing.
+The admissible fields and all their iterated commutators span a space of some dimension (theorem of
+Rashevskii and Chow). If it is that of the configuration space, any two configurations can be joined
+by an admissible motion and the constraints are completely nonholonomic; if it is the number of
+admissible fields, they are holonomic (Frobenius); in between, there are as many holonomic
+constraints as dimensions are missing.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ Word = Literal["free", "holonomic", "in between", "completely nonholonomic"]
 
 @dataclass(frozen=True, repr=False)
 class Nonholonomy:
-    """The verdict on the constraints of a mechanism.
+    """The degree of nonholonomy of the constraints of a mechanism.
 
     Attributes
     ----------
@@ -42,29 +42,29 @@ class Nonholonomy:
         ``"free"`` without constraints, ``"holonomic"``, ``"in between"`` or ``"completely
         nonholonomic"``.
     proven : bool
-        Whether the verdict is exact: dimensions reached are certain, and that there are no
-        more is certain if as many integrals are known as dimensions are missing, or by the
-        criterion of Frobenius.
+        Whether the verdict is certain. Dimensions reached always are; that there are no more is
+        certain if as many integrals are known as dimensions are missing, or by the criterion of
+        Frobenius.
     dimension : int
-        Of the configuration space, on which given position constraints hold.
+        Dimension of the configuration space, on which given position constraints hold.
     rank : int
         Number of admissible velocities.
     growth : tuple of int
-        Dimensions spanned by the admissible fields, with their commutators, and so on.
+        Dimensions spanned by the admissible fields, by these and their commutators, and so on.
     words : tuple of tuple of str
         The commutators that span each step, such as ``[η1, η2]``.
     integrals : tuple of ConstraintIntegral
-        F of the holonomic constraints F(q) = const, as many as were found.
+        F of the holonomic constraints F(q) = const that were found.
     point : mapping of Symbol to formula
-        A rational point (angles by arcs of rational tangent) at which the growth is this; empty
-        if it was found modulo a prime.
+        A rational point (rational tangents of half angles) with this growth; empty if the growth
+        was found modulo a prime.
     elsewhere : tuple of int
-        The growth for other values of the parameters, where it is another one.
+        The growth at almost all other values of the parameters; empty if it is the same.
     depends_on_time : bool
-        Whether the time is one of the coordinates, since constraints are affine or depend on it.
+        Whether time is one of the coordinates, as constraints are affine or depend on it.
     almost : bool
-        Whether all of this is known for almost all values of the parameters, and not for the
-        present ones, since no point was found for them.
+        Whether the result holds for almost all values of the parameters, but is not known for the
+        present ones, because no point was found for them.
     """
 
     name: str
@@ -104,8 +104,8 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     Parameters
     ----------
     mechanism : Mechanism or Distribution
-        With constraints linear in the velocities; affine ones, and those that depend on the time,
-        are treated in the space of time and configuration.
+        Its constraints must be linear in the velocities; affine and time-dependent ones are treated
+        in the space of time and configuration.
 
     Returns
     -------
@@ -135,7 +135,7 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     try:
         here = generic(admissible)
     except UnsolvedError:
-        # a relation may be solved for a parameter where it cannot be for a coordinate
+        # a relation that cannot be solved for a coordinate may be solvable for a parameter
         here, almost = generic(admissible, symbols), True
     _check_time(admissible, here, symbols if almost else ())
     everywhere = generic(admissible, symbols) if symbols and not almost else here
@@ -164,7 +164,7 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
 
 
 def _spanning_distribution(mechanism: Mechanism | Distribution) -> Distribution:
-    """The admissible motions, of a frame that spans the configuration space."""
+    """The distribution of admissible velocities; InputError unless the frame spans."""
     if isinstance(mechanism, Distribution):
         return mechanism
     structure(written_frame(mechanism), mechanism.name)
@@ -175,6 +175,7 @@ def _check_time(admissible: Distribution, here: Filtration, free: Sequence[sp.Sy
     """Refuse affine constraints that no velocity satisfies."""
     if TIME not in admissible.coordinates:
         return
+    # with the form dt = 0 added the rank must fall; otherwise all admissible velocities have ṫ = 0
     still = tuple(sp.S.One if field.get(TIME) == 1 else sp.S.Zero for field in admissible.frame)
     if generic(replace(admissible, forms=(*admissible.forms, still)), free).rank == here.rank:
         raise InputError(
@@ -198,7 +199,7 @@ def nonholonomy_at(
     Returns
     -------
     Filtration
-        The dimensions that brackets span, and at which step.
+        The dimensions spanned by iterated brackets, step by step.
 
     Raises
     ------
@@ -306,7 +307,7 @@ def _text(formula: sp.Expr) -> str:
 
 
 def _with_scalar_products(formula: sp.Expr) -> sp.Expr:
-    """A formula in which sums of products of components are scalar products."""
+    """A formula with sums of products of components written as scalar products."""
     names = {str(s)[:-2] for s in formula.free_symbols if str(s)[-2:] in ("_1", "_2", "_3")}
     expanded = sp.expand(formula)
     factors = [sp.S.One, *sorted(formula.free_symbols, key=str)]

@@ -1,13 +1,12 @@
-"""The whole configuration behind a frame that was reduced by a symmetry group.
+"""The complete configuration space of a frame that was reduced by a symmetry group.
 
-A frame with given structure functions leaves out coordinates on which nothing depends.  Those of
-rotations and of motions of space are put back, as direction cosines α, β, γ and the place R of
-the centre of mass, so that integrals of the constraints can be written down.
+A frame with given structure functions omits cyclic coordinates. Those of rotations and Euclidean
+motions are restored, as direction cosines α, β, γ and the position R of the centre of mass, so that
+integrals of the constraints can be written down.
 
-On a sphere the rate of the normal γ that goes with ω holds along admissible motions alone: the
-commutators of the fields on the coordinates are not those of the structure functions.
-There attitude and contact point are the configuration, and the constraints are those among the
-spins.
+On a sphere the relation between γ̇ and ω holds along admissible motions only, and the commutators
+of the fields on the coordinates differ from the structure functions. The configuration then
+consists of attitude and contact point, with constraints on the angular velocity.
 """
 
 from __future__ import annotations
@@ -46,8 +45,8 @@ ATTEMPTS = 8
 class Whole:
     """Coordinates, relations, fields of a frame and its structure functions.
 
-    `structure` is None if the coordinates describe the whole configuration; `admissible` says
-    that the fields act as they should along admissible motions only.
+    `structure` is None if the coordinates describe the whole configuration; `admissible` is true if
+    the fields are correct along admissible motions only.
     """
 
     coordinates: tuple[sp.Symbol, ...]
@@ -63,13 +62,13 @@ def whole_configuration(
     steps: Steps,
     constants: Mapping[sp.Symbol, ParameterValue],
 ) -> Whole:
-    """The whole configuration behind a frame.
+    """The complete configuration space of a frame.
 
     Parameters
     ----------
     frame : Frame
     formulas : sequence of formula
-        Constraints; coordinates on which neither they nor their rates depend are left out.
+        Constraints; coordinates on which neither they nor their rates depend are omitted.
     steps : pairs (Symbol, formula)
         Definitions.
     constants : mapping of Symbol to number
@@ -125,7 +124,7 @@ def _whole(
 def _influential_coordinates(
     frame: Frame, formulas: Sequence[sp.Expr], steps: Steps
 ) -> set[sp.Symbol]:
-    """Coordinates on which formulas depend, with those on which their rates depend."""
+    """Coordinates on which formulas depend, directly or through rates and relations."""
     uses = {q: rate.free_symbols for q, rate in zip(frame.coordinates, frame.qdot, strict=True)}
     uses |= {s: value.free_symbols for s, value in steps}
     waiting = {s for f in formulas for s in f.free_symbols}
@@ -141,9 +140,9 @@ def _influential_coordinates(
 
 
 def _spin(frame: Frame, coefficients: Coefficients) -> tuple[Vector, Vector | None] | None:
-    """Angular and linear velocity, body axes, of rotations or motions in the frame.
+    """The angular velocity, and the linear one if any, with the structure functions of the frame.
 
-    Further velocities, such as those of wheels, commute with all.
+    Other velocities, such as those of wheels, must commute with all.
     """
     names = [name for name in frame.velocities if isinstance(name, Vector)]
     kinds: list[tuple[Vector, Vector | None]] = [(spin, None) for spin in names]
@@ -158,7 +157,7 @@ def _spin(frame: Frame, coefficients: Coefficients) -> tuple[Vector, Vector | No
 def _extras(
     frame: Frame, coefficients: Coefficients, bare: Whole, steps: Steps, used: set[sp.Symbol]
 ) -> list[Whole]:
-    """Configurations with direction cosines and place, as far as they fit."""
+    """Configurations with direction cosines and position added, as far as names are free."""
     velocities = _spin(frame, coefficients)
     if velocities is None:
         return []
@@ -250,7 +249,7 @@ def _germs(
     steps: Steps,
     constants: Mapping[sp.Symbol, ParameterValue],
 ) -> TaylorExpansion | None:
-    """Series of first order about a generic point, if one is found."""
+    """First-order series about a generic point modulo a prime; None if no point is found."""
     space = ConfigurationSpace(
         whole.coordinates, whole.relations, steps, tuple(formulas), tuple(constants.items())
     )

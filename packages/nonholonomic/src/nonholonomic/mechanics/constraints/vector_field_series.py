@@ -1,7 +1,7 @@
 """Sections of the bundle of velocities as Taylor series, and their commutators.
 
-A section has components along the fields of the frame where structure functions are given, and
-along the coordinates otherwise.
+A section has components along the fields of the frame if structure functions are given, and along
+the coordinates otherwise.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from .distribution import Distribution
 from .exact_points import ConfigurationSpace, ExactPoint, FieldElement
 
 Section: TypeAlias = list[Series]
-#: Coefficients of a series of several components, by degree, component and exponents.
+#: Coefficients of a vector of series, by degree, component and exponents.
 Remainder: TypeAlias = dict[tuple[int, int, tuple[int, ...]], FieldElement]
 
 
@@ -28,7 +28,7 @@ class SingularError(ArithmeticError):
 
 
 class Bundle:
-    """Sections by their components, with the bracket."""
+    """Sections of the bundle of velocities, with their bracket."""
 
     def __init__(self, distribution: Distribution, germs: TaylorExpansion) -> None:
         self.germs = germs
@@ -43,12 +43,12 @@ class Bundle:
         self.constants: dict[tuple[int, int, int], Series] | None = None
         if distribution.structure is not None:
             self.constants = {ijk: germs.series(v) for ijk, v in distribution.structure.items()}
-        #: Numbers divided by when the constraints are solved.
+        #: Pivots used in the solution of the constraints.
         self.leads: list[FieldElement] = []
         self.size = self.width if self.constants is not None else len(distribution.coordinates)
 
     def admissible(self) -> list[Section]:
-        """The solutions of the constraints, by components of the frame."""
+        """A basis of solutions of the constraints, in components along the frame."""
         rows = [list(row) for row in self.forms]
         pivots: list[tuple[int, Section]] = []
         while rows:
@@ -75,7 +75,7 @@ class Bundle:
         return sections
 
     def coordinate_rates(self, section: Section) -> dict[int, Series]:
-        """The rates of the coordinates along a section by components of the frame."""
+        """The rates of the coordinates along a section given in components along the frame."""
         rates: dict[int, Series] = {}
         for entry, field in zip(section, self.anchor, strict=True):
             if not entry.is_zero:
@@ -85,7 +85,7 @@ class Bundle:
         return rates
 
     def section(self, section: Section) -> Section:
-        """Components of the frame as components in which brackets are taken."""
+        """A section in the components used for brackets."""
         if self.constants is not None:
             return section
         rates = self.coordinate_rates(section)
@@ -98,7 +98,7 @@ class Bundle:
         return {q: value for q, value in enumerate(section) if not value.is_zero}
 
     def bracket(self, left: Section, right: Section) -> Section:
-        """[u, w] = uw − wu, known up to one order less."""
+        """[u, w] = uw − wu, of an order lower by one."""
         by, back = self.rates(left), self.rates(right)
         order = min(left[0].order, right[0].order) - 1
         components = []
@@ -118,7 +118,7 @@ class Bundle:
 
 
 def leading(rows: Sequence[Section], width: int) -> tuple[int, int] | None:
-    """The position of an entry that is not zero at the point, a constant if possible."""
+    """The position of an entry that is nonzero at the point, a constant if possible."""
     best: tuple[int, int] | None = None
     for r, row in enumerate(rows):
         for c in range(width):
@@ -130,7 +130,7 @@ def leading(rows: Sequence[Section], width: int) -> tuple[int, int] | None:
 
 
 def pivot_eliminated(section: Section, pivot: Section, column: int) -> Section:
-    """A section less a multiple of the pivot, so that a component becomes zero."""
+    """A section minus the multiple of the pivot that makes a component zero."""
     factor = section[column]
     if factor.is_zero:
         return [entry.truncation(pivot[0].order) for entry in section]
@@ -138,17 +138,17 @@ def pivot_eliminated(section: Section, pivot: Section, column: int) -> Section:
 
 
 class Span:
-    """Generators found so far: with a direction of their own at the point, or without."""
+    """Generators found so far: new directions at the point, and remainders that vanish there."""
 
     def __init__(self, numbers: Numbers) -> None:
         self.numbers = numbers
         self.pivots: list[tuple[int, Section]] = []
         self.remainders: list[Remainder] = []
-        #: The number at the point of each new direction.
+        #: The value of the pivot of each new direction at the point.
         self.leads: list[FieldElement] = []
 
     def add(self, section: Section) -> tuple[Section, bool] | None:
-        """The new part of a section, and whether it is a direction; None if nothing."""
+        """The new part of a section, and whether it is a direction; None if it is dependent."""
         for column, pivot in self.pivots:
             section = pivot_eliminated(section, pivot, column)
         place = leading([section], len(section))
@@ -185,20 +185,20 @@ class Span:
 
 @dataclass(frozen=True)
 class Values:
-    """Formulas at a point, with their derivatives.
+    """Values of formulas at a point, with their derivatives.
 
     Attributes
     ----------
-    germs : Germs
-        For further formulas.
+    germs : TaylorExpansion
+        Expansions about the point, for further formulas.
     letters : list
-        The values.
+        Values of the formulas.
     along : list of list
         Rates of the letters along each admissible field.
     gradient : list of list
         Derivatives of the letters by each coordinate.
     normals : list of list
-        Gradients of what vanishes on the configuration space.
+        Gradients of the relations.
     """
 
     germs: TaylorExpansion
@@ -209,7 +209,7 @@ class Values:
 
 
 def slopes(germs: TaylorExpansion, formula: sp.Expr) -> list[FieldElement]:
-    """Derivatives by the coordinates at the point."""
+    """Derivatives of a formula by the coordinates at the point."""
     series = germs.series(formula)
     return [series.derivative(q).value for q, _ in enumerate(germs.variables)]
 
@@ -220,7 +220,7 @@ def values_at(
     space: ConfigurationSpace,
     letters: Sequence[sp.Expr],
 ) -> Values:
-    """Formulas at a point, with their rates along the fields of a distribution.
+    """Values of formulas at a point, with their rates along the fields of a distribution.
 
     Raises
     ------

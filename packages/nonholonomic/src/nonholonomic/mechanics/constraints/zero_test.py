@@ -1,4 +1,4 @@
-"""Whether a formula vanishes identically on a configuration space."""
+"""Test whether a formula vanishes identically on a configuration space."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Steps = Sequence[tuple[sp.Symbol, sp.Expr]]
 
 
 def vanishes(formula: sp.Expr, relations: Sequence[sp.Expr], steps: Steps = ()) -> bool:
-    """Whether a formula is shown to vanish wherever the relations hold.
+    """Whether a formula is proven to vanish wherever the relations hold.
 
     Roots, sines and cosines become symbols with a relation of their own; the numerator is
     divided by a Gröbner basis of the relations that share symbols with it.
@@ -38,7 +38,7 @@ def vanishes(formula: sp.Expr, relations: Sequence[sp.Expr], steps: Steps = ()) 
 
 
 def _touching(formula: sp.Expr, relations: Sequence[sp.Expr]) -> list[sp.Expr]:
-    """The relations that a formula can be reduced by."""
+    """The relations by which a formula may be reduced."""
     chosen: list[sp.Expr] = []
     reached = set(formula.free_symbols)
     waiting = [r for r in relations if r != 0]
@@ -52,7 +52,7 @@ def _touching(formula: sp.Expr, relations: Sequence[sp.Expr]) -> list[sp.Expr]:
 
 
 def _is_root(relation: sp.Expr, symbols: set[sp.Symbol]) -> bool:
-    """Whether a relation is about a kernel that occurs."""
+    """Whether a relation defines a root or angle that occurs in the symbols."""
     return any(isinstance(s, sp.Dummy) and s in symbols for s in relation.free_symbols)
 
 
@@ -70,7 +70,7 @@ class _Kernels:
         return set(self.table.values())
 
     def plain(self, formula: sp.Expr) -> sp.Expr:
-        """A formula with all kernels replaced."""
+        """The formula with roots, sines, cosines and other functions replaced."""
         return self._with_symbols(formula.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)))
 
     def _with_symbols(self, formula: sp.Expr) -> sp.Expr:
@@ -92,7 +92,7 @@ class _Kernels:
         return self.table[key]
 
     def _circular(self, formula: sp.Expr) -> sp.Expr:
-        """A sine or cosine by those of the angles divided by n, as of `angles`."""
+        """A sine or cosine by the addition theorem, in terms of the unit angles of `angles`."""
         total: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.One)
         for core, factor in combination(formula.args[0], {}).items():
             unit = core / self.units[core]

@@ -31,7 +31,7 @@ class Balance:
     ----------
     mechanism : Mechanism
     tape : Tape
-    points : tuple of Sample
+    points : tuple of GenericPoint
         Generic points of the configuration space.
     coefficients : Coefficients
         Structure functions.

@@ -83,8 +83,9 @@ def check_velocities(
         for index, row in enumerate(slopes):
             if all(abs(state.value(e)) < FLAT for e in row):
                 raise InputError(
-                    f"{mechanism.name}: {_constraint_text(mechanism, index)} is singular where it holds: its "
-                    "derivatives by the velocities vanish there; write it without the power"
+                    f"{mechanism.name}: {_constraint_text(mechanism, index)} is singular where it "
+                    "holds: its derivatives by the velocities vanish there; write it without the "
+                    "power"
                 )
         return
     raise InputError(

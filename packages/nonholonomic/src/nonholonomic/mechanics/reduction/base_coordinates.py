@@ -1,7 +1,7 @@
-"""The two base coordinates of a system with symmetry, whose motion decouples.
+"""The two base coordinates of a system with symmetry, whose equations decouple.
 
-Coordinates that enter neither Lagrangian nor constraints are left out.  There must remain two
-coordinates, or a unit vector, with the angles θ, φ of
+Coordinates that occur neither in the Lagrangian nor in the constraints are omitted. Two coordinates
+must remain, or a unit vector, with the angles θ, φ of
 
     γ = (sin θ sin φ, sin θ cos φ, cos θ).
 """
@@ -29,22 +29,22 @@ TRIES = 3
 
 @dataclass(frozen=True)
 class Base:
-    """Two coordinates, and how they move.
+    """Two coordinates with their kinematics.
 
     Attributes
     ----------
     coordinates : tuple of Symbol
         q₁, q₂.
     place : mapping of Symbol to Expr
-        The coordinates of the mechanism that matter, by q₁ and q₂.
+        The essential coordinates of the mechanism in terms of q₁ and q₂.
     fixed : mapping of Symbol to Expr
-        Values for the other ones, on which nothing depends.
+        Arbitrary values of the other coordinates, on which nothing depends.
     rates : Matrix
         ρ of q̇ = ρ u, two rows.
     normal : Vector, optional
-        The unit vector, where the base is a sphere.
-    motion : Motion
-        The equations of motion, with `place` put in.
+        The unit vector, if the base is a sphere.
+    motion : ReducedMomenta
+        The equations of motion, with `place` substituted.
     """
 
     coordinates: tuple[sp.Symbol, sp.Symbol]
@@ -56,12 +56,12 @@ class Base:
 
     @property
     def inside(self) -> dict[sp.Symbol, sp.Expr]:
-        """All coordinates of the mechanism, for what moves by itself."""
+        """Values of all coordinates of the mechanism, for formulas of the base."""
         return {**self.place, **self.fixed}
 
 
 def base(mechanism: Mechanism, motion: ReducedMomenta) -> Base:
-    """Two coordinates in which the equations close.
+    """Two coordinates in which the equations of motion are closed.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def _unit_vector(mechanism: Mechanism, motion: ReducedMomenta) -> Vector | None:
 
 
 def _entries(motion: ReducedMomenta) -> list[sp.Expr]:
-    """All on which the motion depends."""
+    """All coefficients of the equations of motion, without the potential."""
     return [
         *motion.metric,
         *motion.gyroscopic,
@@ -116,7 +116,7 @@ def _entries(motion: ReducedMomenta) -> list[sp.Expr]:
 
 
 def _essential_coordinates(mechanism: Mechanism, motion: ReducedMomenta) -> list[sp.Symbol]:
-    """The coordinates on which the equations really depend."""
+    """The coordinates on which the equations of motion depend."""
     entries = _entries(motion)
     pulled = [q for q in motion.coordinates if sp.diff(motion.potential, q) != 0]
     named = [q for q in motion.coordinates if any(e.has(q) for e in entries) and q not in pulled]
@@ -126,6 +126,8 @@ def _essential_coordinates(mechanism: Mechanism, motion: ReducedMomenta) -> list
     rng = random.Random(SEED)
     essential = pulled
     for q in named:
+        # A coordinate may occur and yet cancel: the coefficients are compared at pairs of rational
+        # points that differ in this coordinate alone.
         for _ in range(TRIES):
             first = rational_point([*plain_symbols(formulas.symbols), *motion.coordinates], rng)
             fixed = {s: v for s, v in first.items() if s not in rational_point([q], rng)}
@@ -165,7 +167,7 @@ def _sphere(mechanism: Mechanism, motion: ReducedMomenta, vector: Vector) -> Bas
 
 
 def _pair(mechanism: Mechanism, motion: ReducedMomenta, essential: list[sp.Symbol]) -> Base:
-    """Two of the coordinates, those that matter among them, that move freely."""
+    """Two coordinates, the essential ones among them, that move freely."""
     inessential = [q for q in motion.coordinates if q not in essential]
     place = dict.fromkeys(inessential, sp.S.Zero)
     for chosen in combinations(motion.coordinates, 2):
@@ -202,7 +204,7 @@ def _angles(rows: sp.Matrix) -> dict[sp.Symbol, fmpq]:
 
 
 def on_base(motion: ReducedMomenta, place: Mapping[sp.Symbol, sp.Expr]) -> ReducedMomenta:
-    """The equations of motion with coordinates put in; relations are satisfied."""
+    """The equations of motion with coordinates substituted; relations then hold identically."""
 
     def with_values(matrix: sp.Matrix) -> sp.Matrix:
         return matrix.xreplace(dict(place))

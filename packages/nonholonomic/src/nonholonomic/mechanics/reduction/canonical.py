@@ -36,14 +36,14 @@ def canonical(
     Parameters
     ----------
     form : System
-        (4.7), for its parameters.
+        The system (4.7), for its parameters.
     base : Base
-    closed : Closed
+    closed : ClosedFormParts
     potential : Expr
-        The part of E₀ that `closed` leaves out.
+        The part of E₀ not contained in `closed`.
     multiplier : Multiplier
     w : tuple of Expr
-        S̄ = ∂w₂/∂q₁ − ∂w₁/∂q₂.
+        w₁, w₂ with S̄ = ∂w₂/∂q₁ − ∂w₁/∂q₂.
     """
     q, p = base.coordinates, _names(base)
     slowed = [in_base_coordinates(base, h / multiplier.value**2) for h in closed.inverse]
@@ -93,7 +93,7 @@ def canonical(
 
 
 def canonical_law(base: Base, target: System, w: tuple[sp.Expr, sp.Expr]) -> Isomorphism:
-    """From (4.7) to the canonical variables, in the time τ."""
+    """The map from (4.7) to the canonical variables, with the time τ."""
     q, P, p = base.coordinates, momenta(base), _names(base)
     known = dict(zip(q, q, strict=True))
     for name, old, shift in zip(p, P, w, strict=True):

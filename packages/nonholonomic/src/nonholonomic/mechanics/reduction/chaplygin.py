@@ -1,10 +1,10 @@
 """Generalised Chaplygin systems and the reducing multiplier (§4.3, Theorem 6).
 
-From a Lagrangian, a frame and constraints alone: the two coordinates in which the system moves by
-itself, on a level of its linear integrals where it needs them; the form (4.4) with S; whether the
-1-form d ln N = A₂ dq₁ − A₁ dq₂ is closed, and N; the bracket (4.6), the gyroscopic form S̄ and its
-integral over the base.  No multiplier is built in: everything follows by exact linear algebra at
-rational points, and is stated as laws that :mod:`lawproof.proof` proves.
+From Lagrangian, frame and constraints follow: two coordinates in which the equations are closed, on
+a level of linear integrals if necessary; the form (4.4) with S; whether the 1-form d ln N = A₂ dq₁
+− A₁ dq₂ is closed, and N; the bracket (4.6), the gyroscopic form S̄ and its integral over the base.
+No multiplier is assumed: everything follows by exact linear algebra at rational points, and is
+stated as laws that :mod:`lawproof.proof` proves.
 """
 
 from __future__ import annotations
@@ -47,11 +47,11 @@ def chaplygin_form(
     Parameters
     ----------
     mechanism : Mechanism
-        With constraints linear and homogeneous in the velocities, and coefficients rational in
-        its coordinates, their sines and cosines.
+        Constraints must be linear and homogeneous in the velocities, and coefficients rational in
+        the coordinates, their sines and cosines.
     levels : sequence of numbers or symbols, optional
-        Values of the linear integrals that the reduction needs, such as ``[0]``; by default they
-        are arbitrary constants.
+        Values of the linear integrals used in the reduction, such as ``[0]``; by default they are
+        arbitrary constants.
 
     Returns
     -------
@@ -60,7 +60,7 @@ def chaplygin_form(
     Raises
     ------
     InputError
-        If the system is not of this kind: the sentence says in what it differs.
+        If the system is not of this kind; the message gives the reason.
 
     Examples
     --------
@@ -86,9 +86,9 @@ def chaplygin_form(
 def _special(
     mechanism: Mechanism, form: ChaplyginForm
 ) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]] | None:
-    """The exceptional level of the parameters on which their numbers lie, if any.
+    """The exceptional relation that the values of the parameters satisfy, if any.
 
-    With the level comes the parameter that it gives.
+    It is returned with the parameter that it determines.
     """
     numbers = {p.symbol: exact_number(p.default) for p in mechanism.parameters}
     excepted = poles(form.multiplier) if form.multiplier is not None else ()
@@ -99,7 +99,7 @@ def _special(
             continue
         for symbol in sorted(factor.free_symbols & set(numbers), key=str):
             slope = sp.diff(factor, symbol)
-            # linear, with a coefficient that does not vanish for the numbers at hand
+            # linear in the symbol, with a coefficient that does not vanish for the given values
             if not slope.has(symbol) and slope.xreplace(numbers) != 0:
                 value = sp.cancel(symbol - factor / slope)
                 return symbol - value, {symbol: value}
@@ -107,7 +107,7 @@ def _special(
 
 
 def _reduction(mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None) -> ChaplyginForm:
-    """The reduction for parameters near their numbers."""
+    """The reduction for generic parameters near their values."""
     moved = motion(mechanism)
     here = base(mechanism, moved)
     integrals = _integrals(mechanism, moved, here)
@@ -184,7 +184,7 @@ def _original(mechanism: Mechanism, here: Base, up: Lift) -> System:
 
 
 def _shape(monopole: Flux) -> tuple[Law, ...]:
-    """The identity that the integral of S̄ depends on."""
+    """The identity used in the integral of S̄, if it is not trivial."""
     if monopole.residual == 0:
         return ()
     return (
@@ -200,7 +200,7 @@ def _shape(monopole: Flux) -> tuple[Law, ...]:
 def _levels(
     mechanism: Mechanism, count: int, values: Sequence[float | sp.Expr] | None
 ) -> list[sp.Expr]:
-    """The values of the linear integrals."""
+    """The given values of the linear integrals, or new constants."""
     if values is not None:
         if len(values) != count:
             raise InputError(

@@ -1,4 +1,4 @@
-"""Fractions in tangents of half angles as formulas in angles or a unit vector."""
+"""Rational functions of tangents of half angles, converted to angles or a unit vector."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ class ClosedFormParts:
         a₁, a₂ of S = a₁q̇₁ + a₂q̇₂ + b.
     b : Expr
     rest : Expr
-        E₀ without the given potential.
+        E₀ without the potential of the mechanism.
     lifted : tuple of (Expr, Expr, Expr)
-        For every velocity u its coefficients of q̇₁ and q̇₂, and the remaining term.
+        For every velocity u the coefficients of q̇₁ and q̇₂, and the remaining term.
     """
 
     metric: tuple[sp.Expr, sp.Expr, sp.Expr]
@@ -82,7 +82,7 @@ def closed_forms(
 
 
 def in_unit_vector(value: Quotient, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
-    """A fraction in the angles; its factors in the unit vector where possible."""
+    """A fraction converted to angles, with factors in the unit vector if possible."""
     if value.above == 0:
         return sp.S.Zero
     circles = [0, 0]
@@ -106,6 +106,7 @@ def in_unit_vector(value: Quotient, chart: HalfAngleChart, vector: Vector | None
                 odd = factor**e if odd is None else odd * factor**e
         if odd is not None:
             total *= _power_of_factor(odd, chart, None, circles, sign)
+    # 1 + t² = 2/(1 + cos x)
     for x, power in zip(chart.coordinates, circles, strict=True):
         total *= (2 / (1 + sp.cos(x))) ** power
     return total
@@ -114,7 +115,7 @@ def in_unit_vector(value: Quotient, chart: HalfAngleChart, vector: Vector | None
 def _power_of_factor(
     factor: fmpq_mpoly, chart: HalfAngleChart, vector: Vector | None, circles: list[int], power: int
 ) -> sp.Expr:
-    """A factor to a power, exactly; the powers of 1 + t² that it takes are recorded."""
+    """A power of a factor in angles; the compensating powers of 1 + t² are added to `circles`."""
     for i in (0, 1):
         if chart.angles[i]:
             circles[i] += power * ((int(factor.degrees()[i]) + 1) // 2)
@@ -123,7 +124,7 @@ def _power_of_factor(
 
 
 def _angle_of_form(factor: fmpq_mpoly, chart: HalfAngleChart, form: str) -> int | None:
-    """For which angle a factor has the given form in t."""
+    """The index of the angle for which a factor has the given form in t; None if there is none."""
     names = factor.context().names()
     for i in (0, 1):
         if chart.angles[i] and str(factor) == form.format(names[i]):

@@ -1,7 +1,7 @@
-"""Factors of which a multiplier may be made, in the tangents of half angles.
+"""Candidate factors of a multiplier, in the tangents of half angles.
 
-With t = tan(x/2) in place of every angle x all coefficients are rational, and polynomials have
-unique factors.  A factor F of degree d in t is back in the angle as F/(1 + t²)^(d/2).
+With t = tan(x/2) for every angle x all coefficients are rational, and polynomials factor uniquely.
+A factor F of degree d in t corresponds to F/(1 + t²)^(d/2) in the angle.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ from .rational_functions import Quotient, Value, as_formula, quotients
 
 SEED = 1930
 HIGHEST = 6
-"""Degree in the unit vector up to which a factor is recognised."""
+"""Largest degree in the unit vector of a factor that is recognised."""
 
 
 @dataclass(frozen=True)
 class HalfAngleChart:
-    """The coordinates as rational functions of a pair of variables.
+    """Coordinates with sines and cosines as rational functions of two variables.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class HalfAngleChart:
     variables : tuple of Symbol
         tan(x/2) for an angle x, and x itself for another coordinate.
     angles : tuple of bool
-        Which coordinates are angles.
+        Whether each coordinate is an angle.
     """
 
     coordinates: tuple[sp.Symbol, sp.Symbol]
@@ -47,7 +47,7 @@ class HalfAngleChart:
     def of(
         cls, coordinates: tuple[sp.Symbol, sp.Symbol], used: Sequence[sp.Symbol]
     ) -> HalfAngleChart:
-        """The chart for formulas that use the symbols given."""
+        """The chart for formulas with the given symbols."""
         angles = tuple(bool(set(circle(q)) & set(used)) for q in coordinates)
         names = [
             real_symbol(f"t_{q}") if a else q for q, a in zip(coordinates, angles, strict=True)
@@ -55,7 +55,7 @@ class HalfAngleChart:
         return cls(coordinates, (names[0], names[1]), (angles[0], angles[1]))
 
     def point(self, values: Sequence[Value]) -> dict[sp.Symbol, Value]:
-        """Coordinates, sines and cosines by the values of the variables."""
+        """Values of coordinates, sines and cosines from values of the variables."""
         point: dict[sp.Symbol, Value] = {}
         for q, angle, t in zip(self.coordinates, self.angles, values, strict=True):
             if angle:
@@ -72,7 +72,7 @@ class HalfAngleChart:
 
 
 def determinant(rows: Sequence[Sequence[Value]]) -> Value:
-    """By the first row."""
+    """The determinant, by expansion along the first row."""
     if len(rows) == 1:
         return rows[0][0]
     total = rows[0][0] * 0
@@ -102,10 +102,10 @@ def natural_factors(
     parameters: Sequence[sp.Symbol],
     owner: str,
 ) -> list[fmpq_mpoly]:
-    """Irreducible factors, in the variables of the chart, of the determinants.
+    """Irreducible factors of the natural determinants, in the variables of the chart.
 
-    They divide the determinants of K, of the quadratic forms Q given, and of Q on the velocities
-    that integrals and constraints tie; 1 + t² is not among them.
+    They divide the determinants of K, of the given quadratic forms Q, and of Q⁻¹ on the covectors
+    of integrals and constraints; 1 + t² is excluded.
     """
     one, names = quotients([*chart.variables, *parameters])
     place = {**names, **chart.point([names[t] for t in chart.variables])}
@@ -135,7 +135,7 @@ def natural_factors(
 
 
 def has_even_degrees(poly: fmpq_mpoly, chart: HalfAngleChart) -> bool:
-    """Whether F/(1 + t²)^(d/2) is a function of the angles without half angles."""
+    """Whether F/(1 + t²)^(d/2) is a function of the full angles."""
     return not any(a and int(d) % 2 for d, a in zip(poly.degrees()[:2], chart.angles, strict=True))
 
 
@@ -171,10 +171,10 @@ def in_angles(poly: fmpq_mpoly, chart: HalfAngleChart) -> sp.Expr:
 
 
 def on_sphere(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector) -> sp.Expr | None:
-    """A polynomial of even degrees, over the powers of 1 + t², in the unit vector.
+    """A polynomial of even degrees, divided by powers of 1 + t², in the unit vector.
 
-    A form where it is one; else with terms of two degrees that differ by one.  None if it is no
-    polynomial of a degree up to `HIGHEST`.
+    It is homogeneous, or has terms of two consecutive degrees; None if it is not a polynomial of
+    degree up to `HIGHEST` in the unit vector.
     """
     degree = int(poly.degrees()[0]) // 2
     if not (0 < degree <= HIGHEST and _at_pole(poly)):
@@ -186,7 +186,8 @@ def on_sphere(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector) -> sp.Exp
             for d in range(lower, degree + 1)
             for chosen in combinations_with_replacement(range(3), d)
         ]
-        # with numbers first: most polynomials are no functions on the sphere
+        # first with numbers for the parameters, since most polynomials are not functions on the
+        # sphere
         if _coefficients_in_unit_vector(sample, powers) is not None:
             coefficients = _coefficients_in_unit_vector(poly, powers)
             return None if coefficients is None else _as_form(coefficients, powers, vector)
@@ -194,7 +195,7 @@ def on_sphere(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector) -> sp.Exp
 
 
 def _with_numbers(poly: fmpq_mpoly) -> fmpq_mpoly:
-    """The polynomial at random values of the parameters."""
+    """The polynomial with random values of the parameters."""
     rng = random.Random(SEED)
     return poly.subs({name: random_rational(rng) for name in poly.context().names()[2:]})
 
@@ -216,7 +217,7 @@ def _as_form(
 def _coefficients_in_unit_vector(
     poly: fmpq_mpoly, powers: Sequence[tuple[int, ...]]
 ) -> list[fmpq_mpoly] | None:
-    """Coefficients of the monomials that make the polynomial, if there are any."""
+    """Coefficients of the monomials that represent the polynomial; None if there are none."""
     ring, count = poly.context(), len(powers)
     rows, right = [], []
     rng = random.Random(SEED)

@@ -1,8 +1,8 @@
 """The 2-form of gyroscopic forces S̄ dq₁ ∧ dq₂ with S̄ = N b, and its integral.
 
-On a sphere the integral over all directions is the strength of a monopole: where it is not zero
-the form is not exact, and there are no canonical momenta on the whole sphere.  The integral is
-found exactly where S̄/sin θ is odd in the unit vector, and where
+On a sphere the integral over all directions is the strength of a monopole: if it is not zero the
+form is not exact, and there are no canonical momenta on the whole sphere. The integral is found
+exactly if S̄/sin θ is odd in the unit vector, and if
 
     S̄ dθ ∧ dφ = g (γ, Bγ)^(−3/2) sin θ dθ ∧ dφ + dw,    w = R (Cγ, γ × dγ)/D.
 
@@ -31,7 +31,7 @@ from .rational_evaluation import Formulas
 
 HALF = sp.Rational(1, 2)
 SHORT = 300
-"""Operations up to which a form is compared with the solid angle."""
+"""Largest number of operations of a form that is compared with the solid angle."""
 
 
 @dataclass(frozen=True)
@@ -41,14 +41,14 @@ class Flux:
     Attributes
     ----------
     value : Expr or None
-        The integral, exactly; None where it was not found.
+        The exact integral; None if it was not found.
     words : str
-        How it was found.
+        Description of how it was found.
     residual : Expr
-        S̄ − g (γ, Bγ)^(−3/2) sin θ − (∂w₂/∂θ − ∂w₁/∂φ), in the angles: it vanishes.  Zero where
-        there is nothing to show.
+        S̄ − g (γ, Bγ)^(−3/2) sin θ − (∂w₂/∂θ − ∂w₁/∂φ), in the angles, which vanishes; zero if no
+        identity was used.
     potential : tuple of Expr or None
-        w where g = 0: S̄ = ∂w₂/∂θ − ∂w₁/∂φ, smooth on the whole sphere.
+        w if g = 0: S̄ = ∂w₂/∂θ − ∂w₁/∂φ, smooth on the whole sphere.
     """
 
     value: sp.Expr | None
@@ -129,7 +129,7 @@ def _of_part(
 
 
 def _constant_density(base: Base, vector: Vector, form: sp.Expr) -> sp.Expr | None:
-    """g where S̄ = g sin θ with a constant g; else None."""
+    """The constant g of S̄ = g sin θ; None if there is none."""
     density = form / sp.sin(base.coordinates[0])
     if density.free_symbols & set(base.coordinates) or sp.count_ops(density) > SHORT:
         return None
@@ -142,7 +142,7 @@ def _constant_density(base: Base, vector: Vector, form: sp.Expr) -> sp.Expr | No
 def indefinite_factors(
     mechanism: Mechanism, base: Base, multiplier: Multiplier
 ) -> tuple[sp.Expr, ...]:
-    """Factors of N that have both signs on the sphere, at the default parameters."""
+    """Factors of N that change sign on the sphere, at the default parameters."""
     vector = base.normal
     if vector is None:
         return ()
@@ -151,7 +151,7 @@ def indefinite_factors(
 
 
 def _has_both_signs(mechanism: Mechanism, vector: Vector, form: sp.Expr) -> bool:
-    """Whether exact values at a few directions differ in sign."""
+    """Whether exact values at some directions differ in sign."""
     numbers = form.xreplace(_defaults(mechanism))
     directions = [x for x in product(range(-2, 3), repeat=3) if any(x)]
     values = (numbers.xreplace(dict(zip(vector.symbols, x, strict=True))) for x in directions)
@@ -180,6 +180,7 @@ def _definite(mechanism: Mechanism, vector: Vector, base: sp.Expr) -> bool:
     if numbers.free_symbols:
         return False
     minors = [numbers[:i, :i].det() for i in (1, 2, 3)]
+    # Sylvester's criterion, for positive and for negative definite forms
     signs = [sp.sign(x) for x in minors]
     return signs in ([1, 1, 1], [-1, 1, -1])
 
@@ -202,7 +203,7 @@ def _through_ellipsoid(
     root: sp.Expr,
     form: sp.Matrix,
 ) -> Flux:
-    """g and w by linear equations, over R."""
+    """g and w from linear equations; all terms are divided by R."""
     place, (theta, phi) = dict(base.place), base.coordinates
     F = root.xreplace(place)
     rational = multiplier.value * sp.sqrt(root)
@@ -231,7 +232,7 @@ def _through_ellipsoid(
 
 
 def _one_root(value: sp.Expr) -> sp.Expr:
-    """The square roots of a product taken together."""
+    """A product with its square roots combined into one."""
     powers = value.as_powers_dict()
     halves = {base: e for base, e in powers.items() if e.is_Rational and e.q == 2}
     whole = sp.Mul(*(base**e for base, e in powers.items() if base not in halves))
@@ -249,7 +250,7 @@ def _fields(base: Base, vector: Vector, part: sp.Expr) -> list[tuple[sp.Expr, sp
     divisors = [f for f, _ in sp.factor_list(below)[1] if f.has(*vector.symbols)]
     forms = []
     for divisor in divisors or [sp.S.One]:
-        # C = 1 gives nothing
+        # C = E gives (γ, γ×dγ) = 0, so that one diagonal entry is redundant
         for i, j in list(combinations_with_replacement(range(3), 2))[:-1]:
             C = sp.zeros(3)
             C[i, j] = C[j, i] = 1

@@ -1,14 +1,15 @@
-"""All velocities from those of the base, and the form (4.4).
+"""The velocities of the mechanism in terms of those of the base, and the form (4.4).
 
-On a level c of the linear integrals the velocities u are given by q̇: the equations
+On a level c of the linear integrals q̇ determines the velocities u: the equations
 ρu = q̇, (ℓ, u) = c − ℓ₀, Cu = 0 have the solution u = q̇₁Y₁ + q̇₂Y₂ + y.  An integral Φ(q, u) that is
 quadratic in u becomes E₂ + E₁ + E₀ by degrees in q̇.  If E₁ = 0 and E₂ is not degenerate, let
-L = E₂ − E₀: along every motion 0 = Φ̇ = Σ q̇_i (d/dt ∂L/∂q̇_i − ∂L/∂q_i), and what stands in brackets
-is of degree two in q̇, so it is (q̇₂S, −q̇₁S) with S = a₁q̇₁ + a₂q̇₂ + b.  With μ = ∂Φ/∂u
+L = E₂ − E₀: along every motion 0 = Φ̇ = Σ q̇_i (d/dt ∂L/∂q̇_i − ∂L/∂q_i), and the terms in
+parentheses are of degree two in q̇, hence equal to (q̇₂S, −q̇₁S) with S = a₁q̇₁ + a₂q̇₂ + b. With μ
+= ∂Φ/∂u
 
     P_i = ∂L/∂q̇_i = (Y_i, μ),    Ṗ_i = (Ẏ_i, μ) + (Y_i, μ̇),
 
-and μ̇ needs no acceleration where Φ is a quadratic function of the momenta besides the energy.
+and μ̇ contains no accelerations if Φ is the energy or a quadratic function of the momenta.
 """
 
 from __future__ import annotations
@@ -32,18 +33,18 @@ Point = Any
 
 @dataclass(frozen=True)
 class Quadratic:
-    """An integral quadratic in the velocities, on the base.
+    """An integral quadratic in the velocities, restricted to the base.
 
     Attributes
     ----------
     value : Expr
-        The part of Φ(q, u) that comes from the kinetic energy.
+        The quadratic part of Φ(q, u), that of the kinetic energy.
     potential : Expr
-        The rest.
+        The remaining part of Φ.
     slope : Matrix
         μ = ∂Φ/∂u.
     rate : Matrix
-        μ̇ along the motion, in q and u, but for the forces of the constraints C u = 0.
+        μ̇ along the motion, in q and u, without the forces of the constraints C u = 0.
     """
 
     value: sp.Expr
@@ -52,7 +53,7 @@ class Quadratic:
     rate: sp.Matrix
 
     def multiple(self, factor: sp.Expr) -> Quadratic:
-        """A multiple."""
+        """The integral multiplied by a factor."""
         return Quadratic(
             factor * self.value,
             factor * self.potential,
@@ -70,7 +71,7 @@ class Quadratic:
 
 
 def energy(motion: ReducedMomenta, base: Base) -> Quadratic:
-    """½(u, Gu) + U."""
+    """The energy ½(u, Gu) + U."""
     u = sp.Matrix(motion.velocities)
     moved = motion.metric * u
     rate = motion.force - motion.gyroscopic.applyfunc(motion.rate)
@@ -80,7 +81,7 @@ def energy(motion: ReducedMomenta, base: Base) -> Quadratic:
 def in_momenta(
     motion: ReducedMomenta, base: Base, form: sp.Matrix, potential: sp.Expr
 ) -> Quadratic:
-    """½(m, Bm) + φ(q) for a constant symmetric matrix B."""
+    """The integral ½(m, Bm) + φ(q) for a constant symmetric matrix B."""
     m = motion.momenta
     turned = motion.metric * form * m
     rate = motion.metric.applyfunc(motion.rate) * form * m + motion.metric * form * motion.force
@@ -101,7 +102,7 @@ def _on_base(
 
 @dataclass(frozen=True)
 class Lift:
-    """The equations K u = e that give u.
+    """The linear equations K u = e for the velocities u.
 
     Attributes
     ----------
@@ -140,7 +141,7 @@ class Lift:
 
 
 def lift(base: Base, integrals: Sequence[Linear], levels: Sequence[sp.Expr]) -> Lift:
-    """K and e for given linear integrals and their values."""
+    """The equations for given linear integrals and their values."""
     u = base.motion.velocities
     placed = [f.value.xreplace(base.inside) for f in integrals]
     inhomogeneous = [f.xreplace(dict.fromkeys(u, sp.S.Zero)) for f in placed]
@@ -164,7 +165,7 @@ class ChaplyginFormAtPoint:
     metric : list of rows
         G of E₂ = ½(q̇, Gq̇).
     linear : list
-        E₁ as a row; it has to vanish.
+        Coefficients of E₁, which must vanish.
     a : list
         a₁, a₂ of S.
     b : Value
@@ -183,7 +184,7 @@ class ChaplyginFormAtPoint:
 
 @dataclass(frozen=True)
 class PointwiseForm:
-    """Evaluates (4.4) at points, exactly."""
+    """Exact evaluation of (4.4) at points."""
 
     lift: Lift
     integral: Quadratic
@@ -230,6 +231,7 @@ class PointwiseForm:
         Q, *dQ = (matrix() for _ in range(3))
         e, h = ([next(values) for _ in range(size)] for _ in range(2))
         solve = inverse(K, like)
+        # the columns of K⁻¹ that belong to ρu = q̇; dY = −K⁻¹ dK Y
         Y = [[row[i] for row in solve] for i in (0, 1)]
         y = product(solve, e)
         dY = [[_minus(product(solve, product(dK[j], Y[i]))) for j in (0, 1)] for i in (0, 1)]
@@ -247,6 +249,9 @@ class PointwiseForm:
             mu, mudot = moving[:size], moving[size:]
             return _dot([speed * x for x in dY[i][k]], mu) + _dot(Y[i], mudot)
 
+        # At q̇ = (0, s) the equation Ṗ₁ = ∂L/∂q₁ + q̇₂S is ½s² ∂g₂₂/∂q₁ − ∂E₀/∂q₁ + s²a₂ + sb: its
+        # even part in s gives a₂ and its odd part b.  At q̇ = (s, 0) the even part of Ṗ₂ = ∂L/∂q₂ −
+        # q̇₁S gives a₁.
         forward, back, still = (force(0, 1, s) for s in (1, -1, 0))
         second = (forward + back) / 2 - still
         other = (force(1, 0, 1) + force(1, 0, -1)) / 2 - force(1, 0, 0)

@@ -26,7 +26,7 @@ from .rational_functions import Value, as_expression, quotients
 
 SEED = 1911
 DEGREE = 2
-"""In the coordinates, of the coefficients of an integral linear in the momenta."""
+"""Largest degree in the coordinates of coefficients of an integral linear in the momenta."""
 
 
 @dataclass(frozen=True)
@@ -36,9 +36,9 @@ class Linear:
     Attributes
     ----------
     value : Expr
-        In q and u.
+        The integral in q and u.
     in_momenta : Expr
-        In q and the momenta, which are called M_1, M_2, …
+        The integral in q and momenta named M_1, M_2, …
     """
 
     value: sp.Expr
@@ -51,8 +51,8 @@ def linear_integrals(mechanism: Mechanism, motion: ReducedMomenta, base: Base) -
     Parameters
     ----------
     mechanism : Mechanism
-    motion : Motion
-        In the coordinates of the mechanism, without a constraint C u = 0.
+    motion : ReducedMomenta
+        In the coordinates of the mechanism, without constraints C u = 0.
     base : Base
     """
     functions = _functions(motion, base)
@@ -93,7 +93,7 @@ def quadratic_integrals(
     size = len(motion.velocities)
     pairs = list(combinations_with_replacement(range(size), 2))
     m = motion.momenta
-    # without a potential there is no φ
+    # a system without potential needs no φ
     functions = [] if motion.potential == 0 else _monomials(_functions(motion, base), DEGREE)
     heights = [f for f in functions if f != 1]
     terms = [*(m[a] * m[b] for a, b in pairs), *heights]
@@ -127,7 +127,7 @@ def _monomials(functions: Sequence[sp.Expr], degree: int) -> list[sp.Expr]:
         for height in range(degree + 1)
         for chosen in combinations_with_replacement(functions, height)
     ]
-    # the square of the last one follows from the others on the sphere or circle
+    # on a sphere or circle the square of the last function follows from the others
     square = functions[-1] ** 2 if functions else sp.S.Zero
     return [f for f in monomials if sp.rem(f, square, *functions) != 0] if degree > 1 else monomials
 
@@ -141,10 +141,10 @@ def _constants(
 
 
 def _derivative(motion: ReducedMomenta, value: sp.Expr) -> sp.Expr:
-    """d/dt of a polynomial in m with coefficients in q; no acceleration is needed."""
+    """The time derivative of a polynomial in m with coefficients in q, without accelerations."""
     names = [real_symbol(f"m_{i}_") for i in range(len(motion.velocities))]
     momenta = list(motion.momenta)
-    # terms are products of momenta and functions of q: replace exactly these sums
+    # terms are products of momenta and functions of q, so that each momentum occurs as one sum
     named = value.xreplace(dict(zip(momenta, names, strict=True)))
     by_name = sp.Add(
         *(sp.diff(named, n) * f for n, f in zip(names, motion.force + motion.pull, strict=True))
@@ -172,6 +172,8 @@ def solutions(
         except ZeroDivisionError:
             continue
         rows += [values[i : i + count] for i in range(0, len(values), count)]
+    # The kernel at fixed parameters determines the terms of each integral; in the reduced echelon
+    # form each basis vector has few of them, and their coefficients are then found symbolically.
     combinations = []
     for solution in kernel(rows, one):
         chosen = [i for i, x in enumerate(solution) if x != 0]
@@ -182,7 +184,7 @@ def solutions(
 def _with_parameters(
     mechanism: Mechanism, base: Base, formulas: Evaluable, count: int, indices: Sequence[int]
 ) -> dict[int, sp.Expr]:
-    """A combination with the parameters as symbols."""
+    """The coefficients of a combination with the parameters as symbols."""
     parameters = [p.symbol for p in mechanism.parameters if p.symbol in formulas.symbols]
     if len(indices) == 1:
         return {indices[0]: sp.S.One}
@@ -199,7 +201,7 @@ def _with_parameters(
 
 
 def primitive(values: Sequence[sp.Expr]) -> list[sp.Expr]:
-    """Fractions of polynomials brought to polynomials without a common factor."""
+    """Rational functions scaled to polynomials without a common factor."""
     parts = [sp.fraction(sp.cancel(x)) for x in values]
     below = sp.lcm_list([b for _, b in parts])
     whole = [sp.cancel(below / b) * a for a, b in parts]

@@ -8,7 +8,7 @@ from .rational_functions import Value
 
 
 def product(rows: Sequence[Sequence[Value]], column: Sequence[Value]) -> list[Value]:
-    """A matrix times a column."""
+    """The product of a matrix and a column."""
     return [sum((a * b for a, b in zip(row, column, strict=True)), 0 * column[0]) for row in rows]
 
 
@@ -48,7 +48,7 @@ def reduced_echelon_form(rows: Sequence[Sequence[Value]]) -> tuple[list[list[Val
 
 
 def kernel(rows: Sequence[Sequence[Value]], like: Value) -> list[list[Value]]:
-    """A basis of the solutions of a homogeneous system, one for each free unknown."""
+    """A basis of the solutions of a homogeneous system, one vector for each free unknown."""
     left, pivots = reduced_echelon_form(rows)
     size = len(rows[0])
     basis = []

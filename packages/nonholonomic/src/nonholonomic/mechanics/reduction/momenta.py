@@ -1,7 +1,7 @@
 """Momenta and forces of a mechanism on its admissible velocities (§1.1).
 
-Velocities that a constraint gives with a number as coefficient are eliminated, w = Z u; what is
-left of the constraints is C u = 0.  With T = ½(u, Gu) + (l, u) and m = ∂L/∂u the equations are
+Velocities that occur in a constraint with a numerical coefficient are eliminated, w = Z u; the
+remaining constraints are C u = 0. With T = ½(u, Gu) + (l, u) and m = ∂L/∂u the equations are
 
     d/dt m_s = f_s(q, u) + λ_μ C_μs,    q̇ = A(q) u.
 """
@@ -35,15 +35,15 @@ class ReducedMomenta:
     constraints : Matrix
         C of C u = 0; it may have no rows.
     metric : Matrix
-        G, the kinetic energy being ½(u, Gu).
+        G of the kinetic energy ½(u, Gu).
     gyroscopic : Matrix
-        l, the part of the momenta that is there at rest.
+        l, the momenta at rest.
     potential : Expr
-        Minus the part of L without velocities.
+        U, minus the part of L without velocities.
     force : Matrix
         f without the forces of the potential, quadratic in u.
     pull : Matrix
-        The forces of the potential; derivatives that are not rational are symbols of their own.
+        The forces of the potential; derivatives that are not rational are replaced by symbols.
     """
 
     coordinates: tuple[sp.Symbol, ...]
@@ -63,7 +63,7 @@ class ReducedMomenta:
         return self.metric * sp.Matrix(self.velocities) + self.gyroscopic
 
     def rate(self, value: sp.Expr) -> sp.Expr:
-        """d/dt of a function of the coordinates, linear in u."""
+        """The time derivative of a function of the coordinates, linear in u."""
         rates = self.anchor * sp.Matrix(self.velocities)
         return sp.Add(
             *(sp.diff(value, q) * r for q, r in zip(self.coordinates, rates, strict=True))
@@ -110,6 +110,7 @@ def motion(mechanism: Mechanism) -> ReducedMomenta:
     for (i, j, k), value in structure(frame, name).items():
         push[j] += value * momenta[k] * velocities[i]
         push[i] -= value * momenta[k] * velocities[j]
+    # m = Zᵀp: its rate has the additional term Żᵀp
     turned = sp.Matrix(
         [
             sp.Add(
@@ -139,7 +140,7 @@ def motion(mechanism: Mechanism) -> ReducedMomenta:
 
 
 def _slope(potential: sp.Expr, coordinate: sp.Symbol) -> sp.Expr:
-    """∂U/∂q, or a symbol for it where it is not rational."""
+    """∂U/∂q, or a symbol in its place if it is not rational."""
     slope = sp.diff(potential, coordinate)
     return slope if is_rational(slope) else real_symbol(f"[dU/d{coordinate}]")
 
@@ -169,12 +170,12 @@ def _check(mechanism: Mechanism, lagrangian: sp.Expr, constraints: list[sp.Expr]
 def _explicit_velocities(
     constraints: list[sp.Expr], w: tuple[sp.Symbol, ...]
 ) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
-    """Velocities with a number as coefficient, in the free ones; other constraints."""
+    """Solved velocities in terms of the free ones, and the remaining constraints."""
     dependent: dict[sp.Symbol, sp.Expr] = {}
     remaining = []
     for constraint in constraints:
         f = constraint.xreplace(dependent)
-        # the last velocities first: translations follow from rotations
+        # the last velocities first, so that translations follow from rotations
         for s in reversed(w):
             slope = sp.diff(f, s)
             if s not in dependent and slope.is_Number and slope != 0:

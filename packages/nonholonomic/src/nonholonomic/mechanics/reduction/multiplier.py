@@ -1,7 +1,7 @@
 """The reducing multiplier N: d ln N = A₂ dq₁ − A₁ dq₂ (Theorem 6).
 
 ln N is sought among Σ e_j ln F_j for the natural factors F_j; the exponents e_j solve linear
-equations, one pair at each rational point.  Whether the 1-form is closed at all is seen from its
+equations, one pair at each rational point. Whether the 1-form is closed follows from its
 derivatives, taken exactly along the coordinate lines through a rational point.
 """
 
@@ -25,7 +25,7 @@ from .rational_functions import Quotient, Value, quotients
 
 SEED = 1961
 SPARE = 3
-"""Points more than exponents, at which the solution must hold as well."""
+"""Number of additional points at which the solution must hold as well."""
 
 
 @dataclass(frozen=True)
@@ -53,11 +53,11 @@ class Obstruction:
     Attributes
     ----------
     point : mapping of str to str
-        Exact values of parameters, coordinates and constants; of an angle x, tan(x/2).
+        Exact values of parameters, coordinates and constants; tan(x/2) for an angle x.
     curl : fmpq
         ∂A₂/∂q₂ + ∂A₁/∂q₁ there, exactly; it is not zero.
     vanishing : tuple of Expr
-        Expressions in the parameters at whose zeros the form is closed, where some were found.
+        Expressions in the parameters at whose zeros the form is closed, if any were found.
     """
 
     point: dict[str, str]
@@ -66,7 +66,7 @@ class Obstruction:
 
 
 def positive_symbols(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
-    """Parameters that must be positive, as positive symbols."""
+    """Positive symbols for the parameters that must be positive."""
     return {
         p.symbol: sp.Symbol(str(p.symbol), positive=True)
         for p in parameters
@@ -108,7 +108,7 @@ def curl(
         place = {s: one * v for s, v in numbers.items()} | {s: names[s] for s in others}
         at = [one * v for v in values]
         at[moved] = names[chart.variables[moved]]
-        # the component of the other coordinate
+        # the component along the other coordinate
         component = _form_at(local, chart, at, place, one)[1 - moved]
         rate = _derivative(component, 0) * chart.speed(moved, at[moved])
         rate = _at_value(rate, str(chart.variables[moved]), values[moved])
@@ -128,12 +128,12 @@ def _at_value(value: Quotient, name: str, at: fmpq) -> Quotient:
 
 
 def _sum_as_formula(first: Quotient, second: Quotient) -> sp.Expr:
-    """A sum of fractions from rings that differ in a variable neither uses any more."""
+    """The sum of two fractions over different rings, as a formula."""
     return sp.cancel(sp.together(first.formula() + second.formula()))
 
 
 def poles(multiplier: Multiplier) -> tuple[sp.Expr, ...]:
-    """Denominators of the exponents of N: no such N exists where one vanishes."""
+    """Denominators of the exponents of N; where one vanishes N is not of this form."""
     below = {
         factor
         for _, exponent in multiplier.powers
@@ -149,10 +149,10 @@ def obstruction_point(
 
     Parameters
     ----------
-    local : Local
-    chart : Chart
+    local : PointwiseForm
+    chart : HalfAngleChart
     parameters : sequence of Parameter
-        The point has values near their defaults; other constants are at random.
+        The point has values near their defaults; other constants are random.
     """
     rng = random.Random(SEED)
     defaults = {p.symbol: p.default for p in parameters}
@@ -176,7 +176,7 @@ def obstruction_point(
 
 
 def is_closed(local: PointwiseForm, chart: HalfAngleChart) -> bool:
-    """Whether the form is closed, with everything as symbols."""
+    """Whether the form is closed, with coordinates and parameters as symbols."""
     one, names = quotients([*chart.variables, *_parameters(local, chart)])
     at = [names[t] for t in chart.variables]
     first, second = _form_at(local, chart, at, names, one)
@@ -187,7 +187,7 @@ def is_closed(local: PointwiseForm, chart: HalfAngleChart) -> bool:
 def exceptional_factors(
     local: PointwiseForm, chart: HalfAngleChart, signed_parameters: Sequence[Parameter]
 ) -> tuple[sp.Expr, ...]:
-    """Factors in the parameters that the curl has at every point, and that may vanish."""
+    """Factors of the curl that depend on parameters only and may vanish."""
     rng = random.Random(SEED + 1)
     parameters = _parameters(local, chart)
     shared: sp.Expr | None = None
@@ -214,7 +214,7 @@ def multiplier(
     factors: Sequence[fmpq_mpoly],
     vector: Vector | None,
 ) -> Multiplier | None:
-    """N as a product of powers of the factors; None if it is none.
+    """N as a product of powers of the factors; None if it has no such form.
 
     The exponents are rational numbers, or rational functions of parameters.
     """
@@ -224,6 +224,7 @@ def multiplier(
     values = _exponents(local, chart, factors, numbers, ())
     if values is None:
         return None
+    # only parameters that change the exponents are kept as symbols, which keeps the fractions small
     moving = []
     for s in parameters:
         other = _exponents(local, chart, factors, {**numbers, s: random_rational(rng)}, ())
@@ -320,7 +321,7 @@ def _powers(
     exponents: Sequence[sp.Expr],
     vector: Vector | None,
 ) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
-    """The product with every factor back in the angles, or in the unit vector."""
+    """The powers of N with every factor in the angles, or in the unit vector."""
     powers: list[tuple[sp.Expr, sp.Expr]] = []
     own = list(exponents[: len(factors)])
     circles = iter(exponents[len(factors) :])
@@ -340,6 +341,8 @@ def _powers(
         if has_even_degrees(poly, chart):
             powers.append((_monic(in_angles(poly, chart)), exponent))
         else:
+            # a polynomial of odd degree is a function of half angles; its square is one of full
+            # angles
             powers.append((_monic(in_angles(poly**2, chart)), exponent / 2))
     for x, exponent in zip(chart.coordinates, circle_powers, strict=True):
         if sp.cancel(exponent) != 0:
@@ -353,7 +356,7 @@ def _base(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector | None) -> sp.
 
 
 def _monic(base: sp.Expr) -> sp.Expr:
-    """Up to a number, without a minus sign in front."""
+    """A factor normalised up to a number, without a leading minus sign."""
     whole = sp.primitive(sp.expand(base))[1]
     sign = -1 if whole.could_extract_minus_sign() else 1
     if base.is_Add and not base.has(sp.cos, sp.sin):
@@ -363,7 +366,7 @@ def _monic(base: sp.Expr) -> sp.Expr:
 
 
 def over_rational(multiplier: Multiplier, b: sp.Expr) -> sp.Expr:
-    """N b with the factors that both share taken together."""
+    """The product N b with common factors combined."""
     powers = dict(b.as_powers_dict())
     remainder = sp.S.One
     for base, exponent in multiplier.powers:

@@ -1,4 +1,4 @@
-"""Quadratures of a reduction in numbers: ln N along a line, and the integral of S̄."""
+"""Numerical quadratures of a reduction: ln N along a line, and the integral of S̄."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 Coordinates = Sequence[float]
 NODES = (16, 24, 36, 54, 81, 122)
-"""Of Gauss and Legendre in cos θ, and twice as many equidistant ones in φ."""
+"""Numbers of Gauss–Legendre nodes in cos θ; φ has twice as many equidistant nodes."""
 SMALL = 1e-13
 
 
@@ -31,7 +31,7 @@ def log_multiplier(
     end: Coordinates,
     values: Mapping[sp.Symbol, float] | None = None,
 ) -> tuple[float, float]:
-    """∫ (A₂ dq₁ − A₁ dq₂) along the straight line from one place to another.
+    """The integral ∫ (A₂ dq₁ − A₁ dq₂) along the straight line between two points.
 
     If the 1-form is closed this is ln N(end) − ln N(start), with or without a closed form.
 
@@ -51,7 +51,7 @@ def log_multiplier(
     Raises
     ------
     InputError
-        If the form has no such 1-form, or a number is not finite.
+        If a value is not that of a parameter or is not finite.
 
     Examples
     --------
@@ -90,7 +90,7 @@ def log_multiplier(
 def gyroscopic_integral(
     form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None = None
 ) -> tuple[float, float]:
-    """∫ S̄ dθ dφ over the sphere, and the change by the last refinement as error.
+    """The integral ∫ S̄ dθ dφ over the sphere, with the last change as error estimate.
 
     Parameters
     ----------
@@ -131,6 +131,8 @@ def gyroscopic_integral(
     def total(nodes: int) -> float:
         heights, weights = np.polynomial.legendre.leggauss(nodes)
         turns = (np.arange(2 * nodes) + 0.5) * np.pi / nodes
+        # S̄ dθ dφ = −(S̄/sin θ) d(cos θ) dφ; equidistant nodes converge exponentially for a smooth
+        # periodic function
         grid = density(np.arccos(heights)[:, None], turns[None, :])
         rows = np.broadcast_to(grid, (nodes, 2 * nodes)).sum(axis=1)
         return float(weights @ rows * np.pi / nodes)

@@ -1,7 +1,7 @@
 """A quadratic integral without terms linear in the velocities of the base.
 
-On a level of the linear integrals the energy may have such a part, and is then no E₂ + E₀ as the
-form (4.4) needs it.  Another integral, or a combination with it, may do instead.
+On a level of the linear integrals the energy may have such terms, and is then not of the form E₂ +
+E₀ required by (4.4). A combination with another integral may take its place.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class EnergyLikeIntegral:
     ----------
     integral : Quadratic
     words : str
-        What it is.
+        Description of the integral.
     """
 
     integral: Quadratic
@@ -44,7 +44,7 @@ class EnergyLikeIntegral:
 
 @dataclass(frozen=True)
 class _LinearParts:
-    """E₁ of several integrals at a point: one row for each coordinate of the base."""
+    """E₁ of several integrals, with one row for each coordinate of the base."""
 
     locals: Sequence[PointwiseForm]
 
@@ -62,12 +62,12 @@ class _LinearParts:
 def energy_like_integral(
     mechanism: Mechanism, motion: ReducedMomenta, lift: Lift
 ) -> EnergyLikeIntegral:
-    """The energy if it has no linear part, else a combination with an integral.
+    """The energy if it has no linear part, else a combination with another integral.
 
     Raises
     ------
     InputError
-        If there is none.
+        If none is found.
     """
     base, owner = lift.base, mechanism.name
     first = energy(motion, base)
@@ -84,7 +84,7 @@ def energy_like_integral(
         for each in combined[1:]:
             total = total + each
         if _regular(lift, total, owner):
-            return EnergyLikeIntegral(total, _words(chosen, forms))
+            return EnergyLikeIntegral(total, _combination_text(chosen, forms))
     raise InputError(
         f"{owner}: on the level of its linear integral the energy has a part linear in the "
         "velocities of the base, and no integral with constant coefficients in the momenta "
@@ -102,7 +102,7 @@ def _regular(lift: Lift, integral: Quadratic, owner: str) -> bool:
     return bool(a * c != b * b)
 
 
-def _words(factors: Mapping[int, sp.Expr], forms: Sequence[QuadraticForm]) -> str:
+def _combination_text(factors: Mapping[int, sp.Expr], forms: Sequence[QuadraticForm]) -> str:
     """The combination in the energy E and the momenta M."""
     E, M = real_symbol("E"), Vector("M")
     total = sp.S.Zero

@@ -1,7 +1,8 @@
 """Exact values at rational points, for formulas rational in coordinates, sines and cosines.
 
 Every coordinate x has a rational value of its own, and sin x and cos x are a rational point of the
-circle: what vanishes at generic such points vanishes as a function of x, sin x, cos x.
+circle: a formula that vanishes at generic points of this kind vanishes as a function of x, sin x,
+cos x.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ def on_circles(formula: sp.Expr, owner: str = "") -> sp.Expr:
     Raises
     ------
     InputError
-        If it is not rational in coordinates, their sines and cosines.
+        If the formula is not rational in coordinates, their sines and cosines.
     """
     formula = formula.rewrite([sp.tan, sp.cot, sp.sec, sp.csc], sp.cos).rewrite(sp.tan, sp.cos)
     if formula.has(sp.Function):
@@ -78,7 +79,7 @@ def is_rational(formula: sp.Expr) -> bool:
 
 
 class Evaluable(Protocol):
-    """Formulas with values at points."""
+    """The interface of formulas that have values at points."""
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
@@ -89,13 +90,13 @@ class Evaluable(Protocol):
 
 
 class Formulas:
-    """Formulas made ready for evaluation in any field.
+    """Formulas compiled for evaluation in any field.
 
     Parameters
     ----------
     formulas : sequence of Expr
     owner : str
-        Named where a formula is refused.
+        Name of the system, for error messages.
     """
 
     def __init__(self, formulas: Iterable[sp.Expr], owner: str = "") -> None:
@@ -122,7 +123,7 @@ def random_rational(rng: random.Random) -> fmpq:
 
 
 def rational_near(default: float, rng: random.Random) -> fmpq:
-    """A rational number near a default that is not zero."""
+    """A rational number near a default; any number if the default is zero."""
     if default == 0:
         return random_rational(rng)
     exact = Fraction(repr(float(default))) * rng.randint(90, 115) / 100
@@ -132,7 +133,7 @@ def rational_near(default: float, rng: random.Random) -> fmpq:
 def rational_point(
     symbols: Iterable[sp.Symbol], rng: random.Random, start: Point | None = None
 ) -> dict[sp.Symbol, Value]:
-    """Values of coordinates with their sines and cosines, or of whatever else is named."""
+    """Random values of symbols, with independent sines and cosines of each."""
     values: dict[sp.Symbol, Value] = dict(start or {})
     for s in symbols:
         if s in values:

@@ -22,6 +22,7 @@ class Quotient:
     def __init__(self, above: Any, below: Any) -> None:
         if below == 0:
             raise ZeroDivisionError
+        # lowest terms with a monic denominator, so that equal fractions have equal parts
         shared = above.gcd(below)
         if not shared.is_constant():
             above, below = divmod(above, shared)[0], divmod(below, shared)[0]
@@ -82,7 +83,7 @@ class Quotient:
 
 
 def quotients(names: Sequence[sp.Symbol]) -> tuple[Quotient, dict[sp.Symbol, Quotient]]:
-    """The number one of the field of fractions in `names`, and the names as its elements."""
+    """The unit element of the field of rational functions in `names`, and the names as elements."""
     ring = fmpq_mpoly_ctx.get([str(s) for s in names], Ordering.lex)
     one = ring.constant(1)
     gens = {s: Quotient(g, one) for s, g in zip(names, ring.gens(), strict=True)}

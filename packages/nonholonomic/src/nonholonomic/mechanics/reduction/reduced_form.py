@@ -1,4 +1,4 @@
-"""A generalised Chaplygin system in its reduced form, and its text."""
+"""A generalised Chaplygin system in reduced form, and its description."""
 
 from __future__ import annotations
 
@@ -44,10 +44,10 @@ class ChaplyginForm(WithOverview):
     base : Base
         The two coordinates.
     integrals : tuple of (Expr, Linear)
-        The linear integrals on whose levels the system is reduced, after their values.
+        Value and integral of each linear integral on whose level the system is reduced.
     role : str
         The integral in place of the energy in L = E₂ − E₀.
-    closed : Closed
+    closed : ClosedFormParts
         Metric, S and the lift, in closed form.
     multiplier : Multiplier or None
         N up to a constant factor.
@@ -61,20 +61,19 @@ class ChaplyginForm(WithOverview):
     flux : Flux or None
         The integral of S̄, if there is a multiplier.
     system : System
-        (4.7), with the laws of Theorem 6 and the way back to `original`.
+        (4.7), with the laws of Theorem 6 and the map to `original`.
     gyroscopic : Expr or None
         S̄ of (4.5), if there is a multiplier.
     lifted : System or None
-        `system` with those coordinates of `original` that it does not need; it carries the way
-        back then.
+        `system` with the additional coordinates of `original`, if there are any; it then has the
+        map to `original`.
     hamiltonian : System or None
-        `system` in the time τ and canonical variables, where S̄ is exact in closed form.
-    local : Local
-        Evaluates (4.4) at points.
+        `system` in the time τ and canonical variables, if S̄ is exact in closed form.
+    local : PointwiseForm
+        Evaluation of (4.4) at points.
     level : tuple of Expr
-        Expressions in the parameters that vanish for the numbers of the mechanism and are a case
-        of their own, with a multiplier or another than elsewhere.  They are settled in all
-        systems here.
+        Expressions in the parameters that vanish for the values of the mechanism and form a special
+        case, in which a multiplier exists or differs. All systems here use these relations.
 
     Examples
     --------
@@ -108,7 +107,7 @@ class ChaplyginForm(WithOverview):
     level: tuple[sp.Expr, ...] = ()
 
     def claims(self) -> Iterator[tuple[System, Law]]:
-        """All that is claimed, as pairs of a system and a law of it."""
+        """All laws, as pairs of a system and a law."""
         for system in (self.original, self.system, self.lifted, self.hamiltonian):
             if system is not None:
                 yield from ((system, law) for law in system.laws)

@@ -24,17 +24,17 @@ h_11, h_12, h_22 = (real_symbol(f"h_{i}") for i in ("11", "12", "22"))
 HALF = sp.Rational(1, 2)
 
 LEVEL = 0.8
-"""Default of the constant of a linear integral."""
+"""Default value of the constant of a linear integral."""
 
 
 def momenta(base: Base) -> tuple[sp.Symbol, sp.Symbol]:
-    """P₁, P₂."""
+    """The momenta P₁, P₂."""
     first, second = (real_symbol(f"P_{q}") for q in base.coordinates)
     return first, second
 
 
 def speeds(base: Base) -> tuple[sp.Symbol, sp.Symbol]:
-    """q̇₁, q̇₂."""
+    """The velocities q̇₁, q̇₂."""
     first, second = (real_symbol(f"{q}dot") for q in base.coordinates)
     return first, second
 
@@ -47,7 +47,7 @@ def chaplygin_system(
     potential: sp.Expr,
     multiplier: Multiplier | None,
 ) -> System:
-    """(4.7) in the coordinates of the base, with the laws of Theorem 6.
+    """The system (4.7) in the coordinates of the base, with the laws of Theorem 6.
 
     Parameters
     ----------
@@ -55,9 +55,9 @@ def chaplygin_system(
     base : Base
     constants : tuple of Symbol
         Constants of linear integrals; they become parameters.
-    closed : Closed
+    closed : ClosedFormParts
     potential : Expr
-        The part of E₀ that `closed` leaves out.
+        The part of E₀ not contained in `closed`.
     multiplier : Multiplier or None
     """
     q, P, v = base.coordinates, momenta(base), speeds(base)
@@ -130,7 +130,7 @@ def _by_place(base: Base, closed: ClosedFormParts, level: sp.Expr, index: int) -
 
 
 def bracket(on: tuple[sp.Expr, ...] = ()) -> PoissonStructure:
-    """(4.6) in q, P: {q_i, P_j} = δ_ij/N, {P₁, P₂} = S/N.
+    """The bracket (4.6) in q, P: {q_i, P_j} = δ_ij/N, {P₁, P₂} = S/N.
 
     With p = N P these are {q_i, p_j} = δ_ij and {p₁, p₂} = S̄ for S̄ of (4.5).
     """
@@ -151,7 +151,7 @@ def theorem_6(
     powers: Iterable[tuple[sp.Expr, sp.Expr]] = ((N, sp.S.One),),
     on: tuple[sp.Expr, ...] = (),
 ) -> tuple[Law, ...]:
-    """The measure with the density N, given by its factors; bracket and Hamiltonian form."""
+    """The laws of Theorem 6: measure with density N, given by its factors, bracket and form."""
     structure = bracket(on)
     return (
         Measure(
@@ -175,7 +175,7 @@ def theorem_6(
 
 
 def with_base(original: System, base: Base) -> System:
-    """The original system with the coordinates of the base that it lacks."""
+    """The original system, extended by coordinates of the base that it omits."""
     if original.reconstruction is None:
         return original
     missing = [(x, rate) for x, rate in original.reconstruction.field if x in base.coordinates]
@@ -183,7 +183,7 @@ def with_base(original: System, base: Base) -> System:
 
 
 def _velocities_on_base(base: Base, closed: ClosedFormParts) -> dict[sp.Symbol, sp.Expr]:
-    """Coordinates and velocities of the mechanism on the base."""
+    """Coordinates and velocities of the mechanism in terms of the base."""
     v = speeds(base)
     known = dict(base.place)
     for u, (first, second, rest) in zip(base.motion.velocities, closed.lifted, strict=True):
@@ -194,7 +194,7 @@ def _velocities_on_base(base: Base, closed: ClosedFormParts) -> dict[sp.Symbol, 
 def with_carried_coordinates(
     form: System, base: Base, closed: ClosedFormParts, original: System
 ) -> System | None:
-    """(4.7) with the further coordinates of the original system, or None."""
+    """(4.7) with the additional coordinates of the original system; None if there are none."""
     known = _velocities_on_base(base, closed)
     missing = [s for s in original.symbols if s not in known]
     if not missing:
@@ -214,11 +214,11 @@ def motion_law(
     Parameters
     ----------
     base : Base
-    closed : Closed
+    closed : ClosedFormParts
     original : System
         In coordinates of the mechanism and velocities u.
     level : tuple of Expr
-        What vanishes on the level, in the same coordinates and velocities.
+        Expressions that vanish on the level, in the same coordinates and velocities.
     """
     known = _velocities_on_base(base, closed)
     return Isomorphism(

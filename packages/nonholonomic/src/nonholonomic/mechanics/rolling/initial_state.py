@@ -196,7 +196,7 @@ def is_no_spin(relation: sp.Expr) -> bool:
 
 
 def _of_attitude(start: Pairs) -> Pairs:
-    """The pairs of a start that depend on the attitude alone, as a direction of the surface does."""
+    """The pairs of a start that depend on the attitude alone."""
     return tuple(
         (name, formula)
         for name, formula in start

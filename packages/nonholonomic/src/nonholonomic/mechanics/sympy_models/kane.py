@@ -41,7 +41,7 @@ from .names import Defaults, Inputs, NameTranslation, name_translation
 
 
 class _Plain(Tape):
-    """A tape without simplification, since SymPy's formulas are long and shared parts have names."""
+    """A tape without simplification: SymPy's formulas are long, and shared parts have names."""
 
     def short(self, value: sp.Expr, hold: Collection[sp.Symbol] = ()) -> sp.Expr:
         """The formula itself."""
@@ -55,7 +55,7 @@ class Kane:
     Attributes
     ----------
     name, title : str
-    words : Renamed
+    words : NameTranslation
         Translation of the model's formulas to plain symbols.
     coordinates, speeds : tuple of Symbol
     rates : tuple of Expr
