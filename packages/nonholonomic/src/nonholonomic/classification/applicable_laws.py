@@ -43,7 +43,7 @@ def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Applicabl
     whole : RankSample
         The system on its whole phase space.
     verdicts : mapping of str to Verdict
-        On its laws, by name.
+        Verdicts on its laws, by name.
     """
     system = whole.system
     state = set(system.symbols)

@@ -1,4 +1,4 @@
-"""The class of a system and the kind of its motions, from what is proven (§3.3, §4).
+"""The class of a system and the kind of its motions, from its proven laws (§3.3, §4).
 
 The theorems of Lie (Theorem 3), Euler and Jacobi (Theorem 5), Liouville and Arnold, Poincaré and
 Bendixson are applied as stated; every statement follows from the listed facts.
@@ -20,25 +20,25 @@ class DynamicalStructure:
     ----------
     dimension : int
     count : int
-        Independent first integrals.
+        Number of independent first integrals.
     integrals : tuple of Fact
-        The facts that give them.
+        The facts that prove them.
     measures : tuple of Density
     absence : str
-        Why no measure has a density on the configuration, if that is shown.
+        Reason why no measure has a density on the configuration space, if this is proven.
     brackets : tuple of Bracket
     symmetries : tuple of Fact
-        Independent of the motion and of one another.
+        Symmetry fields independent of the flow and of one another.
     lie : tuple of Fact
         Symmetry fields that fulfil Theorem 3, if they do.
     liouville : tuple of Fact
-        A Hamiltonian form and integrals in involution, if they are enough.
+        A Hamiltonian form and sufficiently many integrals in involution, if there are any.
     reversal : tuple of str
         Variables whose change of sign reverses the motion.
     reductions : tuple of Fact
         Proven reductions and separations of variables.
     shifts : tuple of Fact
-        Shifts of variables on which nothing else depends, if without these Theorem 5 applies.
+        Shifts of cyclic variables, if Theorem 5 applies to the system without these variables.
     open : tuple of str
         Laws that would give a measure but are not proven without conditions, with their verdicts.
     """

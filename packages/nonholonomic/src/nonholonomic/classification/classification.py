@@ -40,36 +40,36 @@ class Classification(WithOverview):
     Attributes
     ----------
     system : str
-        Its title.
+        Title of the system.
     level : str
-        In words, empty for the whole phase space.
+        Description of the level; empty for the whole phase space.
     variables, conditions : int
         Number of state variables, and rank of the conditions between them.
     integrals : tuple of Fact
         Independent first integrals.
     count : int
-        Number of these functions: a reduction to linear equations gives several.
+        Number of independent integrals: a reduction to linear equations gives several.
     dependent : tuple of Fact
-        Further integrals, functions of the others as far as the rank tells.
+        Other integrals, which by rank are functions of the independent ones.
     measures : tuple of Density
     absence : str
-        Why there is no measure whose density depends on the configuration alone, if that is shown.
+        Reason why no measure has a density that depends on the configuration alone, if proven.
     brackets : tuple of Bracket
     symmetries : tuple of Fact
-        Fields that commute with the motion and are independent of it and of one another.
+        Fields that commute with the flow and are independent of it and of one another.
     reversal : tuple of str
-        Variables whose change of sign makes the motion run backwards in time; determined where
-        no measure excludes attracting sets.
+        Variables whose change of sign reverses the motion in time; determined only if no measure
+        excludes attracting sets.
     reductions : tuple of Fact
         Further proven reductions, separations, isomorphisms.
     kinds : tuple of IntegrabilityClass
     dynamics : tuple of Statement
-        The motions that are possible.
+        The possible kinds of motion.
     ignored_laws : tuple of IgnoredLaw
     levels : tuple of Classification
         Levels on which more is proven.
     reason : str
-        Why nothing could be counted; empty where it could.
+        Reason why the system could not be classified; empty otherwise.
 
     Examples
     --------

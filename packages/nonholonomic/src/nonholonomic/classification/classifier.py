@@ -57,7 +57,7 @@ def classify_laws(
 
 
 def _in_angles(place: Classification, more: int) -> Classification:
-    """A classification whose variables are counted as in the system, an angle as one."""
+    """A classification in which an angle counts as one variable, not as sine and cosine."""
     return replace(
         place,
         variables=place.variables - more,
@@ -97,7 +97,7 @@ def _without_angles(system: System) -> System:
 
 
 def _unknown_place(system: System, verdicts: Mapping[str, Verdict], reason: str) -> Classification:
-    """A classification in which nothing could be counted."""
+    """A classification of a system whose laws could not be counted."""
     proven = tuple(fact_of(law) for law in system.laws if verdicts.get(law.name))
     kind = IntegrabilityClass("none known", f"not determined: {reason}", proven)
     return Classification(system.title, "", len(system.symbols), 0, kinds=(kind,), reason=reason)
@@ -136,7 +136,7 @@ def _open_questions(system: System, verdicts: Mapping[str, Verdict]) -> tuple[st
 
 
 def _holds(system: System, law: Law, on: tuple[Any, ...], budget: ProofBudget) -> bool:
-    """Whether a law holds for a level by definition: functions do, everything else is proven."""
+    """Whether a law holds on a level: functions do by restriction, all else is proven."""
     if not (law.of_volume or law.by_components):
         return True
     return bool(budget.verdict(system, replace(law, level=(*law.level, *on))))
@@ -236,15 +236,15 @@ def classify(
     system : System
         Its parameters count with their present values (their defaults), taken as exact decimals.
     verdicts : mapping of str to Verdict
-        On its laws, by name; a law without a verdict does not count.  By default what can
-        be proven with this effort.
+        Verdicts on its laws, by name; a law without a verdict does not count. By default all laws
+        are tried with this effort.
     source : RollingBody or Mechanism, optional
         The mechanical model with its numbers.  If no measure of its equations is proven, it is
         decided whether there is one whose density depends on the configuration alone.
     effort : int
-        Term operations for the proof of one law.  Besides the laws there are others to be proven:
-        that symmetries leave the integrals alone, that integrals are in involution, laws of the
-        targets of isomorphisms, laws restricted to a level.
+        Term operations for the proof of one law. Further statements are proven with it: that
+        symmetries leave integrals invariant, that integrals are in involution, laws of the targets
+        of isomorphisms, laws restricted to a level.
     total_budget : int, optional
         Term operations after which no further law is tried.
     progress : callable, optional
@@ -254,7 +254,7 @@ def classify(
     -------
     Classification
         Dimensions, integrals, measures, brackets and symmetries that are proven, and which
-        motions they allow.  Where nothing can be counted, `reason` says why.
+        motions they allow.  If the system cannot be classified, `reason` has the cause.
 
     Raises
     ------

@@ -33,9 +33,9 @@ class MeasureFacts:
     measures : tuple of Density
         The measure, if there is one.
     absence : str
-        That there is none, and the witness; empty otherwise.
+        Proof that there is none, with the witness; empty otherwise.
     open : str
-        That neither is known of a body or mechanism; empty otherwise.
+        A statement that neither is known; empty otherwise.
     """
 
     measures: tuple[Density, ...] = ()
@@ -51,7 +51,7 @@ def configuration_measure(
     Parameters
     ----------
     source : RollingBody or Mechanism, optional
-        The mechanical model with its numbers; nothing can be said without it.  The parameters of a
+        The mechanical model with its numbers; without it there is no result.  The parameters of a
         mechanism have their present values, as exact decimals.
     budget : ProofBudget
     """

@@ -32,8 +32,8 @@ class AnnihilatingCovectors:
     rows : callable
         View ↦ the covectors there.
     functions : tuple of sympy.Expr
-        Functions of this system: a field along which they are constant leaves the integrals alone.
-        Empty where they are functions on another system.
+        Functions on this system: a field along which they are constant leaves the integrals
+        invariant. Empty if they are functions on another system.
     """
 
     fact: Fact

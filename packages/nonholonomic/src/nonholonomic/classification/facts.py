@@ -12,11 +12,11 @@ from lawproof.proof.prover import judgement_of, prove
 from lawproof.proof.verdict import NOT_TRIED, Verdict
 
 EFFORT_SPENT = f"{NOT_TRIED}, as the effort for all laws together was spent"
-"""Why a law is left undecided that no work was left for."""
+"""Reason of an undecided law for which no effort was left."""
 LEFT_OUT = f"{NOT_TRIED}, as proofs were left out"
-"""Why a law is left undecided where none was to be tried."""
+"""Reason of an undecided law if no proofs were wanted."""
 HERE = "found here"
-"""Source of a law that is not claimed of a system but was tried and proven."""
+"""Source of a law that was proven here and is not stated with the system."""
 
 
 @dataclass(frozen=True)
@@ -26,13 +26,13 @@ class Fact:
     Attributes
     ----------
     law : str
-        Its name.
+        Name of the law.
     words : str
         The fact in a few words.
     source : str
         The place in the literature.
     system : str
-        Title of the system whose law it is, where that is not the system spoken of.
+        Title of the system of the law, if it is not the classified one.
     functions : int
         Number of independent functions, if there are several.
     """

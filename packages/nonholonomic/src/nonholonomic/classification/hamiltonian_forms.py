@@ -38,7 +38,7 @@ def density(sample: RankSample, law: Measure) -> Density:
 
 
 def measures(sample: RankSample, laws: Sequence[Law], budget: ProofBudget) -> tuple[Density, ...]:
-    """The proven measures; if there are none, the volume is tried."""
+    """The proven measures; if there are none, the volume if it is proven invariant."""
     densities = tuple(density(sample, law) for law in of_kind(laws, Measure))
     if densities:
         return densities
@@ -55,7 +55,7 @@ def hamiltonian(sample: RankSample, laws: Sequence[Law], budget: ProofBudget) ->
     ----------
     sample : RankSample
     laws : sequence of Law
-        Proven on it.
+        Laws proven on it.
     budget : ProofBudget
         For the proofs that integrals are in involution.
     """

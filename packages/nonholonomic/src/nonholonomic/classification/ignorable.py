@@ -1,4 +1,4 @@
-"""Variables on which nothing else in a system depends: they follow by a quadrature."""
+"""Cyclic variables, on which nothing else in a system depends: they follow by a quadrature."""
 
 from __future__ import annotations
 

@@ -86,7 +86,7 @@ def _rotations(sample: RankSample, on: tuple[sp.Expr, ...]) -> list[Symmetry]:
 
 
 def _full(sample: RankSample, law: Symmetry) -> Components:
-    """The components of a symmetry field as formulas in the state alone."""
+    """The components of a symmetry field in terms of the state only."""
     named = components(law.field, sample.level_set)
     return {s: sample.expand(named.get(s, sp.S.Zero)) for s in sample.system.symbols}
 
@@ -138,12 +138,14 @@ def _as_rotation(sample: RankSample, field: Components) -> RotationSymmetry | No
 
 
 def _solvable(sample: RankSample, laws: Sequence[Symmetry]) -> bool:
-    """Whether fields span a solvable Lie algebra over the constants; exact."""
+    """Whether fields span a solvable Lie algebra with constant structure; exact."""
     fields = [_full(sample, law) for law in laws]
     structure = _structure(fields, sample.system.symbols)
     if structure is None:
         return False
     span = [list(row) for row in sp.eye(len(laws)).tolist()]
+    # the derived series: each term is spanned by the brackets of the one before, and a solvable
+    # algebra reaches zero
     while span:
         pairs = [(span[i], span[j]) for i in range(len(span)) for j in range(i)]
         brackets = [_bracket(structure, a, b) for a, b in pairs]

@@ -68,6 +68,8 @@ def _on_sphere(
     square = -relation.xreplace(dict.fromkeys(names, sp.S.Zero)) / weight if weight else sp.S.Zero
     if not (weight.is_Rational and square.is_Rational and square.is_positive):
         return {}
+    # stereographic projection from the pole with x_top of opposite sign maps the rational given
+    # point to rational parameters, and these to a rational point of the sphere
     radius = sp.sqrt(square)
     sphere = weight * (sp.Add(*(x**2 for x in names)) - square)
     if not radius.is_Rational or sp.expand(relation - sphere) != 0:
@@ -102,9 +104,9 @@ class View:
     evaluate : Evaluator
         Values with their partial derivatives by the state variables.
     level_set : LevelSet
-        Of the system whose formulas are read.
+        The level set of the system to which the formulas belong.
     size : int
-        Number of state variables of the system that is observed.
+        Number of state variables of the system from which the point comes.
     """
 
     field: Rationals | Balls
@@ -148,7 +150,7 @@ class RankSample:
     level : tuple of sympy.Expr
         Conditions on the state that define the level; none for the whole phase space.
     values : mapping of Symbol to number, optional
-        Of the parameters, in place of the present ones.
+        Values of the parameters, in place of the present ones.
     """
 
     system: System
@@ -236,7 +238,8 @@ class RankSample:
         Parameters
         ----------
         rows : sequence of callable
-            View ↦ some covectors; all of one entry count together or not at all.
+            Functions from a view to covectors; the covectors of an entry count together or not at
+            all.
 
         Returns
         -------

@@ -25,15 +25,15 @@ def proven_rotation_symmetry(sample: RankSample, axis: int) -> RotationSymmetry 
     Parameters
     ----------
     sample : RankSample
-        With the parameters at which it is asked.
+        The system at its present parameters.
     axis : int
         0, 1 or 2.
 
     Returns
     -------
     RotationSymmetry or None
-        None where it is not a symmetry, or this proof does not reach: where the state or a
-        definition is no vector, scalar or tensor of space in body axes.
+        None if it is not a symmetry, or if the proof does not apply because the state or a
+        definition is not a vector, scalar or tensor of space in body axes.
     """
     symmetry = RotationSymmetry(sample, axis)
     system = sample.system
@@ -74,10 +74,12 @@ class RotationSymmetry:
     def follows(self, name: sp.Expr, formula: sp.Expr) -> bool:
         """Whether a definition transforms according to its kind.
 
-        If so, its symbols are recorded.
+        If so, the changes of its symbols are recorded.
         """
         symbols, parts = zip(*flat_pairs(((name, formula),)), strict=True)
         values = [self.expand(part) for part in parts]
+        # infinitesimal rotation: e × x of vectors, [ê, T] of tensors, zero for scalars; a diagonal
+        # tensor is invariant if its two entries across the axis agree
         if isinstance(name, Symmetric):
             here, there = (_square(t) for t in (values, symbols))
             wanted, change = (
@@ -98,11 +100,11 @@ class RotationSymmetry:
         return self.agree(values, wanted)
 
     def keeps(self, formula: sp.Expr) -> bool:
-        """Whether a scalar formula is shown to be invariant."""
+        """Whether a scalar formula is proven invariant."""
         return vanishes(self._change(self.expand(*scalars(formula))))
 
     def agree(self, values: Sequence[sp.Expr], goals: Sequence[sp.Expr]) -> bool:
-        """Whether formulas change as they must."""
+        """Whether formulas have the given changes."""
         return all(vanishes(self._change(v) - w) for v, w in zip(values, goals, strict=True))
 
     def _change(self, value: sp.Expr) -> sp.Expr:

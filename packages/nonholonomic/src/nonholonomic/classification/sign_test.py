@@ -36,13 +36,13 @@ def sign(sample: RankSample, formulas: Sequence[sp.Expr]) -> Sign:
     ----------
     sample : RankSample
     formulas : sequence of sympy.Expr
-        In state, definitions and parameters.
+        Formulas in state, definitions and parameters.
 
     Returns
     -------
     ``"kept"``, ``"changes"`` or ``"unknown"``
-        Kept: shown for every point, by ball arithmetic on a cover of the bounded variables on
-        which the formulas depend; changes: one of them has both signs, at points that were found.
+        Kept: proven at every point, by ball arithmetic on a cover of the bounded variables on which
+        the formulas depend; changes: one of them takes both signs at sampled points.
     """
     signs = [_sign_of(sample, formula) for formula in formulas]
     if "changes" in signs:
@@ -70,7 +70,7 @@ def _sign_of(sample: RankSample, formula: sp.Expr) -> Sign:
 
 
 def _divides(sample: RankSample, formula: sp.Expr) -> bool:
-    """Whether a formula is a root that is a divisor in the equations, and therefore positive."""
+    """Whether a formula is a square root by which the equations divide, hence positive."""
     steps = dict(sample.system.scalar_definitions)
     inner = steps.get(formula, formula)
     if not (inner.is_Pow and inner.exp == sp.Rational(1, 2)):

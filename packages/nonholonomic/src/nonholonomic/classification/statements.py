@@ -54,15 +54,15 @@ class Bracket:
     ----------
     law : Fact
     rank : int
-        Of the Poisson structure, at a generic point of the level.
+        Rank of the Poisson structure at a generic point of the level.
     casimirs : tuple of str
-        Casimir functions that are proven, besides the relations of the phase space.
+        Proven Casimir functions, in addition to the relations of the phase space.
     closed : bool
-        Whether these are all, so that the symplectic leaves are their common levels (§3.4).
+        Whether the list is complete, so that the symplectic leaves are common levels (§3.4).
     conformal : bool
         Whether the form needs a reducing multiplier, a change of time.
     sign : str
-        As for `Density`, of the multiplier.
+        Sign of the multiplier, as for `Density`.
     """
 
     law: Fact

@@ -1,7 +1,7 @@
 """Results that proven isomorphisms transfer from their targets.
 
-Functions that are constant there are constant here.  A Hamiltonian form there is one here, up to
-the change of time, if the map is a local diffeomorphism.
+Integrals of the target are integrals of the system. A Hamiltonian form of the target is one of the
+system, up to the change of time, if the map is a local diffeomorphism.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def through_isomorphisms(
     ----------
     sample : RankSample
     laws : sequence of Law
-        Proven on it.
+        Laws proven on it.
     budget : ProofBudget
         For the proofs of the laws of the targets.
     depth : int

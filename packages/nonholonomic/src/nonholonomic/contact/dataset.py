@@ -42,7 +42,7 @@ def with_contact(
     ----------
     samples : xarray.Dataset
     modes : array (n,)
-        Of each sample, an index into `MODE_NAMES`.
+        Mode of each sample, an index into `MODE_NAMES`.
     events : sequence of ContactEvent
     columns : sequence of str
         Names of the components of the state.

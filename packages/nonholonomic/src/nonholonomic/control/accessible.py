@@ -27,18 +27,19 @@ from .robot import SphericalRobot
 
 @dataclass(frozen=True)
 class Accessibility:
-    """The dimensions that drift and controls of a robot span.
+    """The dimensions spanned by drift and controls of a robot.
 
     Attributes
     ----------
     growth : tuple of int
-        Dimensions spanned at a generic state by the drift and the controls, with the commutators
-        of two, of three, …, until they grow no more.
+        Dimensions spanned at a generic state by the drift and the controls, with the commutators of
+        two, of three, …, up to the step at which they stop growing.
     dimension : int
-        Of the state space: attitude, place, M, joints, and the speeds of rotors and joints.
+        Dimension of the state space: attitude, position, M, joints, and the speeds of rotors and
+        joints.
     exact : bool
-        Whether the growth was found by rational numbers at a point; otherwise modulo a prime, and
-        no dimension is smaller.
+        Whether the growth was computed with rational numbers at a point; otherwise modulo a prime,
+        which gives lower bounds.
 
     Examples
     --------
@@ -58,7 +59,7 @@ class Accessibility:
 
     @property
     def accessible(self) -> bool:
-        """Whether everything is spanned: proven, since computed dimensions are lower bounds."""
+        """Whether the state space is spanned; proven, since computed dimensions are lower bounds."""
         return self.growth[-1] == self.dimension
 
     def __str__(self) -> str:
@@ -82,13 +83,13 @@ def accessibility(robot: SphericalRobot) -> Accessibility:
     Returns
     -------
     Accessibility
-        Of a balanced ball the momentum stays constant, so that not everything is spanned; see
-        :func:`~nonholonomic.control.controllable.controllability` for its motions from rest.
+        For a balanced ball the momentum is constant, so that the state space is not spanned; see
+        :func:`~nonholonomic.control.controllable.controllability` for motions from rest.
 
     Raises
     ------
     InputError
-        If the names of joints are those of other variables.
+        If a joint has the name of another variable.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Direct collocation: a motion with its inputs as the solution of algebraic equations.
+"""Direct collocation: a motion and its inputs as the solution of algebraic equations.
 
 The period is divided into equal intervals.  On each the state is a polynomial that satisfies the
 equations at the s Radau nodes (order 2s − 1 at the ends of intervals; Hairer and Wanner, Solving
@@ -25,6 +25,8 @@ from .path import PlanePath
 @lru_cache(maxsize=16)
 def radau(stages: int) -> tuple[FloatArray, FloatArray]:
     """Nodes c and matrix a of the Radau IIA method on [0, 1]; its weights are the last row of a."""
+    # the inner Radau points are the zeros of the Jacobi polynomial P^(1,0); row i of a integrates
+    # the Lagrange polynomials exactly from 0 to c_i
     inner = roots_jacobi(stages - 1, 1, 0)[0] if stages > 1 else np.empty(0)
     c = np.append((inner + 1) / 2, 1.0)
     powers = np.arange(stages)
@@ -45,7 +47,7 @@ class Transcription:
     equations : CompiledEquations
     path : PlanePath
     output : list of int
-        Places of x and y in the state.
+        Indices of x and y in the state.
     intervals, stages : int
     start : mapping of int to float
         Given components of the state at the start; the others are free.
@@ -94,7 +96,7 @@ class Transcription:
         return unknowns[:n], unknowns[n:].reshape(-1, self.width)
 
     def residuals(self, unknowns: FloatArray) -> FloatArray:
-        """Residuals: conditions at the start, collocation defects, distances to the path."""
+        """Residuals of the start conditions, the collocation equations and the path."""
         _, a = radau(self.stages)
         n, s, e = self.equations.size, self.stages, self.intervals
         start, points = self.start_and_nodes(unknowns)
@@ -112,7 +114,8 @@ class Transcription:
 
     @cached_property
     def _open(self) -> list[int]:
-        """Relations that free components of the start must satisfy."""
+        """Indices of the relations that involve free components of the start."""
+        # structural zeros are recognised at one irrational point
         slopes = self.equations.normals(np.ones((1, self.width)) * np.sqrt(0.7))[0]
         return [
             r
@@ -124,11 +127,13 @@ class Transcription:
         return self.equations.conditions(self._start_row(start))[0, self._open]
 
     def jacobian(self, unknowns: FloatArray) -> csr_matrix:
-        """The derivatives of the residuals."""
+        """The sparse Jacobian of the residuals."""
         _, a = radau(self.stages)
         n, s, e, w = self.equations.size, self.stages, self.intervals, self.width
         start, points = self.start_and_nodes(unknowns)
         slopes = self.equations.slopes(points).reshape(e, s, n, w)
+        # d(z_i − z_before − h Σ_j a_ij f_j): dense blocks in each interval, −1 by the end of the
+        # one before
         blocks = -self.step * np.einsum("ij,ejnk->einjk", a, slopes)
         stage, entry = np.arange(s), np.arange(n)
         blocks[:, stage[:, None], entry, stage[:, None], entry] += 1.0

@@ -36,7 +36,7 @@ class CompiledEquations:
         self._normals, self._normals_at = _entries(formulas, conditions)
 
     def rates(self, points: FloatArray) -> FloatArray:
-        """f (k, n) at points (k, n + m), which hold states and inputs."""
+        """f (k, n) at points (k, n + m) of states and inputs."""
         return self._rates(points.T, self._parameters).T
 
     def slopes(self, points: FloatArray) -> FloatArray:
@@ -62,7 +62,7 @@ class CompiledEquations:
 def _entries(
     formulas: SystemFormulas, terms: Sequence[object]
 ) -> tuple[CompiledTerms, tuple[list[int], list[int]]]:
-    """The nonzero derivatives, and their positions."""
+    """The structurally nonzero derivatives, compiled, with their rows and columns."""
     table = formulas.slopes(terms)  # type: ignore[arg-type]
     places = [
         (i, j) for i, row in enumerate(table) for j, entry in enumerate(row) if entry.number != 0

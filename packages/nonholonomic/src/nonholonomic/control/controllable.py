@@ -28,11 +28,11 @@ from .robot import SphericalRobot
 
 DIMENSION = 5
 STEPS = 7
-"""Commutators of at most so many fields are tried."""
+"""Largest number of fields in a commutator."""
 CUTS = 20
-"""Cuts of a face at most."""
+"""Maximum number of subdivisions of a face."""
 LONGER_AFTER = 3
-"""After so many cuts of a face commutators of one more field are tried."""
+"""Number of subdivisions after which longer commutators, by one field, are tried."""
 #: A generic point.
 GENERIC = (fmpq(31, 50), fmpq(-17, 29), fmpq(1))
 
@@ -49,17 +49,16 @@ class Controllability:
         ``"controllable"``: any two configurations are joined by a motion; ``"not controllable"``;
         or ``"undecided"``.
     growth : tuple of int
-        Dimensions spanned by the control fields, with their commutators, and so on, at generic
-        verticals.
+        Dimensions spanned by the control fields, by these and their commutators, and so on, at
+        generic verticals.
     exceptional : tuple of formula
-        The generic growth holds where none of them vanishes; forms in γ with real zeros.
+        Forms in γ with real zeros; the growth is generic where none of them vanishes.
     growth_there : tuple of tuple of int
-        The growth at a rational point of each exceptional plane; empty for a surface that is no
-        plane.
+        The growth at a rational point of each exceptional plane; empty for a curved surface.
     steps : int
-        Longest commutators, counted in fields, that the proof needs.
+        Number of fields in the longest commutator of the proof.
     rectangles : int
-        Parts of the sphere of verticals in the proof.
+        Number of parts of the sphere of verticals in the proof.
 
     Examples
     --------
@@ -106,7 +105,7 @@ class Controllability:
 
 @arguments_checked
 def controllability(robot: SphericalRobot) -> Controllability:
-    """Decide whether a balanced robot can be brought anywhere by its rotors.
+    """Decide whether the rotors of a balanced robot can bring it to any configuration.
 
     Parameters
     ----------
@@ -134,7 +133,7 @@ def controllability(robot: SphericalRobot) -> Controllability:
     fields = control_fields(_require_balanced(robot))
     growth = _growth(fields, GENERIC)
     if growth[-1] < DIMENSION:
-        # One field commutes with itself; more of them never stayed below five.
+        # one field commutes with itself; two or more always reached five in experience
         decision: Decision = "not controllable" if len(robot.rotors) == 1 else "undecided"
         return Controllability(decision, growth, (), (), 1, 0)
     search = _Search(fields, len(growth))
@@ -142,7 +141,8 @@ def controllability(robot: SphericalRobot) -> Controllability:
     planes = [_normal(form) for form in exceptional if form.total_degree() == 1]
     count = search.cover_size(planes)
     if count and search.steps <= len(growth):
-        exceptional = []  # where one determinant vanishes another one of the same length does not
+        # where one determinant vanishes, another of commutators of the same length does not
+        exceptional = []
     there = tuple(_growth_on(fields, form) for form in exceptional)
     return Controllability(
         "controllable" if count else "undecided",
@@ -162,18 +162,18 @@ def growth_vector(robot: SphericalRobot, vertical: Sequence[float]) -> tuple[int
     ----------
     robot : SphericalRobot
     vertical : 3 numbers
-        Direction of γ, body axes, exact as written; its length is of no account.
+        Direction of γ, body axes, taken exactly; it need not be a unit vector.
 
     Returns
     -------
     tuple of int
-        Dimensions spanned by the fields, with the commutators of two, of three, …, until they
-        are five, grow no more in three steps, or the commutators have seven fields.
+        Dimensions spanned by the fields, with the commutators of two, of three, …, until they reach
+        five, stay equal for three steps, or the commutators have seven fields.
 
     Raises
     ------
     InputError
-        If the robot is not balanced, or the vertical is no direction.
+        If the robot is not balanced, or the vertical is zero.
 
     Examples
     --------
@@ -203,7 +203,7 @@ def _require_balanced(robot: SphericalRobot) -> SphericalRobot:
 
 
 def _growth(fields: ControlFields, point: tuple[fmpq, fmpq, fmpq]) -> tuple[int, ...]:
-    """Dimensions on the line through a point; commutators are taken as forms."""
+    """Growth vector at a point, by the homogeneous forms of the commutators."""
     dimensions: list[int] = []
     rows: list[Field] = []
     while True:
@@ -220,7 +220,7 @@ def _growth(fields: ControlFields, point: tuple[fmpq, fmpq, fmpq]) -> tuple[int,
 
 
 class _Search:
-    """Determinants of five commutators, each computed once, without their positive factors."""
+    """Search for determinants of five commutators, cached without their positive factors."""
 
     def __init__(self, fields: ControlFields, generic: int) -> None:
         self._fields = fields
@@ -307,7 +307,7 @@ class _Search:
         while pending:
             where, cuts = pending.pop()
             places = [where.middle, *(_projection(where.middle, plane) for plane in planes)]
-            # Commutators are made longer until five are independent at each of these points.
+            # commutators are extended until five are independent at each of these points
             fives = [self._five_at(place) for place in places if any(place)]
             if None in fives:
                 return 0

@@ -34,9 +34,9 @@ class ControlledSystem(WithOverview):
         Named quantities in state, inputs, parameters and earlier ones.
     parameters : tuple of Parameter
     relations : tuple of formula
-        Vanish on the state space.
+        Expressions that vanish on the state space.
     output : pair of Symbol
-        The state variables that are to follow a path.
+        The state variables that shall follow a path.
 
     Examples
     --------
@@ -61,7 +61,7 @@ class ControlledSystem(WithOverview):
         object.__setattr__(self, "definitions", as_pairs(self.definitions))
 
     def overview(self) -> Overview:
-        """State, inputs, parameters and what follows a path."""
+        """State, inputs, parameters and output."""
         return Overview(
             f"{self.name}: equations with {len(self.inputs)} inputs",
             (
@@ -101,10 +101,10 @@ def input_formulas(
     Parameters
     ----------
     name : str
-        Of the system, for messages.
+        Name of the system, for messages.
     inputs, state : sequence of Symbol
     texts : mapping of str to formula
-        One for each input, in the time t and the state.
+        A formula for each input, in the time t and the state.
 
     Raises
     ------

@@ -10,8 +10,8 @@ moving mass μ at ρ, s = Rγ + a and σ = Rγ + ρ, the angular momentum about 
 
 λ = 0 for the marble contact.  For the rubber contact λ keeps (ω, γ) = 0; it changes only the
 vertical component of M, which is omitted: M then denotes the horizontal part, and M + ℓγ = Aω + b
-with ℓ = −(γ, A⁻¹(M − b))/(γ, A⁻¹γ).  The rates of joints and the speeds of rotors may jump, since M
-does not; a balanced ball without moving mass that starts from rest keeps M = 0 and is driftless.
+with ℓ = −(γ, A⁻¹(M − b))/(γ, A⁻¹γ). M is continuous even if the rates of joints and the speeds of
+rotors jump; a balanced ball without moving mass that starts from rest keeps M = 0 and is driftless.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ class _Formulas:
 
 @arguments_checked
 def controlled_system(robot: SphericalRobot) -> ControlledSystem:
-    """The equations of a robot with any momentum.
+    """The equations of a robot with arbitrary momentum.
 
     Parameters
     ----------
@@ -80,14 +80,14 @@ def controlled_system(robot: SphericalRobot) -> ControlledSystem:
     Returns
     -------
     ControlledSystem
-        With the state attitude (quaternion, body to space), place of the contact, M (body axes;
-        its horizontal part for a rubber contact) and the joints of the moving mass; inputs are
-        the speeds ``u_1``, … of the rotors and ``theta_rate``, … of the joints.
+        The state has the attitude (quaternion, body to space), the contact point, M (body axes; its
+        horizontal part for a rubber contact) and the joints of the moving mass; inputs are the
+        speeds ``u_1``, … of the rotors and ``theta_rate``, … of the joints.
 
     Raises
     ------
     InputError
-        If the names of joints are those of other variables.
+        If a joint has the name of another variable.
 
     Examples
     --------
@@ -110,7 +110,7 @@ def driftless_system(robot: SphericalRobot) -> ControlledSystem:
     Returns
     -------
     ControlledSystem
-        With the state attitude and place and rates linear in the speeds of the rotors.
+        The state has attitude and contact point; rates are linear in the speeds of the rotors.
 
     Raises
     ------
@@ -140,13 +140,13 @@ def driven_system(robot: SphericalRobot, inputs: Mapping[str, str | sp.Expr]) ->
     ----------
     robot : SphericalRobot
     inputs : mapping of str to formula
-        Of each input, by name, in the time t, M, gamma and the joints.
+        A formula for each input, by name, in the time t, M, gamma and the joints.
 
     Returns
     -------
     System
-        With the state M, gamma, the joints and, where the inputs depend on it, the time; attitude
-        and place are its motion in space.  For a balanced ball the momentum is among the laws.
+        The state has M, gamma, the joints and, if the inputs depend on it, the time; attitude and
+        contact point are reconstructed. For a balanced ball the momentum is among the laws.
 
     Raises
     ------

@@ -42,7 +42,7 @@ class ControlFields:
     levels : tuple of tuple of (str, Field)
         The fields ``g1``, …; the commutators of two of them; those with one more; and so on.
     scale : polynomial
-        Positive on the sphere; what the fields have been multiplied by.
+        The factor of the fields, positive on the sphere.
     """
 
     levels: tuple[tuple[tuple[str, Field], ...], ...]
@@ -62,8 +62,8 @@ class ControlFields:
     def forms(self) -> list[Field]:
         """The fields of the last level, with homogeneous components.
 
-        Off the unit sphere their rows and columns are multiplied by powers of |γ|, so fields are
-        dependent there if they are on the same line through the origin.
+        Off the unit sphere rows and columns are multiplied by powers of |γ|, so that independence
+        is the same along each line through the origin.
         """
         degree = 2 * len(self.levels)
         return [
@@ -97,7 +97,7 @@ def control_fields(robot: SphericalRobot) -> ControlFields:
 
 
 def commutator(left: Field, right: Field) -> Field:
-    """[X, Y] of two fields."""
+    """The commutator [X, Y] of two fields."""
     a, v, b, w = left[:3], left[3:], right[:3], right[3:]
     mixed = [p + q for p, q in zip(cross(a, w), cross(v, b), strict=True)]
     parts = (*cross(a, b), *mixed)
@@ -108,7 +108,7 @@ def commutator(left: Field, right: Field) -> Field:
 
 
 def _along(turn: Sequence[fmpq_mpoly], value: fmpq_mpoly) -> fmpq_mpoly:
-    """The rate of a function of γ while the ball turns."""
+    """The derivative ∂_a of a function of γ, for the angular velocity a."""
     rate = cross(GAMMA, turn)
     return sum((value.derivative(i) * rate[i] for i in range(3)), ZERO)
 
@@ -118,6 +118,7 @@ def minor(fields: Sequence[Field]) -> fmpq_mpoly:
 
     On the unit sphere it vanishes exactly if the five are dependent.
     """
+    # all fields have (v, γ) = 0, so that (0, γ) completes five independent ones to a basis
     rows = [*fields, (ZERO, ZERO, ZERO, *GAMMA)]
 
     @cache
@@ -141,7 +142,7 @@ def values_at(fields: Sequence[Field], point: Sequence[fmpq]) -> fmpq_mat:
 
 
 def on_sphere(value: fmpq_mpoly) -> fmpq_mpoly:
-    """The shortest polynomial that agrees on |γ| = 1."""
+    """The remainder of a polynomial modulo γ² − 1, which agrees on the unit sphere."""
     return divmod(value, SQUARE - 1)[1]
 
 

@@ -1,4 +1,4 @@
-"""A first guess of a motion along a path, from which an optimisation starts."""
+"""Initial guesses of a motion along a path, for the optimisation."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from .collocation import Transcription
 from .robot import MovingMass, SphericalRobot
 
 SINGULAR = 1e-3
-"""Share of the best ratio of velocity to inputs below which the inputs are given up."""
+"""Smallest singular value of B_xy, relative to the largest at the start, that is accepted."""
 TOLERANCE = 1e-8
-"""Of the integration of a guess."""
+"""Tolerance of the integration of a guess."""
 
 
 def least_inputs(
@@ -34,10 +34,10 @@ def least_inputs(
     Returns
     -------
     states : array (k, n)
-        At the nodes.
+        States at the nodes.
     inputs : array (k, m)
     reached : float
-        The time up to which this was possible; beyond it the last state is repeated, at rest.
+        The time up to which the path was followed; beyond it the last state is repeated, at rest.
     """
     equations, path = plan.equations, plan.path
     wanted = [] if spin is None else [spin]
@@ -88,6 +88,7 @@ def _fields(plan: Transcription, state: FloatArray) -> FloatArray:
 def _spins(state: FloatArray, fields: FloatArray) -> FloatArray:
     """(ω, γ) of each field, from the rates of the quaternion."""
     w, x, y, z = state[:4]
+    # ω in space axes is twice the vector part of q̇ q̄; (ω, γ) is its third component
     spins: FloatArray = 2 * (w * fields[3] - z * fields[0] + x * fields[2] - y * fields[1])
     return spins
 
@@ -101,7 +102,7 @@ def motion_with_lowest_mass(
     -------
     start : array (n,)
     states : array (k, n)
-        At the nodes; the momentum is that of this motion.
+        States at the nodes, with the momentum of this motion.
     inputs : array (k, m)
     """
     path, radius = plan.path, robot.radius
@@ -136,7 +137,7 @@ def motion_with_lowest_mass(
 
 
 def _lowest(mass: MovingMass, turns: FloatArray) -> FloatArray:
-    """Joint values at which the mass is lowest, followed by Newton's method."""
+    """Joint values of the lowest position of the mass, continued by Newton's method."""
     up = sp.symbols("up_1:4", real=True)
     height = sum((p * g for p, g in zip(mass.formulas, up, strict=True)), sp.S.Zero)
     slope = sp.Matrix([height]).jacobian(mass.symbols)
@@ -149,7 +150,7 @@ def _lowest(mass: MovingMass, turns: FloatArray) -> FloatArray:
         for _ in range(20):
             first, second = numbers(joints, vertical)
             if np.linalg.eigvalsh(np.array(second, dtype=float)).min() <= 1e-9:
-                break  # it can be lowered without end, or is at a saddle: leave the joints
+                break  # no minimum nearby: keep the joint values
             change = np.linalg.solve(np.array(second, dtype=float), np.ravel(first))
             joints = joints - change
             if np.abs(change).max() < 1e-12:

@@ -23,7 +23,7 @@ class Rectangle:
     face : int
         k, counted from zero.
     low, high : pair of fmpq
-        Limits of the two other components of γ, in order.
+        Bounds of the other two components of γ, in order.
     """
 
     face: int
@@ -39,7 +39,7 @@ class Rectangle:
         return x, y, z
 
     def halves(self) -> tuple[Rectangle, Rectangle]:
-        """Two rectangles, divided across the longer side."""
+        """Two rectangles, cut across the longer side."""
         sides = [b - a for a, b in zip(self.low, self.high, strict=True)]
         cut = 0 if sides[0] >= sides[1] else 1
         half = (self.low[cut] + self.high[cut]) / 2
@@ -72,7 +72,7 @@ def vanishes_nowhere(form: fmpq_mpoly, where: Rectangle) -> bool:
 
 
 def without_real_zero(form: fmpq_mpoly, depth: int = 9) -> bool | None:
-    """Whether a form has no zero but the origin; None if `depth` subdivisions did not decide."""
+    """Whether a form has no zero except the origin; None if undecided after `depth` cuts."""
     pending = [(face, 0) for face in faces()]
     sign = 0
     while pending:
@@ -95,6 +95,8 @@ def without_real_zero(form: fmpq_mpoly, depth: int = 9) -> bool | None:
 @lru_cache(maxsize=4096)
 def _bernstein(degree: int, low: fmpq, high: fmpq) -> fmpq_mat:
     """Convert coefficients of powers of x to Bernstein coefficients on [low, high]."""
+    # x = low + width·s gives x^j = Σ_k C(j,k) low^(j−k) width^k s^k, and s^k has the Bernstein
+    # coefficients C(i,k)/C(n,k) of degree n
     size, width = degree + 1, high - low
     shift = fmpq_mat(
         [

@@ -21,9 +21,9 @@ from flowlanes.system.arrays import FloatArray
 from ..mechanics.lagrangian.mechanism import TIME
 
 SAMPLES = 721
-"""Instants at which a path is examined."""
+"""Number of times at which a path is sampled."""
 CLOSURE = 1e-9
-"""Gap of a closed path at most, in diameters."""
+"""Largest gap of a closed path, relative to its diameter."""
 
 
 @arguments_checked
@@ -34,15 +34,15 @@ class PlanePath:
     Parameters
     ----------
     x, y : str or formula
-        Place (m) as functions of the time ``t`` (s) on [0, period].
+        Coordinates (m) as functions of the time ``t`` (s) on [0, period].
     period : float
-        T > 0, in s; at T the path is back where it was at 0.
+        T > 0, in s; the path returns to its starting point at T.
 
     Raises
     ------
     InputError
-        If the period is not positive, a formula cannot be read, the path is not closed or a
-        point, or its speed is not finite.
+        If the period is not positive, a formula cannot be read, the path is not closed or is a
+        single point, or its speed is not finite.
 
     Examples
     --------
@@ -87,7 +87,7 @@ class PlanePath:
 
     @arguments_checked
     def places(self, times: npt.ArrayLike) -> FloatArray:
-        """Places (n, 2) at times (n,)."""
+        """Points (n, 2) of the path at times (n,)."""
         return self._values(0, np.asarray(times, dtype=float))
 
     @arguments_checked
@@ -97,7 +97,7 @@ class PlanePath:
 
     @cached_property
     def diameter(self) -> float:
-        """The greatest distance of two points of the path (m)."""
+        """The greatest distance between two points of the path (m)."""
         points = self.places(np.linspace(0.0, self.period, SAMPLES))
         return float(np.max(np.linalg.norm(points[:, None] - points[None], axis=2)))
 
@@ -160,7 +160,7 @@ def path_through(points: Sequence[Sequence[float]], period: float) -> PlanePath:
     Parameters
     ----------
     points : (n, 2) array
-        The last point is the first again.
+        Points of the path; the last one equals the first.
     period : float
         In s.
 

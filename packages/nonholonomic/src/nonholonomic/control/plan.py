@@ -24,43 +24,43 @@ if TYPE_CHECKING:
     import xarray as xr
 
 PLACED = 6
-"""Components of the state that are attitude and place; those after them are joints."""
+"""Number of state components of attitude and position; joints follow."""
 TOLERANCE = 1e-13
-"""Of the integration that checks a plan, relative; absolute a tenth of it."""
+"""Relative tolerance of the integration that checks a plan; the absolute one is a tenth."""
 SAMPLES = 8
-"""Instants in each interval at which the distance to the path is measured."""
+"""Number of times per interval at which the distance to the path is measured."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MotionPlan(Motion, WithOverview):
-    """Inputs that lead the contact point along a path, and the motion integrated with them.
+    """Inputs that move the contact point along a path, and the resulting motion.
 
     Attributes
     ----------
     robot : SphericalRobot
     path : PlanePath
     inputs : tuple of str
-        Names: speeds ``u_1``, … of the rotors (rad/s), rates of the joints.
+        Names of the inputs: speeds ``u_1``, … of the rotors (rad/s), rates of the joints.
     state_names : tuple of str
     start : array (n,)
         The state at t = 0, in the order of `state_names`.
     node_times : array (k,)
-        Ends of the intervals of time, and the nodes in them at which the inputs are given.
+        Times of the collocation nodes, including the ends of the intervals.
     node_inputs : array (k, m)
-        The inputs are polynomials between them in each interval.
+        Inputs at the nodes, interpolated by a polynomial in each interval.
     intervals : int
     effort : float
         ½ ∫ |inputs|² dt / T.
     times : array (l,)
-        Instants of the check.
+        Times of the check.
     states : array (l, n)
         States integrated from the start with these inputs at a tolerance of 1e-13.
     path_error : float
-        The greatest distance from the contact to where the path is at that instant (m).
+        The greatest distance (m) of the contact from the path point of the same time.
     iterations : int
-        Of the optimiser.
+        Iterations of the optimiser.
     seconds : float
-        Time that planning took.
+        Computing time of the planning (s).
     """
 
     robot: SphericalRobot
@@ -84,7 +84,7 @@ class MotionPlan(Motion, WithOverview):
 
     @property
     def relative_error(self) -> float:
-        """The path error in diameters of the path."""
+        """The path error relative to the diameter of the path."""
         return self.path_error / self.path.diameter
 
     def overview(self) -> Overview:
@@ -148,7 +148,7 @@ class MotionPlan(Motion, WithOverview):
         return iter(self._quantities)
 
     def to_dataset(self) -> xr.Dataset:
-        """Convert the motion to a dataset like other motions.
+        """The motion as a dataset.
 
         Returns
         -------

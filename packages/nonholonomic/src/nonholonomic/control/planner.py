@@ -1,4 +1,4 @@
-"""Motion planning: inputs of minimal effort that lead the contact point along a given path."""
+"""Motion planning: inputs of minimal effort that move the contact point along a given path."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ from .plan import MotionPlan, distances, inputs_motion
 from .robot import SphericalRobot
 
 OPTIMAL = 1e-6
-"""Slope of the effort along the admissible motions, relative, below which to stop."""
+"""Relative slope of the effort along admissible motions at which the optimiser stops."""
 FEASIBLE = 1e-10
-"""Residual of the equations, in units of the state, that a plan may have."""
+"""Largest residual of the equations of a plan, in units of the state."""
 EXACT = 1e-12
-"""Tolerance of integrations that are not improved later."""
+"""Tolerance of integrations without a subsequent optimisation."""
 SMALLEST = 1 / 64
-"""Least step of the size of the path while it grows."""
+"""Smallest increment of the size of the path in a continuation."""
 
 
 @arguments_checked
@@ -46,27 +46,27 @@ def motion_along(
     stages: int = 6,
     iterations: int = 100,
 ) -> MotionPlan:
-    """Plan inputs that lead the contact point along a path.
+    """Plan inputs that move the contact point along a path.
 
     The unknowns are states and inputs at the nodes of a collocation; SciPy's ``trust-constr``
-    minimises ½∫|inputs|² dt under its equations, with their exact derivatives.  The result is
-    integrated anew with the inputs found.
+    minimises ½∫|inputs|² dt under its equations, with their exact derivatives. The motion is then
+    integrated independently with these inputs.
 
     Parameters
     ----------
     robot : SphericalRobot
-        A balanced ball with two or three rotors starts from rest, M = 0.  With a moving mass the
-        momentum and the joints at the start are chosen with the rest: its pendulum has to swing
-        before the ball moves, so that the motion begins as a part of one under way.
+        A balanced ball with two or three rotors starts from rest, M = 0. With a moving mass the
+        momentum and the joints at the start are optimised too: a pendulum must already swing when
+        the ball begins to move, so that the motion does not start from rest.
     path : PlanePath
     attitude : 4 numbers or None
-        Quaternion at the start, body to space; None to have it chosen for little effort.
+        Quaternion at the start, body to space; None to optimise it.
     intervals, stages : int
-        Intervals of time, and nodes in each; the error decreases with the power `stages` + 1 or
-        better of the number of intervals.
+        Number of time intervals, and of nodes in each; the error decreases at least with the power
+        `stages` + 1 of the number of intervals.
     iterations : int
-        Of the optimiser at most; the motion follows the path also where the least effort is not
-        yet reached.
+        Maximum number of iterations; the motion follows the path even if the least effort is not
+        reached.
 
     Returns
     -------
@@ -124,10 +124,10 @@ def motion_without_spin(
     intervals: int = 40,
     stages: int = 6,
 ) -> MotionPlan:
-    """The speeds u = −K⁻¹ A(γ) ω of three rotors that roll a marble along a path without spin.
+    """The speeds u = −K⁻¹ A(γ) ω of three rotors for rolling along a path without spin.
 
-    The path and (ω, γ) = 0 determine ω, so that nothing is optimised: the attitude follows by
-    integration, the speeds at each instant in closed form.
+    The path and (ω, γ) = 0 determine ω, so that no optimisation is needed: the attitude follows by
+    integration, the speeds in closed form.
 
     Parameters
     ----------
@@ -139,12 +139,12 @@ def motion_without_spin(
     Returns
     -------
     MotionPlan
-        With 0 iterations.
+        The plan, with 0 iterations.
 
     Raises
     ------
     InputError
-        If the robot is another one, or the attitude no quaternion.
+        If the robot is of another kind, or the attitude is not a quaternion.
 
     Examples
     --------
@@ -184,7 +184,7 @@ def _checked_plan(
     iterations: int,
     began: float,
 ) -> MotionPlan:
-    """A plan with its motion integrated independently."""
+    """A plan whose motion is integrated independently of the collocation."""
     start, points = problem.start_and_nodes(unknowns)
     inputs = points[:, problem.equations.size :]
     times, motion = inputs_motion(problem, start, inputs)
@@ -249,8 +249,8 @@ def _guess_with_rotors(
 ) -> tuple[FloatArray, int]:
     """A motion from rest along the path, and the number of iterations used.
 
-    If the minimal inputs grow beyond bounds on the way, and the attitude is free, the path is
-    enlarged gradually from a small one.
+    If the minimal inputs become singular on the way, and the attitude is free, the path is enlarged
+    gradually from a small one (continuation).
     """
 
     def least_inputs_of(task: Transcription) -> tuple[FloatArray, float]:
@@ -344,6 +344,8 @@ def _on_equations(problem: Transcription, unknowns: FloatArray) -> FloatArray:
     for _ in range(8):
         slopes = problem.jacobian(best)
         rows, columns = slopes.shape
+        # minimum-norm Newton step: the KKT system of min |d|² with J d = −residuals, slightly
+        # regularised
         both = bmat([[identity(columns), slopes.T], [slopes, -1e-14 * identity(rows)]]).tocsc()
         side = np.concatenate([np.zeros(columns), -problem.residuals(best)])
         try:

@@ -1,4 +1,4 @@
-"""A ball rolling on a plane, driven from inside by rotors, a pendulum or a mass."""
+"""A ball on a plane, driven from inside by rotors, a pendulum or a moving mass."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ Contact = Literal["marble", "rubber"]
 @arguments_checked
 @dataclass(frozen=True)
 class Rotor:
-    """A symmetric rotor whose axis is fixed in the ball and may pass anywhere through it.
+    """A symmetric rotor with its axis fixed anywhere in the ball.
 
     Parameters
     ----------
     axis : 3 floats
-        Direction of the axis, body axes; its length is of no account.
+        Direction of the axis, body axes; it need not be a unit vector.
     inertia : float
         Moment of inertia i > 0 about the axis (kg m²).  At the speed u relative to the ball the
         rotor adds i u e to the angular momentum, e the unit vector of the axis.
@@ -38,7 +38,7 @@ class Rotor:
     Raises
     ------
     InputError
-        If the axis is no direction, or the moment of inertia is not positive.
+        If the axis is zero, or the moment of inertia is not positive.
 
     Examples
     --------
@@ -61,7 +61,7 @@ class Rotor:
 
     @property
     def momentum(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-        """i e, its angular momentum at unit speed, body axes."""
+        """i e, the angular momentum at unit speed, body axes."""
         entries = [exact_number(x) for x in self.axis]
         length = sp.sqrt(sp.Add(*(x**2 for x in entries)))
         x, y, z = (exact_number(self.inertia) * entry / length for entry in entries)
@@ -78,11 +78,11 @@ class MovingMass:
     mass : float
         In kg, > 0; not part of the mass of the ball.
     place : 3 formulas in text
-        Its place from the geometric centre (m), body axes, in the coordinates of the joints.
+        Its position from the geometric centre (m), body axes, in the coordinates of the joints.
     joints : tuple of str
         Names of the coordinates; their speeds are controls.
     start : tuple of float
-        Values of the joints from which a planner begins to look.
+        Initial values of the joints for a planner.
 
     Raises
     ------
@@ -127,7 +127,7 @@ class MovingMass:
 
     @property
     def formulas(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-        """The place from the geometric centre, body axes."""
+        """The position from the geometric centre, body axes."""
         names = {str(s): s for s in self.symbols}
         x, y, z = (parse(text, names, "place of the moving mass") for text in self.place)
         return x, y, z
@@ -140,15 +140,15 @@ def pendulum(mass: float, length: float) -> MovingMass:
     Parameters
     ----------
     mass : float
-        Of the bob (kg).
+        Mass of the bob (kg).
     length : float
-        From the centre to the bob (m).
+        Distance from the centre to the bob (m).
 
     Returns
     -------
     MovingMass
-        With the joints ``theta``, about the axle along body axis 2, and ``phi``, the lean of the
-        pendulum towards an end of the axle; at (0, 0) it points along −e₃.
+        The joints are ``theta``, the angle about the axle along body axis 2, and ``phi``, the
+        inclination towards an end of the axle; at (0, 0) the pendulum points along −e₃.
 
     Raises
     ------
@@ -183,9 +183,9 @@ class SphericalRobot:
     Parameters
     ----------
     mass : float
-        Of the ball with its rotors, without the moving mass (kg).
+        Mass of the ball with its rotors, without the moving mass (kg).
     inertia : 3 floats or 3×3 floats
-        Of the same about its centre of mass, body axes (kg m²); the rotors count as fixed.
+        Inertia of the same about its centre of mass, body axes (kg m²), with the rotors fixed.
     radius : float
         In m.
     rotors : tuple of Rotor
@@ -195,7 +195,7 @@ class SphericalRobot:
     centre : 3 floats
         Geometric centre minus centre of mass, body axes (m); zero for a balanced ball.
     gravity : float
-        In m/s²; of no account for a balanced ball without moving mass.
+        In m/s²; without influence on a balanced ball without moving mass.
 
     Raises
     ------
@@ -252,5 +252,5 @@ class SphericalRobot:
 
     @property
     def is_balanced(self) -> bool:
-        """Whether the centre of mass is the geometric centre, whatever the controls do."""
+        """Whether the centre of mass is the geometric centre for all values of the controls."""
         return self.moving_mass is None and not any(self.centre)

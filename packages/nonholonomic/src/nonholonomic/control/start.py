@@ -1,4 +1,4 @@
-"""Starts of driven balls, given by their angular velocity."""
+"""Initial states of driven balls, from their angular velocity."""
 
 from __future__ import annotations
 
@@ -28,29 +28,29 @@ def driven_start(
     time: float = 0.0,
     joints: Mapping[str, float] | None = None,
 ) -> dict[str, FloatArray | float]:
-    """The start of a driven ball with a given angular velocity.
+    """The initial state of a driven ball with a given angular velocity.
 
     Parameters
     ----------
     system : System
-        Of :func:`~nonholonomic.control.equations.driven_system`.
+        A system of :func:`~nonholonomic.control.equations.driven_system`.
     omega, gamma : 3 numbers
         Angular velocity (rad/s) and vertical, body axes; γ is normalised.
     time : float
-        At which the speeds of rotors and joints are taken (s).
+        Time (s) at which the speeds of rotors and joints are taken.
     joints : mapping of str to float
         Values of the joints, if there are any.
 
     Returns
     -------
     mapping of str to number or array
-        M = Aω + b with the rest of the state, for :func:`flowlanes.integrate`.
+        M = Aω + b and the other state variables, for :func:`flowlanes.integrate`.
 
     Raises
     ------
     InputError
-        If a vector is no vector, a joint is missing, ω has a part along γ that a rubber contact
-        forbids, or the speeds of the rotors depend on M, which they would determine.
+        If a vector does not have three finite numbers, a joint is missing, ω has a component along
+        γ at a rubber contact, or the speeds of the rotors depend on M.
 
     Examples
     --------

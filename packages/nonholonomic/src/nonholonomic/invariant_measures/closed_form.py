@@ -63,7 +63,7 @@ def _across(rolling: RollingBody) -> tuple[sp.Expr, ...]:
 
 
 def _bases(rolling: RollingBody) -> tuple[sp.Expr, ...]:
-    """Functions from which the density may be built."""
+    """Functions whose powers may form the density."""
     body = rolling.body
     principal = body.principal
     first = I.symbols[0] if principal else Symmetric("I").symbols[0]
@@ -97,7 +97,7 @@ def closed_form(rolling: RollingBody, form: OneForm, numbers: Sequence[sp.Expr])
     Parameters
     ----------
     numbers : sequence of sympy.Expr
-        The level on which every parameter has its number.
+        The level on which every parameter has its value.
     """
     if (
         form.scale.xreplace({p.symbol: exact_number(p.default) for p in form.system.parameters})
@@ -109,6 +109,8 @@ def closed_form(rolling: RollingBody, form: OneForm, numbers: Sequence[sp.Expr])
     if np.linalg.norm(right) < AGREE:
         return ()
     usable = [i for i in range(len(bases)) if AGREE < np.linalg.norm(rows[:, i]) < np.inf]
+    # products of few factors first: by least squares the exponents must fit all samples and be
+    # rational
     for size in range(1, MOST_FACTORS + 1):
         for chosen in combinations(usable, size):
             part = rows[:, chosen]
@@ -128,7 +130,7 @@ def closed_form(rolling: RollingBody, form: OneForm, numbers: Sequence[sp.Expr])
 
 
 def _sign(form: OneForm, base: sp.Expr, level: tuple[sp.Expr, ...]) -> int:
-    """−1 for a base that is negative for this body at one normal, and therefore everywhere."""
+    """−1 for a base that is negative at one normal, and therefore everywhere, else 1."""
     ground = LevelSet(form.system, level)
     with ball_precision():
         values, _ = ground.point(random.Random(SEED))
@@ -191,7 +193,7 @@ def _turning(partial: Evaluator, along: Sequence[arb]) -> list[arb]:
 
 
 def density(rolling: RollingBody, powers: Powers) -> Powers:
-    """The density over the state of the equations of motion, from the one over momenta and γ.
+    """The density in the state of the equations of motion, from that in momenta and γ.
 
     A marble body has the state M, γ, a rubber one ω, γ; r replaces γ if the shape is given by an
     equation.

@@ -23,7 +23,7 @@ SEED = 20080830
 POINTS = 6
 ATTEMPTS = 60
 SIMPLE = 4000
-"""Operations up to which a formula is factored."""
+"""Largest number of operations of a formula that is factored."""
 
 
 def density_from_powers(
@@ -34,15 +34,15 @@ def density_from_powers(
     Parameters
     ----------
     jacobian : Powers
-        From momenta to quasi-velocities.
+        Determinant of the map from quasi-velocities to momenta.
     level : Level
-        Parameters are settled by it.
+        Relations between parameters, which are solved and inserted.
 
     Returns
     -------
     pair of Powers, or None
-        None if the density is no product of powers of the factors of kinetic determinant and
-        1-form.
+        None if the density is not a product of powers of factors of the kinetic determinant and of
+        the 1-form.
     """
     table = solved_parameters(level)
     steps = {s: f.xreplace(table) for s, f in lifted_fields.steps}
@@ -84,7 +84,7 @@ def density_law(
     Returns
     -------
     System
-        The coordinates at rest, with the definitions.
+        A system with the coordinates at rest and the definitions.
     Identity
     """
     known = {p.symbol: p for p in lifted_fields.parameters}

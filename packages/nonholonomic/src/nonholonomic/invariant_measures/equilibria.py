@@ -33,7 +33,7 @@ class EquilibriumObstruction:
     point : tuple of sympy.Expr
         The equilibrium, in flat order.
     trace : sympy.Expr
-        Of the linearisation there, on the phase space, for the default parameters: not zero.
+        Trace of the linearisation on the phase space, at the default parameters; not zero.
 
     Examples
     --------
@@ -68,18 +68,18 @@ def equilibrium_obstruction(system: System) -> EquilibriumObstruction | None:
     Parameters
     ----------
     system : System
-        With its default parameters, taken as the decimal fractions they are written as.
+        The system at its default parameters, taken as exact decimals.
 
     Returns
     -------
     EquilibriumObstruction or None
-        None says nothing: only points with coordinates −1, 0 and 1 are tried, and where these are
-        too many the origin and its neighbours on the axes.
+        None is no proof of existence: only points with coordinates −1, 0 and 1 are tried, or, if
+        these are too many, the origin and its neighbours on the axes.
 
     Raises
     ------
     InputError
-        If it is not a System.
+        If the argument is not a System.
 
     Examples
     --------
@@ -126,7 +126,7 @@ def _trace_at(
     symbols: tuple[sp.Symbol, ...],
     place: dict[sp.Symbol, sp.Expr],
 ) -> sp.Expr | None:
-    """The trace on the phase space at an equilibrium; None elsewhere, and where it is singular."""
+    """The trace on the phase space at an equilibrium; None at other or singular points."""
     there = [sp.simplify(f.subs(place)) for f in (*rates, *relations)]
     if not all(value.is_zero for value in there):
         return None

@@ -7,7 +7,7 @@ and structure functions C projected orthogonally in the kinetic energy, div(e^σ
 
 so that a density e^σ(q) exists if and only if the functions θ_β are the derivatives of one function
 along the admissible fields (Fedorov, García-Naranjo, Marrero, *Unimodularity and preservation of
-volumes in nonholonomic mechanics*).  Potentials and gyrostats do not matter.
+volumes in nonholonomic mechanics*).  Potentials and gyrostats have no influence.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ def invariant_measure(
         A body that rolls on a plane or a sphere, with its numbers; or a mechanism whose
         constraints are linear and homogeneous in the velocities, and do not depend on the time.
     name : str
-        For the reader; by default that of the mechanism.
+        Name in the result; by default that of the mechanism.
     effort : int
-        Term operations that a single proof may take.
+        Largest number of term operations of a single proof.
 
     Returns
     -------
@@ -45,7 +45,7 @@ def invariant_measure(
     Raises
     ------
     InputError
-        If something else is given, or the constraints are of another kind.
+        If the source or its constraints are of another kind.
 
     Examples
     --------

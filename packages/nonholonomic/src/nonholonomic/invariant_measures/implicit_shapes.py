@@ -14,28 +14,28 @@ from .quadrature import arc, numerical_functions
 
 TOLERANCES = (1e-9, 1e-12)
 REACH = 60
-"""Doublings of the distance at which a ray from the centre has left the body, at most."""
+"""Maximum number of doublings of the distance until a ray from the centre leaves the body."""
 
 
 def log_density_on_surface(
     form: OneForm, toward: Sequence[float] = (0.36, -0.48, 0.8)
 ) -> Callable[[Sequence[float]], tuple[float, float]]:
-    """σ with dσ = θ as a function of the normal γ, zero where a ray leaves the body.
+    """σ with dσ = θ as a function of the normal γ, zero at the point where a ray leaves the body.
 
     While the normal moves on a great circle the contact point follows, ṙ = −Wγ̇, and σ̇ = (Θ, γ̇).
 
     Parameters
     ----------
     form : OneForm
-        Closed, of a body with r as its state.
+        A closed 1-form of a body with the state r.
     toward : 3 floats
         The direction of the ray from the geometric centre.
 
     Returns
     -------
     callable
-        γ ↦ (σ, estimate of the error), from two tolerances of the method DOP853.  It raises
-        InputError if γ is no unit vector, or opposite to the normal at the start.
+        γ ↦ (σ, estimate of the error), from two tolerances of the method DOP853. It raises
+        InputError if γ is not a unit vector, or opposite to the normal at the start.
     """
     from scipy.integrate import solve_ivp
 

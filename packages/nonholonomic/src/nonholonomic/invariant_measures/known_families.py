@@ -1,7 +1,7 @@
-"""Families of bodies with an invariant measure by a theorem, as conditions on their numbers.
+"""Families of bodies known to have an invariant measure, as conditions on their parameters.
 
-Each family gives the level in the parameters to which its members belong; that the 1-form is closed
-there is proved anew for every body.  docs/measures.md has the theorems and their proofs.
+Each family is a level in the parameters; that the 1-form is closed there is proved again for every
+body. docs/measures.md has the theorems and their proofs.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ m, R, a, delta = real_symbol("m"), real_symbol("R"), real_symbol("a"), real_symb
 b = tuple(real_symbol(f"b_{i}") for i in (1, 2, 3))
 #: All principal moments are equal.
 SPHERICAL: Level = (I.symbols[0] - I.symbols[1], I.symbols[1] - I.symbols[2])
-#: Lengths and moments that may coincide.
+#: Groups of moments and lengths that may coincide.
 _ALIKE = (I.symbols, b)
 
 
 def collinearity() -> sp.Expr:
-    """Vanishes if the points (I_i b_i², I_i − m b_i²) of the plane are collinear."""
+    """The determinant that vanishes if the points (I_i b_i², I_i − m b_i²) are collinear."""
     x = [i * s**2 for i, s in zip(I.symbols, b, strict=True)]
     y = [i - m * s**2 for i, s in zip(I.symbols, b, strict=True)]
     return sp.expand(sp.Add(*(x[i - 1] * y[i] - x[i] * y[i - 1] for i in range(3))))
 
 
 def levels(rolling: RollingBody, parameters: Sequence[Parameter]) -> Iterator[Level]:
-    """Levels that contain the numbers of the body, the most general ones first."""
+    """Levels that contain the parameters of the body, the most general ones first."""
     values = {p.symbol: exact_number(p.default) for p in parameters}
     yield ()
     for level in (SPHERICAL, coincidences(values), *_special(rolling)):
@@ -47,7 +47,7 @@ def levels(rolling: RollingBody, parameters: Sequence[Parameter]) -> Iterator[Le
 
 
 def coincidences(values: dict[sp.Symbol, sp.Rational]) -> Level:
-    """Parameters that are zero, and moments or lengths that coincide."""
+    """The level of parameters that are zero and of moments or lengths that coincide."""
     zeros = [s for s, v in values.items() if v == 0]
     equal = []
     for group in _ALIKE:
@@ -61,7 +61,7 @@ def coincidences(values: dict[sp.Symbol, sp.Rational]) -> Level:
 
 
 def _special(rolling: RollingBody) -> tuple[Level, ...]:
-    """Families of bodies of this shape."""
+    """Levels of the families of bodies with this shape."""
     shape, rubber = rolling.body.shape, rolling.contact == "rubber"
     plane = rolling.surface.is_flat
     if shape.is_ball and rubber and not plane:
@@ -77,7 +77,7 @@ _SPHERICAL = "of equal principal moments of inertia (whatever its shape and cent
 
 
 def criterion(rolling: RollingBody) -> str:
-    """The theorem on all bodies of this shape, contact and surface."""
+    """The theorem about all bodies of this shape, contact and surface, as a sentence."""
     shape, rubber = rolling.body.shape, rolling.contact == "rubber"
     plane = rolling.surface.is_flat
     contact = f"a {rolling.contact}"

@@ -1,4 +1,4 @@
-"""The 1-form of a mechanism, and its admissible fields lifted by one coordinate.
+"""The 1-form of a mechanism, and its admissible fields lifted to one more coordinate.
 
 A function σ with η_β(σ) = θ_β for the admissible fields η_β is a surface z = σ(q) to which the
 lifted fields
@@ -108,7 +108,7 @@ def lift(restriction: Restriction) -> LiftedFields:
 
 
 def _heights() -> Iterator[str]:
-    """Names for z."""
+    """Candidate names of z."""
     return (f"z_sigma{'_' * more}" for more in count())
 
 

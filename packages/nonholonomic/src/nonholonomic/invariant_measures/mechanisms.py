@@ -1,4 +1,4 @@
-"""Existence of a measure for mechanisms, from the growth of the lifted fields."""
+"""Existence of an invariant measure for mechanisms, from the growth of the lifted fields."""
 
 from __future__ import annotations
 
@@ -28,21 +28,21 @@ from .result import MeasureExistence
 
 FURTHER = 3
 EFFORT_PER_PROOF = EFFORT // 10
-"""Term operations for the proof in all variables of the motion; one in the coordinates remains."""
+"""Term operations for the proof in all variables; the proof in coordinates comes after it."""
 
 Domain: TypeAlias = tuple[Any, ...]
 LevelMeasure: TypeAlias = tuple[Level, Measure, Verdict, Domain]
 
 
 def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> MeasureExistence:
-    """Decide for a mechanism with its parameters left open.
+    """Decide for a mechanism with arbitrary parameters.
 
     Parameters
     ----------
     name : str
-        For the reader.
+        Name in the result.
     effort : int
-        Term operations after which a proof is given up.
+        Largest number of term operations of a proof.
     """
     restriction = constraint_distribution(mechanism)
     lifted = lift(restriction)
@@ -89,7 +89,7 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> MeasureExi
 def _everywhere(
     restriction: Restriction, lifted: LiftedFields, system: System, name: str, effort: int
 ) -> MeasureExistence:
-    """There is no obstruction at a generic point: return the density if it is found."""
+    """The result if there is no obstruction at a generic point: the density if it is found."""
     measure = _measure(restriction, lifted, system, (), effort)
     if measure is not None:
         law, verdict, domain = measure
@@ -107,12 +107,12 @@ def _everywhere(
 def _levels(
     restriction: Restriction, lifted: LiftedFields, system: System, steps: int, effort: int
 ) -> tuple[list[LevelMeasure], bool]:
-    """Levels in the parameters on which a measure is proven, and whether they are all."""
+    """Levels in the parameters on which a measure is proven, and whether the list is complete."""
     proven: list[LevelMeasure] = []
     complete = False
     try:
         volume = _volume(restriction)
-        # Conditions from the first commutators may leave too much; then further ones are tried.
+        # conditions from the first commutators may be too weak; then longer ones are added
         for more in range(FURTHER):
             solved = branches(lifted, steps + more, _positive(restriction), volume)
             proofs = [

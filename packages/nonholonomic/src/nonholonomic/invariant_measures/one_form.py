@@ -56,19 +56,19 @@ class OneForm:
     Attributes
     ----------
     system : System
-        An auxiliary one, of the normals alone: its field has no divergence exactly where θ is
+        An auxiliary system on the normals, whose field is divergence-free if and only if θ is
         closed.
     form : Vector
         Θ, a definition of `system`.
     scale : sympy.Expr
         A constant factor of θ, in the parameters.
     spin : Identity, optional
-        What a marble body's spin must fulfil.
+        The condition that spinning of a marble body preserves the volume.
     closed : Measure
-        That dθ = 0.
+        The law dθ = 0.
     period : Identity
-        That θ annuls the rotations about body axis 3; where it is closed it is then exact on the
-        sphere without its poles, too.
+        The law that θ vanishes on rotations about body axis 3; a closed θ is then exact also on the
+        sphere without its poles.
     """
 
     system: System
@@ -79,7 +79,7 @@ class OneForm:
     period: Identity
 
     def density_law(self, powers: Powers) -> tuple[System, Identity]:
-        """The law dσ = θ for e^σ a product of powers, along every rotation u of the normal.
+        """The law dσ = θ, for a product of powers e^σ, along every rotation u of the normal.
 
         Parameters
         ----------
@@ -155,6 +155,7 @@ def one_form(rolling: RollingBody) -> OneForm:
         value = dot(cross(gamma, wander), inverse(gamma)) + dot(gamma, r) * tau
         spin = Identity("spin", value, "spinning about the normal keeps the volume")
     definitions += ((theta, form),)
+    # the field γ×Θ on the sphere has the divergence of the 2-form dθ over the area element
     system = System(
         name="one-form",
         title="The 1-form of the invariant measure",

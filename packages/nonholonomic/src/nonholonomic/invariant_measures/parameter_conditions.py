@@ -38,7 +38,7 @@ class Branches:
     Attributes
     ----------
     complete : bool
-        Whether they hold nowhere else.
+        Whether the conditions hold on no other level.
     """
 
     levels: tuple[Level, ...]
@@ -53,7 +53,7 @@ def branches(
     Parameters
     ----------
     steps : int
-        How often commutators are taken.
+        Number of commutator steps.
     positive : frozenset of Symbol
         Parameters that are positive.
     metric : sympy.Expr
@@ -101,7 +101,7 @@ def branches(
         regular.append(as_formula(volume.above))
         left, constant = _elimination(matrix, coordinates.index(lifted_fields.height))
         conditions |= dict.fromkeys(as_formula(value.above) for value in left)
-        # Where a denominator vanishes nothing was computed.
+        # the result says nothing about parameters at which a denominator vanishes
         clean = clean and constant and all(_finite(v.below, volume, positive) for v in values)
     levels, complete = _solutions(tuple(conditions), positive)
     distinct = {
@@ -113,7 +113,7 @@ def branches(
 
 
 def solved_parameters(level: Level) -> dict[sp.Symbol, sp.Expr]:
-    """The parameters determined by a level of differences p − v with v free of all of these."""
+    """The parameters p determined by a level of differences p − v, with v in the other ones."""
     table: dict[sp.Symbol, sp.Expr] = {}
     for condition in level:
         symbol = next(
@@ -142,7 +142,7 @@ def _brackets(lifted_fields: LiftedFields, tape: Tape, steps: int) -> list[Vecto
     for _ in range(steps):
         brackets = []
         for i, first in enumerate(fields):
-            # Among the fields themselves each pair counts once.
+            # among the fields themselves each pair is taken once
             for second in last[i + 1 :] if last == fields else last:
                 brackets.append(_bracket(tape, first, second))
         last = [field for field in brackets if field]
@@ -176,7 +176,7 @@ def _point(
 
 
 def _elimination(matrix: list[list[Quotient]], height: int) -> tuple[list[Quotient], bool]:
-    """The remaining entries along z, and whether all pivots were numbers."""
+    """The entries along z that remain after elimination, and whether all pivots were numbers."""
     rows, constant = [list(row) for row in matrix], True
     width = len(rows[0])
     while True:
@@ -215,10 +215,12 @@ def _plain(value: Quotient) -> bool:
 def _solutions(
     conditions: Sequence[sp.Expr], positive: frozenset[sp.Symbol]
 ) -> tuple[list[Level], bool]:
-    """Levels on which all conditions vanish, and whether these are all."""
+    """Levels on which all conditions vanish, and whether the list is complete."""
     conditions = [c for c in conditions if c != 0]
     if not conditions:
         return [()], True
+    # the simplest condition is factored, each factor solved for a parameter in which it is linear,
+    # and the other conditions are solved on that level
     chosen = min(conditions, key=lambda c: (len(sp.Add.make_args(c)), sp.count_ops(c)))
     levels: list[Level] = []
     complete = True

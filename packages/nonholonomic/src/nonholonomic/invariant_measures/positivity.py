@@ -24,11 +24,11 @@ class Signs:
     positive : frozenset of Symbol
         Parameters that are positive.
     relations : tuple of formula
-        Vanish on the configuration space.
+        Expressions that vanish on the configuration space.
     positive_products : tuple of formula
-        Products of factors that are positive for another reason.
+        Products known to be positive for another reason.
     numbers : pairs (Symbol, number)
-        Values of the parameters at which signs are tried.
+        Values of the parameters at which signs are sampled.
     """
 
     positive: frozenset[sp.Symbol]
@@ -49,8 +49,8 @@ def positive(powers: Powers, signs: Signs) -> tuple[Powers, tuple[sp.Basic, ...]
     -------
     Powers
     tuple of relations
-        Where these hold, the density is shown to be positive and smooth; elsewhere its
-        absolute value is a density likewise, but for the zeros of its bases.
+        Where these hold, the density is proven positive and smooth; elsewhere its absolute value is
+        a density except at the zeros of its bases.
     """
     total: dict[sp.Expr, sp.Expr] = {}
     for base, exponent in powers:
@@ -67,7 +67,7 @@ def positive(powers: Powers, signs: Signs) -> tuple[Powers, tuple[sp.Basic, ...]
 
 
 def definite(factor: sp.Expr, positive: Collection[sp.Symbol]) -> bool:
-    """Whether a polynomial has one sign for positive parameters, whatever the others are."""
+    """Whether a polynomial has one sign for positive parameters and all values of the others."""
     if not factor.free_symbols:
         return True
     poly = sp.Poly(factor, *sorted(factor.free_symbols, key=str))
@@ -77,12 +77,12 @@ def definite(factor: sp.Expr, positive: Collection[sp.Symbol]) -> bool:
         [(s, p) for s, p in zip(poly.gens, powers, strict=True) if p] for powers in poly.monoms()
     ]
     even = all(p % 2 == 0 or s in positive for term in named for s, p in term)
-    # Even powers of parameters of any sign may vanish together, positive parameters may not.
+    # even powers may vanish together, so that one term must consist of positive parameters only
     return even and any(all(s in positive for s, _ in term) for term in named)
 
 
 def _with_positive_sign(base: sp.Expr, signs: Signs) -> sp.Expr:
-    """A base or its negative: the one that is positive where its sign is first tested."""
+    """A base, or its negative if all sampled signs are negative."""
     values = [v for v in (_value(base, signs, seed) for seed in range(SAMPLES)) if v]
     return sp.expand(-base) if values and max(values) < 0 else base
 
@@ -103,7 +103,7 @@ def _value(base: sp.Expr, signs: Signs, seed: int) -> sp.Expr | None:
 
 
 def _without_squares_of_sines(total: dict[sp.Expr, sp.Expr]) -> dict[sp.Expr, sp.Expr]:
-    """Powers in which sin x, 1 − cos x and 1 + cos x do not occur together.
+    """Powers rewritten so that sin x, 1 − cos x and 1 + cos x do not occur together.
 
     |sin x| is the square root of (1 − cos x)(1 + cos x).
     """
@@ -134,7 +134,7 @@ def _positive_bases(bases: Sequence[sp.Expr], signs: Signs) -> set[sp.Expr]:
 
 
 def _is_positive(base: sp.Expr, signs: Signs) -> bool:
-    """Whether a base is a sum of terms that cannot vanish together."""
+    """Whether a base is a sum of nonnegative terms that cannot vanish together."""
     functions = {f: sp.Dummy(real=True) for f in base.atoms(sp.Function)}
     plain = sp.expand(base.xreplace(functions))
     if not plain.is_polynomial(*plain.free_symbols):

@@ -35,12 +35,12 @@ def numerical_functions(
 
 
 def arc(start: np.ndarray, normal: Sequence[float]) -> tuple[np.ndarray, float]:
-    """The unit vector perpendicular to `start` towards a normal, and the angle between both.
+    """The unit vector perpendicular to `start` in the direction of a normal, and their angle.
 
     Raises
     ------
     InputError
-        If the normal is no unit vector, or opposite to the start.
+        If the normal is not a unit vector, or opposite to the start.
     """
     end = np.asarray(normal, dtype=float)
     if end.shape != (3,) or abs(end @ end - 1) > 1e-12:
@@ -61,7 +61,7 @@ def log_density(
     Parameters
     ----------
     form : OneForm
-        Closed; its numbers are the default parameters.
+        A closed 1-form, evaluated at the default parameters.
     base : 3 floats
         A unit vector.
 
@@ -70,7 +70,7 @@ def log_density(
     callable
         γ ↦ (σ, estimate of the error): the integral of θ along the shorter great circle from
         `base`, by Gauss's rule with 40 nodes on each of 8 pieces, and its difference from 24.
-        It raises InputError if γ is no unit vector, or opposite to `base`.
+        It raises InputError if γ is not a unit vector, or opposite to `base`.
     """
     theta = numerical_functions(form.system, form.form.symbols)
     start = np.asarray(base, dtype=float)

@@ -1,4 +1,4 @@
-"""The result of the question whether a measure with a density in the configuration exists."""
+"""The result on the existence of a measure with a density in the configuration."""
 
 from __future__ import annotations
 
@@ -23,34 +23,33 @@ class MeasureExistence:
     Attributes
     ----------
     name : str
-        Of the system.
+        Name of the system.
     decision : ``"exists"``, ``"none"``, ``"conditional"`` or ``"undecided"``
-        ``"conditional"``: not for all values of the parameters, but where one of `conditions`
-        holds.
+        ``"conditional"`` means that a measure exists if one of `conditions` holds.
     density : Measure, optional
-        The measure in closed form, a law of `system` that has been proven.
+        The measure in closed form, a proven law of `system`.
     system : System, optional
         The equations of motion on which `density` is a law.
     domain : tuple of relations
-        Where these hold, `density` is shown to be positive and smooth.
+        Conditions under which `density` is proven positive and smooth.
     conditions : tuple of tuples of sympy.Expr
         Levels in the parameters on which a measure exists; on each all expressions vanish.
     complete : bool
-        Whether there is none outside `conditions`.
+        Whether no measure exists outside `conditions`.
     holds : bool
-        Whether the numbers that the parameters have by default meet one of `conditions`.
+        Whether the default values of the parameters satisfy one of `conditions`.
     obstruction : mapping, optional
         ``point`` at which the 1-form is not closed (or the spin changes the volume), as exact
         numbers or balls, ``what`` fails and by how much (``residual``).
     criterion : str
-        A theorem on the whole family to which the system belongs, in words.
+        A theorem about the family of the system, as a sentence.
     reason : str
-        In words, what the decision rests on, or why there is none.
+        The basis of the decision, or the reason why there is none.
     verdicts : tuple of Verdict
         The proofs.
     log_density : callable, optional
         σ of the density e^σ by quadrature, for a normal γ as three numbers: (σ, bound of its
-        error), zero at a point of its choice.
+        error), zero at a fixed point.
     """
 
     name: str

@@ -24,29 +24,28 @@ from .quadrature import log_density
 from .result import MeasureExistence
 
 SHARE = 10
-"""The effort is this many times that of an attempt to prove the density, which is known by then to
-be one, as a law of the equations of motion."""
+"""Ratio of the effort to that of a proof as a law of the equations of motion, which is attempted after the density is already proven by other means."""
 
 
 def decide_body(rolling: RollingBody, name: str, effort: int) -> MeasureExistence:
-    """Decide for a body with its numbers.
+    """Decide for a body with given parameters.
 
     Parameters
     ----------
     name : str
-        Of the system, for the reader.
+        Name of the system in the result.
     effort : int
-        Term operations after which a proof is given up.
+        Largest number of term operations of a proof.
     """
     if rolling.body.fluids:
         return _with_fluid(rolling, name, effort)
     form = one_form(rolling)
     theorem = criterion(rolling)
     levels_tried = tuple(levels(rolling, form.system.parameters))
-    # The last level fixes all numbers: what fails there fails for this body.
+    # the last level fixes all parameters, so that a condition refuted there fails for this body
     numbers = levels_tried[-1]
     for law in form.conditions:
-        # Points are tested before anything is proved.
+        # evaluation at points may refute a condition before any proof is tried
         verdict = prove(form.system, replace(law, level=numbers), effort=POINTS_ALONE)
         if verdict.decision == "refuted":
             return MeasureExistence(
@@ -128,7 +127,7 @@ def _with_density(
 ) -> MeasureExistence:
     """The measure as a law of the equations of motion, on the most general level proven.
 
-    That dσ = θ for the numbers of the body has been proven; the law for these numbers follows.
+    It is already proven that dσ = θ for the parameters of the body, and the law follows.
     """
     system = rolling.system(existence.name)
     law = Measure(
@@ -151,7 +150,7 @@ def _with_quadrature(
 ) -> MeasureExistence:
     """The measure with a closed 1-form whose density has no closed form."""
     if rolling.body.shape.has_flat_face:
-        # Lying flat is outside the domain, which is a sphere without its poles.
+        # a body lying flat is outside the domain, which is the sphere without its poles
         turned = prove(form.system, replace(form.period, level=level), effort=effort)
         existence = replace(existence, verdicts=(*existence.verdicts, turned))
         if not turned:

@@ -1,4 +1,4 @@
-"""Convex shapes by their normals: contact vector and spread, for the 1-form.
+"""Convex shapes as functions of the normal: contact vector and spread, for the 1-form.
 
 Every formula of the 1-form is made of the contact vector r, the spread W (ṙ = −Wγ̇) and, on a
 sphere of radius a, K = (E + W/a)⁻¹, which maps γ×ω to γ̇.  This module provides them for every
@@ -41,11 +41,11 @@ class Geometry:
     state : Vector
         γ, or r for a shape given by an equation.
     relations : tuple of sympy.Expr
-        Vanish for every position.
+        Expressions that vanish for every position.
     r : MatrixExpr
         From the centre of mass to the contact point, body axes.
     spread, contract : callable
-        W and K, which act on any vector and annul γ; K is the projection on a plane.
+        W and K as operators on all vectors, with Wγ = Kγ = 0; on a plane K is the projection.
     stretch : callable
         K⁻¹ = E + W/a on vectors of the tangent plane.
     trace : sympy.Expr
@@ -73,7 +73,7 @@ def tangent(vector: MatrixExpr) -> MatrixExpr:
 
 
 def geometry(shape: Shape, surface: Surface) -> Geometry:
-    """The geometry of a shape of the library on a plane or a sphere."""
+    """The contact geometry of a shape on a plane or a sphere."""
     if not surface.is_even:
         raise InputError(
             f"surface: invariant measures are known of bodies on planes and spheres, not on "
@@ -163,6 +163,6 @@ def _through_surface(shape: Shape, f: sp.Expr, surface: Surface) -> Geometry:
         definitions=definitions,
         spread=spread,
         invariants=(mean / gauss, 1 / gauss),
-        # (Θ, dγ) = −(SΘ, dr), and the area element of the surface is divided by |∂f|.
+        # (Θ, dγ) = −(SΘ, dr); the factor ℓ = |∂f| makes the divergence in space that on the surface
         flow=lambda form: ell * cross(gamma, shape_operator(form)),
     )

@@ -51,7 +51,7 @@ def reaction_definitions(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
     mode : Mode
         A mode in which the body touches; the rolling is held if `free` is that of held rolling.
     laws : Reaction
-        That of all laws together, without what holds the contact.
+        Total reaction of all laws, without the forces that hold the contact.
     """
     return _while_sliding(free, mode, laws) if mode.sliding else _without_slip(free, mode, laws)
 

@@ -92,7 +92,7 @@ class Coulomb(FrictionLaw):
 
     @property
     def reaction_at_rest(self) -> Reaction:
-        """None."""
+        """Zero, since the forces that hold the contact are not included."""
         return Reaction()
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
@@ -107,12 +107,12 @@ class Coulomb(FrictionLaw):
 @arguments_checked
 @dataclass(frozen=True)
 class SpinFriction(CoefficientLaw):
-    """A couple of constant arm against the spin, independent of the slip.
+    """A couple against the spin with constant arm, independent of the slip.
 
     Parameters
     ----------
     arm : float
-        The couple is `arm` times the normal force (m), at most so at rest.
+        Couple per normal force (m) while the body spins, and its largest value at rest.
 
     Raises
     ------
@@ -151,7 +151,7 @@ class SpinFriction(CoefficientLaw):
 
     @property
     def reaction_at_rest(self) -> Reaction:
-        """None."""
+        """Zero, since the forces that hold the contact are not included."""
         return Reaction()
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
@@ -242,7 +242,7 @@ class ContensouErismann(FrictionLaw):
         return self.patch
 
     def definitions(self, mode: Mode) -> Pairs:
-        """The force and the couple for each unit of μN, in the range of the mode."""
+        """The force and the couple per unit of μN, in the range of the mode."""
         return contensou.definitions(patch, mode) if mode.sliding else ()
 
     def reaction(self, mode: Mode) -> Reaction:
@@ -256,9 +256,9 @@ class ContensouErismann(FrictionLaw):
 
     @property
     def reaction_at_rest(self) -> Reaction:
-        """None."""
+        """Zero, since the forces that hold the contact are not included."""
         return Reaction()
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """The motion while it lasts, the limit set while it is held, and the range."""
+        """The slip and spin while moving, the limit set while held, and the range."""
         return contensou.guards(patch, mode, mu)

@@ -78,8 +78,8 @@ class FrictionLaw(Registered, ABC):
     Notes
     -----
     A class that sets `kind` is known by that word to experiment files as soon as its module is
-    imported: its fields are the keys of [contact.laws.KIND].  A law that its coefficients and one
-    formula determine derives from `CoefficientLaw`.
+    imported: its fields are the keys of [contact.laws.KIND]. A law determined by its coefficients
+    and one formula derives from `CoefficientLaw`.
 
     The thresholds of a law are numbers; a law without thresholds has none:
     `static_mu` and `kinetic_mu` (at rest, and as the slip tends to zero), `spin_arm`,
@@ -93,17 +93,17 @@ class FrictionLaw(Registered, ABC):
     """
 
     excludes: ClassVar[Mapping[str, str]] = {}
-    """Kinds of law that may not stand beside it, with the reason in words."""
+    """Kinds of law that it excludes, each with the reason."""
     numbers_are_parameters: ClassVar[bool] = False
-    """Whether two of the class with positive numbers have the same equations."""
+    """Whether all members with positive numbers have the same equations."""
     resists_slip: ClassVar[bool] = True
     """Whether its force acts against the slip."""
     resists_rolling: ClassVar[bool] = False
     """Whether its couple acts against rolling."""
     is_along_contour: ClassVar[bool] = False
-    """Whether it resists the wandering of the contact point over the body."""
+    """Whether it resists the motion of the contact point over the body."""
     has_constant_force: ClassVar[bool] = False
-    """Whether the force of a sliding contact is μN, whatever else moves."""
+    """Whether the force of a sliding contact is μN, independent of spin and rolling."""
     depends_on_speed: ClassVar[bool] = False
     """Whether `reaction_along` gives its reaction where sliding begins."""
 
@@ -119,7 +119,7 @@ class FrictionLaw(Registered, ABC):
 
     @property
     def name(self) -> str:
-        """The name of the work that is lost to it."""
+        """The name of the law, and of the work that it dissipates."""
         return self.kind
 
     @property
@@ -130,7 +130,7 @@ class FrictionLaw(Registered, ABC):
     @property
     @abstractmethod
     def parameters(self) -> tuple[Parameter, ...]:
-        """Its coefficients with their values."""
+        """The coefficients with their values."""
 
     @property
     def clocks(self) -> Pairs:
@@ -164,10 +164,10 @@ class FrictionLaw(Registered, ABC):
 
     @property
     def dissipation(self) -> tuple[tuple[sp.Expr, ...], ...]:
-        """The power lost while all moves, as a sum of products of factors that are not negative.
+        """The power lost in general motion, as a sum of products of nonnegative factors.
 
-        Each factor is a coefficient, the normal force, a speed or a square; empty where that is
-        not known, and then no decrease of the energy is claimed.
+        Each factor is a coefficient, the normal force, a speed or a square; empty if it is not
+        known; then no decrease of energy is claimed.
         """
         return ()
 
@@ -246,7 +246,7 @@ class Coefficient:
     symbol : sympy.Symbol
     meaning, unit : str
     key : str
-        The name of it in messages; by default that of the field.
+        Its name in messages; by default that of the field.
     """
 
     field: str
@@ -258,7 +258,7 @@ class Coefficient:
 
 @dataclass(frozen=True)
 class CoefficientLaw(FrictionLaw):
-    """A law that its coefficients and one formula determine: a row of a table.
+    """A law determined by its coefficients and one formula.
 
     Examples
     --------
@@ -287,7 +287,7 @@ class CoefficientLaw(FrictionLaw):
     in_words: ClassVar[str]
     """The law in words, with its fields in braces."""
     acts_while: ClassVar[Literal["", "sliding", "spinning", "rolling"]] = ""
-    """The motion against which it acts; empty if it needs none, as its formula is smooth."""
+    """The motion it opposes; empty if its formula is smooth and needs no distinction."""
     formula: ClassVar[Reaction]
     """Force and couple while it acts."""
 
@@ -311,7 +311,7 @@ class CoefficientLaw(FrictionLaw):
         )
 
     def reaction(self, mode: Mode) -> Reaction:
-        """The formula, while there is the motion against which it acts."""
+        """The formula while the opposed motion exists, else zero."""
         acts = not self.acts_while or getattr(mode, self.acts_while)
         return self.formula if acts else Reaction()
 

@@ -37,7 +37,8 @@ class RollingResistance(CoefficientLaw):
     Parameters
     ----------
     arm : float
-        The couple is −N arm ω_t/|ω_t|, ω_t along the tangent plane (m); at most so at rest.
+        Arm (m) of the couple −N arm ω_t/|ω_t|, with the tangential part ω_t of ω; at rest the
+        largest value of the couple is N arm.
 
     Raises
     ------
@@ -184,7 +185,7 @@ class ContourResistance(CoefficientLaw):
         return self.coefficient > 0
 
     def couple_along(self, direction: Vector) -> Reaction:
-        """The same couple: the contact wanders as the rolling prescribes."""
+        """The couple of the law, since the rolling determines the motion of the contact point."""
         return self.formula
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:

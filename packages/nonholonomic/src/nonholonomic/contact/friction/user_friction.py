@@ -63,13 +63,13 @@ class UserFriction(FrictionLaw):
     mu_static : float, optional
         Coefficient of static friction, where it exceeds the limit of `force` at zero slip.
     values : mapping of str to float, optional
-        Further names in the formulas.
+        Values of further names in the formulas.
 
     Raises
     ------
     InputError
-        If a formula is none, or negative at one of many values from 1e-6 to 1e3 of its variables,
-        or its limit at rest is not one number.
+        If a formula is invalid, or negative at one of many values from 1e-6 to 1e3 of its
+        variables, or its limit at rest is not one number.
 
     Examples
     --------
@@ -186,7 +186,7 @@ class UserFriction(FrictionLaw):
 
     @property
     def summary(self) -> str:
-        """The law in words, with what its formulas are."""
+        """A sentence with the formulas of the law."""
         return f"For each unit of the normal force, {self.description}."
 
     @property
@@ -217,7 +217,7 @@ class UserFriction(FrictionLaw):
         return Reaction(p=force, q=self.couple_at(speed, mode))
 
     def reaction(self, mode: Mode) -> Reaction:
-        """The force against slip and the couple against spin, where slip and spin are not held."""
+        """The force against slip and the couple against spin, unless these are held at zero."""
         p: MatrixExpr = Reaction().p
         if mode.sliding:
             per_slip = _even_quotient(self.force, slip_speed)

@@ -28,7 +28,7 @@ nu, power_viscous, viscous, spin_viscous = (
 )
 
 
-#: The spin, whose name the field of a class has, and the reaction that is linear in slip and spin.
+#: An alias of the spin, whose name is also that of a field, and the linear reaction.
 _SPIN = spin
 _VISCOUS = Reaction(force=-viscous * slip, couple=-spin_viscous * spin * gamma)
 
@@ -77,7 +77,7 @@ class Viscous(CoefficientLaw):
 
     @property
     def description(self) -> str:
-        """The law in words, with the spin where it resists that."""
+        """A description of the law, with the spin coefficient if it is not zero."""
         text = super().description
         return f"{text}, against spin {self.spin:g} kg m^2/s" if self.spin else text
 
@@ -158,10 +158,10 @@ class PowerFriction(FrictionLaw):
     -----
     The law has no threshold: a contact that needs a force f* to be held creeps with the speed
     (|f*|/νN)^{1/p} against it.  Where rolling needs no force (a ball with centred mass on a level
-    plane) the slip falls like u̇ = −b u^p.  Below order 1 it is zero after the finite time
-    u₀^{1−p}/((1 − p) b), and the body then rolls; above it never is.  Unless p is an odd whole
-    number the force is not smooth at zero slip, and a guard ends the equations before that; the
-    course of a motion passes it.
+    plane) the slip falls like u̇ = −b u^p. For p < 1 it reaches zero after the finite time
+    u₀^{1−p}/((1 − p) b), and the body then rolls; for p ≥ 1 it never does. Unless p is an odd
+    integer the force is not smooth at zero slip, and a guard ends the equations before it; the
+    simulation continues through it.
 
     Examples
     --------

@@ -109,7 +109,9 @@ def least_motion_force(A: FloatArray, free: FloatArray, limit: float) -> FloatAr
         return np.zeros(2)
     moments, axes = np.linalg.eigh(A)
     components = axes.T @ free
-    # 1/|f| is concave and nearly linear in λ: Newton from λ = 0 climbs to the root.
+    # Trust-region subproblem (J. J. Moré, D. C. Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553):
+    # 1/|f| is concave and nearly linear in λ, so that Newton's method for 1/|f| = 1/limit rises
+    # monotonically from λ = 0 to the root.
     shift = 0.0
     for _ in range(60):
         force = components / (moments + shift)
@@ -151,7 +153,7 @@ def least_motion(mobility: Mobility, mu: float, spin_arm: float) -> tuple[FloatA
         Greatest spin couple per normal force (a length).
     """
     for sign in (1, -1):
-        # Does the spin become positive (or negative) even against the full couple?
+        # whether the spin becomes positive (or negative) even against the full couple
         against = response_while_spinning(mobility, -sign * spin_arm)
         force = least_motion_force(against.tangential[1], against.tangential[0], mu)
         if sign * (against.spin[0] + against.spin[1] @ force) > 0:

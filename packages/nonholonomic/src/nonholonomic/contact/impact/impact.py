@@ -39,11 +39,11 @@ class Impact:
     Attributes
     ----------
     impulse : (3,) array
-        J, of normal force and friction.
+        Impulse J of normal force and friction.
     couple_impulse : float
-        K, about the normal.
+        Impulse K of the couple about the normal.
     velocity_jump : (3,) array
-        J/m, of the centre of mass.
+        J/m, the velocity change of the centre of mass.
     angular_velocity_jump : (3,) array
         I⁻¹(r×J + Kγ).
     contact_velocity : (3,) array
@@ -52,13 +52,13 @@ class Impact:
     spin : float
         (ω, γ) relative to the support, after the impact; exactly 0 if it ended held.
     compression_impulse, normal_impulse : float
-        Normal impulse while the bodies approach, and in all.
+        Normal impulse while the bodies approach, and in total.
     energy_lost : float
-        Kinetic energy that went, in the frame of the support.
+        Kinetic energy lost, in the frame of the support.
     energy_grew : bool
         Whether energy was gained beyond rounding, as Newton's law allows.
     phases : tuple of ImpactPhase
-        What the contact did, in order.
+        The phases of the contact, in order.
     """
 
     impulse: FloatArray
@@ -87,7 +87,7 @@ def impact(
     restitution: float = 0.0,
     law: ImpactLaw = "stronge",
 ) -> Impact:
-    """The impact of a body on its support, with Coulomb friction at a point.
+    """The impact of a body on its support with friction at a point.
 
     A contact that slides without approaching (normal velocity 0) suffers an impact without
     collision if B = (γ, A(γ + p)) + τ(γ, c) is negative (Painlevé), and no impulse otherwise.
@@ -111,10 +111,10 @@ def impact(
     restitution : float
         Between 0 and 1.
     law : str
-        What the restitution means: the part e² of the normal force's work in compression that is
-        given back (`stronge`, never gains energy), the ratio of the normal impulses (`poisson`)
-        or of the normal velocities (`newton`).  Where sliding that turns compresses the contact a
-        second time, work and impulse of both compressions count.
+        Definition of the coefficient of restitution e: e² is the fraction of the work of
+        compression that is given back (`stronge`, never gains energy), or e is the ratio of normal
+        impulses (`poisson`) or of normal velocities (`newton`). Where sliding that turns compresses
+        the contact a second time, work and impulse of both compressions count.
 
     Returns
     -------
@@ -189,7 +189,7 @@ def normal_response(
     ----------
     mobility : Mobility
     direction : (3,) array or None
-        Of the sliding; any length.  None: without friction.
+        Direction of sliding, of any length; None without friction.
     mu : float
     couple : float
         Spin couple per normal force: −μ_s sgn Ω.

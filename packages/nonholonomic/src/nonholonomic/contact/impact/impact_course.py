@@ -104,7 +104,7 @@ class ImpactCourse:
         Raises
         ------
         RunError
-            If it takes too many stretches.
+            If it takes more than `STRETCHES` segments.
         """
         for _ in range(STRETCHES):
             segment = self._segment()
@@ -117,7 +117,7 @@ class ImpactCourse:
                 return
         raise RunError("the impact does not end", self.normal_impulse)
 
-    # --- what the contact does ----------------------------------------------------------------
+    # --- mode of the contact ------------------------------------------------------------------
 
     @property
     def _weight(self) -> float:
@@ -229,6 +229,8 @@ class ImpactCourse:
         if self._turning is None and weight:
             constant, slope = self._at_rest.couple
             couple = np.array([constant, *(-self._friction * slope)]) / self.spin_arm
+        # factors of work, clock and normal velocity in the quantity whose growth ends the
+        # restitution
         missing = {
             "stronge": (1.0, 0.0, 0.0),
             "poisson": (0.0, 1.0, 0.0),
@@ -301,6 +303,8 @@ class ImpactCourse:
         """Growth of work, impulse or normal velocity that is left until the restitution ends."""
         e = self.restitution
         if self.law == "stronge":
+            # the work of compression is negative; restitution ends when the fraction e² of it is
+            # given back
             return -e * e * self._work[0] - self._work[1]
         if self.law == "poisson":
             return e * self._clock[0] - self._clock[1]

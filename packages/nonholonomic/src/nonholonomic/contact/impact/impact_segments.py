@@ -21,7 +21,7 @@ class Segment:
     Attributes
     ----------
     length : float
-        The stretch ends at this θ, or does not end by itself.
+        Value of θ at which the segment ends; infinite if it does not end by itself.
     clock : (n,) array
         The normal impulse since the start, or, where friction is infinite and there is none, the
         length of the path of the friction impulse.
@@ -34,9 +34,9 @@ class Segment:
     slip : (2, n) array
         Tangential velocity.
     speed : (n,) array
-        Its component along the direction of sliding; only where friction is opposed to that.
+        Component of the slip along the direction of sliding; None if there is no sliding friction.
     direction : (2, n) array
-        The direction of sliding; likewise.
+        Direction of sliding; None if there is no sliding friction.
     spin, normal : (n,) array
         Spin, and normal velocity.
     work : (n,) array
@@ -124,7 +124,7 @@ def constant_friction(
     spin, normal : float
         Spin and normal velocity at the start.
     direction : (2,) array or None
-        The direction of sliding, if friction ends with it.
+        Direction of sliding, if friction ends together with it.
     """
     beta, A = response.tangential
     rate = weight * beta + A @ force

@@ -110,7 +110,7 @@ class Linear:
         return Linear(factor * self.constant, factor * self.normal, factor * self.friction)
 
     def at(self, impulse: float, friction: FloatArray) -> float:
-        """Its value."""
+        """The value at given impulses."""
         return self.constant + self.normal * impulse + float(self.friction @ friction)
 
 
@@ -121,7 +121,7 @@ class Slide:
     Attributes
     ----------
     event : str
-        What ends it; None if only its speed has become small or large, or after many steps.
+        The event that ends it; None if its speed has become small or large, or after many steps.
     direction : (2,) array
     speed : float
     clock : float
@@ -206,17 +206,17 @@ def slide(
         As `slide_integrator` returns it.
     beta, A : (2,) and (2, 2) array
     friction : SlidingFriction
-        Per unit of the clock.
+        Friction per unit of the clock.
     slip : (2,) array
-        At the start.
+        The slip at the start.
     normal : Linear
-        The normal velocity, of the clock and the friction impulse.
+        The normal velocity as a function of clock and friction impulse.
     ends : Ends
 
     Raises
     ------
     RunError
-        If it cannot be followed.
+        If the slide does not end.
     """
     speed = float(np.hypot(*slip))
     mu = friction.at(speed)
@@ -224,6 +224,8 @@ def slide(
     unit = float(np.hypot(*beta)) + mu * float(np.abs(A).max())
     clock, force = speed / unit, -mu * speed / unit
     scale = max(speed, abs(normal.constant))
+    # layout: β (0–1), A (2–5), normal velocity (6–9), compression (10), end of restitution (11–14),
+    # spin (15–18), couple that holds the spin (19–21), friction as a function of speed (22–25)
     pars = np.zeros(_PARAMETERS)
     pars[:6] = *(beta / unit), *(mu / unit * A.ravel())
     pars[6:10] = _coefficients(normal, clock, force, scale)

@@ -2,8 +2,8 @@
 
 A body under a force R and a couple K at its contact changes its energy at the rate
 (R, u) + (K, ω), as :func:`~nonholonomic.contact.invariants.free_contact.power` states.  The normal
-force is perpendicular to the slip u, and for each law the rest is minus a sum of products of
-factors that are not negative: coefficients, the normal force, speeds, squares, and the shares 𝓕
+force is perpendicular to the slip u, and for each law the remaining power is minus a sum of
+products of nonnegative factors: coefficients, the normal force, speeds, squares, and the shares 𝓕
 and 𝓜 of the coupled law.
 """
 
@@ -43,8 +43,8 @@ from ..friction.symbols import (
 
 _SPREAD = Symmetric("W")
 
-#: What is not negative besides coefficients: N while the contact lasts, speeds as square roots,
-#: |Ω|, 𝓕 and 𝓜 by the bounds of the law.
+#: Nonnegative quantities other than coefficients: N while the contact lasts, speeds as square
+#: roots, |Ω|, 𝓕 and 𝓜 by the bounds of the law.
 NOT_NEGATIVE = frozenset(
     {N, slip_speed, rolling_speed, wandering_speed, spin_speed, F_share, M_share}
 )
@@ -81,7 +81,7 @@ def dissipation(law: FrictionLaw) -> Dissipation:
     Raises
     ------
     InputError
-        If the law does not say.
+        If the dissipation of the law is not known.
 
     Examples
     --------

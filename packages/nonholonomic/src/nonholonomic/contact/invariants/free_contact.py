@@ -58,7 +58,7 @@ def free_contact(
     force: MatrixExpr = ANY_FORCE,
     couple: MatrixExpr = zero,
 ) -> System:
-    """The equations of a body under any force, and possibly a couple, at its point of contact.
+    """The equations of a body under an arbitrary force, and possibly a couple, at its contact.
 
     Parameters
     ----------
@@ -194,12 +194,12 @@ def jellett(body: Body) -> Integral:
     Returns
     -------
     Integral
-        Kept by every force at the point of contact.  Couples change it: see `couple_on_jellett`.
+        It is conserved under every force at the contact; for couples see `couple_on_jellett`.
 
     Raises
     ------
     InputError
-        If the shape is no ball, or the inertia tensor no diagonal one.
+        If the shape is not a ball, or the inertia tensor is not diagonal.
     """
     if not body.shape.is_ball:
         raise InputError("shape: Jellett's integral is that of a body with a spherical surface")

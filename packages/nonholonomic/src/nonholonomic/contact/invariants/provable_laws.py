@@ -46,8 +46,8 @@ def provable_laws(contact: FrictionalContact) -> tuple[Claim, ...]:
     tuple of (System, Law)
         Jellett's integral of a spherical body of revolution, or how couples change it; momentum
         about the contact and direction of slip of a homogeneous ball; on a support at rest the
-        power of the contact and what each law of friction takes of it.  Bodies on spheres and those
-        in a potential have the last alone.
+        power of the contact and the share of each friction law. For bodies on spheres or in a
+        potential only the last is known.
 
     Examples
     --------
