@@ -59,7 +59,7 @@ class Accessibility:
 
     @property
     def accessible(self) -> bool:
-        """Whether the state space is spanned; proven, since computed dimensions are lower bounds."""
+        """Whether the state space is spanned; proven, as computed dimensions are lower bounds."""
         return self.growth[-1] == self.dimension
 
     def __str__(self) -> str:

@@ -24,7 +24,8 @@ from .quadrature import log_density
 from .result import MeasureExistence
 
 SHARE = 10
-"""Ratio of the effort to that of a proof as a law of the equations of motion, which is attempted after the density is already proven by other means."""
+"""Divisor of the effort for the proof of a density as a law of the equations of motion, which is
+attempted after the density is already proven by other means."""
 
 
 def decide_body(rolling: RollingBody, name: str, effort: int) -> MeasureExistence:

@@ -37,9 +37,9 @@ class Registered:
         word = cls.__dict__.get("kind")
         if isinstance(word, str):
             known = cls._register.get(word)
-            if known is not None and _address(known) != _address(cls):
+            if known is not None and _origin(known) != _origin(cls):
                 raise InputError(
-                    f"kind {word!r} of {cls.__qualname__}: {_address(known)} has it already; choose "
+                    f"kind {word!r} of {cls.__qualname__}: {_origin(known)} has it already; choose "
                     "another word"
                 )
             cls._register[word] = cls
@@ -62,5 +62,5 @@ class Registered:
         return found
 
 
-def _address(kind: type) -> str:
+def _origin(kind: type) -> str:
     return f"{kind.__module__}.{kind.__qualname__}"
