@@ -1,4 +1,4 @@
-r"""r"The limit set of the force and couple that friction can exert on a round patch.
+r"""The limit set of the force and couple that friction can exert on a round patch.
 
 A patch at rest holds a force f along the contact and a couple τ about the normal as long as
 
@@ -28,7 +28,7 @@ from .pressure import CoupledFriction
 FORCE_AT_ONE, COUPLE_AT_ONE = 9 * sp.pi / 32, 9 * sp.pi / 128
 #: Degree of the polynomial for the outer part of the curve.
 DEGREE = 26
-#: Above this |ln k| the ratio F/M is proportional to k.
+#: Value of |ln k| beyond which F/M is proportional to k.
 _STRAIGHT = 200.0
 
 x, z = real_symbol("x"), real_symbol("z")

@@ -56,7 +56,7 @@ def resisting_skate(slope: float = 1.0) -> System:
     Returns
     -------
     System
-        State: place `x`, `y`, momentum `p_x`, `p_y`, angle `phi` of the blade, `Omega` = φ̇.
+        State: position `x`, `y`, momentum `p_x`, `p_y`, angle `phi` of the blade, `Omega` = φ̇.
     """
     momentum = (p_x, p_y)
     ahead = dot(momentum, ALONG) / m

@@ -1,4 +1,4 @@
-"""Creep: sliding so slow that the friction force determines the slip, and not the reverse.
+"""Creep: slow sliding in which the friction force determines the slip.
 
 If friction grows with the slip, a slip far below the typical speeds of a motion follows from the
 force f that would hold the contact.  With the friction N (μ + ν|u|ᵖ) against the slip u,
@@ -63,7 +63,7 @@ class CreepLaw:
     law : FrictionLaw
         The law with ν or c.
     dry : FrictionLaw or None
-        That with μ.
+        The law with μ, if there is one.
     """
 
     mu: float
@@ -116,15 +116,15 @@ def creep_law(situation: FrictionalContact) -> CreepLaw | None:
 
 @dataclass(frozen=True, eq=False)
 class Creep:
-    """A piece of a motion during which the contact creeps.
+    """An interval of a motion during which the contact creeps.
 
     Attributes
     ----------
     piece : Onset
     force : array (3,)
-        Friction per normal force at its end, body axes.
+        Friction per normal force at the end, body axes.
     stops : bool
-        Whether the slip has ended there.
+        Whether the slip ends there.
     """
 
     piece: Onset
@@ -152,7 +152,7 @@ def creep(
     mode : Mode
         The sliding mode.
     force : array (3,)
-        Friction per normal force at first, or nearly, body axes, not zero.
+        Estimate of the initial friction per normal force, body axes, not zero.
     law : CreepLaw
     values : mapping of str to float
         Values of parameters.
@@ -338,7 +338,7 @@ class _Trial:
         if end < 1:
             end = self._root(c, end)
             if end < 1e-8 and self.size <= self.law.mu * (1 + 1e-12):
-                # The slip should begin, but does not.
+                # the slip should begin, but does not
                 return None
         integrator = self.integrator_with(c, duration)
         lasting = float(end * duration)

@@ -31,10 +31,10 @@ _LOWEST = 1e-6
 
 
 class CreepTransitions(RollingTransitions, ABC):
-    """A motion whose contact may creep."""
+    """A simulation in which the contact may creep."""
 
-    #: End of the last creep piece, the force (3,) per normal force there, and the next duration to
-    #: try.
+    #: End time of the last creep interval, the force (3,) per normal force there, and the next
+    #: duration to try.
     _last_creep: tuple[float, FloatArray, float] | None = None
 
     @cached_property
@@ -42,7 +42,7 @@ class CreepTransitions(RollingTransitions, ABC):
         return creep_law(self.contact.situation)
 
     def _creep(self) -> bool:
-        """Follow a piece of creep if the contact creeps; return whether it does."""
+        """Simulate an interval of creep if the contact creeps; return whether it does."""
         law = self._creep_law
         if law is None or not (self.mode.touching and self.mode.sliding):
             return False
@@ -55,7 +55,7 @@ class CreepTransitions(RollingTransitions, ABC):
         return force is not None and self._creep_on(law, force)
 
     def _creep_on(self, law: CreepLaw, force: FloatArray) -> bool:
-        """Follow a piece of creep from a force (3,) per normal force; whether there was one."""
+        """Simulate creep from a force (3,) per normal force; return whether that succeeded."""
         longest = min(0.02 / self._turning_rate, float(self.moments[-1]) - self.time)
         if self._has_crept and self._last_creep is not None:
             longest = min(longest, self._last_creep[2])
@@ -74,7 +74,7 @@ class CreepTransitions(RollingTransitions, ABC):
 
     @property
     def _has_crept(self) -> bool:
-        """Whether a creep piece ended at the current time."""
+        """Whether an interval of creep ended at the current time."""
         return self._last_creep is not None and self._last_creep[0] == self.time
 
     def _force_of_creep(self, law: CreepLaw) -> FloatArray | None:
@@ -162,7 +162,7 @@ class CreepTransitions(RollingTransitions, ABC):
             self._decide_on_rolling()
 
     def _pass_zero(self, law: CreepLaw, floor: float) -> None:
-        """Follow a slip at or near zero, where a law without threshold is not smooth."""
+        """Simulate a slip at or near zero, where a law without threshold is not smooth."""
         known = self._numbers()
         slip = self._frozen_slip(0.0)
         free = float(np.linalg.norm(slip.rate(np.array([1.0, 0.0]))))

@@ -57,7 +57,7 @@ def state_after_jam(
         At `state`.
     state : array (size,)
     speed : float
-        A typical one (m/s).
+        A typical speed (m/s).
     part : float
         1, or 2 for a B that is negative by as much as it was positive.
     """

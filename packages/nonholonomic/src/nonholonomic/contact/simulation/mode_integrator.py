@@ -14,7 +14,7 @@ from flowlanes.system.arrays import FloatArray
 from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
 
-#: Guard name of a piece that ended after the allowed number of steps.
+#: Guard name of an integration that ended after the allowed number of steps.
 PAUSE = "pause"
 
 #: A step that changes no digit, to obtain the Taylor series at a state.
@@ -31,7 +31,7 @@ class Outcome:
     state : array (size,)
     guard : str
         Name of the guard that ended it; empty at the end of the interval, `PAUSE` after the steps
-        allowed, ``"failure"`` if the state stopped being a number.
+        allowed, ``"failure"`` if the state is no longer finite.
     samples : array (n, size)
         States at the sample times that were passed.
     steps : int
@@ -52,7 +52,7 @@ class StepSeries:
     ----------
     begin, end : float
     coefficients : array (size, order + 1)
-        Of the powers of the time since the step began.
+        Coefficients of the powers of the time since the step began.
     """
 
     begin: float

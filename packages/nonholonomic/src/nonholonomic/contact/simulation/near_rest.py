@@ -55,17 +55,17 @@ class DryFriction:
     patch : float
         Radius of the patch of a coupled law (m); 0 at a point.
     spin_arm : float
-        Of an independent couple against spin (m); 0 without one.
+        Arm of an independent couple against spin (m); 0 without one.
     law : str
         Name of the law of sliding.
     static_mu : float
         Coefficient of static friction, at least `mu`.
     viscous, order : float
-        ν and p of the friction ν|u|ᵖ per normal force, which counts in impacts.
+        ν and p of the friction ν|u|ᵖ per normal force, for impacts.
     force : sympy.Expr or None
-        A formula in the slip speed in place of `mu`, likewise.
+        A formula in the slip speed in place of `mu`, for impacts.
     unknown_in_impacts : str
-        Why friction in impacts is not known, in words.
+        Reason why friction in impacts is not known; empty if it is known.
     """
 
     mu: float
@@ -144,14 +144,15 @@ class Departure:
     spin_sign : float
         Sign of the spin, 0 where a couple holds it.
     direction : array (3,) or (4,)
-        Of the slip that grows (of slip and aΩ under a coupled law), body axes; empty if it is held.
+        Direction of the growing slip (of slip and aΩ under a coupled law), body axes; empty if it
+        is held.
     normal_force : float
     force : array (3,)
         Friction (N), body axes.
     couple : float
-        About the normal (N m).
+        Couple about the normal (N m).
     unique : bool
-        Whether nothing else is possible.
+        Whether this is the only possible motion.
     """
 
     holds: bool
@@ -276,10 +277,10 @@ def sudden_direction(
     spin_sign : float
         Of the spin; 0 where a couple holds it.
     direction : array (3,)
-        Against the friction at its limit, body axes.
+        Direction opposite to the friction at its limit, body axes.
     """
     falls = dry.static_mu > dry.mu
-    # Sticking at its limit does not count as possible, whatever rounding suggests.
+    # sticking at the limit is excluded in spite of rounding errors
     limited = replace(dry, static_mu=dry.mu)
     if not falls:
         limited = replace(dry, static_mu=_BELOW * dry.mu, mu=_BELOW * dry.mu)

@@ -83,13 +83,13 @@ class _Trial:
     ----------
     integrator : ModeIntegrator
     first : array (3,)
-        The direction at first.
+        The initial direction.
     latitude, patch : float
-        Of the coupled law.
+        Latitude of the direction and radius of the patch, for a coupled law.
     rolling : callable or None
-        The rolling (n, 3) at states, if it is this that begins.
+        Function of states that returns the rolling (n, 3), if rolling begins; None for sliding.
     power : (float, float) or None
-        ν over the mass, and the order, of a power of the slip that is not whole.
+        ν over the mass, and the order, of a non-integer power of the slip.
     """
 
     integrator: ModeIntegrator
@@ -162,15 +162,15 @@ def onset_of_sliding(
     contact : CompiledContact
     time : float
     state : array (size,)
-        With zero slip.
+        A state with zero slip.
     mode : Mode
         The sliding mode.
     direction : array (3,) or (4,)
-        Of the slip at first, body axes; under Contensou's law of slip and aΩ.
+        Initial direction of the slip, body axes; of slip and aΩ under Contensou's law.
     spin_sign : float
         Sign of the spin.
     longest : float
-        Duration to begin with (s).
+        First duration to try (s).
     """
     situation = contact.situation
     law = next((law for law in situation.laws if law.kinetic_mu is not None), None)
@@ -215,15 +215,15 @@ def onset_of_rolling(
     contact : CompiledContact
     time : float
     state : array (size,)
-        Without rolling.
+        A state without rolling.
     mode : Mode
         The mode with rolling.
     couple : array (3,)
-        Body axes; its part along the support counts.
+        The couple in body axes, of which the tangential part is used.
     run_values : mapping of str to float
-        What the course sets, by name, such as the sign of the spin.
+        Parameters set by the simulation, by name, such as the sign of the spin.
     longest : float
-        Duration to begin with (s).
+        First duration to try (s).
     """
     situation = contact.situation
     laws = tuple(PrescribedRolling(law) if law.holds_rolling else law for law in situation.laws)

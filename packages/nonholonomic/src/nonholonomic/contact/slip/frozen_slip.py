@@ -58,9 +58,9 @@ class PointSlip:
     tangential : (2,) array
         Acceleration of the contact without contact force, along the tangents.
     normal : float
-        b_n, likewise: normal acceleration of the free body.
+        b_n, the normal acceleration of the contact without contact force.
     couple : float
-        Spin couple besides the one per normal force.
+        Part of the spin couple that is independent of the normal force.
     """
 
     response: FrictionResponse
@@ -97,7 +97,7 @@ def point_slip(
     ----------
     mobility : Mobility
     acceleration : (3,) array
-        b, body axes: of the contact without contact force; its normal part is b_n.
+        Acceleration b of the contact without contact force, body axes; its normal part is b_n.
     mu : float
     couple : float
         Spin couple per normal force: −μ_s sgn Ω.
@@ -146,9 +146,9 @@ class CoupledSlip:
         𝓕(k) and 𝓜(k), k = |u|/(a|Ω|) in [0, ∞]: the friction force is μN𝓕 against the sliding,
         the couple μNa𝓜 against the spin.
     acceleration : (3,) array
-        b, body axes: of the contact without contact force; its normal part is b_n.
+        Acceleration b of the contact without contact force, body axes; its normal part is b_n.
     spin_acceleration : float
-        b_Ω, likewise.
+        b_Ω, the acceleration of the spin without contact force.
     resistance : (3,) array
         Further couple per normal force, as of resistance to rolling; body axes.
     """

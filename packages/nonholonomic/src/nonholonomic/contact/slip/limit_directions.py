@@ -98,7 +98,7 @@ def limit_directions(slip: PointSlip) -> tuple[LimitDirection, ...]:
         n = np.array([np.cos(angle), np.sin(angle)])
         pressure = slip.force(n)[0]
         if pressure > 0:
-            # There the determinant has the sign of −b_n > 0 (a positive factor of G).
+            # N = −b_n/B > 0, so that B has the sign of −b_n
             slope = turning(angle)[1] * (1 if slip.normal < 0 else -1)
             growth, _ = growth_and_turning(slip, n)
             result.append(LimitDirection(n, growth, slope < 0, pressure))
@@ -106,9 +106,9 @@ def limit_directions(slip: PointSlip) -> tuple[LimitDirection, ...]:
 
 
 def _turning_polynomial(slip: PointSlip) -> tuple[FloatArray, float]:
-    """Coefficients c_j of G·B = Σ c_j e^{ijφ}, j = −2…2, from eight samples.
+    """Coefficients c_j of G·B = Σ c_j e^{ijφ}, j = −2…2, and a scale of its terms.
 
-    And a scale of its terms.
+    The coefficients follow from eight samples by the discrete Fourier transform.
     """
     beta, A = slip.response.tangential
     constant, slope = slip.response.normal
@@ -218,13 +218,13 @@ class Rest:
     Attributes
     ----------
     normal_force : float
-        With which it would be held.
+        Normal force if the contact is held.
     sticking_force : (2,) array
         Friction that would hold it, along the tangents of the mobility.
     holding_couple : float
-        Couple that would hold the spin; 0 where the law holds none.
+        Couple that would hold the spin; 0 if the law does not hold it.
     holds : bool
-        Whether the law of friction allows these.
+        Whether these are within the limits of friction.
     exits : tuple of LimitDirection
         Directions in which it could begin to slip, the attracting ones with the greatest growth
         first.

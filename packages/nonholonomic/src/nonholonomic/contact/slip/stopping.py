@@ -45,17 +45,17 @@ class Stop:
     duration : float
         Time until the slip is zero.
     direction : (2,) or (3,) array
-        Of the slip at its end.
+        Direction of the slip at its end.
     growth : float
-        H: the rate of its size at the end, negative.
+        H, the rate of the size of the slip at the end, negative.
     greatest_rate : float
-        Of the slip in any direction.
+        Largest rate of the slip in any direction.
     normal_impulse : float
-        Of the normal force in this time.
+        Impulse of the normal force in this time.
     friction_impulse : (2,) array
-        Of friction, along the tangents of the mobility.
+        Impulse of friction, along the tangents of the mobility.
     couple_impulse : float
-        Of the spin couple.
+        Impulse of the spin couple.
     """
 
     duration: float
@@ -83,9 +83,9 @@ def finish_stop(slip: FrozenSlip, direction: FloatArray, size: float) -> Stop:
     ----------
     slip : FrozenSlip
     direction : (2,) or (3,) array
-        Of the slip; any length.
+        Direction of the slip, of any length.
     size : float
-        ε: the slip now, in units in which ordinary slips are of order 1.
+        ε, the present slip in units in which ordinary slips are of order 1.
 
     Returns
     -------
