@@ -1,4 +1,4 @@
-"""The surface f = 0 that carries a ball, as functions of places in space."""
+"""The surface f = 0 that carries a ball, as functions of points in space."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from nonholonomic.mechanics.shapes.surfaces import Surface
 from .view import unit
 
 _GRID = 60
-"""Points of the grid on which f is known beforehand, along the longest side of the box."""
+"""Number of grid points along the longest side of the box at which f is sampled."""
 
 _SETTLE = 6
-"""Steps by which the place of a centre is found from a point of the surface below it."""
+"""Number of fixed-point steps from a point of the carrying surface to the centre above it."""
 
 
 def _everywhere(points: FloatArray) -> FloatArray:
@@ -30,7 +30,7 @@ def _everywhere(points: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class SurfaceGround:
-    """The ball rolls on a surface.
+    """The surface on which a ball rolls.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class SurfaceGround:
     shift : float
         0 if f = 0 carries the ball; its radius if the centre moves on f = 0.
     domain : callable
-        A function of the same points that is positive where f = 0 is the surface.
+        A function of the same points that is positive where f = 0 belongs to the surface.
     """
 
     level: Callable[[FloatArray], FloatArray]
@@ -50,7 +50,7 @@ class SurfaceGround:
     domain: Callable[[FloatArray], FloatArray] = _everywhere
 
     def centres(self, points: FloatArray) -> FloatArray:
-        """Points (n, 3) of the given surface, for points of the one that carries the ball."""
+        """Points (n, 3) of f = 0 above points of the surface that carries the ball."""
         centres = points
         if self.shift:
             for _ in range(_SETTLE):
@@ -62,19 +62,17 @@ class SurfaceGround:
         return unit(np.nan_to_num(self.slope(points)))
 
     def height(self, points: FloatArray) -> FloatArray:
-        """A function (n,) that vanishes on the surface, about the distance from it.
-
-        NaN where there is no surface.
-        """
+        """The approximate signed distance (n,) from the surface; NaN where there is no surface."""
         return np.where(self.extent(points) > 0.0, self.continued_height(points), np.nan)
 
     def extent(self, points: FloatArray) -> FloatArray:
-        """A function (n,) that vanishes at the end of the surface, positive where there is any."""
+        """A function (n,) that vanishes at the border of the surface and is positive on it."""
         return self.domain(self.centres(points))
 
     def continued_height(self, points: FloatArray) -> FloatArray:
-        """The height (n,) as if the surface went on beyond its end."""
+        """The height (n,), continued beyond the border of the surface."""
         centres = self.centres(points)
+        # f/|∇f| is the distance to first order
         steep = np.linalg.norm(self.slope(centres), axis=-1)
         return np.asarray(self.level(centres) / np.where(steep > 0.0, steep, 1.0), np.float64)
 
@@ -106,13 +104,14 @@ def frame_of(points: FloatArray, margin: FloatArray, ground: SurfaceGround) -> B
             faces.append(wide.low + face * (wide.high - wide.low))
     with np.errstate(all="ignore"):
         outside = ground.height(np.concatenate(faces))
+    # f has one sign on a wider box: the surface is closed and is drawn as a whole
     if np.all(outside > 0.0) or np.all(outside < 0.0):
         return _shrunk(wide, ground)
     return Box(low, high)
 
 
 def _shrunk(box: Box, ground: SurfaceGround) -> Box:
-    """The box that a closed surface fills."""
+    """The smallest box around a closed surface, by a grid."""
     points, inside = heights_on_grid(box, ground)
     signs = np.sign(inside)
     other = signs != signs.flat[0]
@@ -124,7 +123,7 @@ def _shrunk(box: Box, ground: SurfaceGround) -> Box:
 
 
 def heights_on_grid(box: Box, ground: SurfaceGround) -> tuple[FloatArray, FloatArray]:
-    """Points of a grid in the box and the height of each."""
+    """Points of a grid in the box and their heights."""
     size = box.high - box.low
     counts = np.maximum(8, np.ceil(_GRID * size / size.max())).astype(int)
     axes = [np.linspace(a, b, n) for a, b, n in zip(box.low, box.high, counts, strict=True)]
@@ -135,7 +134,7 @@ def heights_on_grid(box: Box, ground: SurfaceGround) -> tuple[FloatArray, FloatA
 
 
 def ground_of_ball(ball: RollingBall) -> SurfaceGround:
-    """The surface that carries the ball, by its own equation where it has one."""
+    """The surface that carries the ball, by its own equation if it has a simple one."""
     shift = 0.0 if ball.carrier == "support" else ball.radius
     below = ball.surface.equation(_PLACE, -sp.Float(shift)) if shift else ball.carrying
     f = ball.carrying if below is None else below
@@ -154,7 +153,7 @@ _PLACE = Vector("x").symbols
 def _ground(
     f: sp.Expr, parameters: Iterable[Parameter], guards: Iterable[sp.Expr], shift: float
 ) -> SurfaceGround:
-    """f = 0 with its own numbers."""
+    """f = 0 at the default parameters."""
     f = f.subs({p.symbol: p.default for p in parameters})
 
     def values(formula: sp.Expr) -> Callable[[FloatArray], FloatArray]:

@@ -1,4 +1,4 @@
-"""Surfaces of drawn bodies as polygons, and curves on them."""
+"""Polygon meshes of bodies for drawings, and curves on them."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from flowlanes.system.arrays import BoolArray, FloatArray, IntArray
 from .view import View, unit
 
 _POLE_OFFSET = 1e-6
-"""Angle kept from the poles of the direction grid, where a flat face has no single point."""
+"""Angle between the direction grid and its poles, where a flat face has no single point."""
 
 _FLAT_THICKNESS = 0.04
-"""Thickness, relative to its radius, with which a disk of no thickness is drawn."""
+"""Thickness of a drawn disk without thickness, relative to its radius."""
 
 _SMALLEST_STEP = 1e-7
-"""Steps of the direction grid are not refined below this angle: there the body is flat."""
+"""Smallest step of the direction grid; a surface that extends over less than it is flat."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +33,7 @@ class Facets:
     normals : (m, 3) array
         Outward unit normals of the smooth surface in the middle of each polygon, for shading.
     tones : (m,) array of int
-        Which of the two colours of the surface the polygon has, 0 or 1.
+        Colour of each polygon, 0 or 1.
     """
 
     polygons: FloatArray
@@ -76,13 +76,13 @@ class BodyMesh:
     vertices : (n, 3) array
         Points of the surface.
     faces : (m, 4) array of int
-        Corners of the facets as numbers of vertices, anticlockwise as seen from outside; a
+        Corners of the facets as indices of vertices, anticlockwise as seen from outside; a
         triangle repeats its last corner.
     normals : (m, 3) array
         Outward unit normals of the smooth surface in the middle of each facet.
     tones : (m,) array of int
-        Colour of each facet, 0 or 1: neighbouring octants of directions alternate, so that a
-        ball is seen to turn.
+        Colour of each facet, 0 or 1: neighbouring octants of directions alternate, so that the
+        rotation of a ball is visible.
     seams : tuple of SurfaceCurve
         Curves between the octants.
     hollow : bool
@@ -134,10 +134,10 @@ def outline_from_contact(
 ) -> BodyMesh:
     """Mesh of a strictly convex body, or of one with flat faces normal to axis 3.
 
-    The contact vector is sampled on a grid of directions with its poles on body axis 3. Grid
-    lines are added where neighbouring points of the surface lie farthest apart, so that sharp
-    and flat places are drawn as well as round ones. The two poles are closed by caps, which
-    are the faces of a disk and no more than points of a ball.
+    The contact vector is sampled on a grid of directions with its poles on body axis 3. Grid lines
+    are added where neighbouring points of the surface are farthest apart, so that edges and flat
+    parts are resolved as well as round ones. The two poles are closed by caps: the faces of a disk,
+    or single points of a ball.
 
     Parameters
     ----------
@@ -149,8 +149,8 @@ def outline_from_contact(
 
     Returns
     -------
-    Outline
-        The mesh; a body of no thickness is given a small one, to be visible from its edge.
+    BodyMesh
+        The mesh; a body without thickness gets a small one, to be visible edge-on.
     """
     grid = direction_grid(contact_of_gamma, rows, columns)
     return _closed_mesh(grid.points, grid.outward, grid.theta, grid.phi, grid.hollow)
@@ -165,11 +165,11 @@ class DirectionGrid:
     theta, phi : (rows,), (columns,) arrays
         Angles of γ: from body axis 3, and about it.
     points : (rows, columns, 3) array
-        In body axes, with the thickness of what has none.
+        Points in body axes, including any added thickness.
     hollow : bool
         Whether the body is a shell that rolls with its inner side.
     thickness : float
-        What was added to a body of no thickness, on each side.
+        Thickness added on each side of a body without thickness.
     """
 
     theta: FloatArray
@@ -223,10 +223,10 @@ def _direction(theta: FloatArray, phi: FloatArray) -> FloatArray:
 
 
 def _even_steps(nodes: FloatArray, sample: Callable[[float], FloatArray], count: int) -> FloatArray:
-    """About `count` steps over given nodes, along which the surface changes evenly.
+    """About `count` steps between given nodes, of nearly equal width on the surface.
 
-    A step is as wide as the largest distance between the points `sample` gives at its ends. The
-    widest is halved again and again; then the steps between two of the nodes are made alike.
+    The width of a step is the largest distance between the points of `sample` at its ends. The
+    widest step is halved repeatedly; then the steps between two nodes are equalised.
     """
     angles = [float(node) for node in nodes]
     points = [sample(angle) for angle in angles]
@@ -296,7 +296,7 @@ def _closed_mesh(
 
     faces = np.concatenate(fans + strips)
     tones = np.concatenate(fan_tones + strip_tones)
-    # The caps are flat: near a rim their normal must not be blended with that of the wall.
+    # caps are flat: near a rim their normal must not be blended with that of the wall
     smooth = unit(vertex_normals[np.concatenate(strips)].mean(axis=1))
     flat = np.repeat(cap_normals, columns, axis=0)
     normals = np.concatenate([flat, smooth])
@@ -330,7 +330,8 @@ def _seams(
     seams = [SurfaceCurve(points[equator, closing], outward[equator, closing])]
     for quarter in range(4):
         column = int(np.argmin(np.abs(phi - quarter * np.pi / 2)))
-        # At the rim of a flat cap the curve turns a corner, and is seen from the cap's side too.
+        # at the rim of a flat cap the curve has a corner, and is visible from the side of the cap
+        # too
         seams.append(SurfaceCurve(points[:, column], outward[:, column]))
         for cap, normal, row in zip(caps, cap_normals, (0, -1), strict=True):
             seams.append(
@@ -340,7 +341,7 @@ def _seams(
 
 
 def _plane_normals(polygons: FloatArray) -> FloatArray:
-    """Normals (m, 3) of polygons (m, 4, 3), twice their area long."""
+    """Normals (m, 3) of polygons (m, 4, 3), of length twice the area."""
     return np.cross(polygons[:, 2] - polygons[:, 0], polygons[:, 3] - polygons[:, 1])
 
 

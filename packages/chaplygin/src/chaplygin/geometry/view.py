@@ -1,9 +1,9 @@
 """An orthographic view of space, and rotations.
 
 A picture is made by projecting space orthographically on a sheet of paper (`View`), keeping the
-facets that face the reader. Bodies are convex, so that these never cover each other, and whole
-bodies and grounds are painted from the farthest to the nearest: two of them that touch in one point
-are parted by the plane of contact. All lengths are in the units of the trajectory, all angles in
+facets that face the reader. Bodies are convex, so that these never overlap, and whole bodies and
+grounds are painted from the farthest to the nearest: two of them that touch in one point are
+separated by the plane of contact. All lengths are in the units of the trajectory, all angles in
 radians.
 """
 
@@ -48,8 +48,7 @@ class View:
     Attributes
     ----------
     azimuth, elevation : float
-        Where the reader stands: angle in the plane xy from the axis x, and height above that
-        plane.
+        Direction of the reader: angle in the xy plane from the x axis, and angle above that plane.
     """
 
     azimuth: float
@@ -75,7 +74,7 @@ class View:
 
     @cached_property
     def light(self) -> FloatArray:
-        """Unit vector of space towards the lamp, over the reader's left shoulder."""
+        """Unit vector towards the light, over the reader's left shoulder."""
         return unit(-0.55 * self.right + 0.75 * self.up + 0.65 * self.toward)
 
     def project(self, points: FloatArray) -> FloatArray:

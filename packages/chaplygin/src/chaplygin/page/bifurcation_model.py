@@ -26,7 +26,7 @@ def bifurcation_model(study: Study, system: System) -> Json:
     ----------
     study : Study
     system : System
-        The reduced one.
+        The reduced system.
     """
     known = diagram_if_known(study)
     if known is None:

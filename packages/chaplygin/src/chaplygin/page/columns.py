@@ -24,7 +24,7 @@ from ..experiment.study import Study
 #: Horizontal position of a centre of mass, which is recorded as part of it.
 _PLACE = "place"
 
-#: Parts of a drawing in the plane, and their names.
+#: Parts of a drawing in the plane, with their names in columns.
 PARTS = {
     "links": "rod",
     "wheels": "wheel",
@@ -42,7 +42,7 @@ class Column:
     ----------
     name : str
     formulas : tuple of sympy.Expr
-        Its components, in the state lifted to space.
+        Components, in terms of the state lifted to space.
     axes : str
         ``"body"``, ``"space"`` or ``"quaternion"``, the dimension of another vector, or empty.
     unit, meaning, mathml : str
@@ -65,10 +65,10 @@ class Scalar:
     name : str
     formula : sympy.Expr
     text : str
-        The formula as the command line takes it.
+        The formula in the syntax of the command line.
     unit, meaning, mathml : str
     angle : bool
-        Whether its values count up to whole turns.
+        Whether its values are angles, modulo whole turns.
     """
 
     name: str

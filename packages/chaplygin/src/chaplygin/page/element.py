@@ -1,8 +1,8 @@
 """A system as a page element: front end, model and machine code, all within the page.
 
-Everything is packed into one text of letters and digits, so that nothing in it can end a script or
-be read as HTML, and is unpacked by the browser.  The page permits nothing else: its policy
-identifies every script by a digest, and forbids it to fetch anything.
+All data are packed into one base64 text, so that nothing in it can end a script or be read as HTML,
+and are unpacked by the browser. The content security policy of the page identifies every script by
+a digest and forbids network access.
 """
 
 from __future__ import annotations
@@ -62,9 +62,9 @@ class Element:
     Attributes
     ----------
     html : Markup
-        To be put into the body, once in a page.
+        HTML for the body, to be inserted once in a page.
     policy : str
-        What the page may do, for its ``Content-Security-Policy``.
+        Permissions of the page, for its ``Content-Security-Policy``.
     """
 
     html: Markup
@@ -94,9 +94,9 @@ def policy(scripts: Sequence[str], connect: str = "'none'") -> str:
     Parameters
     ----------
     scripts : sequence of str
-        Their texts.
+        Texts of the scripts.
     connect : str
-        What it may fetch from: ``'none'``, or ``'self'`` for the page of a server.
+        Permitted source of requests: ``'none'``, or ``'self'`` for the page of a server.
     """
     digests = (
         base64.b64encode(hashlib.sha256(script.encode()).digest()).decode() for script in scripts
@@ -115,12 +115,12 @@ def element(model: PageModel, still: str = "", base: str | None = None) -> Eleme
     Parameters
     ----------
     model : mapping
-        As :func:`chaplygin.page.page_model.page_model` makes it.
+        The result of :func:`chaplygin.page.page_model.page_model`.
     still : str
-        HTML that is shown until the first frame, where there is no WebGL, and in print.
+        HTML shown until the first frame, without WebGL, and in print.
     base : str, optional
-        The path of a running laboratory from which the page was served; it computes what the page
-        cannot.
+        The path of a running laboratory from which the page was served; it performs computations
+        that the page cannot.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""A system as a JavaScript module: the engine of a page with the model of one system."""
+"""A system as a JavaScript module: the engine of a page together with the model of the system."""
 
 from __future__ import annotations
 

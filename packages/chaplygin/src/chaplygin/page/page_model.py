@@ -1,4 +1,4 @@
-"""Everything that a page knows of a study, as JSON; the types are those of ``web/src/model.ts``."""
+"""The data of a study in a page, as JSON; the types are those of ``web/src/model.ts``."""
 
 from __future__ import annotations
 
@@ -38,20 +38,20 @@ def page_model(
     dataset: xr.Dataset | None = None,
     verdicts: Mapping[str, Verdict] | None = None,
 ) -> dict[str, Json]:
-    """The model of a page without a module: it shows the motion of the dataset, if there is one.
+    """The model of a page without a module, which shows the motion of a dataset, if there is one.
 
     Parameters
     ----------
     study : Study
     dataset : xarray.Dataset, optional
-        The motion, as :func:`chaplygin.experiment.study.dataset_of` gives it.
+        The motion, as returned by :func:`chaplygin.experiment.study.dataset_of`.
     verdicts : mapping of str to Verdict, optional
-        On the laws, by name.
+        Verdicts on the laws, by name.
 
     Returns
     -------
     dict
-        For :func:`json.dumps`; see ``packages/chaplygin/web/src/model.ts``.
+        Data for :func:`json.dumps`; see ``packages/chaplygin/web/src/model.ts``.
 
     Raises
     ------
@@ -112,7 +112,7 @@ def live_page_model(
     dataset: xr.Dataset | None = None,
     verdicts: Mapping[str, Verdict] | None = None,
 ) -> dict[str, Json]:
-    """The model of a page with a module: it computes, and needs no dataset.
+    """The model of a page with a module, which computes motions itself and needs no dataset.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def live_page_model(
     return page_model(study, dataset, verdicts) | computing
 
 
-#: Columns of a motion through several modes, which no single system of equations describes.
+#: Formulas of a motion through several modes, which has no single system of equations.
 _NO_FORMULAS: dict[str, Json] = {
     "state": [],
     "parameters": [],
@@ -146,7 +146,7 @@ _NO_FORMULAS: dict[str, Json] = {
 
 
 def _formulas(study: Study, reduced: System, verdicts: Mapping[str, Verdict]) -> dict[str, Json]:
-    """The equations and laws of a page, as formulas."""
+    """State, parameters, laws and quantities of a page, as formulas."""
     scalars = scalars_of(study, reduced)
     whole = study.system.lifted() if study.system.reconstruction else study.system
     return {
@@ -225,7 +225,7 @@ def _quantity(scalar: Scalar) -> Json:
 
 
 def columns_of_dataset(dataset: xr.Dataset) -> tuple[Column, ...]:
-    """The columns of a motion through several modes, which no single formula describes."""
+    """The columns of a motion through several modes, without formulas."""
     frames = {dimension: frame for frame, (dimension, _) in FRAMES.items()}
     columns = []
     for name, variable in dataset.data_vars.items():
@@ -290,7 +290,7 @@ def _events(dataset: xr.Dataset) -> list[dict[str, Json]]:
 
 
 def _column_from_state(study: Study, column: Column, dataset: xr.Dataset) -> FloatArray:
-    """A column that datasets do not have, computed from the state."""
+    """A column that is not in the dataset, computed from the state."""
     whole = study.system.lifted() if study.system.reconstruction else study.system
     parts = []
     for variable in map(str, whole.state):

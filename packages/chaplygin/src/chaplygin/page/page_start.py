@@ -1,4 +1,4 @@
-"""The controls of a page with which a user sets the start."""
+"""The controls of a page for the initial state."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ SPINS: dict[str, Json] = {
 
 
 def start_tables(study: Study, whole: System) -> dict[str, Json]:
-    """Tables with which the engine validates a start, with the error messages."""
+    """Tables for the validation of a start by the engine, with error messages."""
     by_velocity = study.subject.starts_by_velocity
     places = {str(symbol): i for i, symbol in enumerate(whole.symbols)}
     directions: list[Json] = [
@@ -60,10 +60,10 @@ def start_tables(study: Study, whole: System) -> dict[str, Json]:
 
 
 def start_inputs(study: Study) -> list[Json]:
-    """The numbers that give the start: ω and γ of a body, otherwise the whole state.
+    """The inputs of the initial state: ω and γ of a body, otherwise the whole state.
 
-    The components of one vector share their range.  For a body with an implicit shape, whose
-    contact point γ does not give by a formula, this is the whole state.
+    The components of one vector share their range. For a body with an implicit shape, whose contact
+    point is not a formula in γ, it is the whole state.
     """
     if not study.subject.starts_by_velocity or Vector("r") in study.system.state:
         return _state_inputs(study)

@@ -1,4 +1,4 @@
-"""The systems that a page computes with."""
+"""The systems used by the computations of a page."""
 
 from __future__ import annotations
 

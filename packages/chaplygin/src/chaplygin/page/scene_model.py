@@ -25,7 +25,7 @@ Json: TypeAlias = "bool | int | float | str | Sequence[Json] | dict[str, Json] |
 #: Number of steps of the grid of directions from pole to pole and around.
 ROWS, COLUMNS = 32, 64
 
-#: Vectors worth drawing, by column, with their starting points.
+#: Vectors that are drawn, by column, with their starting points.
 _VECTORS = {
     "omega": "centre",
     "M": "contact",
@@ -40,9 +40,9 @@ def scene_model(study: Study, columns: Sequence[Column], dataset: xr.Dataset | N
     ----------
     study : Study
     columns : sequence of Column
-        What is recorded.
+        The recorded quantities.
     dataset : xarray.Dataset or None
-        The motion, by which a surface without end is cut.
+        The motion, which determines the visible part of an unbounded surface.
     """
     subject, size = study.subject, 1.0
     grid = None if subject.outline is None else direction_grid(subject.outline, ROWS, COLUMNS)

@@ -34,17 +34,16 @@ _PREFERRED_Y = ("M_3", "omega_3", "M_1", "omega_1")
 
 
 def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Json:
-    """A quantity that the motion repeatedly crosses while increasing, and two coordinates; or None.
+    """A quantity with repeated upward crossings, and two coordinates; None if none is found.
 
-    It crosses zero if it ever does, and otherwise the middle of its range.  It should be crossed
-    about as often as others, since a section point takes as long as the motion between two
-    crossings.
+    The value is zero if it is crossed, and otherwise the middle of the range. Quantities that are
+    crossed seldom are avoided, since a point of the section takes the time between two crossings.
 
     Parameters
     ----------
     study : Study
     system : System
-        The reduced one.
+        The reduced system.
     places : sequence of Scalar
         Quantities on which a section can be taken.
     """
@@ -76,7 +75,7 @@ def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Js
     on = places[chosen].name
     others = [scalar.name for i, scalar in enumerate(places) if i != chosen]
     if on in ("gamma_1", "gamma_2"):
-        # where the longitude is a quarter turn
+        # on this section the longitude is constant up to half a turn
         others.remove("longitude")
     x = min(others, key=lambda name: _rank(name, _PREFERRED_X))
     y = min((n for n in others if n != x), key=lambda name: _rank(name, _PREFERRED_Y))

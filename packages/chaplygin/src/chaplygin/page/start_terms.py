@@ -1,4 +1,4 @@
-"""The state from the numbers that give a start, as terms.
+"""The initial state as terms in the numbers of a start.
 
 These are the formulas of :func:`chaplygin.initial_state`, which evaluates the same numbers with 50
 digits.
@@ -32,18 +32,18 @@ Quaternion = tuple[Term, Term, Term, Term]
 
 @dataclass(frozen=True)
 class StartTerms:
-    """The state at a start.
+    """The initial state, as terms.
 
     Attributes
     ----------
     inputs : tuple of str
-        Names of the numbers given.
+        Names of the inputs.
     state : tuple of Term
         The state lifted to space.
     excess : tuple of Term
-        What must vanish: (ω, γ) where the body must not spin.
+        Terms that must vanish: (ω, γ) if the body must not spin.
     nearest : tuple of Term
-        The nearest inputs for which it does.
+        The nearest inputs for which they vanish.
     """
 
     inputs: tuple[str, ...]
@@ -53,18 +53,18 @@ class StartTerms:
 
 
 def start_terms(subject: BodySubject, system: System) -> StartTerms | None:
-    """The state of a body that starts with given ω and γ.
+    """The initial state of a body in terms of ω and γ.
 
     Parameters
     ----------
     subject : BodySubject
-        For heading and normal.
+        The subject with heading and normal.
     system : System
 
     Returns
     -------
     StartTerms or None
-        None if γ does not give the contact point by a formula (an implicit shape).
+        None if the contact point is not a formula in γ (an implicit shape).
     """
     if Vector("r") in system.state:
         return None
@@ -132,7 +132,7 @@ def _attitude(
     n = [_constant(graph, x) for x in direction / np.linalg.norm(direction)]
     cosine = dot(up, n)
     axis = cross(up, n)
-    # Opposite directions: a half turn about the most perpendicular axis.
+    # opposite directions: a half turn about a perpendicular axis
     least = int(np.argmin(np.abs(direction)))
     lateral = cross(up, [graph.number(int(i == least)) for i in range(3)])
     one, zero = graph.number(1), graph.number(0)

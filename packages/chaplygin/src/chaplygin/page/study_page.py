@@ -30,12 +30,12 @@ def study_model(
     ----------
     study : Study
     dataset : xarray.Dataset
-        The motion, as :func:`chaplygin.experiment.study.dataset_of` gives it; of more samples than
-        a page is to have, some are left out.
+        The motion, as returned by :func:`chaplygin.experiment.study.dataset_of`; a long one is
+        subsampled.
     verdicts : mapping of str to Verdict, optional
         On the laws, by name.
     diagram : callable, optional
-        Returns the bifurcation diagram, where another has computed it.
+        Returns the bifurcation diagram, if it is computed elsewhere.
     """
     shown = sample_for_page(dataset)
     try:
@@ -53,7 +53,7 @@ def laboratory_model(study: Study, subject: Mapping[str, Json]) -> dict[str, Jso
     ----------
     study : Study
     subject : mapping
-        By which the page is to speak of it.
+        The subject to be named in requests of the page.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def laboratory_model(study: Study, subject: Mapping[str, Json]) -> dict[str, Jso
 
 
 def sample_for_page(dataset: xr.Dataset) -> xr.Dataset:
-    """A motion with as many samples as a page should have, including its ends."""
+    """A motion with at most `MOST_SAMPLES` samples, including its ends."""
     count = dataset.sizes["time"]
     if count <= MOST_SAMPLES:
         return dataset

@@ -1,9 +1,9 @@
 """A surface f = 0 as a mesh.
 
 Each grid cell crossed by the surface contains one vertex, the mean of the crossings of its edges,
-projected onto the surface; around each crossed edge there is a face (the surface nets method).  The
-grid extends beyond the box and the end of the surface, and the mesh is clipped there, so that its
-rim is a smooth curve.
+projected onto the surface; around each crossed edge there is a face (the surface nets method). The
+grid extends beyond the box and the border of the surface, and the mesh is clipped there, so that
+its rim is a smooth curve.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def surface_mesh(ground: SurfaceGround, box: Box, cells: int = _CELLS) -> Surfac
     ground : SurfaceGround
     box : Box
     cells : int
-        Along the longest side.
+        Number of cells along the longest side.
 
     Returns
     -------
@@ -122,7 +122,7 @@ def _cut(mesh: SurfaceMesh, beyond: FloatArray) -> SurfaceMesh:
         return mesh
     faces = mesh.indices
     count = out[faces].sum(axis=1)
-    # The vertex that is alone on its side comes first.
+    # the vertex that is alone on its side comes first
     alone = np.where(count == 1, out[faces].argmax(axis=1), out[faces].argmin(axis=1))
     faces = np.take_along_axis(faces, (alone[:, None] + np.arange(3)) % 3, axis=1)
     corner, left = faces[count == 2], faces[count == 1]

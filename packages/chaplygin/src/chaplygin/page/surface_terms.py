@@ -30,10 +30,11 @@ def surface_terms(study: Study, reduced: System) -> tuple[dict[str, list[Term]],
     -------
     pieces : mapping
         ``contact``: the point of the body with the outward normal −γ (body axes); ``inertia``: the
-        same of the ellipsoid (x, Ix) = 1; ``ground``, at a place in space: f, ∇f, and how far f = 0
-        lies from the surface that carries a ball, on the ball's side. Where formulas give them.
+        same of the ellipsoid (x, Ix) = 1; ``ground``, at a place in space: f, ∇f, and the distance
+        of f = 0 from the surface that carries a ball, on the ball's side. Only surfaces given by
+        formulas are included.
     place : int
-        Where γ, or the place, begins in the reduced state.
+        Index of the first component of γ, or of the position, in the reduced state.
     """
     names = reduced.symbols
     place = names.index(_GAMMA.symbols[0]) if _GAMMA in reduced.state else 0
@@ -57,7 +58,7 @@ def _formulas(
     subject, rolling = study.subject, study.rolling
     inertia = _inertia(study, reduced)
     if inertia is not None:
-        # The support function of (x, Ix) = 1 is √(γ, I⁻¹γ).
+        # (x, Ix) = 1 has the support function √(γ, I⁻¹γ), whose gradient is the contact point
         inverse = inertia**-1 * _GAMMA
         found["inertia"] = scalars(-inverse / sp.sqrt(dot(_GAMMA, inverse)))
     if subject.ball is not None:

@@ -42,7 +42,7 @@ class PageModule:
     ----------
     code : bytes
     tables : dict
-        For JSON; see ``WasmTables`` in ``web/src/model.ts``.
+        Tables for JSON; see ``WasmTables`` in ``web/src/model.ts``.
     """
 
     code: bytes
@@ -85,13 +85,13 @@ class _Texts:
 
 
 def page_module(study: Study) -> PageModule:
-    r"""r"Generate the module of a study.
+    r"""Generate the module of a study.
 
     Raises
     ------
     InputError
-        If the equations change at events (friction), or a formula has a function that machine code
-        does not know.
+        If the equations change at events (friction), or a formula has a function without machine
+        code.
 
     Examples
     --------
@@ -138,7 +138,7 @@ def page_module(study: Study) -> PageModule:
 
 
 def _whole_pieces(study: Study, whole: System) -> dict[str, list[Term]]:
-    """The columns, and the relations with their gradients."""
+    """Terms of the columns, and of the relations with their gradients."""
     reader, _ = read_formulas(whole)
     graph = reader.graph
     columns: Sequence[Column] = columns_of(study)
@@ -151,7 +151,7 @@ def _whole_pieces(study: Study, whole: System) -> dict[str, list[Term]]:
 
 
 def _reduced_pieces(reduced: System, scalars: Sequence[Scalar]) -> dict[str, list[Term]]:
-    """Quantities, conditions with their gradients, rates and guards."""
+    """Terms of quantities, conditions with their gradients, rates and guards."""
     reader, rates = read_formulas(reduced)
     graph = reader.graph
     quantities = list(terms_of(reduced, scalars))
@@ -176,7 +176,7 @@ def _reduced_pieces(reduced: System, scalars: Sequence[Scalar]) -> dict[str, lis
 
 
 def _admissible(system: System) -> list[tuple[str, sp.Basic, sp.Expr]]:
-    """Conditions on parameters, each with a formula that is positive where it holds."""
+    """Conditions on parameters, each with a formula that is positive if it holds."""
     return [
         (str(item.symbol), condition, side)
         for item, condition in conditions(system.parameters)
@@ -191,6 +191,7 @@ def positive_where(condition: sp.Basic) -> sp.Expr | None:
             return condition.gts - condition.lts
         case sp.Ge() | sp.Le():
             more, less = condition.gts, condition.lts
+            # equality is admitted within rounding; the smallest double makes 0 ≥ 0 positive
             return more - less + ROUNDING * (sp.Abs(more) + sp.Abs(less)) + sp.Float(5e-324)
         case sp.Ne():
             return sp.Abs(condition.lhs - condition.rhs)
@@ -205,7 +206,7 @@ def positive_where(condition: sp.Basic) -> sp.Expr | None:
 
 
 def _admissible_table(system: System) -> list[Json]:
-    """The parameter and the text of each of these conditions."""
+    """The parameter and the text of each condition of `_admissible`."""
     return [
         {"parameter": name, "condition": condition_words(condition)}
         for name, condition, _ in _admissible(system)
@@ -228,7 +229,7 @@ def _start(texts: _Texts, study: Study, system: System) -> dict[str, Json]:
 
 
 def _surfaces(texts: _Texts, study: Study, reduced: System) -> dict[str, Json]:
-    """The drawn surfaces, if formulas give them."""
+    """The tables of the drawn surfaces that are given by formulas."""
     pieces, place = surface_terms(study, reduced)
     tables: dict[str, Json] = {"contact": None, "inertia": None, "ground": None, "gamma": place}
     if pieces:

@@ -1,4 +1,4 @@
-"""Access control of a laboratory: only pages served by it, for the user who started it.
+"""Access control of a laboratory: only its own pages, for the user who started it.
 
 Another page in the same browser, or a host name redirected to this machine (DNS rebinding), has a
 different Origin or Host.  The token in the address excludes other users of the machine.

@@ -1,4 +1,4 @@
-"""The answers of a worker to a page, part by part; a user's mistake gives one sentence."""
+"""The answers of a worker to a page, part by part; a user error is one sentence."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Assignment:
     experiment : str or None
         Text of the experiment file; None for a system of the catalogue.
     place : str
-        Where something is kept: the store of a chart, the folder of an experiment.
+        Path of the data: the store of a chart, or the folder of an experiment.
     """
 
     request: Computation
@@ -71,7 +71,7 @@ def study_of(subject: Subject, experiment: str | None) -> Study:
     Raises
     ------
     InputError
-        If something in it is wrong.
+        If the experiment is not valid.
     """
     from ..experiment.models.experiment import catalogue_experiment, parse_experiment
     from ..experiment.study import Study

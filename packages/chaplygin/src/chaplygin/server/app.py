@@ -36,10 +36,10 @@ class Laboratory:
     ----------
     folder : Folder
     what : str
-        Name or file with which the page opens.
+        Name or file that the page opens.
     pool : Pool
     savers : Pool
-        Workers that save experiments, which need not wait for a computation.
+        Workers that save experiments, independent of running computations.
     token : str
     port : int
     """
@@ -63,7 +63,7 @@ class Laboratory:
             Route(f"{self.base}ask", self.ask, methods=["POST"]),
         ]
         application = Starlette(routes=routes)
-        # A nearly correct address is still wrong.
+        # no redirection from nearly correct addresses
         application.router.redirect_slashes = False
         return AccessControl(application, self.token, self.port)
 
@@ -116,7 +116,7 @@ class Laboratory:
         Raises
         ------
         InputError
-            If the message makes no request.
+            If the message is not a valid request.
         BusyError
             If too many computations wait.
         """

@@ -37,7 +37,7 @@ def tiles(study: Study, request: Chart, store: str) -> Iterator[Message]:
     study : Study
     request : Chart
     store : str
-        Where it is kept; begun, or resumed.
+        Path of the store, which is created or resumed.
 
     Raises
     ------

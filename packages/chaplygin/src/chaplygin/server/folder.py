@@ -1,4 +1,4 @@
-"""The folder of a laboratory: the experiment files that it may read, and where it may write."""
+"""The folder of a laboratory, in which it reads experiment files and writes."""
 
 from __future__ import annotations
 
@@ -34,8 +34,7 @@ class Folder:
     path : Path
         Nothing outside it is read or written.
     named_experiments : mapping of str to str
-        Experiments by the names under which pages know them, besides those of the folder: that
-        of the command line, whatever file it came from.
+        Further experiments by name: the one of the command line, which may come from any file.
     """
 
     path: Path
@@ -70,7 +69,7 @@ class Folder:
         place = self.inside(what)
         try:
             if not place.is_file():
-                # Reading a pipe would block forever.
+                # reading a pipe would block forever
                 raise InputError(f"{what} is no file in the folder of the laboratory")
             if place.stat().st_size > LARGEST:
                 raise InputError(f"{what} is no experiment file: it has more than a megabyte")

@@ -67,7 +67,7 @@ def widget(what: Study | System) -> AnyWidget:
     Returns
     -------
     anywidget.AnyWidget
-        The last line of a cell shows it; in marimo, ``mo.ui.anywidget(…)``.
+        It is displayed as the last expression of a cell; in marimo, by ``mo.ui.anywidget(…)``.
 
     Raises
     ------
@@ -124,7 +124,7 @@ def _study_of(system: System) -> Study:
 
 
 class _Kernel:
-    """Answers the messages of a page, one computation after another."""
+    """The kernel's side of a widget: it answers messages one after another."""
 
     def __init__(self, study: Study) -> None:
         self._experiment = study.complete_toml()

@@ -49,7 +49,7 @@ class Subject(_Request):
     set : mapping
         Keys of the experiment file, or names of parameters, with their values.
     experiment : str, optional
-        The text of an experiment file, in place of what `what` means.
+        The text of an experiment file, used in place of the subject named by `what`.
     """
 
     what: Short
@@ -207,7 +207,7 @@ def request_of(body: bytes) -> Computation | Listing:
     Raises
     ------
     InputError
-        If it makes none.
+        If the message is not a valid request.
 
     Examples
     --------

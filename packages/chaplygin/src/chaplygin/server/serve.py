@@ -21,7 +21,7 @@ from .app import MESSAGE_TIMEOUT, Laboratory
 from .folder import Folder
 from .workers import Pool
 
-#: Only this machine can reach it.
+#: The loopback address, which other machines cannot reach.
 HOST = "127.0.0.1"
 
 #: Seconds within which a page must have read the response sent so far.
@@ -78,7 +78,7 @@ class _Connection(H11Protocol):
             and not other.transport.is_closing()
         ]
         if len(idle) > IDLE_CONNECTIONS:
-            # First those without any request so far.
+            # connections without any request so far are closed first
             min(idle, key=lambda other: (other.cycle is not None, other._since)).transport.close()
 
     def _watch(self) -> None:
@@ -101,11 +101,11 @@ def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None])
     Parameters
     ----------
     folder : Folder
-        What it may read and write.
+        The folder that may be read and written.
     what : str
-        With which its page opens.
+        The subject that the page opens.
     port : int
-        0 for any that is free.
+        Port number; 0 for any free one.
     announce : callable
         Called with the address of the page as soon as it can be opened.
 
@@ -141,7 +141,7 @@ async def _serve(server: _Server, listening: socket.socket, pools: list[Pool]) -
     try:
         await server.serve([listening])
     finally:
-        # Before the event loop waits for threads, which wait for workers.
+        # before the event loop waits for threads, which wait for workers
         for pool in pools:
             pool.close()
 

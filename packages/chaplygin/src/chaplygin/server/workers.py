@@ -1,4 +1,4 @@
-"""Worker processes that compute for pages: one task at a time each, cancellable at any moment."""
+"""Worker processes for the computations of pages: one task at a time each, cancellable."""
 
 from __future__ import annotations
 
@@ -48,11 +48,11 @@ class Pool:
     Parameters
     ----------
     answer : callable
-        What a worker computes; a function of a module.
+        The function that a worker calls; it must be importable from a module.
     size : int
         Number of workers.
     longest : float, optional
-        Seconds between two parts of an answer at most; a computation that takes longer is ended.
+        Maximum number of seconds between two parts of an answer; a slower computation is ended.
     """
 
     answer: Answer

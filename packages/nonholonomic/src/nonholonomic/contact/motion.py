@@ -68,28 +68,28 @@ class InterruptedMotionError(KeyboardInterrupt):
 class ContactMotion(Motion, WithOverview):
     """A motion with friction.
 
-    The variables of the state and the recorded quantities of each mode are had by name.
+    State variables and recorded quantities are accessible by name.
 
     Attributes
     ----------
     contact : FrictionalContact
     times : array (n,)
-        The sample times that it reached and, if it ended before the last of them, its end.
+        The sample times that were reached and, if it ended before the last of them, its end.
     states : array (n, size)
         Attitude (quaternion), centre of mass (space axes), its velocity, ω, γ (body axes), works.
     modes : int array (n,)
-        Mode at each sample, by its place in ``MODE_NAMES``.
+        Mode at each sample, as an index into ``MODE_NAMES``.
     events : tuple of ContactEvent
     intervals : tuple of Interval
         The times between changes of the mode.
     end_time : float
     end_state : array (size,)
     reason : str
-        Why it ended before the last sample time; empty if it did not.
+        Reason of an early end; empty if the last sample time was reached.
     steps : int
         Steps of integration.
     ending : str
-        The reason in short, one of ``END_REASONS``.
+        The reason as a keyword, one of ``END_REASONS``.
 
     Examples
     --------
@@ -125,7 +125,7 @@ class ContactMotion(Motion, WithOverview):
             object.__setattr__(self, name, read_only(getattr(self, name)))
 
     def __getstate__(self) -> dict[str, object]:
-        """What is pickled: recorded quantities in place of compiled code."""
+        """The pickled state: recorded quantities in place of compiled code."""
         return {**self.__dict__, "observables": self.observables, "_pieces": ()}
 
     def __getitem__(self, name: str) -> FloatArray:
@@ -147,7 +147,7 @@ class ContactMotion(Motion, WithOverview):
 
     @cached_property
     def observables(self) -> Mapping[str, FloatArray]:
-        """Recorded quantities at the samples, (n,) or (n, 3), each in its own mode; by name."""
+        """Recorded quantities at the samples, (n,) or (n, 3), by name."""
         blocks = [p.integrator.outputs(p.states) for p in self._pieces if len(p.times)]
         return {
             name: read_only(np.concatenate([block[name] for block in blocks])) for name in blocks[0]
@@ -159,8 +159,8 @@ class ContactMotion(Motion, WithOverview):
         Returns
         -------
         xarray.Dataset
-            Dimension ``time``: the quantities of the motion and ``mode``, a flag.  A dimension
-            ``event`` has what happened at the contact; see
+            Dimension ``time``: the quantities of the motion and ``mode``, a flag. The dimension
+            ``event`` has the events of the contact; see
             :func:`nonholonomic.contact.dataset.with_contact`.
         """
         from flowlanes.flow.motion_dataset import motion_dataset
@@ -218,19 +218,19 @@ def contact_motion(
     Parameters
     ----------
     contact : FrictionalContact or CompiledContact
-        The latter saves the preparation of several motions of one body.
+        A compiled contact can be reused for several motions of one body.
     state : array (16,) or (size,)
-        At the first time, as from `start_in_contact` or `start_in_space`; without works, those are
-        zero.
+        At the first time, as from `start_in_contact` or `start_in_space`; without work columns
+        these are zero.
     times : array (n,)
         Sample times, increasing.
     rules : EventRules
-        What happens at lift-off and landing.
+        Rules for lift-off, landing and impacts.
     tolerance : float
-        See :mod:`flowlanes.system.tolerance`; by default the finest of doubles, since an event
-        passes an error on magnified.
+        See :mod:`flowlanes.system.tolerance`; by default the finest of doubles, since events
+        magnify errors.
     progress : callable, optional
-        Called with the fraction done.
+        Called with the fraction completed.
 
     Returns
     -------

@@ -34,7 +34,7 @@ _HERTZ_SERIES_FROM = 1.5
 _HALF = Fraction(1, 2)
 _HERTZ_FORCE = [float(c) for c in series_coefficients(-_HALF, _HALF, Fraction(5, 2), 40)]
 _HERTZ_COUPLE = [float(c) for c in series_coefficients(_HALF, _HALF, Fraction(7, 2), 40)]
-#: The same for uniform pressure: above this value of k².
+#: Value of k² above which the same holds for uniform pressure.
 _UNIFORM_COUPLE = [float(c) for c in series_coefficients(_HALF, _HALF, Fraction(3), 44)]
 
 
@@ -203,7 +203,7 @@ class Uniform(CoupledFriction):
 @final
 @dataclass(frozen=True)
 class Ring(CoupledFriction):
-    """Friction over a thin ring of radius a, pressed alike all around.
+    """Friction over a thin ring of radius a under uniform pressure.
 
     Notes
     -----

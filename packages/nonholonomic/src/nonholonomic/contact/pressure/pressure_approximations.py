@@ -1,6 +1,6 @@
 """Rational and other short approximations of Hertz's factors from the literature, with errors.
 
-They serve comparison only: Hertz's factors themselves cost a single arctangent.
+They serve for comparison only: Hertz's factors themselves cost a single arctangent.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ def zhuravlev_first_order() -> ApproximateFriction:
 def zhuravlev_second_order(
     force_constant: float | sp.Expr = 1, couple_constant: float | sp.Expr = 1
 ) -> ApproximateFriction:
-    """Padé forms of second order, which have one free constant each.
+    """Padé forms of second order, with one free constant each.
 
     Values and slopes at both ends leave free β and b in
 
@@ -209,7 +209,7 @@ def _greatest_difference(
 
 @cache
 def best_constants() -> tuple[float, float]:
-    """β and b of `zhuravlev_second_order` with the least greatest errors.
+    """β and b of `zhuravlev_second_order` that minimise the greatest errors.
 
     Returns
     -------

@@ -38,7 +38,7 @@ class FactorRange:
     lower, upper : sympy.Expr
         The bounds of k.
     argument : sympy.Symbol
-        What the formulas depend on: `argument_formula`, as a formula in k (k², k and 1/k²).
+        Variable of the formulas; in terms of k it is `argument_formula` (k², k and 1/k²).
     argument_formula : sympy.Expr
     force, couple : sympy.Expr
         F/`force_scale` and M/`couple_scale` as formulas in `argument`.
@@ -58,7 +58,7 @@ class FactorRange:
     couple_scale: sp.Expr
 
     def factors(self) -> tuple[sp.Expr, sp.Expr]:
-        """F and M as formulas in k, which are true in this range alone."""
+        """F and M as formulas in k, valid in this range only."""
         inserted = {self.argument: self.argument_formula}
         return (
             self.force_scale * self.force.xreplace(inserted),

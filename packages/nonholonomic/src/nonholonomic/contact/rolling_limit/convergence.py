@@ -42,7 +42,7 @@ class Convergence:
     description : str
         The family, its coefficient and its limit.
     times : array (n,)
-        Moments at which motions are compared.
+        Times at which motions are compared.
     coefficients : array (k,)
         Increasing.
     errors : array (k,)

@@ -43,7 +43,7 @@ def start_of_limit(body: Body, state: Sequence[float] | FloatArray, spinning: bo
     Parameters
     ----------
     body : Body
-        In contact with a plane at rest.
+        A body in contact with a plane at rest.
     state : sequence of float
         Attitude (quaternion), centre of mass (space axes), its velocity, ω and γ (body axes).
     spinning : bool
@@ -52,7 +52,7 @@ def start_of_limit(body: Body, state: Sequence[float] | FloatArray, spinning: bo
     Returns
     -------
     array (16,)
-        This state without slip, and without spin unless spinning continues.
+        The state without slip, and without spin unless spinning continues.
     """
     before = np.array(state, dtype=float)[:WORK]
     v, omega, gamma = before[VELOCITY], before[OMEGA], before[NORMAL]

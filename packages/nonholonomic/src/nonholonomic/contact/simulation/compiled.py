@@ -91,13 +91,13 @@ class ContactNumbers:
         Accelerations of the touching particle over the support and of the centre of mass, and ω̇,
         with the forces that do not depend on the normal force alone.
     contact_velocity : array (3,)
-        Of the touching particle in space.
+        Velocity of the touching particle in space.
     spin, normal_rate, spin_rate, energy, gap : float
     q : array (3,)
         Couple for each unit of normal force of the laws without threshold for slip and spin; zero
         for a body that does not roll, whose resistance to rolling has no direction.
     rates_of_place : array (size,)
-        Of attitude, position and normal, in the columns of the state; zero in the others.
+        Rates of attitude, position and normal, in the columns of the state; zero elsewhere.
     mobility : Mobility
     support_turn_rate : array (3,)
         Rate of the angular velocity of the support, Ω_s ζ×ω.
@@ -249,7 +249,7 @@ class CompiledContact:
         Parameters
         ----------
         numbers : ContactNumbers
-            Of a body that may roll.
+            Contact quantities of a body that may roll.
         """
         mobility, inertia = numbers.mobility, np.linalg.inv(self._inverse_inertia)
         given = numbers.spin * numbers.gammadot + numbers.support_turn_rate
@@ -349,11 +349,11 @@ class _PreparedNumbers:
     Attributes
     ----------
     function : NativeFormulas
-        Of a state, without the work lost.
+        Function of a state without work columns.
     size : int
-        Of that state.
+        Size of that state.
     names : tuple of str
-        Of its parameters.
+        Names of its parameters.
     defaults : array
     """
 

@@ -1,4 +1,4 @@
-"""Simulation of a motion in contact: smooth pieces, joined by events."""
+"""Simulation of a motion in contact: smooth intervals separated by events."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _LOWEST, _WEAK_FLOOR = 1e-6, 1e-3
 
 
 class Course(CreepTransitions):
-    """A motion under construction; it takes the arguments of a CourseState."""
+    """The simulation of a motion, with the arguments of `CourseState`."""
 
     # --- driving ---------------------------------------------------------------------------
 
@@ -253,7 +253,7 @@ class Course(CreepTransitions):
         self._rise()
 
     def _land(self) -> None:
-        """An impact, after which the body flies on or stays."""
+        """Apply the impact of a landing, after which the body rebounds or stays."""
         before = self.state
         known = self._numbers()
         normal = float(known.mobility.gamma @ known.contact_velocity)

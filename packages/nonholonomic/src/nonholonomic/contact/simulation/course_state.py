@@ -52,7 +52,7 @@ _LEAST_PROGRESS = 1e-12
 #: A motion that ends within this fraction of its time is reported as failing at its start.
 _SOON = 1e-6
 
-#: Largest number of successive events without progress in time.
+#: Largest number of successive events at the same time.
 _MOST_AT_ONE_INSTANT = 60
 
 #: Number of steps after which control returns to Python, to report progress and to act on Ctrl-C.
@@ -72,7 +72,7 @@ class Piece:
     times : array (n,)
         Sample times within.
     states : array (n, columns)
-        Of the integrator's system, whose first columns are those of all modes.
+        States of the integrator's system, whose first columns are common to all modes.
     """
 
     mode: Mode
@@ -84,13 +84,13 @@ class Piece:
 
 
 class CourseState:
-    """The state of a motion under construction, with everything that a transition needs.
+    """The state of a simulation, with the data and operations common to all transitions.
 
     Parameters
     ----------
     contact : CompiledContact
     state : array (size,)
-        At the first of the moments.
+        State at the first of the moments.
     moments : array (n,)
         Sample times, increasing.
     rules : EventRules
@@ -122,7 +122,7 @@ class CourseState:
         self._speed = max(fall, turning, slip, float(np.linalg.norm(state[VELOCITY])))
 
     def _end(self, ending: EndReason, reason: str) -> None:
-        """End before the last sample time; the state reached becomes the last sample."""
+        """End the motion early; the state reached becomes the last sample."""
         self.ending, self.reason = ending, reason
         if not self.pieces:
             self._add_piece(self._integrator(self.mode), self.time, self.state[None])
@@ -302,7 +302,7 @@ class CourseState:
         Parameters
         ----------
         ratio : float
-            Of the normal velocities after and before the present bounce.
+            Ratio of the normal velocities after and before the present bounce.
         """
         if not ratio < 1:
             return LAST_BOUNCE * self._speed

@@ -38,7 +38,7 @@ class Crossing:
     time : float
     state : array (size,)
     integrator : ModeIntegrator
-        Of the mode at that time.
+        Integrator of the mode at that time.
     mode : str
     rising : bool
     """
@@ -51,18 +51,19 @@ class Crossing:
 
 
 class CrossingCourse(Course):
-    """A motion that records the zero crossings of a quantity until there are enough of them.
+    """A simulation that records the zero crossings of a quantity until there are enough of them.
 
     Parameters
     ----------
     contact, state, moments, rules
-        As of any course.
+        As of `CourseState`.
     quantity : callable
-        Smooth along each piece.  Jumps at events, as of a velocity in an impact, are no passages.
+        A function that is smooth between events. Jumps at events, as of a velocity in an impact,
+        are not crossings.
     accepts : callable
         Whether a crossing counts.
     count : int
-        After so many crossings that count the motion ends.
+        Number of accepted crossings after which the motion ends.
     """
 
     def __init__(
@@ -128,7 +129,7 @@ class CrossingCourse(Course):
             time = middle + half * self._polish(series, integrator, middle, half, x, slope)
             if result and time - result[-1].time <= 2e-12 * half:
                 continue
-            # Starting on the section does not count as a return to it.
+            # a start on the section does not count as a return to it
             if time <= max([self._first_time, *(c.time for c in self.crossings[-1:])]):
                 continue
             rising = bool(np.polynomial.chebyshev.chebval(x, slope) > 0)

@@ -32,17 +32,17 @@ class EventRules:
     Parameters
     ----------
     restitution : float
-        Of impacts, between 0 and 1.
+        Coefficient of restitution of impacts, between 0 and 1.
     impact_law : str
-        What the restitution means: ``"stronge"``, ``"poisson"`` or ``"newton"``.
+        Definition of the coefficient: ``"stronge"``, ``"poisson"`` or ``"newton"``.
     on_liftoff : str
         Whether a body that leaves its support flies on (``"fly"``) or the motion ends (``"stop"``).
     on_paradox : str
         Whether a motion ends where none in contact is possible (``"stop"``), or takes an impact
         without collision (``"impact"``).
     most_events, most_steps : int
-        Numbers of events, and of steps of integration, after which a motion ends; it ends before
-        where its time would take more than `OUT_OF_REACH` times these steps.
+        Maximum numbers of events and of integration steps; a motion ends earlier if it would
+        certainly take more than `OUT_OF_REACH` times these steps.
 
     Raises
     ------
@@ -85,15 +85,15 @@ class EventRules:
         Parameters
         ----------
         events, steps : int
-            Up to a time.
+            Numbers up to the present time.
         begin, time, end : float
         turning, speed : float
-            Of the body at that time, in rad/s and m/s.
+            Angular velocity and speed of the body at that time, in rad/s and m/s.
 
         Raises
         ------
         EndError
-            With what it took, and what makes it less.
+            With the numbers taken, and advice to reduce them.
         """
         passed, left = time - begin, end - time
         ending: EndReason = "many events" if events > self.most_events else "many steps"

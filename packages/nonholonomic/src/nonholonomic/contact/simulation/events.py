@@ -35,17 +35,17 @@ class ContactEvent:
     time : float
     kind : str
         ``"stick"``: sliding ends; ``"slip"``: it begins; ``"direct restart"``: it ends and begins
-        again at once; ``"spin stop"``, ``"spin start"``, ``"spin reversal"`` likewise of the spin;
-        and of the rolling; ``"lift-off"``, ``"landing"``, ``"impact without collision"``;
-        ``"rest"``: all motion ends.
+        again at once; ``"spin stop"``, ``"spin start"``, ``"spin reversal"`` the same for the spin,
+        and for rolling; ``"lift-off"``, ``"landing"``, ``"impact without collision"``; ``"rest"``:
+        all motion ends.
     mode : str
         The mode that follows.
     before, after : array (size,)
-        States.
+        States before and after the event.
     impulse : array (3,)
-        Of the support on the body, body axes (N s); zero but for impacts.
+        Impulse of the support on the body, body axes (N s); zero except for impacts.
     couple_impulse : float
-        About the normal (N m s).
+        Impulse of the couple about the normal (N m s).
     unique : bool
         False if the laws of friction allow another motion after it.
 

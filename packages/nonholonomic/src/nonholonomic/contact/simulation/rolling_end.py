@@ -40,7 +40,7 @@ def state_with_rolling(
     rolling : array (3,)
         ω_t, body axes.
     slips : bool
-        Whether the velocity of the centre of mass is left alone, and not the slip.
+        Whether the velocity of the centre of mass is kept instead of the slip.
     """
     result = state.copy()
     change = rolling - numbers.rolling
@@ -82,12 +82,12 @@ def rolling_restart(
     Parameters
     ----------
     integrator : ModeIntegrator
-        Of the mode with rolling.
+        Integrator of the mode with rolling.
     numbers : ContactNumbers
         At `state`.
     state : array (size,)
     size : float
-        An angular velocity that is small (rad/s).
+        A small angular velocity (rad/s).
     slips : bool
         Whether the contact slides.
     """
@@ -130,7 +130,7 @@ def direction_of_couple(
     Parameters
     ----------
     integrator : ModeIntegrator
-        Of the mode with prescribed direction.
+        Integrator of the mode with prescribed direction.
     state : array (size,)
     mobility : Mobility
     couple : array (3,)

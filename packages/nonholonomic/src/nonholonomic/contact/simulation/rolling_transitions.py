@@ -22,7 +22,7 @@ _NEITHER = "rolling can neither be held nor begin: the resistance to it has no d
 
 
 class RollingTransitions(SpinTransitions, ABC):
-    """A motion whose rolling may end, reverse or begin."""
+    """A simulation in which rolling may end, reverse or begin."""
 
     @abstractmethod
     def _lift_off(self) -> None:
@@ -123,7 +123,7 @@ class RollingTransitions(SpinTransitions, ABC):
         return max(speed, math.sqrt(strength / self._length))
 
     def _roll_back(self, direction: FloatArray, rate: float) -> None:
-        """Roll on from rest in a direction that rolling keeps while it grows."""
+        """Continue rolling from rest in a direction that is invariant while rolling grows."""
         usual = self._turning_rate**2
         # The slower rolling grows, the shorter the time over which its growth may count as
         # uniform.

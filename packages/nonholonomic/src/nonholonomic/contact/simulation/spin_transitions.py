@@ -18,7 +18,7 @@ from .events import EventKind
 
 
 class SpinTransitions(CourseState, ABC):
-    """A motion whose spin may end, change sign or begin."""
+    """A simulation in which the spin may end, change sign or begin."""
 
     @abstractmethod
     def _leave_rest(
