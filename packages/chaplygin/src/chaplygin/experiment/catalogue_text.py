@@ -24,7 +24,7 @@ def catalogue_text(study: Study) -> str:
     Parameters
     ----------
     study : Study
-        Of a system of the catalogue.
+        A study of a system of the catalogue.
 
     Raises
     ------
@@ -37,7 +37,7 @@ def catalogue_text(study: Study) -> str:
     name = experiment.system.name
     if not experiment.overrides and name in paths() and not entry_file(name).python:
         return entry_file(name).text
-    # whatever is printed reads back to the same system
+    # the printed text reads back to the same system
     try:
         text = system_text(study.system, _further(study, name), catalogue_system)
         if Study.from_experiment(parse_experiment(text)).system != study.system:
@@ -52,7 +52,7 @@ def catalogue_text(study: Study) -> str:
 
 
 def _further(study: Study, name: str) -> dict[str, Any]:
-    """What a file has besides the system."""
+    """The parts of a file other than the system."""
     whole = study.system.lifted() if study.system.reconstruction else study.system
     state = {str(variable) for variable in whole.state}
     variables = {
@@ -68,7 +68,7 @@ def _further(study: Study, name: str) -> dict[str, Any]:
 
 
 def _start(study: Study, whole: System) -> dict[str, Any]:
-    """The start as given, or where the equations need it the state that follows."""
+    """The start as given, or the resulting state if the equations need it."""
     given = {
         key: list(value) if isinstance(value, tuple | list) else value
         for key, value in study.start_values.items()

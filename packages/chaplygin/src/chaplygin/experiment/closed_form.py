@@ -79,13 +79,13 @@ def in_space(study: Study, solution: Solution) -> bool:
 def closed_form_trajectory(
     study: Study, solution: Solution, times: Sequence[float] | FloatArray
 ) -> Trajectory:
-    """A motion at given times, with everything that a run records.
+    """A motion at given times, with the same recorded quantities as an integration.
 
     Parameters
     ----------
     study : Study
     solution : Solution
-        Of this study.
+        A closed form of this study.
     times : array (n,)
 
     Returns
@@ -149,13 +149,13 @@ class ClosedFormSection:
     ----------
     title, motion, source : str
     equations : tuple of Markup
-        The curve, the differential equations and the clock.
+        The curve, the differential equations and the time rescaling.
     rows : tuple of (symbol, value, meaning)
         Constants, roots, frequencies, with error bounds and units.
     ovals : tuple of str
-        The intervals on which the separated variables live.
+        The intervals of the separated variables.
     caption : str
-        Of the figure.
+        Caption of the figure.
     difference : str
         The largest distance of any component of the state from the integrated trajectory.
     """

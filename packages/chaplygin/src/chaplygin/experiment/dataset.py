@@ -25,12 +25,12 @@ def write_dataset(dataset: xr.Dataset, path: str | Path, force: bool = False) ->
     path : str or Path
         Name ending in ``.nc`` (NetCDF), ``.zarr`` (a Zarr store) or ``.csv`` (a table).
     force : bool
-        Whether to replace what is there.
+        Whether an existing file may be replaced.
 
     Returns
     -------
     Path
-        Where it was written.
+        The path of the file.
 
     Raises
     ------

@@ -46,9 +46,9 @@ class SectionSurface:
     direction : str
         One of `DIRECTIONS`.
     angle : bool
-        Whether the quantity is an angle, whose value counts up to whole turns.
+        Whether the quantity is an angle, whose value is taken modulo whole turns.
     within : tuple of (str, float)
-        Quantities, and how far from zero they may be: a section of the section.
+        Quantities with bounds of their absolute values: a section of the section.
     """
 
     quantity: str
@@ -70,10 +70,10 @@ class Starts:
     Attributes
     ----------
     count : int
-        One alone is the start of the experiment, unless a level is given.
+        Number of starts; a single one is the start of the experiment, unless a level is given.
     level : mapping of str to float
-        Integrals on whose level starts are drawn by chance; where it is empty, those of the
-        start of the experiment.
+        Values of integrals that define the level of random starts; by default those of the start of
+        the experiment.
     seed : int
     """
 
@@ -101,15 +101,15 @@ def section_of(
     surface : SectionSurface
     starts : Starts
     points : int
-        Returns of each motion.
+        Number of returns of each motion.
     coordinates : str
         See :func:`coordinates_of`.
     t_end : float
-        Time after which a motion is given up.
+        Time limit of each motion.
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
-        Where the motions are computed; see :func:`flowlanes.flow.batch.batch_integrator`.
+        Device of the computation; see :func:`flowlanes.flow.batch.batch_integrator`.
 
     Raises
     ------
@@ -244,12 +244,12 @@ def coordinates_of(
         Two or three, separated by commas: variables of the state (``M_1``), integrals and
         observables by name (``energy``), formulas with a name (``phi = atan2(gamma_2, gamma_1)``);
         or reduced coordinates, the name of their chart first (``andoyer: l, L, H``).
-        Where it is empty they are :func:`chaplygin.experiment.section_coordinates.usual`.
+        By default they are :func:`chaplygin.experiment.section_coordinates.usual`.
         Variables that are angles are taken up to whole turns.
     variables : mapping of str to (str, str), optional
         Meaning and unit of variables of the state.
     condition : str
-        The quantity whose value the section holds.
+        The quantity that defines the section.
 
     Raises
     ------

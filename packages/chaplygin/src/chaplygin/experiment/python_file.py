@@ -45,7 +45,7 @@ _MOST, _DEEPEST = 1000, 3
 
 
 def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
-    """Execute a Python file and prepare the study it defines.
+    """Execute a Python file and return the study that it defines.
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ def chart_of(
     fixed: Collection[str] = (),
     device: Device = "cpu",
 ) -> Scan:
-    """A number of the motions of a plane through the start of an experiment.
+    """A quantity of motions that start in a plane through the start of an experiment.
 
     Parameters
     ----------
@@ -45,11 +45,11 @@ def chart_of(
         The number; see :func:`flowlanes.scans.quantity_names.quantity_from_text`.
     x, y : Axis
     t_end : float, optional
-        How long motions are followed; as long as that of the experiment if left out.
+        Duration of the motions; by default that of the experiment.
     formulas, fixed
         See :func:`flowlanes.scans.grid.scan_grid`.
     device : "cpu" or "gpu"
-        Where the motions are computed; see :func:`flowlanes.flow.batch.batch_integrator`.
+        Device of the computation; see :func:`flowlanes.flow.batch.batch_integrator`.
 
     Raises
     ------
@@ -92,7 +92,7 @@ def _start(study: Study, system: System) -> dict[str, float | Sequence[float]]:
     """The start by ω and γ if the state follows from these, otherwise by the state."""
     follow = {str(name) for name, _ in system.start} | study.start_values.keys()
     if study.subject.starts_by_velocity and all(str(name) in follow for name in system.state):
-        # A fluid that is not mentioned is at rest in the body.
+        # a fluid that is not given is at rest in the body
         names = ("omega", "gamma", *map(str, system.start_vectors))
         return {name: study.start_values.get(name, (0.0, 0.0, 0.0)) for name in names}
     numbers = iter([float(value) for value in study.start])

@@ -21,15 +21,15 @@ _ROUNDING = 1e-9
 def usual(system: System, condition: str = "") -> str:
     """Two or three coordinates in the syntax of ``--coordinates``.
 
-    Andoyer's variables l and L/G of a momentum beside γ; otherwise the longitude of γ and the third
-    component of the other vector; otherwise the first variables of the state.  Three if the points
-    of one level fill a volume.
+    Andoyer's variables l and L/G for a momentum and γ; otherwise the longitude of γ and the third
+    component of the other vector; otherwise the first variables of the state. There are three if
+    the points of one level fill a volume.
 
     Parameters
     ----------
     system : System
     condition : str
-        The quantity whose value the section holds: it is no coordinate.
+        The quantity that defines the section, which is not used as a coordinate.
     """
     conditions = len(system.relations) + sum(not law.level for law in system.integrals)
     spatial = len(system.symbols) - conditions - 1 > 2

@@ -38,7 +38,7 @@ class Study(WithOverview):
     ----------
     experiment : Experiment
     subject : Subject
-        Its system, start and duration, and the words and figures of its kind.
+        Its system, start and duration, with the texts and figures of its kind.
 
     Examples
     --------
@@ -55,12 +55,12 @@ class Study(WithOverview):
     @classmethod
     @arguments_checked
     def from_experiment(cls, experiment: Experiment) -> Study:
-        """Make an experiment ready.
+        """The study of an experiment.
 
         Parameters
         ----------
         experiment : Experiment
-            As :func:`load_experiment` and :func:`parse_experiment` give it.
+            The result of :func:`load_experiment` or :func:`parse_experiment`.
 
         Returns
         -------
@@ -195,11 +195,11 @@ class Study(WithOverview):
         Parameters
         ----------
         progress : callable, optional
-            Called with the fraction done.
+            Called with the fraction completed.
         pieces : int
-            Into how many pieces each sample interval is divided; see `Trajectory.subsample`.
+            Number of parts of each sample interval; see `Trajectory.subsample`.
         dense : bool
-            Keep the continuous trajectory.
+            Whether to keep the continuous trajectory.
 
         Raises
         ------

@@ -1,8 +1,8 @@
 """Do work in the background, on a second core.
 
-The process is a fork of this one, so nothing is sent to it, and its result does not depend on when
-it is requested. Where processes cannot be forked, and in a thread of a server, where other threads
-may hold locks, the work is done when its result is requested.
+The process is a fork of this one, so that nothing is sent to it, and its result does not depend on
+when it is requested. If processes cannot be forked, and in a thread of a server, where other
+threads may hold locks, the work is done when its result is requested.
 """
 
 from __future__ import annotations
@@ -29,8 +29,7 @@ def beside(work: Callable[[], T]) -> Iterator[Callable[[], T]]:
     Parameters
     ----------
     work : callable
-        Without effects but for files; its result, or what it raises, must be such as can be
-        pickled.
+        A function without side effects except files; its result or exception must be picklable.
 
     Examples
     --------

@@ -59,20 +59,20 @@ class ContactSection:
     ----------
     laws : list of LawRow
     impacts : str
-        What happens in impacts; empty where there is none.
+        Description of impacts; empty if there are none.
     summary : str
-        How many events there are of which kind.
+        Numbers of events by kind.
     events : list of EventRow
     more : int
-        Events that are not among the rows.
+        Number of events that are not among the rows.
     has_impulse, has_couple : bool
         Whether any of the rows has an impulse, and one of the couple.
     energy : list of EnergyRow
         The last one is the total.
     drift : str
-        Largest change of the total, relative to the energies that occur.
+        Largest change of the total energy, relative to the energies involved.
     reason : str
-        Why the motion ended early; empty if it did not.
+        Reason of an early end; empty if the motion is complete.
     """
 
     laws: list[LawRow]
@@ -97,7 +97,7 @@ def contact_section(
     subject : ContactSubject
     trajectory : ContactTrajectory
     dataset : xarray.Dataset
-        The same, as it is stored.
+        The same motion as a dataset.
     """
     rows = _event_rows(trajectory, dataset)
     parts = energy_parts(dataset, subject.contact.body)

@@ -31,13 +31,13 @@ def illustrations(
     ----------
     study : Study
     smooth : xarray.Dataset
-        The motion at as many instants as curves are drawn through.
+        The motion, sampled finely enough for curves.
     trajectory : Trajectory
-        The same with the samples of the study.
+        The same motion with the samples of the study.
     plan : PlanMotion or None
         The motion of a mechanism in the plane.
     folder : Path
-        Of the figures.
+        The folder of the figures.
     """
     solution = known_solution(study)
     pictures = _figures(study, smooth, plan, solution)

@@ -20,9 +20,9 @@ class Illustrations:
     letters : str
         The shapes of all letters in them.
     closed : ClosedFormSection, optional
-        The section on the closed form, where one is known.
+        The section on the closed form, if one is known.
     diagram : JSON
-        The bifurcation diagram for the live page, where the system has one.
+        The bifurcation diagram for the live page, if the system has one.
     """
 
     pairs: Mapping[str, tuple[str, str]]

@@ -97,15 +97,15 @@ def render(
     ----------
     study : Study
     trajectory : Trajectory
-        What was computed.
+        The computed trajectory.
     dataset : xarray.Dataset
-        The same, as it is stored.
+        The same trajectory as a dataset.
     illustrations : callable
-        Returns the figures and the closed form, for which the page waits in the end.
+        Returns the figures and the closed form; it is called last.
     budget : ProofBudget
-        For the proofs of its laws and of its place among all systems.
+        Budget for the proofs of its laws and for its classification.
     failure : RunError, optional
-        Why the run ended early, if it failed.
+        The error of a run that ended early.
 
     Returns
     -------

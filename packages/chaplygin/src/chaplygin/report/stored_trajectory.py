@@ -49,7 +49,7 @@ def store_trajectory(path: Path, key: str | None, trajectory: Trajectory) -> Non
     ----------
     path : Path
     key : str or None
-        Its digest; without one nothing is written.
+        Digest of the trajectory; if None, nothing is written.
     trajectory : Trajectory
     """
     named = {"times": trajectory.times, "states": trajectory.states}

@@ -28,7 +28,7 @@ def check_folder(folder: Path, force: bool = False, what: str = "") -> None:
     force : bool
         Whether files of a study may be replaced.
     what : str
-        The file of the experiment, which is not replaced in any case.
+        The file of the experiment, which is never replaced.
     """
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder} is a file: a study is written to a folder")
@@ -81,7 +81,7 @@ def begin(folder: Path, experiment: str, force: bool) -> None:
     ----------
     folder : Path
     experiment : str
-        Text of the complete experiment file, by which it is known again.
+        Text of the complete experiment file, by which the study is recognised.
     force : bool
         Whether an unfinished study of another experiment may be replaced.
 

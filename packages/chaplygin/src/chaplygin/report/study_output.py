@@ -61,7 +61,7 @@ def write_study(
     ----------
     study : Study
     folder : Path
-        New, or that of the same study, which was interrupted.
+        A new folder, or that of the same interrupted study.
     force : bool
         Whether files of another study may be replaced.
     effort : int
@@ -69,12 +69,12 @@ def write_study(
     total_budget : int, optional
         Term operations after which no further law is tried; with 0 none is.
     progress : StudyProgress, optional
-        Called with the share that is done; its method ``say`` with what is being done.
+        Called with the completed fraction; its method ``say`` with the current activity.
 
     Returns
     -------
     Trajectory, RunError or None
-        What was computed, and why it ended early if it failed.
+        The computed trajectory, and the error if it ended early.
 
     Raises
     ------
@@ -111,7 +111,7 @@ def _complete(
     study: Study, folder: Path, budget: ProofBudget, progress: StudyProgress
 ) -> tuple[Trajectory, RunError | None]:
     failure: RunError | None = None
-    # Curves are drawn through more points than the file will have.
+    # curves are drawn through more points than the file has
     pieces = -(-SMOOTH // (study.experiment.run.samples - 1))
     try:
         trajectory = _trajectory(study, folder / TRAJECTORY, pieces, progress)

@@ -49,7 +49,7 @@ def drift_text(trajectory: Trajectory, law: str) -> str:
 
 
 def _words_of_none(trajectory: Trajectory, law: str) -> str:
-    """Why a quantity has no drift."""
+    """The reason why a quantity has no drift."""
     return TOO_LARGE if f"law_{law}" in trajectory.overflows else NO_VALUE
 
 

@@ -28,7 +28,7 @@ from nonholonomic.contact.simulation.events import ContactEvent
 #: The law of energy including all dissipated work.
 BALANCE = "energy_balance"
 
-#: So many events stand in the attribute with their text; all are in the variables.
+#: Maximum number of events in the text attribute; the variables have all of them.
 _MOST_EVENTS = 100
 
 
@@ -41,11 +41,11 @@ class ContactTrajectory(Trajectory):
     contact : FrictionalContact
     rules : EventRules
     modes : array (n,)
-        Of each sample, an index into :data:`nonholonomic.contact.friction.modes.MODE_NAMES`.
+        Mode of each sample, an index into :data:`nonholonomic.contact.friction.modes.MODE_NAMES`.
     changes : tuple of ContactEvent
-        What happened at the contact, with states and impulses.
+        Events of the contact, with states and impulses.
     reason : str
-        Why the motion ended before its time; empty if it did not.
+        Reason of an early end; empty if the motion is complete.
     """
 
     contact: FrictionalContact
@@ -134,15 +134,15 @@ def contact_trajectory(
         In s, increasing.
     rules : EventRules
     progress : callable, optional
-        Called with the fraction done.
+        Called with the fraction completed.
 
     Raises
     ------
     InputError
         If there is no motion from the start.
     RunError
-        If the motion ends early, but for the lift-off at which it was to stop; it carries the
-        trajectory so far.  An InterruptionError if it is interrupted.
+        If the motion ends early, except at a lift-off at which it was to stop; it carries the
+        trajectory so far. An InterruptionError if it is interrupted.
     """
     began = clock.perf_counter()
     interrupted = False

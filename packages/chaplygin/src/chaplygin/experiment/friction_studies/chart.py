@@ -35,7 +35,7 @@ class ContactChart:
     experiment : str
         The text of the file.
     of : MotionNumber
-        The number.
+        The quantity that is charted.
     x, y : Axis
         Numbers of the file, or names that `formulas` use; y varies from row to row.
     formulas : tuple of (str, str)
@@ -120,11 +120,11 @@ def contact_chart(
     x, y : Axis
         A number of the file, such as ``mu`` or ``omega_3``, or a new name that `formulas` use.
     t_end : float, optional
-        How long motions are followed; as long as that of the experiment if left out.
+        Duration of the motions; by default that of the experiment.
     formulas : mapping of str to str, optional
         Numbers of the file, by formulas in the axes and in other numbers of the file.
     tolerance : float, optional
-        See :mod:`flowlanes.system.tolerance`; that of the experiment if left out.
+        See :mod:`flowlanes.system.tolerance`; by default that of the experiment.
 
     Raises
     ------
@@ -194,7 +194,7 @@ def contact_chart_task(chart: ContactChart, title: str) -> Task:
     ----------
     chart : ContactChart
     title : str
-        What moves.
+        Description of the motion.
 
     Returns
     -------

@@ -38,7 +38,8 @@ from .members import (
 )
 from .random_starts import DIRECTIONS
 
-#: Number of members computed, written and lost at once: a few seconds of work.
+#: Number of members computed and written together, and lost by an interruption: a few seconds of
+#: work.
 BLOCK = 16
 
 #: State variables that are recorded under other names, as observables in space axes.
@@ -59,7 +60,7 @@ def mode_attributes(meaning: str) -> dict[str, object]:
 
 
 def outcome_attributes(more: dict[int, str] | None = None) -> dict[str, object]:
-    """Flags that say why a motion ended."""
+    """Flags of the reasons why a motion ended."""
     reasons = OUTCOMES | (more or {})
     return {
         **cf_attributes("why the motion ended", "1"),
@@ -156,16 +157,16 @@ def contact_ensemble_task(
     Parameters
     ----------
     study : Study
-        Its times are those of all motions.
+        The study, whose sample times are used for all motions.
     members : Members
         Numbers of the file by name, by :func:`flowlanes.flow.ensembles.members.from_lists` and the
         like, or :func:`chaplygin.experiment.friction_studies.random_starts.random_numbers`.
     record : sequence of str
-        Observables recorded besides the state, such as ``slip`` or ``normal_force``.
+        Observables recorded in addition to the state, such as ``slip`` or ``normal_force``.
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
     block : int
-        Members computed, written and lost at once.
+        Number of members computed and written together.
 
     Returns
     -------

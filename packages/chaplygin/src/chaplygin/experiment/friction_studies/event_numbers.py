@@ -33,7 +33,7 @@ class EventNumber:
     ----------
     meaning, unit : str
     of : callable
-        Of a motion.
+        Function of a motion.
     """
 
     meaning: str
@@ -125,7 +125,7 @@ class MotionNumber:
         motion : ContactMotion
         system : System
         complete : bool
-            Whether it reached its last time; values along it are of no account otherwise.
+            Whether it reached its last time; otherwise values along it are not used.
         """
         if self.word in EVENT_NUMBERS:
             return EVENT_NUMBERS[self.word].of(motion)
@@ -146,7 +146,7 @@ def motion_number(text: str, system: System) -> MotionNumber:
     ----------
     text : str
     system : System
-        Equations of one mode of the contact.
+        The equations of one mode of the contact.
 
     Raises
     ------
@@ -191,7 +191,7 @@ def motion_number(text: str, system: System) -> MotionNumber:
 def recorded_values(motion: ContactMotion, system: System) -> dict[str, FloatArray]:
     """States and observables at the samples, (n,) or (n, size), by their dataset names.
 
-    A friction law of the system that the motion lacks, as its coefficient is zero, does no work.
+    A friction law with coefficient zero, which the motion does not have, does no work.
     """
     none = dict.fromkeys(work_names(system), np.zeros(len(motion.times)))
     return none | {name: motion[name] for name in motion}

@@ -1,4 +1,4 @@
-"""Motions with friction of many members, each an experiment with different numbers."""
+"""Motions with friction of many members, each an experiment with other numbers."""
 
 from __future__ import annotations
 

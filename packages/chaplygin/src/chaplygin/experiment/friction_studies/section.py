@@ -53,7 +53,7 @@ class ContactSection:
         Numbers of the file member by member; None for the start of the experiment alone.
     surface : SectionSurface
     count : int
-        Points of each motion.
+        Number of points of each motion.
     t_end : float
     tolerance : float
     coordinates : tuple of (str, str)
@@ -181,13 +181,13 @@ def contact_section_task(
     surface : SectionSurface
         Its quantities are formulas in recorded quantities, such as ``gamma_3`` or ``slip_1``.
     points : int
-        Of each motion.
+        Number of points of each motion.
     members : Members, optional
-        Numbers of the file member by member; the start of the experiment alone if left out.
+        Numbers of the file member by member; by default only the start of the experiment.
     coordinates : str
         Two or three, separated by commas: recorded quantities, or ``NAME=FORMULA``.
     t_end : float
-        Time after which a motion is given up.
+        Time limit of each motion.
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
 

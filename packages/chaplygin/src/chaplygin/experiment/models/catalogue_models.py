@@ -52,7 +52,7 @@ class CatalogueExperiment(ExperimentBase):
 
 
 class SystemExperiment(CatalogueExperiment):
-    """A system of the catalogue, which decides body, surface, contact and field.
+    """A system of the catalogue, which determines body, surface, contact and field.
 
     Raises
     ------

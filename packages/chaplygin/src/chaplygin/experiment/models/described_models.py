@@ -34,7 +34,7 @@ class MechanismExperiment(MechanismFile, OwnExperiment):
 
 
 class EquationsExperiment(EquationsFile, OwnExperiment):
-    """Equations of motion as they stand.
+    """Equations of motion in explicit form.
 
     Raises
     ------

@@ -73,7 +73,7 @@ def load_experiment(source: str | Path, overrides: Iterable[str] = ()) -> Experi
     Returns
     -------
     Experiment
-        Of the kind that its tables mean.
+        The experiment, of the kind described by its tables.
 
     Raises
     ------
@@ -129,14 +129,14 @@ def parse_experiment(text: str, name: str = "<text>", overrides: Iterable[str] =
     text
         The TOML text.
     name
-        What errors call it.
+        Name of the text in error messages.
     overrides
         As for `load`.
 
     Returns
     -------
     Experiment
-        Of the kind that its tables mean.
+        The experiment, of the kind described by its tables.
 
     Raises
     ------
@@ -157,12 +157,12 @@ def parse_experiment(text: str, name: str = "<text>", overrides: Iterable[str] =
 
 
 def catalogue_experiment(name: str, overrides: Iterable[str] = ()) -> Experiment:
-    """The experiment that a system of the catalogue suggests.
+    """The default experiment of a system of the catalogue.
 
     Parameters
     ----------
     name
-        Of the system.
+        Name of the system.
     overrides
         As for `load`.
 

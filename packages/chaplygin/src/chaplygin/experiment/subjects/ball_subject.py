@@ -128,7 +128,7 @@ def _support(experiment: BallExperiment, ball: RollingBall) -> str:
 
 
 def _title(experiment: BallExperiment, ball: RollingBall) -> str:
-    """A name for a ball that is not in the catalogue."""
+    """A title for a ball that is not in the catalogue."""
     manner = "" if ball.contact == "marble" else ", rubber contact"
     return f"Homogeneous ball {_support(experiment, ball)}{manner}"
 

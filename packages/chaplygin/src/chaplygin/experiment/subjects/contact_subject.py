@@ -81,7 +81,7 @@ _ONE_MODE = (
     "motion through these events."
 )
 
-#: Where the shown formulas of the shares of force and couple hold, as the end of a sentence.
+#: Range of validity of the formulas of force and couple shares, as the end of a sentence.
 _INNER = " with a slip below the speed of the edge of the patch, u < patch |spin|"
 
 
@@ -94,7 +94,7 @@ class ContactSubject(Subject):
     contact : FrictionalContact
         Body, support, laws of friction and forces.
     rules : EventRules
-        What happens where the body leaves its support, lands, or has no motion in contact.
+        Rules for lift-off, landing and states without a motion in contact.
     """
 
     contact: FrictionalContact
@@ -213,7 +213,7 @@ class ContactSubject(Subject):
         InputError
             If there is no motion from the start, or a continuous trajectory is asked for.
         RunError
-            If the motion ends early, but for the lift-off at which it was to stop; it carries the
+            If the motion ends early, except at a lift-off at which it was to stop; it carries the
             trajectory so far.
         """
         if dense:

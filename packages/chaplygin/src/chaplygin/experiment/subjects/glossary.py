@@ -59,16 +59,16 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
     ----------
     system : System
     touching : bool
-        Whether the body touches a surface, or else turns about a fixed point.
+        Whether the body touches a surface; otherwise it turns about a fixed point.
     besides : mapping of str to str, optional
-        Meanings that this system alone has.
+        Meanings particular to this system.
     """
     known = (_TOUCHING if touching else _BODY) | dict(besides or {})
     observed = {item.value: item.meaning for item in system.observables if _is_name(item.value)}
     sentence: dict[str, str] = {}
     for letter in _letters(system):
         if words := _meaning(letter, system, known, observed):
-            # A name that is a word would be read as part of the text.
+            # a name that is a word would be read as part of the text
             shown = text(letter)
             is_word = shown.isascii() and len(shown) > 2
             sentence[str(letter)] = f"{shown.replace('_', ' ')}{':' * is_word} {words}"

@@ -53,23 +53,23 @@ def initial_state_from_values(
     ----------
     system : System
     values : mapping of str to number or numbers
-        Every variable of the state; those of the lift may be left out.  A vector that the
-        relations make a unit vector is normalised.  Definitions may be given besides, as a check.
+        Every variable of the state; those of the lift may be omitted. A vector with unit length by
+        the relations is normalised. Values of definitions may be added as a check.
     velocities : collection of Symbol
-        Variables that are moved to meet a relation in which they occur, all others held.
+        Variables that are changed to satisfy a relation in which they occur, with all others fixed.
 
     Returns
     -------
     tuple of mpmath.mpf
-        In flat order, on the relations to 50 digits.  Of the lift, what is not given starts at
-        zero, and the attitude so that γ (where there is one) points upward.
+        The state in flat order, on the relations to 50 digits. Omitted lift variables start at
+        zero, and the attitude such that γ, if there is one, points upwards.
 
     Raises
     ------
     InputError
         If a name is unknown or missing, a value has the wrong shape, or the state misses the
-        relations; the message then names the nearest state that does not.  Also if a definition
-        has another value at this state.
+        relations; the message then names the nearest admissible state. Also if a definition has
+        another value at this state.
     """
     lifted = system.lifted() if system.reconstruction else system
     values, claims = _state_and_given_definitions(lifted, values)
@@ -201,7 +201,7 @@ def _numbers(name: str, value: float | Sequence[float], size: int) -> list[mpmat
 
 
 def unit_vectors(system: System) -> set[str]:
-    """Names of the state's vectors that the relations normalise."""
+    """Names of the state vectors that have unit length by the relations."""
     relations = system.scalar.relations
     return {
         str(name)

@@ -103,7 +103,7 @@ def forces_of(experiment: BodyOnSurface) -> Forces:
 
 
 def _title(rolling: RollingBody) -> str:
-    """A name for a body that the catalogue has none for."""
+    """A title for a body that is not in the catalogue."""
     manner = "" if rolling.contact == "marble" else ", rubber contact"
     filled = " with fluid" if rolling.body.fluids else ""
     return f"{rolling.body.shape.title}{filled} on {rolling.surface.title}{manner}"

@@ -1,4 +1,4 @@
-"""The system that a study follows, with everything that depends on its kind.
+"""The system of a study, with everything that depends on its kind.
 
 Three kinds differ in how their start is given, in the texts of a report and in its figures: a body
 with an angular velocity ω and a unit vector γ (`BodySubject`), a homogeneous ball on a surface
@@ -61,7 +61,7 @@ class Subject:
     until : float
         Duration (s).
     variables : mapping of str to (str, str)
-        Meaning and unit of variables of the state, where the start is given by it.
+        Meaning and unit of state variables, if the start gives the state.
     rolling : RollingBody, optional
         The rolling body and its surface.
     ball : RollingBall, optional
@@ -184,15 +184,15 @@ class Subject:
         Parameters
         ----------
         system : System
-            This system with the laws that hold at the start.
+            The system with the laws that hold at the start.
         start : sequence of mpf
         times : array (n,)
         run : CommonRunTable
-            How it is computed.
+            Settings of the computation.
         dense : bool
-            Keep the continuous trajectory.
+            Whether to keep the continuous trajectory.
         progress : callable or None
-            Called with the fraction done.
+            Called with the fraction completed.
 
         Raises
         ------
@@ -274,13 +274,13 @@ class BodySubject(Subject):
     Attributes
     ----------
     from_catalogue : bool
-        Whether the catalogue describes the body, and not the user.
+        Whether the body is described by the catalogue.
     heading : float
         Angle by which the body is turned about the normal at the start.
     normal : 3 floats
         Outward normal of the surface at the first contact, space axes.
     letters : mapping of str to str
-        Meanings of letters that this system alone has.
+        Meanings of letters particular to this system.
     """
 
     starts_by_velocity = True
@@ -347,7 +347,7 @@ class BodySubject(Subject):
 
     @property
     def gamma_is_normal(self) -> bool:
-        """Whether it rolls, or its entry gives γ another meaning."""
+        """Whether it rolls, or its letters have meanings of their own."""
         return self.rolling is not None or bool(self.letters)
 
 

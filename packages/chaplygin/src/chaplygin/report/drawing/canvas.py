@@ -25,10 +25,10 @@ from .shading import shaded_colours, sphere_shades
 from .style import GROUND_DARK, GROUND_LIGHT, INK, QUIET, TIME_COLOURS
 
 _SHADES = 160
-"""Steps between black and white of the shades of a body."""
+"""Number of grey levels in the shading of a body."""
 
 _TIME_STEPS = 96
-"""Steps of the colours of time on a curve from first to last instant."""
+"""Number of colours on a curve from its first to its last time."""
 
 
 class PathColours(Protocol):

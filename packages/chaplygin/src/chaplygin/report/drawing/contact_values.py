@@ -30,12 +30,12 @@ class FrictionLimits:
     Attributes
     ----------
     mu : float or None
-        Largest force over normal force; None where no law of dry friction limits it.
+        Largest force over normal force; None if no law of dry friction limits it.
     arm : float
-        Length (m) in whose unit the couple about the normal is measured: of the patch of contact,
-        whose couple is then divided by μ too, or of a spin couple; 0 without either.
+        Length (m) by which the couple about the normal is divided: the radius of the patch of
+        contact, with a further division by μ, or the arm of a spin couple; 0 without either.
     coupled : bool
-        Whether force and couple have one limit together.
+        Whether force and couple have a common limit.
 
     Examples
     --------
@@ -50,12 +50,12 @@ class FrictionLimits:
 
     @property
     def force_unit(self) -> float:
-        """The force over normal force that is drawn as one."""
+        """The force over normal force that is drawn with unit length."""
         return self.mu or 1.0
 
     @property
     def couple_unit(self) -> float:
-        """The couple over normal force (m) that is drawn as one."""
+        """The couple over normal force (m) that is drawn with unit length."""
         return self.force_unit * self.arm if self.coupled else self.arm
 
     @property

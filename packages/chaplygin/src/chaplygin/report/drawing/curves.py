@@ -12,7 +12,7 @@ from flowlanes.system.arrays import BoolArray, FloatArray
 from ...geometry.view import unit
 
 _DIRECTIONS = 8
-"""Directions in which outermost points, at both ends, are looked for before a hull is made."""
+"""Number of directions whose extreme points are found before a hull is computed."""
 
 
 def convex_hull(points: FloatArray) -> FloatArray:
@@ -104,7 +104,7 @@ def smooth_curve(
     points : (n, d) array
         Samples of the curve.
     count : int
-        How many points the result has at least, when it is refined.
+        Minimum number of points of a refined result.
 
     Returns
     -------

@@ -25,13 +25,13 @@ VARIABLES = {
     "normal_force": ("normal_force",),
     "friction_ratio": ("normal_force", "friction_force"),
 }
-"""Variables without which there is no such figure."""
+"""Variables required by each figure."""
 
 NOTHING = 1e-9
-"""Smaller numbers count as zero and are not magnified."""
+"""Bound below which numbers count as zero and are not magnified."""
 
 CURVE_POINTS = 1200
-"""Points with which a smooth path is drawn."""
+"""Number of points of a smooth path."""
 
 
 def require(dataset: xr.Dataset, figure: str) -> None:

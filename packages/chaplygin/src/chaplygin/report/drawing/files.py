@@ -33,7 +33,7 @@ FORMATS: dict[str, dict[str, None]] = {
     ".svg": {"Date": None, "Creator": None, "Format": None, "Type": None},
     ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
 }
-"""Kinds of file `save` writes, each with the notes on time and program it leaves out."""
+"""File types of `save`, each with the metadata on time and program that are omitted."""
 
 PAGE_COLOURS = {
     "ink": INK,
@@ -47,23 +47,23 @@ PAGE_COLOURS = {
         if colour not in (ALARM, INK)
     },
 }
-"""Colours of figures that a page may change, by the names of its style sheet."""
+"""Colours of figures that a page can change, by the names of its style sheet."""
 
 _COLOUR_NAMES = {colour: name for name, colour in reversed(PAGE_COLOURS.items())}
 
 _PAGE_COLOUR = re.compile(rf"(?<=[ :\"])(?:{'|'.join(_COLOUR_NAMES)})(?=[;\"])")
 
 _DPI = 220
-"""Points of an inch of a picture in points."""
+"""Dots per inch of a raster picture."""
 
 _CANVASES: dict[str, tuple[type[FigureCanvasBase], int]] = {
     ".png": (FigureCanvasAgg, _DPI),
     ".pdf": (FigureCanvasPdf, 72),
 }
-"""What matplotlib draws on, and the points of an inch by which it lays out."""
+"""Backend of matplotlib, and dots per inch of its layout."""
 
 _FINE, _COARSE = 0.3, 0.75
-"""Points by which a curve may be simplified, and one on a telephone."""
+"""Tolerance in points by which a curve is simplified, and the one for a telephone."""
 
 _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
@@ -210,10 +210,10 @@ def page_svg(figure: Figure, narrow: bool = False) -> str:
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-        It is left as it is.
+        The figure, which is not changed.
     narrow : bool
-        For the screen of a telephone: charts are drawn anew at its width, in pictures the letters
-        are larger.
+        Whether it is for the screen of a telephone: charts are laid out again at its width, and
+        pictures get larger letters.
 
     Returns
     -------
@@ -250,13 +250,13 @@ def page_svgs(
     ----------
     figures : mapping of str to matplotlib.figure.Figure
     svgs : mapping of str to str
-        What :func:`svg_text` returned for each.
+        The result of :func:`svg_text` for each figure.
 
     Returns
     -------
     dict of str to (str, str)
-        By name, for wide and for narrow screens. What both show alike is in the first alone,
-        which may be hidden but must be in the page.
+        By name, the SVG for wide and for narrow screens. Common parts are only in the first, which
+        may be hidden but must be in the page.
     str
         The shapes of all letters, which must be in the page too.
 

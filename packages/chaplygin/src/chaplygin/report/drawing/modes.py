@@ -24,13 +24,13 @@ class ModeStyle:
     Attributes
     ----------
     colour : str
-        Those of different kinds of motion differ in brightness too, for print in grey.
+        Colour; colours of different kinds of motion also differ in brightness, for print in grey.
     hatch : str
         Pattern of areas; modes in which the spin is held have stripes.
     dashes : tuple
-        Of lines, as matplotlib has them.
+        Dash pattern of lines, in matplotlib's form.
     width : float
-        Of lines.
+        Width of lines.
     """
 
     colour: str
@@ -105,9 +105,9 @@ class ModeColours:
     Parameters
     ----------
     dataset : xarray.Dataset
-        Needs `mode` and the events.
+        A dataset with `mode` and the events.
     since, until : float
-        The times to which the shares 0 and 1 belong.
+        The times of the fractions 0 and 1.
     """
 
     def __init__(self, dataset: xr.Dataset, since: float, until: float) -> None:

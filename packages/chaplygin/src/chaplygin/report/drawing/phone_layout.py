@@ -20,10 +20,10 @@ NARROW = 3.65
 """Width in inches of a figure on a telephone."""
 
 _LONG = 40
-"""Characters of a line of a key that is too long for a telephone."""
+"""Number of characters in a line of a legend that is too long for a telephone."""
 
 _LEAST = 0.85
-"""Share of a key's width that a plot on a telephone has at least, if the key can be narrower."""
+"""Smallest width of a plot on a telephone, relative to a legend that can be made narrower."""
 
 
 def make_narrow(figure: Figure) -> None:

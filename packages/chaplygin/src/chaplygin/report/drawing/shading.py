@@ -13,7 +13,7 @@ from ...geometry.view import View, unit
 from .curves import convex_hull
 
 _WRAP = 0.4
-"""The negative cosine of the angle to the lamp at which the darkest side begins."""
+"""Negative cosine of the angle to the light at which the darkest part begins."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class SphereGround:
     Attributes
     ----------
     radius : float
-        Signed: positive when the body rolls on the outside, negative on the inside.
+        Signed radius: positive if the body rolls on the outside, negative on the inside.
     """
 
     radius: float
@@ -49,9 +49,9 @@ def shaded_colours(
     normals : (m, 3) array
         Unit normals of the side that is seen, space axes.
     view : View
-        The lamp stands over the reader's left shoulder.
+        The view, with the light over the reader's left shoulder.
     contrast : float
-        How much darker the sides turned away from the lamp are, from 0 to 1.
+        Darkening of the sides that face away from the light, from 0 to 1.
 
     Returns
     -------
@@ -111,15 +111,15 @@ def cast_shadow(points: FloatArray, ground: Ground, light: FloatArray) -> FloatA
     points : (n, 3) array
         Points of the body, space axes.
     ground : PlaneGround or SphereGround
-        What the shadow falls on. The light enters a bowl through its far side.
+        The ground that receives the shadow. The light enters a bowl through its far side.
     light : (3,) array
         Unit vector towards the lamp, space axes, above the horizon.
 
     Returns
     -------
     (k, 3) array
-        Corners of the shadow on the ground, space axes; none when the body is on the dark side
-        of a sphere.
+        Corners of the shadow on the ground, space axes; empty if the body is on the dark side of a
+        sphere.
     """
     if isinstance(ground, PlaneGround):
         flat = points - points[:, 2:] / light[2] * light

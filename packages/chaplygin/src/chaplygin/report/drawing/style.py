@@ -73,6 +73,6 @@ STYLE: dict[RcKeyType, Any] = {
     "svg.hashsalt": "chaplygin",
     "pdf.fonttype": 42,
 }
-"""The style of every figure, in force while it is drawn and written."""
+"""The style of all figures, applied while they are drawn and written."""
 WIDTH = 6.3
 """Width of a figure in inches: the text of an A4 page."""

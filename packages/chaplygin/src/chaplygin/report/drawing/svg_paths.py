@@ -129,9 +129,9 @@ def with_shared_paths(first: str, second: str, name: str) -> tuple[str, str]:
     Parameters
     ----------
     first, second : str
-        Lines kept apart by breaks.
+        SVG texts with line breaks.
     name : str
-        With which the names begin.
+        Prefix of the names.
 
     Examples
     --------
@@ -180,7 +180,7 @@ def with_shared_letters(texts: Mapping[str, str]) -> tuple[dict[str, str], str]:
     dict of str to str
         The same SVGs without shapes of letters.
     str
-        An SVG that shows nothing and has the shapes; it must be in the page.
+        An invisible SVG with the shapes, which must be in the page.
 
     Examples
     --------

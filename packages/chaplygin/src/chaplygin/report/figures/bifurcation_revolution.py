@@ -28,9 +28,9 @@ def draw_revolution_diagram(
     ----------
     diagram : Diagram
     marks : sequence of (h, K), optional
-        Motions to be shown.
+        Motions to be marked.
     unit : str
-        Of the energy.
+        Unit of the energy.
 
     Returns
     -------

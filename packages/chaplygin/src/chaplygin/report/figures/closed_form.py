@@ -33,7 +33,7 @@ def closed_form(title: str, form: ClosedForm) -> Figure:
     Parameters
     ----------
     title : str
-        Of the system, for the description.
+        Title of the system, for the description.
     form : ClosedForm
 
     Returns

@@ -34,19 +34,19 @@ def contact_figures(
     ----------
     dataset : xarray.Dataset
     bodies : tuple of BodyMesh and PlaneGround or SphereGround
-        Shape of the body, and its support.
+        Mesh of the body, and its support.
     body : Body
-        Its mass and inertia divide the energy.
+        The body, whose mass and inertia determine the parts of the energy.
     limits : FrictionLimits
-        What dry friction can hold.
+        Limits of dry friction.
     weight : float, optional
         Weight of the body, for comparison with the normal force.
 
     Returns
     -------
     dict
-        Figures by the names of the functions that make them, all plots against time with a bar of
-        the modes.  Without slip or friction there are none of it.
+        Figures by the names of the functions that draw them; all plots against time have a bar of
+        the modes. Figures of slip or friction are omitted if there is none.
     """
     pressing = bool(presses(dataset).any())
     rubs = limits.mu is not None or bool(values_of(dataset, "friction_force").any())

@@ -47,9 +47,9 @@ def add_mode_bars(figure: Figure, dataset: xr.Dataset) -> None:
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-        With a layout engine; axes that are not drawn are left out.
+        A figure with a layout engine; invisible axes are skipped.
     dataset : xarray.Dataset
-        Needs `mode` and the events.
+        A dataset with `mode` and the events.
     """
     if len(times_of(dataset)) < 2:
         return
@@ -136,7 +136,7 @@ class EventGroup:
     Attributes
     ----------
     first, last : float
-        Where they are across the plot.
+        Horizontal positions in the plot.
     kinds : tuple of str
     """
 
@@ -182,7 +182,7 @@ class EventNames(Artist):
     times : array (m,)
     kinds : list of str
     place : Transform
-        From time and height to the paper.
+        Transformation from time and height to the paper.
     height : float
         Upper edge of the line.
     """
@@ -264,11 +264,11 @@ def label_positions(
     groups : sequence of EventGroup
         From left to right.
     width : callable
-        Of a name.
+        Width of a name.
     limits : tuple of float
         Edges that no name crosses.
     near : float
-        Groups not farther apart are put together in any case; also the least room between names.
+        Distance up to which groups are merged in any case; also the smallest gap between names.
     """
     known: dict[str, float] = {}
     united: list[EventGroup] = []

@@ -43,7 +43,7 @@ def friction_cone(dataset: xr.Dataset, limits: FrictionLimits) -> Figure:
     Parameters
     ----------
     dataset : xarray.Dataset
-        Of a motion with friction.
+        The dataset of a motion with friction.
     limits : FrictionLimits
 
     Returns
@@ -135,7 +135,7 @@ def slip_hodograph(dataset: xr.Dataset) -> Figure:
     Parameters
     ----------
     dataset : xarray.Dataset
-        Of a motion with friction.
+        The dataset of a motion with friction.
 
     Returns
     -------

@@ -56,7 +56,7 @@ class EnergyPart:
     ----------
     words : str
     values : array (n,)
-        In J.
+        Values in J.
     is_loss : bool
         Whether the body has lost it.
     """
@@ -176,7 +176,7 @@ def slip_and_spin(dataset: xr.Dataset) -> Figure:
     Parameters
     ----------
     dataset : xarray.Dataset
-        Of a motion with friction.
+        The dataset of a motion with friction.
 
     Returns
     -------
@@ -233,7 +233,7 @@ def friction_share(dataset: xr.Dataset, limits: FrictionLimits) -> Figure:
     Parameters
     ----------
     dataset : xarray.Dataset
-        Of a motion with friction.
+        The dataset of a motion with friction.
     limits : FrictionLimits
 
     Returns

@@ -17,7 +17,7 @@ from ..drawing.style import QUIET, SERIES, STYLE
 from .time_axis import legend_above, marker, time_chart
 
 _DOTS = 400
-"""Dots with which a drift is drawn, about."""
+"""Approximate number of dots of a drift."""
 
 
 @arguments_checked

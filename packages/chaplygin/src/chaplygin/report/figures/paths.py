@@ -41,7 +41,7 @@ from ..scenes.contact_marks import mark_events, mode_scale
 from ..scenes.ground import draw_far_wall, draw_near_wall, draw_outside, on_ground
 
 _LEFT = 0.76
-"""Inches to the left of a map, for its numbers."""
+"""Width in inches of the left margin of a map, for its tick labels."""
 
 
 @arguments_checked

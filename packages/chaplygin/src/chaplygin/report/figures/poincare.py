@@ -46,7 +46,7 @@ def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     Parameters
     ----------
     dataset : xarray.Dataset
-        With dimensions ``run`` and ``section_point``.
+        A dataset with dimensions ``run`` and ``section_point``.
     names : sequence of str
         Two or three variables with just these dimensions; a component of a vector is written as
         ``M_1``.

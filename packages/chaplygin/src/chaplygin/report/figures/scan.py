@@ -46,9 +46,9 @@ def chart(dataset: xr.Dataset, name: str | None = None) -> Figure:
     Parameters
     ----------
     dataset : xarray.Dataset
-        As :func:`flowlanes.scans.scan_task.scan` describes it.
+        A dataset of :func:`flowlanes.scans.scan_task.scan`.
     name : str, optional
-        The variable to be drawn; the number of the chart if left out.
+        The variable to be drawn; by default the number of the chart.
 
     Returns
     -------

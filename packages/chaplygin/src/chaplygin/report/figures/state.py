@@ -23,13 +23,13 @@ from ..drawing.style import COMPONENTS, FAINT, SERIES, STYLE, WIDTH
 from .time_axis import marker, time_label, widen
 
 _TALL = 5
-"""So many panels stand in one column; more in two."""
+"""Maximum number of panels in one column; more are set in two."""
 
 _ROW = 5
-"""Entries in a row of a legend at most."""
+"""Maximum number of entries in a row of a legend."""
 
 _PAGE = 8.6
-"""Inches that panels take together at most: they fit on a page."""
+"""Maximum total height of the panels in inches, to fit on a page."""
 
 
 PAIR = 2

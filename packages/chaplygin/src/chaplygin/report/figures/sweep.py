@@ -34,9 +34,9 @@ def sweep(dataset: xr.Dataset, parameters: Sequence[str], quantity: str) -> Figu
     Parameters
     ----------
     dataset : xarray.Dataset
-        With dimensions ``run`` and ``time``.
+        A dataset with dimensions ``run`` and ``time``.
     parameters : sequence of str
-        What varies; colours show the first.
+        The varied parameters; colours show the first.
     quantity : str
         A scalar, or a component such as ``M_1``.
 

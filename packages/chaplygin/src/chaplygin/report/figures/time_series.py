@@ -25,10 +25,10 @@ from ..drawing.style import ALARM, COMPONENTS, INK, QUIET, STYLE
 from .time_axis import legend_above, marker, time_chart, time_charts, widen
 
 _MOST = 0.995
-"""Share of the instants whose ratio of friction to normal force is within the picture."""
+"""Fraction of the times whose ratio of friction to normal force is within the picture."""
 
 _TURNS = 4.0 * np.pi
-"""Angles that change by more than this have a plot of their own."""
+"""Change of an angle above which it gets a separate plot."""
 
 
 @arguments_checked
@@ -93,8 +93,7 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
 def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
     """The normal force of the surface on the body over time.
 
-    Where it is negative the surface would have to pull: the body would leave it.  Such times are
-    shaded.
+    Times at which it is negative, so that the body would leave the surface, are shaded.
 
     Parameters
     ----------
@@ -174,7 +173,7 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
 def friction_ratio(dataset: xr.Dataset) -> Figure:
     """The friction coefficient required for rolling, over time.
 
-    Times at which the surface does not press have no ratio and are omitted.
+    Times without a positive normal force have no ratio and are omitted.
 
     Parameters
     ----------
@@ -211,7 +210,7 @@ def friction_ratio(dataset: xr.Dataset) -> Figure:
     with mpl.rc_context(STYLE):
         figure, axes = time_chart(dataset, 2.2, "Friction over normal force")
         axes.plot(times, ratio, color=COMPONENTS[0], marker=marker(times), zorder=3)
-        # Where the surface hardly presses, the ratio is unbounded.
+        # the ratio is unbounded where the normal force is small
         top = 1.1 * float(np.nanquantile(ratio, _MOST))
         axes.set_ylim(0.0, top if top > NOTHING else 1.0)
         axes.set_ylabel("friction over normal force")
@@ -225,7 +224,7 @@ def presses(dataset: xr.Dataset) -> bool:
 
 
 def needed_friction(dataset: xr.Dataset) -> FloatArray:
-    """Friction over normal force, (n,); NaN where the surface does not press."""
+    """Friction over normal force, (n,); NaN without a positive normal force."""
     normal = values_of(dataset, "normal_force")
     friction = np.linalg.norm(values_of(dataset, "friction_force"), axis=1)
     pressing = normal > NOTHING

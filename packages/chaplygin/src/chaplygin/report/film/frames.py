@@ -81,11 +81,11 @@ def frames(
     ----------
     subject : Subject
     dataset : xarray.Dataset
-        Its motion, sampled finely enough for smooth paths.
+        The motion, sampled finely enough for smooth paths.
     plan : PlanMotion or None
         The drawing of a mechanism in the plane, at the same instants.
     every : int
-        A frame for every so many samples.
+        Number of samples per frame.
     size : (int, int)
         Width and height in pixels.
 

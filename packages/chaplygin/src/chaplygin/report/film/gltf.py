@@ -1,6 +1,6 @@
 """Moving solids as a glTF file (.glb), as read by 3D programs.
 
-The axis z of space, which points upwards here, becomes the axis y of glTF.
+The z axis of space, which points upwards here, becomes the y axis of glTF.
 """
 
 from __future__ import annotations
@@ -70,13 +70,13 @@ class Solid:
     ----------
     name : str
     facets : Facets
-        Its surface, in axes of its own; tone 2 is that of wheels.
+        The surface, in axes of the solid; tone 2 is that of wheels.
     centre : (n, 3) array
-        Place of its origin, space axes.
+        Position of the origin, space axes.
     attitude : (n, 4) array
         Unit quaternions (w, x, y, z).
     scale : (n, 3) array, optional
-        By which its lengths along its axes are multiplied.
+        Scale factors along its axes.
     """
 
     name: str
@@ -119,11 +119,11 @@ def write_gltf(dataset: xr.Dataset, solids: Sequence[Solid], path: Path) -> None
     Parameters
     ----------
     dataset : xarray.Dataset
-        For instants and title.
+        Dataset with times and title.
     solids : sequence of Solid
-        At the instants of the dataset.
+        Solids at the times of the dataset.
     path : Path
-        Ending in .glb.
+        Path with the ending .glb.
 
     Raises
     ------

@@ -26,17 +26,17 @@ _COLUMNS = 720
 """Width of the drawn surface in dots."""
 
 _BORDER = 0.9
-"""Spread of a border, in dots, by which it has no steps."""
+"""Width in dots over which a border is blurred, to avoid steps."""
 
 _GLASS = np.array(to_rgb("#8fa6bb"))
 _GLASS_SHARE = 0.2
 """Colour and opacity of walls seen from behind."""
 
 _SHORTEST = CURVE_POINTS // 50
-"""Stretches of the path with fewer points are not taken for hidden."""
+"""Smallest number of points of a hidden part of the path."""
 
 _LINE_STEPS = (1.0, 2.0, 5.0)
-"""The lines on the surface lie this far apart, times a power of ten."""
+"""Spacings of the lines on the surface, up to a power of ten."""
 
 
 @arguments_checked
@@ -50,7 +50,7 @@ def ball_scene(dataset: xr.Dataset, outline: BodyMesh, ground: SurfaceGround) ->
     ----------
     dataset : xarray.Dataset
         Needs `contact`, `centre`, `attitude` and `gamma`.
-    outline : Outline
+    outline : BodyMesh
         The ball, body axes.
     ground : SurfaceGround
 
@@ -86,7 +86,7 @@ def surface_seen(track: Track, outline: BodyMesh, ground: SurfaceGround) -> tupl
 
 
 def _view(track: Track, normals: FloatArray) -> View:
-    """From the side that the surface faces at the ball."""
+    """The view from the side of the surface normal at the ball."""
     facing = normals[-1] + 0.4 * normals.mean(axis=0)
     if np.hypot(facing[0], facing[1]) < 0.35:
         return View(across(track.contact) + 0.3, 0.5)

@@ -43,10 +43,10 @@ def mark_events(
     dataset : xarray.Dataset
     times : (n,) array
     contact : (n, 3) array
-        Space axes.
+        Contact points, space axes.
     ground : PlaneGround or SphereGround
     body : BodyMesh, optional
-        As it lies at the end.
+        The body in its final position.
     """
     events = event_times(dataset)
     events = events[(events > times[0]) & (events < times[-1])]

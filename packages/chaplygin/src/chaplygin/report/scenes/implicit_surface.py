@@ -17,10 +17,10 @@ from ...geometry.ball_surface import Box, SurfaceGround, heights_on_grid
 from ...geometry.view import View
 
 _ALONG = 110
-"""Samples along a line of sight through the box."""
+"""Number of samples along a line of sight through the box."""
 
 _LAYERS = 4
-"""Crossings of a line of sight that are kept, counted from the reader."""
+"""Number of crossings of a line of sight that are kept, counted from the reader."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,10 +30,10 @@ class Crossings:
     Attributes
     ----------
     extent : (left, right, bottom, top)
-        Of the picture on paper.
+        Extent of the picture on paper.
     points, normals : (layers, rows, columns, 3) arrays
     depth : (layers, rows, columns) array
-        Nearness to the reader; −∞ where there is no such crossing.
+        Nearness to the reader; −∞ if there is no crossing.
     """
 
     extent: tuple[float, float, float, float]

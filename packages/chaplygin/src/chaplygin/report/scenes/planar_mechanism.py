@@ -53,9 +53,9 @@ def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
     Parameters
     ----------
     dataset : xarray.Dataset
-        For instants, units and title.
+        Dataset with times, units and title.
     motion : PlanMotion
-        At the instants of the dataset.
+        Motion at the times of the dataset.
 
     Returns
     -------

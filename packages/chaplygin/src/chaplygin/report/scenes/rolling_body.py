@@ -56,19 +56,19 @@ def scene(
 ) -> Figure:
     """The body on its surface, with the paths of the contact point on both.
 
-    The body is drawn where it is at the end, the path in the colours of time, or in those of the
+    The body is drawn in its final position, the path in the colours of time, or in those of the
     modes of a contact with friction. A path too long for the picture is cut to its last part; the
-    bar, or the key of the modes, tells which.
+    colour bar, or the legend of the modes, shows which.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         Needs `contact`, `centre`, `attitude` and `gamma`.
-    outline : Outline
+    outline : BodyMesh
         Shape of the body, body axes.
     surface : PlaneGround or SphereGround
     until : float, optional
-        Instant at which the body is drawn, in units of `time`; by default the last.
+        Time at which the body is drawn, in units of `time`; by default the last.
 
     Returns
     -------
@@ -120,15 +120,15 @@ def draw_scene(
     sheet : Canvas
     track : Track
     outline : BodyMesh
-    surface : Ground
+    surface : PlaneGround or SphereGround
     whole : Track, optional
-        The way around which the surface is drawn, where it is to stay as the way goes on; the body
-        is then not drawn at earlier positions.
+        The complete track, around which the surface is drawn, if it shall stay fixed in a film; the
+        body is then not drawn at earlier positions.
 
     Returns
     -------
     float
-        The spacing of the grid on a plane; 0 where there is none.
+        The spacing of the grid on a plane; 0 without a grid.
     """
     body = outline.in_space(track.rotation[-1], track.centre[-1])
     if isinstance(surface, PlaneGround):
