@@ -48,11 +48,11 @@ class FluidSolution(DerivedSolution):
     Attributes
     ----------
     fixed : tuple of three arb, or none
-        Each N in space; none for a fluid in potential flow.
+        The vectors N in space axes; empty ones for a fluid in potential flow.
     in_space : bool
         Whether the attitude is part of the state.
     momentum : bool
-        Whether the state has M, and not ω.
+        Whether the state contains M instead of ω.
     """
 
     fixed: tuple[Sequence[arb], ...]

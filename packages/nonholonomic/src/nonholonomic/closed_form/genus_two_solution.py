@@ -37,7 +37,7 @@ class GenusTwo(Solution):
     Attributes
     ----------
     system : System
-        Lifted to space where it has a motion.
+        Lifted to space if it has a motion there.
     start : tuple of numbers
         The lifted state at t = 0, as given.
     """

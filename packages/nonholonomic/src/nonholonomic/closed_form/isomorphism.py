@@ -38,7 +38,7 @@ def inverse(system: System, law: Isomorphism) -> Formulas:
     Parameters
     ----------
     system : System
-        Of which `law` is claimed.
+        The source of the isomorphism `law`.
     law : Isomorphism
         Its map must take a unit vector of the state to that vector with its axes stretched by
         positive factors, and be linear in the other one.
@@ -121,7 +121,7 @@ def inverse_identity(system: System, law: Isomorphism) -> Identity:
     Parameters
     ----------
     system : System
-        Of which `law` is claimed.
+        The source of the isomorphism `law`.
     law : Isomorphism
 
     Returns
@@ -169,18 +169,18 @@ def pull_back(
     Parameters
     ----------
     system : System
-        Of which `law` is claimed.
+        The source of the isomorphism `law`.
     law : Isomorphism
     separable : SeparatedSystem
-        Of the target.
+        The separation of the target.
     fixed : tuple of vectors
         Vectors of `system` with a constant direction in space.
 
     Returns
     -------
     SeparatedSystem
-        Of `system`, on the level of `law`.  The images of the target's parameters under the
-        isomorphism are constants; a name that `system` has already gets a tilde.
+        The separation of `system`, on the level of `law`. The images of the target's parameters
+        under the isomorphism are constants; a name that `system` has already gets a tilde.
 
     Raises
     ------
@@ -233,17 +233,18 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     Parameters
     ----------
     system : System
-        Of which `law` is claimed.
+        The source of the isomorphism `law`.
     law : Isomorphism
     separable : SeparatedSystem
-        Of `system`.
+        The separation of `system`.
 
     Returns
     -------
     SeparatedSystem
-        Of the target, for motions that are images: the parameters that the isomorphism gives as
-        integrals must have the values of these on the motion.  Parameters of `system` that the
-        target does not share become its parameters too; a name that it has gets a tilde.
+        The separation of the target, for motions that are images: the parameters that the
+        isomorphism gives as integrals must have the values of these on the motion. Parameters of
+        `system` that the target does not share become its parameters too; a name that it has gets a
+        tilde.
 
     Raises
     ------

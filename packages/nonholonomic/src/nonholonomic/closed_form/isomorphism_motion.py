@@ -44,7 +44,7 @@ class IsomorphismMap:
     Attributes
     ----------
     system : System
-        Of which `law` is claimed; not lifted.
+        The source of the isomorphism `law`; not lifted.
     law : Isomorphism
         With an explicit inverse, see :func:`nonholonomic.closed_form.isomorphism.inverse`.
     values : mapping of Symbol to number

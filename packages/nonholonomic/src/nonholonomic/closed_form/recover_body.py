@@ -27,9 +27,9 @@ MODELS: tuple[ContactModel, ContactModel] = ("marble", "rubber")
 def rolling_of(system: System, values: Mapping[sp.Symbol, NumberOrText]) -> RollingBody | None:
     """The rolling body whose equations a system holds, with its numbers.
 
-    Bodies of the catalogue and balls with any inertia tensor are tried; the equations that they
-    lead to must be those of the system, formula by formula or in rational numbers at random
-    points, and their numbers its numbers.
+    Bodies of the catalogue and balls with any inertia tensor are tried; their equations and numbers
+    must be those of the system; equations are compared as formulas or in rational numbers at random
+    points.
 
     Parameters
     ----------

@@ -29,7 +29,7 @@ class SeparationEntry:
     state : str
         The vectors of its state.
     letters : str
-        Its parameters but for the inertia, where it is a rolling body.
+        For a rolling body, its parameters other than those of the inertia.
     """
 
     module: str
@@ -39,11 +39,14 @@ class SeparationEntry:
     letters: str | None = None
 
     def fits(self, problem: Problem) -> bool:
-        """Whether its state is named like that of the problem."""
+        """Whether the names of its state are those of the problem."""
         return self.state == " ".join(map(str, problem.system.state))
 
     def may_be(self, problem: Problem) -> bool:
-        """Whether a comparison is worthwhile; rolling bodies always use the same letters."""
+        """Whether the fields may agree, by the names of the parameters.
+
+        Rolling bodies always use the same letters.
+        """
         if problem.rolling is None:
             # Three moments and the letters are given by as many parameters, or by those of a map.
             few = self.letters is not None and 3 + len(self.letters) > len(problem.parameters)

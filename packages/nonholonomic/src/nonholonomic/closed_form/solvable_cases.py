@@ -102,8 +102,7 @@ class Match:
     own : SeparatedSystem
         The same in the symbols of the problem.
     level : tuple of Condition
-        What must vanish for it to hold and does not; empty where the start and the parameters
-        are on its level.
+        The violated conditions of its level; empty if the start and the parameters satisfy all.
     """
 
     known_system: SeparatedSystem

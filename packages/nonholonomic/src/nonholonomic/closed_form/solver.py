@@ -24,7 +24,7 @@ def solve(system: System, start: Start, parameters: Parameters = None) -> Soluti
     Parameters
     ----------
     system : System
-        One of those that have a closed form, under whatever name and in whatever symbols.
+        A system with a closed form, under any name and in any symbols.
     start : sequence of numbers, or mapping of str to number or numbers
         The state at t = 0 in flat order, with the motion in space, as
         :func:`nonholonomic.mechanics.rolling.initial_state.initial_state` gives it, or without,
@@ -42,7 +42,7 @@ def solve(system: System, start: Start, parameters: Parameters = None) -> Soluti
     Raises
     ------
     NoClosedFormError
-        If no closed form is known; the sentence says what is known instead.
+        If no closed form is known; the message states the known laws of the motion.
     InputError
         If start or parameters do not fit the system.
 

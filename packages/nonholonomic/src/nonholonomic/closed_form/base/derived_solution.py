@@ -20,9 +20,9 @@ class DerivedSolution(Solution):
     Attributes
     ----------
     system : System
-        Lifted to space where it has a motion.
+        Lifted to space if it has a motion there.
     inner : Solution
-        The other motion, whose closed form this is.
+        The other motion, which provides the closed form.
     """
 
     system: System
@@ -41,5 +41,5 @@ class DerivedSolution(Solution):
 
     @property
     def not_rigorous(self) -> str:
-        """The sentence of the other motion."""
+        """:attr:`Solution.not_rigorous` of the other motion."""
         return self.inner.not_rigorous

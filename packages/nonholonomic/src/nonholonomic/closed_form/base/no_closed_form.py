@@ -37,7 +37,7 @@ class _Obstacle:
     subject : str
         The body, as the subject of a sentence.
     solvable : str
-        What is solvable nearby.
+        The solvable cases of the same family, in words.
     """
 
     subject: str
@@ -51,7 +51,7 @@ class Condition:
     Attributes
     ----------
     paper_formula : sympy.Expr
-        As it is written on paper.
+        The formula in the notation of the paper.
     formula : sympy.Expr
         The same in state and parameters of the problem.
     """
@@ -66,9 +66,9 @@ def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormEr
     Parameters
     ----------
     problem : Problem
-        Which no recogniser has recognised.
+        A problem without a known solution.
     level : sequence of Condition
-        What does not vanish, where a closed form would be known if it did.
+        The violated conditions, if a closed form is known on their common level.
     """
     start = any(c.formula.free_symbols & set(problem.system.symbols) for c in level)
     obstacle = _off_level(problem, level) if start else _obstacle(problem)
@@ -148,7 +148,7 @@ def _family(problem: Problem) -> str:
 
 _ON_SPHERE = " around a sphere of half its radius, a = −R/2"
 _TWO_BLOCKS = ", and those with the symmetry SO(r)×SO(n − r)"
-#: What is solvable in each family of systems, by name.
+#: The solvable cases of each family of systems, by name.
 _SOLVABLE: Mapping[str, str] = {
     rubber_ball_ratio.NAME: "are k = 1 and k = −1",
     "veselova-nd": f"are moments I_ij that are products a_i a_j{_TWO_BLOCKS}",

@@ -41,13 +41,13 @@ class Problem:
     Attributes
     ----------
     system : System
-        Not lifted.
+        The reduced system, without the motion in space.
     parameters : mapping of Symbol to number
         A value for every parameter of the system.
     start : tuple of numbers
         The state at time 0, lifted to space where the system has a motion, in flat order.
     rolling : RollingBody or None
-        What rolls on what, where that is known.
+        The body and the surface it rolls on, if known.
     """
 
     system: System
@@ -122,7 +122,7 @@ def same_field(
     Parameters
     ----------
     first, second : System
-        Of equally long states.
+        Two systems with states of the same length.
     first_numbers, second_numbers : mapping of Symbol to Fraction
         A value for every parameter.
     """

@@ -31,9 +31,9 @@ class NamedConstant:
     Attributes
     ----------
     symbol : str
-        As it is written, such as ``"Omega_1"``.
+        The symbol, such as ``"Omega_1"``.
     value : flint.arb
-        With its error bound.
+        The value with its error bound.
     meaning, unit : str
 
     Examples
@@ -68,16 +68,16 @@ class ClosedForm(WithOverview):
     Attributes
     ----------
     title : str
-        Which system it is, in words.
+        A description of the system.
     motion : str
         The kind of motion: "two-frequency motion on a torus", "periodic", "asymptotic to a
         permanent rotation", …
     equations : tuple of (left, right)
-        SymPy formulas: the curve, the differential equations, the clock.
+        SymPy formulas: the curve, the differential equations, the time rescaling.
     constants : tuple of NamedConstant
         Constants, roots, frequencies, periods, rotation number.
     ovals : tuple of (low, high)
-        Where the separated variables live (floats).
+        The intervals of the separated variables (floats).
     source : str
 
     Examples
@@ -146,7 +146,7 @@ def times_in_range(times: npt.ArrayLike, phase_rate: float) -> FloatArray:
     ----------
     times : numbers (n,)
     phase_rate : float
-        That of the motion.
+        The rate of the fastest phase of the motion.
 
     Raises
     ------
@@ -169,7 +169,7 @@ class Solution(WithOverview):
     Attributes
     ----------
     system : System
-        Lifted to space where it has a motion.
+        Lifted to space if it has a motion there.
     parameters : mapping of Symbol to number
 
     Examples
@@ -211,13 +211,13 @@ class Solution(WithOverview):
         ----------
         time : float, int, str, Fraction or arb
         digits : int
-            Relative accuracy aimed at; the radii of the balls say what was reached.  They are
-            infinite for a place in space, and for an attitude, that is left open.
+            Requested relative accuracy; the radii of the balls give the accuracy attained. They are
+            infinite for a position and an attitude without bounds.
 
         Raises
         ------
         InputError
-            If so many digits cannot be had.
+            If so many digits cannot be obtained.
         """
 
     def __reduce__(self) -> NoReturn:

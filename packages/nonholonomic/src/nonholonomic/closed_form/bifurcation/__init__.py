@@ -43,7 +43,7 @@ class Diagram(WithOverview):
     poles : three fmpq
         Increasing.
     order : three int
-        The body axes that they belong to.
+        The body axis of each pole.
     cofactor : fmpq_mpoly
         The curve is y² = ∏(z − e_i) · cofactor, in x, y (the integrals) and z.
     regions : tuple of Region
@@ -85,7 +85,7 @@ class Diagram(WithOverview):
         Parameters
         ----------
         x, y : float, int, str or Fraction
-            Values of the two integrals; a double counts as the number that it is.
+            Values of the two integrals; a double is taken as its exact binary value.
         """
         point = rational(Fraction(x)), rational(Fraction(y))
         cell = self.arrangement.cell(*point)
@@ -214,7 +214,7 @@ def bifurcation_diagram(
 def _poles(
     plane: IntegralPlane, values: Mapping[sp.Symbol, Fraction]
 ) -> tuple[tuple[fmpq, fmpq, fmpq], tuple[int, int, int]]:
-    """The poles, increasing, and the body axes that they belong to."""
+    """The poles, increasing, and the body axis of each."""
     exact = [Fraction(str(_number(plane, pole, values))) for pole in plane.poles]
     if len(set(exact)) < 3:
         raise InputError(

@@ -39,7 +39,7 @@ class Arrangement:
     Attributes
     ----------
     curves : tuple of fmpq_mpoly
-        Irreducible, none of them vertical, none twice.
+        Irreducible and different polynomials, none of a vertical line.
     critical : tuple of fmpq_poly
         Irreducible; their real roots are the critical values of x.
     abscissae : tuple of arb
@@ -144,6 +144,9 @@ def arrangement(curves: Iterable[fmpq_mpoly]) -> Arrangement:
 
 def _critical(lying: Sequence[fmpq_mpoly], standing: Sequence[fmpq_mpoly]) -> list[fmpq_poly]:
     """Irreducible polynomials in x whose roots are the critical values."""
+    # The projection of a cylindrical algebraic decomposition (Collins 1975): curves go to infinity
+    # at zeros of their leading coefficients, are vertical or singular at zeros of their
+    # discriminants, and meet at zeros of their resultants.
     polynomials = list(standing)
     for curve in lying:
         height = curve.degrees()[1]
@@ -220,6 +223,8 @@ def _rank(curves: Sequence[fmpq_mpoly], x: fmpq, y: fmpq) -> int:
 
 def _heights(curves: Sequence[fmpq_mpoly], critical: fmpq_poly) -> list[fmpq]:
     """Rational heights, at least one in every gap between the curves over a critical x."""
+    # The resultant with the irreducible polynomial of x vanishes at the heights over all conjugate
+    # values too.  That only adds gaps, and it stays rational.
     at = RING.from_dict({(n, 0, 0): value for n, value in enumerate(critical.coeffs()) if value})
     shadows = []
     for curve in curves:

@@ -80,7 +80,7 @@ T = TypeVar("T")
 
 
 def with_enough_digits(question: Callable[[], T]) -> T:
-    """Evaluate a question about balls with more and more digits until it is decided."""
+    """The value of a function of balls, evaluated with increasing precision until it is decided."""
     precision = FIRST_PRECISION
     while True:
         with ctx.workprec(precision):
@@ -108,6 +108,8 @@ def circles_at_a_pole(
         # At the second pole: the whole interval between the others, which this pole does not
         # interrupt.
         intervals = _allowed_ovals(curvature, left, poles, (first, last), omitted_pole=number)
+        # There y² = (z − e_i)² · curvature.  Where it is negative the double root is an isolated
+        # point of the real curve; where it is positive, separatrices meet.
         stable = not _positive(curvature(arb(pole)))
         coordinate = {1: 1, 2: 0, 3: 2}[number]
         return tuple(

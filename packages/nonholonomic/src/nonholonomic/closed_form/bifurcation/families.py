@@ -71,7 +71,7 @@ class Axis:
     value : sympy expression
         The integral, in state, definitions and parameters of the system.
     meaning, unit : str
-        In words, and the SI unit; empty where the system does not say.
+        The meaning in words and the SI unit; empty if the system has none.
     """
 
     symbol: sp.Symbol
@@ -98,16 +98,16 @@ class IntegralPlane:
     Attributes
     ----------
     level : tuple of sympy.Expr
-        What must vanish for the curve to hold.
+        Expressions that vanish on the level on which the curve is valid.
     axes : (Axis, Axis)
     poles : three formulas
         e_i, in parameters; the i-th belongs to the body axis i.
     cofactor : formula
         In parameters, the symbols of the axes and :data:`Z`.
     fixed_parameters : pairs of Symbol to float
-        Constants of the motion that the plane holds fixed, with the values they have by default.
+        Constants of the motion that are fixed in the plane, with their default values.
     resting : str
-        What a motion with νᵢ = 0 is, with a place for the number of the axis.
+        A description of a motion with νᵢ = 0, with a placeholder for the number of the axis.
     """
 
     name: str

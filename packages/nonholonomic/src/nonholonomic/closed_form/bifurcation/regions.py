@@ -27,9 +27,8 @@ class Region:
     number : int
         0 where there are no motions, else counted from 1.
     families : tuple of Family
-        The tori over each pair of ovals.
-    cells : frozenset of cells
-        Of the arrangement.
+        The families of tori, one for each pair of ovals.
+    cells : frozenset of cells Cells of the arrangement that make up the region.
     sample : two Fractions
         A point of the region.
 
@@ -58,9 +57,9 @@ class Boundary:
     Attributes
     ----------
     curve : sympy expression
-        In the symbols of the axes; it vanishes there.
+        The curve is the zero set of this expression in the symbols of the axes.
     words : str
-        What the motions are.
+        A description of the motions.
     circles : int
         Number of circles in the phase space, on every level of the boundary.
     stable : bool
@@ -117,7 +116,7 @@ class Kinds:
     poles : three fmpq
         Increasing.
     order : three int
-        The body axes that they belong to.
+        The body axis of each pole.
     cofactor : fmpq_mpoly
         The curve is y² = ∏(z − e_i) · cofactor.
     bounds : tuple of fmpq_mpoly

@@ -60,7 +60,7 @@ class Family:
     Attributes
     ----------
     first, second : Oval
-        Where z₁ and z₂ move.
+        The intervals of z₁ and z₂.
     tori : int
         Number of tori in the phase space on every level of the region.
     nonvanishing : tuple of int
@@ -126,7 +126,7 @@ def ovals(roots: Sequence[tuple[arb, int]], is_allowed: Callable[[fmpq], bool]) 
     roots : sequence of (arb, int)
         Increasing, each with the number of its pole or 0.
     is_allowed : callable
-        Of a rational number.
+        The condition on a rational number.
     """
     return tuple(
         Oval(low, high)

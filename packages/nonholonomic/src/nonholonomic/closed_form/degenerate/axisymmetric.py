@@ -12,7 +12,7 @@ Both systems have two vectors fixed in space, and e is known in the frame k span
         ω = (M + Dsγ)/a + ε(M₃ + Dsu)e,      s = (ω, γ) = (g/a + εM₃u)/W.
 
 c and K are constants of the motion that exist only for these bodies.  Their constancy, and the
-equations of u, are proven in ``tests/explicit/degenerate``.
+equations of u, are proven in ``packages/chaplygin/tests/closed_form/degenerate``.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ class Axial(ABC):
     @property
     @abstractmethod
     def equations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
-        """The equations as printed for a reader."""
+        """The differential equations, for printing."""
 
     @property
     @abstractmethod
@@ -121,7 +121,7 @@ class VeselovaAxial(Axial):
 
     @property
     def equation(self) -> Equation:
-        """That of u."""
+        """The equation of u."""
 
         def numerator(u: Argument) -> Argument:
             return self.energy * (1 - u * u) - self.spin * self.spin
@@ -168,12 +168,12 @@ class VeselovaAxial(Axial):
         return [self.omega(F, u, rate), [0 * u, 0 * u, 0 * u + 1]]
 
     def velocity(self, F: Functions[N], u: N, rate: N) -> list[N] | None:
-        """Rate of the place."""
+        """The velocity of the position."""
         return None
 
     @property
     def length(self) -> arb:
-        """No path exists that could be compared."""
+        """1, since a body with a fixed point has no path."""
         return arb(1)
 
     @property
@@ -242,7 +242,7 @@ class ChaplyginAxial(Axial):
 
     @property
     def equation(self) -> Equation:
-        """That of u."""
+        """The equation of u."""
         g, f = self.area, self.square
 
         def numerator(u: Argument) -> Argument:
@@ -313,7 +313,7 @@ class ChaplyginAxial(Axial):
         return [M, [zero, zero, zero + 1]]
 
     def velocity(self, F: Functions[N], u: N, rate: N) -> list[N] | None:
-        """Rate of the place."""
+        """The velocity of the position."""
         omega, R = self.omega(F, u, rate), F.number(self.R)
         return [R * omega[1], -R * omega[0], 0 * u]
 

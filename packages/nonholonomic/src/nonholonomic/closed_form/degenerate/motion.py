@@ -45,7 +45,7 @@ class DegenerateMotion:
     Attributes
     ----------
     system : System
-        Lifted to space where it has a motion.
+        Lifted to space if it has a motion there.
     parameters : mapping of Symbol to number
     start : tuple of numbers
         The state at t = 0, as given.

@@ -50,13 +50,13 @@ class PeriodicQuadratures:
     Attributes
     ----------
     period : float
-        In τ.
+        The period in τ.
     turn : float
         The gain of the clock in a period.
     frequency : (float, float)
         Periods in a unit of time, as a sum of two doubles.
     means : array (m,)
-        Of the integrands.
+        Mean values of the integrands.
     waves : array (m, k) of complex numbers
         Fourier coefficients of the integrands, from the first harmonic on.
     """
@@ -132,6 +132,8 @@ def _periodic(motion: Periodic, integrands: Integrands, turn: arb) -> PeriodicQu
     while True:
         tau = np.arange(count, dtype=float) * (period / count)
         nu, rate = direction(DOUBLES, *motion.doubles(tau, 0.0))
+        # The integrands are periodic and analytic, so their Fourier coefficients fall geometrically
+        # and the trapezoidal rule is accurate to the last ones computed.
         waves = np.fft.rfft(integrands(nu, rate)) / count
         size = np.abs(waves).max(-1, keepdims=True)
         # The clock and the velocities have different units.
@@ -155,15 +157,15 @@ class AsymptoticQuadratures:
     Attributes
     ----------
     period : float
-        In τ, of the periodic motions on either side.
+        The period in τ of the periodic motions approached at both ends.
     edges : array (p + 1,)
-        Of the panels, in τ.
+        Ends of the panels, in τ.
     sums : array (m, p + 1)
         The quadratures at the edges, from τ = 0.
     panels : array (NODES + 1, m, p)
         Legendre coefficients of the quadratures from the left edge of each panel.
     before, after : PeriodicQuadratures
-        Of the limits.
+        Quadratures along the periodic motions approached in the past and in the future.
     """
 
     period: float
@@ -252,6 +254,7 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: arb) -> Asympt
     values = integrands(nu, rate).reshape(-1, *tau.shape)
     order = np.arange(NODES)
     basis = np.polynomial.legendre.legvander(nodes, NODES - 1)
+    # Gauss quadrature of the products with P_k, whose squares have the integral 1/(k + ½).
     inverse = (basis * weights[:, None]).T * (order[:, None] + 0.5)
     coefficients = np.einsum("kn,mnp->kmp", inverse, values)
     panels = np.polynomial.legendre.legint(coefficients, lbnd=-1) * half

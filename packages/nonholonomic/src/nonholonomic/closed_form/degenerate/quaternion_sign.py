@@ -22,11 +22,11 @@ class Signs:
     Attributes
     ----------
     low, step : float
-        The grid.
+        First point and step of the grid.
     table : array (n, 4)
-        From a period before the first edge to a period after the last.
+        Quaternions on the grid, from a period before the first edge to a period after the last.
     flips : (±1, ±1)
-        By what the quaternion is multiplied over a period before and after.
+        Factors by which a period multiplies the quaternion, in the past and in the future.
     """
 
     low: float

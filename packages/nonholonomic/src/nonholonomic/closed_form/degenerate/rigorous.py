@@ -207,6 +207,7 @@ class Rigorous:
         motion = self.solution.motion
         if not isinstance(motion, Asymptotic):
             return arb(0), 2 * arb.pi() + arb(2) ** -20
+        # exp(−|κ|) is below 10^−digits from |κ| = digits · ln 10 on, with a reserve.
         faded = arb(self.digits) * arb(10).log() + 3
         ends = [(k * faded - motion.offset) / motion.growth * self._speed for k in (-1, 1)]
         return min(*ends, arb(-1), key=float).mid(), max(*ends, arb(1), key=float).mid()

@@ -60,14 +60,14 @@ def rotated_triad(
     Parameters
     ----------
     axes : triad
-        In space axes, at ψ = 0.
+        Three vectors in space axes, at ψ = 0.
     cosine, sine : arb
-        Of ψ.
+        cos ψ and sin ψ.
 
     Returns
     -------
     triad
-        Where the triad (κ, e) of the body stands in space when the angle is ψ.
+        The triad of (κ, e) in space axes, at the angle ψ.
     """
     one, two, three = axes
     return (
@@ -83,7 +83,7 @@ def farthest_from_axis(fixed: FloatArray, candidates: Sequence[FloatArray]) -> i
     Parameters
     ----------
     fixed : array (3, n)
-        κ at places all over the torus, of any length.
+        κ at points all over the torus, of any length.
     candidates : sequence of arrays (3, n)
 
     Returns
@@ -116,12 +116,12 @@ class Reference:
 
 
 def references(of: SeparatedSystem) -> tuple[Reference, ...]:
-    """ν and the body axes, as candidates.
+    """Candidates for the reference vector: ν and the body axes.
 
     Parameters
     ----------
     of : SeparatedSystem
-        Of a system whose state or definitions name ω.
+        Its system must have ω in its state or definitions.
     """
     moving = Reference(nu, nuprime / of.time_rescaling + cross(omega, nu))
     axes = tuple(Reference(unit_vector(i), cross(omega, unit_vector(i))) for i in (1, 2, 3))

@@ -60,7 +60,7 @@ class FloquetReduction:
     start : array (4,)
         The quaternion of S.
     residual : float
-        How far A(θ)ᵀK(θ) is from K(θ + α), K of unit length.
+        The largest difference of A(θ)ᵀK(θ) and K(θ + α), for K of unit length.
     """
 
     rate: float
@@ -182,6 +182,10 @@ def _magnus_attitudes(
     tau = h * np.add.outer(np.arange(steps), _GAUSS).ravel()
     turning = np.array([_values_along(f, tau, speeds, theta) for f in waves])
     # Commutators for Q′ = Q[Ω] are those for Q′ = [Ω]Q in reversed order.
+    # Sixth-order Magnus integrator with three Gauss points (Blanes, Casas, Oteo & Ros, The Magnus
+    # expansion and some of its applications, Physics Reports 470, 2009): with one, two, three for
+    # α₁, α₂, α₃, C₁ = [α₁, α₂], C₂ = −[α₁, 2α₃ + C₁]/60 and the exponent α₁ + α₃/12 + [−20α₁ − α₃ +
+    # C₁, α₂ + C₂]/240.
     early, middle, late = (turning[:, place::3] for place in range(3))
     one = h * middle
     two = np.sqrt(15) * h / 3 * (late - early)
@@ -203,12 +207,14 @@ def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
     return np.cross(u, v, axis=0)
 
 
-# --- what stays in space -------------------------------------------------------------------
+# --- the vector fixed in space -------------------------------------------------------------
 
 
 def _fixed_vector(A: FloatArray, alpha: float) -> tuple[FloatArray, float]:
     """K (places, 3) with A(θ)ᵀK(θ) = K(θ + α), and the residual of that equation."""
     places = len(A)
+    # K is sought among the lower half of the wave numbers of the grid, with about twice as many
+    # equations as unknowns: a small residual shows that it is resolved.
     k = np.arange(-(places // 4), places // 4 + 1)
     waves = np.exp(2j * np.pi * np.outer(np.arange(places) / places, k))
     # Columns: waves k times unit vectors; rows: components at the grid points.
@@ -218,6 +224,8 @@ def _fixed_vector(A: FloatArray, alpha: float) -> tuple[FloatArray, float]:
         matrix[:, i, :, i] -= moved
     coefficients, residual = _null_vector(matrix.reshape(3 * places, -1))
     K = np.einsum("nk,kj->nj", waves, coefficients.reshape(len(k), 3))
+    # The null vector is determined up to a complex factor.  A real K exists, so the phase of any
+    # component, best of the largest, makes all components real.
     largest = K.ravel()[np.argmax(np.abs(K))]
     real = (K * (np.conj(largest) / abs(largest))).real
     return real / np.linalg.norm(real, axis=1, keepdims=True), residual
@@ -229,6 +237,8 @@ def _null_vector(matrix: ComplexArray) -> tuple[ComplexArray, float]:
     diagonal = np.einsum("ii->i", upper)
     diagonal[diagonal == 0] = np.finfo(float).eps
     vector = np.ones(len(upper), dtype=complex)
+    # Inverse iteration with MᴴM = RᴴR from the QR decomposition: per step the other components
+    # shrink by the squared ratio of the smallest two singular values.
     for _ in range(4):
         vector = solve_triangular(upper, solve_triangular(upper, vector, trans="C"))
         vector /= np.linalg.norm(vector)
@@ -244,6 +254,8 @@ def _uniform_rotation(
     frame = _frame(K)
     back = frame @ planes[-1] @ _translation(frame, alpha).swapaxes(1, 2)
     angle = np.unwrap(np.arctan2(back[:, 2, 1], back[:, 1, 1]))
+    # angle(θ) = λT + χ(θ + α) − χ(θ) is solved wave by wave.  The small divisors exp(2πikα) − 1
+    # meet coefficients that decay geometrically; `_is_resolved` tests the result.
     spectrum = np.fft.fft(angle) / places
     k = np.fft.fftfreq(places, 1 / places)
     divisor = np.exp(2j * np.pi * k * alpha) - 1
@@ -268,6 +280,7 @@ def _uniform_rotation(
 
 def _frame(K: FloatArray) -> FloatArray:
     """Triads (places, 3, 3), as rows, whose first vectors are K."""
+    # The reference stays as far as possible from the line of K: its projection is normalised.
     directions = _spiral_directions(200)
     closest = np.max(np.abs(K @ directions.T), axis=0)
     reference = directions[np.argmin(closest)]

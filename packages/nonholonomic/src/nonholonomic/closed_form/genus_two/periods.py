@@ -100,6 +100,8 @@ class Lattice:
     @property
     def _constant(self) -> Integers:
         """Riemann's constant, which makes the images of all six branch points odd half-periods."""
+        # In genus two exactly six characteristics are odd, one for each branch point (Mumford, Tata
+        # Lectures on Theta II, chapter IIIa), and one translation takes the images there.
         for k in product((0, 1), repeat=4):
             k_x, k_y = (k[0], k[1]), (k[2], k[3])
             if all(
@@ -132,7 +134,9 @@ def lattice(curve: Curve, ovals: tuple[int, int]) -> Lattice:
     for index, oval in enumerate(ovals):
         between = (oval + 1) % 6 if (oval + 2) % 6 == third else (oval - 1) % 6
         row = _matrix_product(normal, _multiple(steps[between], 2))
+        # The conjugate cycle is oriented such that Y is positive.
         rows.append(row if row[index] > 0 else _multiple(row, -1))
+    # Y is symmetric by Riemann's bilinear relations: both balls contain the same number.
     shared = rows[0][1].intersection(rows[1][0])
     basis, Y = _reduced_form(arb_mat([[rows[0][0], shared], [shared, rows[1][1]]]))
     normal = arb_mat([list(row) for row in basis]) * normal

@@ -40,7 +40,7 @@ class SeparatedSystem(WithOverview):
     Attributes
     ----------
     name, title : str
-        Identifier, and what it is in words, such as "Chaplygin ball at zero area constant".
+        Identifier, and a description in words, such as "Chaplygin ball at zero area constant".
     system : System
         The system in its own symbols, as the catalogue has it.
     level : tuple of sympy.Expr
@@ -68,7 +68,7 @@ class SeparatedSystem(WithOverview):
         Vectors (body components, in the state, definitions, parameters, constants) whose
         direction in space is constant: two that are never parallel on a generic motion, or one.
     laws : tuple of Law
-        What of the above is claimed of `system` and can be proven by :mod:`lawproof.proof`.
+        The statements above as laws of `system`, provable by :mod:`lawproof.proof`.
     source : str
 
     Examples

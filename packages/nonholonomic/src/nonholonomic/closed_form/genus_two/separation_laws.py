@@ -42,14 +42,14 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
     Parameters
     ----------
     separable : SeparatedSystem
-        Its own `laws` are not looked at.
+        A separation; its attribute `laws` is not used.
 
     Returns
     -------
     tuple of Law
-        Of ``separable.system``, each on ``separable.level``.  `direction` says that ν² = 1 and
+        Laws of ``separable.system``, each on ``separable.level``.  `direction` says that ν² = 1 and
         that ν′ is the derivative of ν in the time of the clock, `separation` that the separated
-        equations hold, `reconstruction` that the state is what its formulas in ν, ν′ give.
+        equations hold, `reconstruction` that the formulas in ν, ν′ give the state.
     """
     constants = dict(separable.constants)
     # Constants given by parameters and other constants alone need no proof.

@@ -45,6 +45,7 @@ class Theta:
     def _least(self) -> arb:
         """A lower bound of the eigenvalues of Y."""
         trace, det = self.Y[0, 0] + self.Y[1, 1], self.Y.det()
+        # The smaller eigenvalue, in a form without the cancellation in trace − √(…).
         return 2 * det / (trace + (trace**2 - 4 * det).sqrt())
 
     def terms(self, bits: int) -> tuple[tuple[tuple[int, int], arb], ...]:

@@ -56,6 +56,8 @@ def divisor_of(
     a, b = speeds
 
     def height(own: arb, other: arb) -> arb:
+        # Differentiated, κ(x − z₁)(x − z₂) = q(x) is −κ z₁′(z₁ − z₂) = q′(z₁) at x = z₁, and Σ dz/y
+        # = a dτ, Σ z dz/y = b dτ give z₁′(z₁ − z₂) = y₁ (b − a z₂).
         return -(change[0] * own * own + change[1] * own + change[2]) / (kappa * (b - a * other))
 
     return Divisor(z, (height(z[0], z[1]), height(z[1], z[0])))

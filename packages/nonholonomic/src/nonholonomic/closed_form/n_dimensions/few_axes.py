@@ -43,7 +43,7 @@ class Axis:
     Attributes
     ----------
     index : int
-        Of a body axis with the same factor.
+        The index of a body axis with the same factor a_i.
     direction : tuple of n arb
     p, gamma : arb
         Components along it.
@@ -124,7 +124,7 @@ def solve_on_few_axes(
     Parameters
     ----------
     problem : Problem
-        Not lifted.
+        The reduced problem, without the motion in space.
     axes : sequence of Axis
     solve : callable
         Solves the problem of three dimensions.
@@ -159,7 +159,7 @@ def solve_on_few_axes(
 
 
 def spare_indices(operator: InertiaByProducts, axes: Sequence[Axis]) -> list[int]:
-    """Further axes without motion, to make three in all."""
+    """Indices of further axes on which nothing moves, to make three in all."""
     used = [axis.index for axis in axes]
     return [i for i in range(operator.dimension) if i not in used][: SIZE - len(axes)]
 

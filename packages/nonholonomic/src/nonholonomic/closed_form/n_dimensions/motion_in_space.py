@@ -49,11 +49,11 @@ class MotionInSpace(DerivedSolution):
     Attributes
     ----------
     inner : Solution
-        Of the reduced state.
+        The motion of the reduced state.
     attitude : array (n, n)
-        At t = 0.
+        The attitude at t = 0.
     contact : array (n − 1,) or (0,)
-        The place at t = 0, of a ball on a hyperplane.
+        The position at t = 0 of a ball on a hyperplane.
     """
 
     attitude: FloatArray
@@ -97,7 +97,7 @@ class MotionInSpace(DerivedSolution):
     def states(self, times: npt.ArrayLike) -> FloatArray:
         """Lifted states at `times` (N,), as an array (N, size), in double precision.
 
-        Attitude and path are NaN where more steps than `MOST` lead there.
+        Attitude and path are NaN at times that more than `MOST` steps would be needed to reach.
         """
         moments = finite_times(times)
         x = moments

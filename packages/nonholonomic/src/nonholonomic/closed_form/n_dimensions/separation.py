@@ -29,7 +29,7 @@ on a curve of genus n − 1.  With k = p∧γ and W the density of the measure:
       v = (0, …, 0, 1),    dt = W^(1/2) dτ,    W = 1/(Σc − Σz).
 
 The polynomials P, T and Q are integrals of the motion.  That y obeys these equations is proven in
-``tests/explicit/n_dimensions`` at exact points; docs/n-dimensions.md has the argument.
+``tests/closed_form/n_dimensions`` at exact points; docs/n-dimensions.md has the argument.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class SeparatedVector:
     ovals : tuple of n − 1 int
         The left ends of the intervals of z_1, …, z_{n−1}.
     speed, product_speed : arb
-        v_{n−2} and (−1)^n v_0, other than where these are the same.
+        v_{n−2} and (−1)^n v_0; for n = 2 their contributions to v_0 are added.
     vector, rate : tuple of n arb
         y and dy/dτ at the start.
     """

@@ -52,7 +52,7 @@ class SphereSolution(WaveSolution):
     Attributes
     ----------
     system : System
-        Not lifted.
+        The reduced system, without the motion in space.
     kind : Kind
     factors : tuple of arb
         a_i of the axes on which the motion takes place.

@@ -57,7 +57,7 @@ class UniformTurning(Solution):
     Attributes
     ----------
     system : System
-        Lifted to space where it has a motion.
+        Lifted to space if it has a motion there.
     start : tuple of numbers
         The state at t = 0.
     """
@@ -175,6 +175,7 @@ class PlanarTurning(Solution):
         half = (begin - zero) / 2
         # at most e^700
         growth = np.exp(np.clip(rate * times, -700, 700))
+        # The arctangent of two arguments stays finite where tan ½(θ(0) − θ_0) is infinite.
         theta = zero + 2 * np.arctan2(np.sin(half) * growth, np.cos(half))
         b, c = map(number, self.b)
         parts = np.array([e * np.cos(theta) / np.sqrt(b), e * np.sin(theta) / np.sqrt(c)])
@@ -267,6 +268,7 @@ def _turn(w: FloatArray, time: float) -> FloatArray:
     size = len(w) + 1
     turning = np.zeros((size, size))
     turning[:-1, -1], turning[-1, :-1] = w, -w
+    # Rodrigues' formula holds in any dimension here, since ω has rank 2 and ω³ = −w²ω.
     turn: FloatArray = (
         np.eye(size)
         + np.sin(speed * time) / speed * turning

@@ -80,6 +80,10 @@ class Sines:
         half = np.pi / places
         table = np.empty((self.genus, places, self.genus, _DEGREE + 1))
         spectrum = np.zeros((self.genus, self.genus, places), dtype=complex)
+        # ψ − s is Im Σ S_m exp(ims), so its Taylor coefficients have the Fourier coefficients S_m
+        # (imh)^d/d!, h half the spacing; a zero-padded FFT evaluates them at all grid points.  As
+        # mh < π/16 for all waves, the remainder after the ninth power is below (π/16)^10/10! ≈
+        # 2e-14 of the highest ones, which are at rounding level themselves.
         scaled = np.concatenate([np.zeros((self.genus, self.genus, 1)), self.waves], axis=2) + 0j
         for degree in range(_DEGREE + 1):
             spectrum[:, :, : len(order)] = scaled
@@ -118,6 +122,8 @@ class Sines:
             miss = s + np.einsum("km,kjm->kj", own, np.sin(turned)) - x
             slope = 1 + np.einsum("km,kjm->kj", own * order, np.cos(turned))
             low, high = np.where(miss < 0, s, low), np.where(miss > 0, s, high)
+            # ψ_kk increases, so the root stays bracketed; a Newton step that leaves the bracket is
+            # replaced by bisection.
             following = s - miss / slope
             outside = (following < low) | (following > high)
             following = np.where(outside, (low + high) / 2, following)
@@ -147,6 +153,8 @@ class Sines:
                 tried = s[open_] - share[:, None] * step
                 reached, turned = self.phases_and_slopes(tried)
                 left = reached - phases[open_]
+                # Sufficient decrease: to first order the step reduces the residual by `share` of
+                # it, and a quarter of that is required.
                 worse = np.abs(left).max(axis=1) > worst[open_] * (1 - share / 4)
                 # At rounding level no step helps.
                 worse &= worst[open_] > 16 * _CLOSE * scale[open_]
@@ -169,6 +177,8 @@ def sines(separation: SeparatedVector, means: arb_mat) -> Sines:
     steps = _GRID[0]
     while steps <= _GRID[1]:
         places = [arb.pi() * j / steps for j in range(steps + 1)]
+        # The densities are even, periodic and analytic in s, so the trapezoidal rule converges
+        # geometrically (Trefethen & Weideman, SIAM Review 56, 2014).
         cosines = cosine_coefficients(densities(separation, inverse, [places] * genus))
         high = np.abs(cosines[:, :, steps // 2 :]).max()
         if high < 10 * _LEVEL * np.abs(cosines).max():
@@ -215,6 +225,8 @@ def start_angles(separation: SeparatedVector) -> tuple[arb, ...]:
     found = []
     for k, left in enumerate(separation.ovals):
         low, high = separation.curve.ends(left)
+        # ∏ (z − z_k) = Σ y_i² ∏_{j≠i} (z − c_j), differentiated by τ at z = z_k, is −z_k′ ∏_{l≠k}
+        # (z_k − z_l) = Σ 2 y_i y_i′ ∏_{j≠i} (z_k − c_j).
         change = arb(0)
         for i, (own, turning) in enumerate(zip(y, rate, strict=True)):
             others = arb(1)
@@ -245,6 +257,9 @@ def motion_weights(separation: SeparatedVector, z: Sequence[arb]) -> list[arb]:
     """s_k′/√C_k at given coordinates."""
     weights = []
     for k, own in enumerate(z):
+        # The Vandermonde matrix z_k^i is inverted by the coefficients of the Lagrange polynomials
+        # ∏_{l≠k} (z − z_l)/(z_k − z_l).  Only v_0 and v_{n−2} differ from zero, so only their
+        # constant and leading coefficients occur.
         product, apart = arb(1), arb(1)
         for other, place in enumerate(z):
             if other != k:

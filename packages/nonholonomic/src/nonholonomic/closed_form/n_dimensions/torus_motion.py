@@ -203,6 +203,8 @@ class TorusMotion:
         mean, velocity = number(self.mean), self._velocity
         ideal = self._phases(self._pairs, times)
         tau, delta = times / mean, np.zeros_like(times)
+        # With τ = t/c_0 + δ the equation t = c_0 τ + I becomes c_0 δ + I = 0, whose derivative by δ
+        # is dt/dτ.  δ stays bounded, so it loses no digits at late times.
         for _ in range(_NEWTON):
             phases = ideal + delta[:, None] * velocity
             s = self.sines.angles(phases)
@@ -332,6 +334,10 @@ class _Numbers:
 
     def vector(self, s: FloatArray, z: FloatArray) -> tuple[FloatArray, FloatArray]:
         """y and dy/dτ (n, N) at angles and coordinates (g, N)."""
+        # y_i² = ∏ |c_i − z_k| / ∏ |c_i − c_j|.  Distances are sums of positive terms, the distance
+        # of c_i from an end of the interval and that of z_k from this end, so there is no
+        # cancellation.  Where c_i is the end itself, its factor is a sine or cosine of s/2 instead
+        # of a root: y_i passes through zero with z_k at the end and changes sign.
         up, down = np.sin(s / 2), np.cos(s / 2)
         rise, fall = self.width[:, None] * up**2, self.width[:, None] * down**2
         turning = np.array([self._rate(k, rise, fall, z) for k in range(len(s))])

@@ -194,7 +194,7 @@ def solve_two_blocks(
     Parameters
     ----------
     problem : Problem
-        Not lifted.
+        The reduced problem, without the motion in space.
     blocks : Blocks
         Moments, with m R² added for a ball.
     epsilon : Fraction

@@ -132,7 +132,7 @@ class MotionSample(Generic[T, Count]):
     phase : arb or array
         σ, between −π and π for a periodic motion.
     tail : arb or array
-        Time spent in the tail of an asymptotic motion, which is at its end but for rounding;
+        Time spent in the tail of an asymptotic motion, where x equals its limit up to rounding;
         negative in the tail of the past.
     values : tuple of arb or arrays
         Every quadrature between σ = 0 and `phase`, not counting the tail.

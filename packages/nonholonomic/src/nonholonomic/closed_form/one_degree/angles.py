@@ -75,6 +75,7 @@ def displacement_sum(count: int, turn: arb, step: acb) -> acb:
     if count == 0:
         return acb(0)
     if sine.contains(0):
+        # The ratio is Σ exp(i(2j − n + 1)h), h half the turn, and each term is within n|h| of 1.
         ratio = count * (1 + arb(0, abs(count * half).upper()))
     else:
         ratio = (count * half).sin() / sine
@@ -102,6 +103,7 @@ def circular_paths(times: FloatArray, rate: arb, speed: acb) -> ComplexArray:
     """∫ speed · e^{i rate t} dt from 0 to times (n,), in double precision."""
     half = rate / 2
     angle = 4 * np.pi * fraction(times, over_two_turns(half))
+    # sin(ht)/h loses digits, or divides by zero, where ht is small; t sinc(ht) does not.
     slow = abs(float(half.mid())) * np.abs(times) < 0.5
     small = times * np.sinc(float(half.mid()) * times / np.pi)
     ratio = np.where(slow, small, np.sin(angle) / (float(half.mid()) or 1.0))

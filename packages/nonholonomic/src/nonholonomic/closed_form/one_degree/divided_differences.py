@@ -86,6 +86,8 @@ class DividedDifferences:
     def inverse(self) -> DividedDifferences:
         """1/f; not finite where f may vanish."""
         size = self.matrix.nrows()
+        # Back substitution, diagonal by diagonal: entry (i, j) of the product with the inverse
+        # vanishes.
         known, inverse = self.matrix, acb_mat(size, size)
         for i in range(size):
             inverse[i, i] = 1 / known[i, i]
@@ -123,6 +125,9 @@ class DividedDifferences:
         By repeated square roots f^(1/2^k) = 1 + z and the series of log(1 + z), with a bound of its
         remainder.
         """
+        # Inverse scaling and squaring (Higham, Functions of Matrices, chapter 11).  In the row-sum
+        # norm the omitted terms are below length^(terms + 1)/(1 − length), and no entry exceeds the
+        # norm.
         size, terms = self.matrix.nrows(), ctx.prec // _ROOTS + 4
         values = [_logarithm(self.matrix[i, i]) for i in range(size)]
         z = self.matrix
@@ -161,6 +166,8 @@ class DividedDifferences:
 def _root(matrix: acb_mat, values: Sequence[acb]) -> acb_mat:
     """The square root of an upper triangular matrix, with given roots of its diagonal."""
     size = matrix.nrows()
+    # The recurrence of Björck and Hammarling (Higham, Functions of Matrices, chapter 6), which
+    # follows from entry (i, j) of root² = matrix.
     root = acb_mat(size, size)
     for i in range(size):
         root[i, i] = values[i]

@@ -44,6 +44,8 @@ def reduced_phase(times: FloatArray, offset: Pair, period: Pair) -> tuple[FloatA
     """
     count = np.rint((times + offset[0]) / period[0])
     whole, remainder = exact_product(count, period[0])
+    # At late times t and n·period are within a factor of two of each other, so their difference is
+    # exact (Sterbenz); smaller parts are subtracted afterwards.
     return count, ((times - whole) + offset[0]) - remainder - count * period[1] + offset[1]
 
 

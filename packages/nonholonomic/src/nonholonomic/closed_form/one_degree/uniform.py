@@ -65,7 +65,7 @@ class UniformSolution(Solution):
     Attributes
     ----------
     system : System
-        Lifted to space where it has a motion.
+        Lifted to space if it has a motion there.
     parameters : mapping of Symbol to number
     vectors : tuple of vectors (three arb each)
         The reduced state at t = 0.

@@ -93,7 +93,7 @@ class Uniformisation(ABC):
 
     @property
     def gaps(self) -> tuple[arb, arb]:
-        """From the first and from the second end to the edges beyond them."""
+        """Distances of the first and of the second end from the edges beyond them."""
         a, b = self.first.x, self.second.x
         low, high = self.equation.low, self.equation.high
         return (a - low, high - b) if a < b else (high - a, b - low)
@@ -121,7 +121,7 @@ class Oscillating(Uniformisation):
         return -F.number(self.width / 2) * F.sin(sigma)
 
     def roots(self, F: Functions[N], sigma: N) -> tuple[N, N]:
-        """By x − low = (a − low) + 2ρ cos² σ/2 and high − x = (high − b) + 2ρ sin² σ/2."""
+        """From x − low = (a − low) + 2ρ cos² σ/2 and high − x = (high − b) + 2ρ sin² σ/2."""
         low = _root(F, self.first, self.gaps[0], self.width, F.cos(sigma / 2))
         return low, _root(F, self.second, self.gaps[1], self.width, F.sin(sigma / 2))
 
@@ -138,11 +138,13 @@ class Oscillating(Uniformisation):
         return self._clock(self.coordinate(BALLS, sigma))
 
     def _clock(self, x: arb | acb) -> acb:
+        # N vanishes at a and b, so N(x) = (x − a)(x − b) N[x, a, b] = −ρ² sin² σ N[x, a, b], and
+        # the root with dx/dσ = −ρ sin σ cancels without division at the turning points.
         divided = -slope(self.equation.numerator, x, self.first.x, self.second.x)
         return analytic_root(value(self.equation.denominator, x) / divided)
 
     def phase(self, x: arb, rate: arb) -> arb:
-        """By ρ cos σ = x − m and ρ sin σ = −x′ dt/dσ."""
+        """From ρ cos σ = x − m and ρ sin σ = −x′ dt/dσ."""
         across, along = -rate * self._clock(x).real, x - self.middle
         if across.contains(0) and along < 0:
             # The branch cut of the angle must not pass through the ball.
@@ -168,7 +170,7 @@ class Asymptotic(Uniformisation):
         return 2 * F.number(self.reach) * F.tanh(sigma) * F.square(F.sech(sigma))
 
     def roots(self, F: Functions[N], sigma: N) -> tuple[N, N]:
-        """By |x − a| = |e − a| tanh² σ and |e − x| = |e − a| sech² σ."""
+        """From |x − a| = |e − a| tanh² σ and |e − x| = |e − a| sech² σ."""
         inner, outer = self._roots(F, sigma)
         return (inner, outer) if self.reach > 0 else (outer, inner)
 
@@ -190,11 +192,12 @@ class Asymptotic(Uniformisation):
 
     def _clock(self, x: arb | acb) -> acb:
         a, e = self.first.x, self.second.x
+        # N(x) = (x − a)(x − e)² N[x, a, e, e] = (e − a)³ tanh² σ sech⁴ σ N[x, a, e, e].
         divided = self.reach * slope(self.equation.numerator, x, a, e, e)
         return 2 * analytic_root(value(self.equation.denominator, x) / divided)
 
     def phase(self, x: arb, rate: arb) -> arb:
-        """By sech² σ = (e − x)/(e − a) and x′ dt/dσ = 2(e − x) tanh σ."""
+        """From sech² σ = (e − x)/(e − a) and x′ dt/dσ = 2(e − x) tanh σ."""
         e = self.second.x
         tanh = rate * self._clock(x).real / (2 * (e - x))
         return (tanh * (self.reach / (e - x)).sqrt()).asinh()
@@ -223,7 +226,7 @@ class Heteroclinic(Uniformisation):
         return F.number(self.reach) * F.square(F.sech(sigma))
 
     def roots(self, F: Functions[N], sigma: N) -> tuple[N, N]:
-        """By |x − a| = 2|ρ|/(1 + e^−2σ) and |b − x| = 2|ρ|/(1 + e^2σ)."""
+        """From |x − a| = 2|ρ|/(1 + e^−2σ) and |b − x| = 2|ρ|/(1 + e^2σ)."""
         inner, outer = (F.number(gap) for gap in self.gaps)
         width = F.number(self.width)
         first = F.sqrt(inner + width * F.step(sigma))
@@ -237,7 +240,7 @@ class Heteroclinic(Uniformisation):
         return analytic_root(value(self.equation.denominator, x) / divided) / abs(self.reach)
 
     def phase(self, x: arb, rate: arb) -> arb:
-        """By sinh σ = ±(x − m)/√|x − a||b − x|."""
+        """From sinh σ = ±(x − m)/√|x − a||b − x|."""
         a, b = self.first.x, self.second.x
         along = (x - self.middle) * self.reach.sgn()
         return (along / ((x - a) * (b - x)).sqrt()).asinh()

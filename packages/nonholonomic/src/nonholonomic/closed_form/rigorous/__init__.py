@@ -96,7 +96,7 @@ class RigorousMotion:
     def _motion_in_space(
         self, tau: arb, there: tuple[list[arb], list[arb]], rough: FloatArray
     ) -> list[arb]:
-        """Attitude and positions; balls of infinite radius where nothing is known."""
+        """Attitude and positions; balls of infinite radius for those without bounds."""
         start = self.solution.start[-len(rough) :]
         if self._pair is None:
             return [arb(0, arb("inf")) for _ in start]
@@ -122,8 +122,8 @@ class RigorousMotion:
         """The lifted state at one time, as balls (arb).
 
         The sign of the quaternion, which the attitude leaves open, is that of the evaluation in
-        double precision.  Where one direction alone is known to stay in space the place is left
-        open (infinite balls), and where none is known the attitude, too.
+        double precision. If a single direction is known to be fixed in space, the position has no
+        bounds (infinite balls); if none is known, neither has the attitude.
 
         Parameters
         ----------
@@ -202,7 +202,7 @@ def rigorous_state(solution: TorusMotion, time: NumberOrText, digits: int) -> tu
     solution : TorusMotion
     time : float, int, str, Fraction or arb
     digits : int
-        Decimal places aimed at; the radii of the balls say what was reached.
+        Requested decimal places; the radii of the balls give the accuracy attained.
 
     Returns
     -------

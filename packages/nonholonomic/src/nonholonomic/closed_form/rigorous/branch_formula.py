@@ -23,7 +23,7 @@ from .affine import Affine
 
 
 class LeavesBranchError(Exception):
-    """On this ball the formula may meet a branch point, a branch cut or a pole."""
+    """The formula may meet a branch point, a branch cut or a pole on this ball."""
 
 
 class _Continuation(BallArithmetic):

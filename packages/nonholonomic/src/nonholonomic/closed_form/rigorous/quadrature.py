@@ -54,7 +54,7 @@ class RigorousQuadrature:
     Attributes
     ----------
     place : int
-        Which of the formulas of `branch` is f.
+        The index of f among the formulas of `branch`.
     periods : two of 1, 2
         p_j: f, up to its sign, has this period in v_j.
     shift : two of 0, 1
@@ -180,6 +180,8 @@ class RigorousQuadrature:
 
 def _sums(half: float, period: int, reach: int) -> tuple[arb, arb]:
     """Bounds of Σ exp(−2πr|κ|) over the wave numbers beyond k = ±reach, and over all."""
+    # The first omitted wave number is at least (reach + ½)/p, both for whole and for half-integer
+    # numbers: a geometric series on either side.
     q = (-2 * arb.pi() * arb(half) / period).exp()
     return 2 * q**reach * q.sqrt() / (1 - q), 2 / (1 - q)
 
@@ -211,9 +213,9 @@ def quadratures(
     torus : InvariantTorus
         Known to `bits_for` so many digits and turns, and some more.
     digits : int
-        Digits that are wanted of what a formula gains in a turn of the phases.
+        Requested digits of the gain of a formula in a turn of the phases.
     reach : float
-        The largest |τ| at which they are wanted.
+        The largest |τ| at which they are requested.
 
     Raises
     ------
@@ -249,6 +251,8 @@ def quadratures(
                 periods,
                 shift,
                 _fourier_coefficients(values[place], lines, shift),
+                # Omitted waves count twice: they are missing, and the grid adds each to a wave that
+                # is kept.
                 (2 * arb(bound) * outside).upper(),
                 bits,
             )

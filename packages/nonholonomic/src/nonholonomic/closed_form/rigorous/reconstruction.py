@@ -124,7 +124,7 @@ class PathRates:
     Attributes
     ----------
     functions : Branch
-        What is to be integrated, in ν and ν′.
+        The integrands, in ν and ν′.
     shares : tuple of tuples of (int, (int, int))
         For every coordinate, which functions, and the entry of `Turn.axes` that multiplies each.
     """

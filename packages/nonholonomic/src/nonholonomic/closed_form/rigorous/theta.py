@@ -213,7 +213,7 @@ def _array(matrix: acb_mat) -> ComplexArray:
 
 
 def _waves(places: Line, indices: Sequence[fmpq], shift: int) -> acb_mat:
-    """exp(2πi m (x + shift/2)): a row for every place x, a column for every index m."""
+    """exp(2πi m (x + shift/2)): a row for every point x, a column for every index m."""
     twice = [2 * places[k] + shift for k in range(places.count)]
     return acb_mat([[acb(x * m).exp_pi_i() for m in indices] for x in twice])
 

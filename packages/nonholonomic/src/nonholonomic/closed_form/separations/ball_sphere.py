@@ -12,7 +12,7 @@ so that z₁, z₂ are the roots of Σ A_i² I_i n_i²/(I_i − z) = 0.  In the 
     L = e₂(½T − z) − e₃,       Q = L − d(½T − z)²,
     Σ dz/y = 2 dτ/e₃,       Σ z dz/y = T dτ/e₃,
 
-where e₂, e₃ are the symmetric functions of A, 2h = (M, ω) and f = M².  Back lead
+where e₂, e₃ are the symmetric functions of A, 2h = (M, ω) and f = M².  The state follows by
 
     ω = Bn×ṅ/(n, Bn),      B = I_Q A,      M = I_Q ω,
 
@@ -24,8 +24,8 @@ quadratic 2hzL − fQ is not positive at the smaller and not negative at the lar
 roots are real on every motion.  Where fd = 2he₂ one of them is at infinity, and the curve of degree
 five; where two moments I_i agree, poles do.  h = 0 is rest.
 
-That z₁, z₂ satisfy these equations is proven in ``tests/explicit/separations``, everything else by
-the laws of the separated system itself.
+That z₁, z₂ satisfy these equations is proven in ``tests/closed_form/separations``, everything else
+by the laws of the separated system itself.
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ D′ = D − δ lies between 0 and D, and I′ = I + δ.  In the variable z = w�
     y² = 4 (z + δ)(z + D)(2hz − σ) e p(z),        p(z) = ∏(Iᵢ − z).
 
 For g = 0 this is :mod:`.chaplygin_ball`.  The claims made here are proven in parts in
-``tests/explicit/separations``, where the reduction is read backwards.  λ′ never vanishes, since
+``tests/closed_form/separations``, where the reduction is read backwards.  λ′ never vanishes, since
 w = γ′ would give (Aγ′, γ′) = 1/D′, but D′A < 1; so it is positive as it is at g = 0, and
 
     dt/dt′ = 1/λ′ = 1 + (β/n) D′(ω′, γ′).

@@ -36,9 +36,10 @@ def veselova_separation(
     Parameters
     ----------
     name, title : str
-        Of the system; its state is ω, γ, and its definition A the inverse of `tensor`.
+        Name and title of the system; its state is ω, γ, and its definition A the inverse of
+        `tensor`.
     tensor : Diagonal
-        What stands for the inertia tensor I, as the system names it.
+        The tensor that takes the role of I, as the system names it.
     moments : three formulas
         Its diagonal, in the parameters.
     """
