@@ -77,6 +77,8 @@ def _bracket(sample: RankSample, law: ConformallyHamiltonian) -> Bracket:
     values = casimirs(law)
     independent, _ = sample.independent([partial(_differential, c) for c in values])
     conformal = law.multiplier != 1
+    # The differentials of Casimir functions are in the kernel of J, so at most dimension − rank of
+    # them are independent; with so many the bracket is closed.
     size = max(sample.at_points(lambda view: rank(view.field, _entries(view, law))))
     return Bracket(
         fact_of(law),
@@ -148,6 +150,8 @@ def _commute(
 ) -> bool:
     """Whether two integrals are proven to be in involution."""
     system = sample.level_set.system
+    # {F, G} is the derivative of G along the field J dF: it vanishes if G is an integral of that
+    # field.
     formula = sample.expand(one.scalar.value)
     gradient = sp.Matrix([sp.diff(formula, s) for s in system.symbols])
     field = dict(zip(system.symbols, law.structure.scalar.matrix * gradient, strict=True))

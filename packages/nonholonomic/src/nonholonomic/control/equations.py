@@ -238,6 +238,7 @@ def _formulas(robot: SphericalRobot, momentum: Column) -> _Formulas:
     inertia = Diagonal("I") if _principal(robot) else Symmetric("I")
     speeds = tuple(real_symbol(f"u_{a}") for a in range(1, len(robot.rotors) + 1))
     gyration = robot.gyration * sp.Matrix(speeds) if speeds else sp.zeros(3, 1)
+    # a, the reverse of the vector from centre of mass to geometric centre.
     offset = -sp.Matrix([exact_number(x) for x in robot.centre])
     tensor = sp.Matrix(inertia.entries)
     arm = R * vertical + offset
@@ -271,6 +272,8 @@ def _formulas(robot: SphericalRobot, momentum: Column) -> _Formulas:
     definitions.append((A, constant(tensor)))
     definitions.append((b, constant(list(gyration + shift))))
     entries = sp.Matrix(A.entries)
+    # A⁻¹ as cofactors over a named determinant, which keeps the formulas short; in ℓ the
+    # determinant cancels.
     cofactors = entries.adjugate()
     definitions.append((Delta, entries.det(method="berkowitz")))
     known = momentum - b.entries
@@ -278,6 +281,7 @@ def _formulas(robot: SphericalRobot, momentum: Column) -> _Formulas:
         up = (cofactors * vertical).T
         definitions.append((ell, -(up * known)[0] / (up * vertical)[0]))
         known += ell * vertical
+        # M×ω and γ×ω keep (M, γ) = 0 by themselves; λ takes the vertical part of the torque.
         torque -= torque.dot(vertical) * vertical
     definitions.append((omega, constant(list(cofactors * known / Delta))))
     _check_names(robot)

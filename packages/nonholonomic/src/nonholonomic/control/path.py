@@ -147,6 +147,8 @@ def figure_of_eight(length: float, width: float, period: float) -> PlanePath:
             raise InputError(f"figure of eight: the {name} {number} must be a finite number")
     if not (math.isfinite(period) and period > 0):
         raise InputError(f"figure of eight: the period {period} must be a positive finite number")
+    # τ′ is proportional to 1 − cos 2πs and vanishes at both ends, so the motion starts and ends at
+    # rest.
     s = 2 * sp.pi * TIME / exact_number(period)
     tau = s - sp.sin(s)
     half = [exact_number(x) / 2 for x in (length, width)]
@@ -205,6 +207,8 @@ def _trigonometric(values: FloatArray, period: float) -> sp.Expr:
     angle = 2 * sp.pi * TIME / sp.Float(period)
     total: sp.Expr = sp.Float(spectrum[0].real)
     for k in range(1, len(spectrum)):
+        # Waves k and −k are conjugate and count together; the highest one of an even number of
+        # points is its own partner, and its sine vanishes at all points.
         weight = 1 if 2 * k == n else 2
         c, s = weight * spectrum[k].real, -weight * spectrum[k].imag
         total += sp.Float(c) * sp.cos(k * angle)

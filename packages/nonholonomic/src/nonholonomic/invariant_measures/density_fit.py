@@ -162,6 +162,9 @@ def _exponents(
     if not right:
         return None
     width = len(bases)
+    # The exponents are constants, so each point gives linear equations for them.  A pivot in the
+    # last column is a contradiction; a solution is only a candidate, which `density_law` states as
+    # a law to be proven.
     entries = [e for row, v in zip(rows, right, strict=True) for e in (*row, v)]
     reduced, rank = fmpq_mat(len(rows), width + 1, entries).rref()
     solution = [fmpq(0)] * width

@@ -187,6 +187,9 @@ class OneFixedVector(_AttitudeFromVectors):
             there = self._torus(v)
             turns = self._attitude(*there).T
             clock = self._clock_rate(*there)
+            # Rates are quadratic in the quaternion, hence of the form s + a cos ψ + b sin ψ: the
+            # values at ψ = 0, ½π and π give s and a − ib.  The quasi-periodic part of ψ is a
+            # function on the torus and is taken into the Fourier series; its linear part remains.
             zero, quarter, half = (
                 clock
                 * self._places(*there, *_after_turn(axis, np.full(turns.shape[1], psi), turns))

@@ -145,6 +145,7 @@ def _of_surrounding(
     """γ = W^(1/2) A^(−1/2) y, 1/W = (y, A⁻¹y), γ̇ = u."""
     root = np.sqrt(a)[:, None]
     W = 1 / np.sum(y * y / a[:, None], axis=0)
+    # `growth` is dW/dt.
     growth = -2 * W**2 * np.sum(y * velocity / a[:, None], axis=0)
     gamma = np.sqrt(W) * y / root
     u = np.sqrt(W) * velocity / root + growth / (2 * W) * gamma

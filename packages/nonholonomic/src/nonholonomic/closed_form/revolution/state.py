@@ -96,6 +96,8 @@ def start_angles(start: StartState, sine: arb, cosine: arb, lean: arb) -> tuple[
     """φ and ψ of a start; see :func:`intrinsic_angle`."""
     phi = intrinsic_angle(sine, cosine, lean, start.normal, start.omega)
     w, x, y, z = start.attitude
+    # The quaternion of R₃(ψ) R₁(θ) R₃(φ) has (w, z) = cos ½θ · (cos, sin) ½(ψ + φ) and (x, y) = sin
+    # ½θ · (cos, sin) ½(ψ − φ): take the pair that is not small.
     if abs(cosine) > arb("0.5"):
         return phi, 2 * arb.atan2(z / cosine, w / cosine) - phi
     return phi, 2 * arb.atan2(y / sine, x / sine) + phi
@@ -119,6 +121,8 @@ def path_rates(level: Level) -> NestedRates:
     def rates(
         chart: Uniformisation, sigma: acb, slopes: Sequence[acb], totals: Sequence[acb]
     ) -> list[acb]:
+        # ẋ + iẏ = −p(K/A + iθ̇ sin θ) e^{iψ}/sin θ, where K/A = φ̇ sin² θ, θ̇ sin θ = −u̇ and sin θ
+        # is the product of both roots.
         p = level.body.p(chart.coordinate(BALLS, sigma))
         sideways = p * chart.arc_slope(BALLS, sigma)
         if level.K == 0:

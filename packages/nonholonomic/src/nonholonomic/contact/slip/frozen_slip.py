@@ -73,6 +73,7 @@ class PointSlip:
         """Normal force, friction force (2,) and couple for the slip direction n."""
         friction = -self.mu * n
         response = self.response
+        # The contact lasts: the normal acceleration b_n + N (…) with the friction −μN n vanishes.
         pressure = -self.normal / (response.normal[0] + float(response.normal[1] @ friction))
         couple = response.couple[0] + float(response.couple[1] @ friction)
         return pressure, pressure * friction, pressure * couple + self.couple

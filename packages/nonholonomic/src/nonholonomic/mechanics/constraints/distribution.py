@@ -121,6 +121,8 @@ class Distribution:
 
 def _admissible(forms: Sequence[Sequence[sp.Expr]], width: int) -> list[list[sp.Expr]]:
     """A basis of the solutions of the constraints, with numbers as pivots if possible."""
+    # Gauss–Jordan elimination.  A pivot that is a number vanishes nowhere, so the fields stay
+    # regular; of the others the shortest keeps the formulas small.
     rows = [list(row) for row in forms]
     pivots: list[tuple[int, list[sp.Expr]]] = []
     while rows:
@@ -207,9 +209,11 @@ def distribution(mechanism: Mechanism) -> Distribution:
     entries = [*positions, *inhomogeneous, *(entry for row in rows for entry in row)]
     whole = whole_configuration(frame, entries, position_steps, constants)
     coordinates, fields = whole.coordinates, whole.fields
+    # A position constraint F = 0 also constrains the velocities: Ḟ = 0.
     rows += [[lie_derivative(field, F) for field in fields] for F in positions]
     inhomogeneous += [sp.diff(F, TIME) for F in positions]
     if any(entry != 0 for entry in inhomogeneous) or _depend_on_time(rows, position_steps):
+        # With the time as a coordinate of rate 1 the constraints become linear and homogeneous.
         coordinates, fields = (*coordinates, TIME), (*fields, {TIME: sp.S.One})
         w = (*w, real_symbol("tdot"))
         rows = [[*row, entry] for row, entry in zip(rows, inhomogeneous, strict=True)]

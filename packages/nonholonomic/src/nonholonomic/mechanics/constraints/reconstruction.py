@@ -238,6 +238,8 @@ def _spans_all(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, Paramet
         [germs.series(field.get(q, sp.S.Zero)).value for q in whole.coordinates]
         for field in whole.fields
     ]
+    # The dimension of the configuration is the number of coordinates minus the rank of the
+    # gradients of the relations; the fields span it if they are as many and independent.
     normals = [[germs.series(r).derivative(q).value for q in range(size)] for r in whole.relations]
     bound = int(germs.numbers.matrix(normals, size).rank()) if normals else 0
     return int(germs.numbers.matrix(rows, size).rank()) == len(frame.w) == size - bound
@@ -279,6 +281,8 @@ def _commutes(whole: Whole, coefficients: Coefficients, germs: TaylorExpansion) 
         )
         return total
 
+    # [E_i, E_j] = c_ij^k E_k (1.8), component by component at one random point modulo a large
+    # prime: an equation that does not hold identically fails there almost certainly.
     for i, first in enumerate(fields):
         for j in range(i + 1, len(fields)):
             second = fields[j]

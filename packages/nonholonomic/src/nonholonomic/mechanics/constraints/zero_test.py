@@ -26,6 +26,8 @@ def vanishes(formula: sp.Expr, relations: Sequence[sp.Expr], steps: Steps = ()) 
     numerator = sp.expand(numerator)
     if numerator == 0:
         return True
+    # Membership in the ideal of the relations is sufficient, not necessary: a formula that vanishes
+    # on the real points alone is not recognised.
     ideal = _touching(numerator, [*map(kernels.plain, conditions), *kernels.relations])
     if not ideal:
         return False

@@ -75,6 +75,7 @@ def _degrees(
     """The degrees of homogeneity of constraints in the velocities, from a generic point."""
     degrees = []
     for row, f in zip(slopes, constraints, strict=True):
+        # By Euler's theorem Σ w_i ∂f/∂w_i = d f for a homogeneous f of degree d.
         euler = product(row, list(velocities))
         point = parts.at([f, euler])[0]
         if not point.value(f):

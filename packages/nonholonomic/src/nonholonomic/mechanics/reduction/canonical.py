@@ -46,6 +46,7 @@ def canonical(
         w₁, w₂ with S̄ = ∂w₂/∂q₁ − ∂w₁/∂q₂.
     """
     q, p = base.coordinates, _names(base)
+    # With P = (p − w)/N the kinetic energy ½ h P² is ½ (h/N²)(p − w)².
     slowed = [in_base_coordinates(base, h / multiplier.value**2) for h in closed.inverse]
     level = in_base_coordinates(base, closed.rest + potential)
     first, second = (a - b for a, b in zip(p, w, strict=True))

@@ -140,6 +140,7 @@ def rational_point(
             continue
         values[s] = random_rational(rng)
         half = random_rational(rng)
+        # tan ½x rational gives a rational point (2h, 1 − h²)/(1 + h²) of the circle.
         square = 1 + half * half
         sine, cosine = circle(s)
         values[sine], values[cosine] = 2 * half / square, (1 - half * half) / square

@@ -134,6 +134,7 @@ def bracket(on: tuple[sp.Expr, ...] = ()) -> PoissonStructure:
 
     With p = N P these are {q_i, p_j} = δ_ij and {p₁, p₂} = S̄ for S̄ of (4.5).
     """
+    # Division by N is the factor of dτ = N dt: q and p = N P are canonical up to S̄.
     pair = sp.eye(2) / N
     turn = sp.Matrix([[0, S], [-S, 0]]) / N
     return PoissonStructure(

@@ -67,6 +67,8 @@ def rolling_mechanism(rolling: RollingBody, name: str = "rolling-body") -> Mecha
     body, field = rolling.equivalent.body, rolling.field
     fluids = rolling.body.fluids
     kinematics = contact_of(body.shape, rolling.surface)
+    # The rates of a frame must show their dependence on the velocities, so definitions that contain
+    # ω are written out; those of the position alone stay names.
     place, moving = by_dependence(kinematics.definitions, omega.symbols)
     swinging = dict(flat_pairs(moving))
     inertia = Diagonal("I") if body.principal else Symmetric("I")

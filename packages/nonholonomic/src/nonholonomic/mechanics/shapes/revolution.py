@@ -126,6 +126,7 @@ class Revolution(SupportShape):
                     f"since -gamma_3 chi_1 + (1 - gamma_3^2) chi_1' + gamma_3 chi_2' is {number} "
                     f"at gamma_3 = {cosine} and must be zero"
                 )
+        # p = −(r − c, γ), as the contact lies below the centre.
         return cls(-(chi_1 * (1 - u**2) + chi_2 * u), tuple(table.items()), centre=centre)
 
     @property
