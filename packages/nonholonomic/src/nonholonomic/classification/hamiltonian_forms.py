@@ -78,7 +78,7 @@ def _bracket(sample: RankSample, law: ConformallyHamiltonian) -> Bracket:
     independent, _ = sample.independent([partial(_differential, c) for c in values])
     conformal = law.multiplier != 1
     # The differentials of Casimir functions are in the kernel of J, so at most dimension − rank of
-    # them are independent; with so many the bracket is closed.
+    # them are independent; with so many the list is complete.
     size = max(sample.at_points(lambda view: rank(view.field, _entries(view, law))))
     return Bracket(
         fact_of(law),
