@@ -208,6 +208,8 @@ def direction_grid(
     grid_theta, grid_phi = np.meshgrid(theta, phi, indexing="ij")
     gamma = _direction(grid_theta, grid_phi)
     points = contact(grid_theta, grid_phi)
+    # Points of a convex surface lie on the side of their outward normal, seen from their mean: on
+    # that of −γ for a body, of γ for a shell that rolls with its inner side.
     hollow = bool(np.mean(np.sum((points - points.mean(axis=(0, 1))) * gamma, axis=-1)) > 0.0)
     outward = gamma if hollow else -gamma
     thickness = _thickness(points)

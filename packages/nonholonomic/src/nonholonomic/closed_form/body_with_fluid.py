@@ -126,6 +126,8 @@ def solve_with_fluid(
     with ctx.workdps(120):
         start = [ball(exact(x)) for x in problem.start]
         first = start[:SPACE]
+        # The fluid in a spherical cavity keeps its momentum N in space (C = E): M − ΣN moves as the
+        # momentum of the rigid body.
         if with_momentum:
             for name in spherical:
                 first = [x - y for x, y in zip(first, start[places[name]], strict=True)]
@@ -267,6 +269,7 @@ def _spinning(system: System) -> System:
 def _upright(vertical: Sequence[arb]) -> list[arb]:
     """The shortest rotation of a unit vector to the third axis, as a unit quaternion."""
     x, y, z = vertical
+    # The rotation about v × e₃ = (y, −x, 0) by the angle with the cosine z, not normalised.
     w = 1 + z
     size = (w * w + x * x + y * y).sqrt()
     if size < arb("1e-30"):

@@ -302,6 +302,8 @@ class _Search:
         Zero if none were found, or there is a vertical at which the fields do not span everything.
         `planes` are normals of planes on which the generic determinant vanishes.
         """
+        # The determinants are homogeneous in γ: their zeros on the sphere are those on the faces of
+        # a cube, on which they are polynomials in two variables.
         pending: list[tuple[Rectangle, int]] = [(face, 0) for face in faces()]
         count = 0
         while pending:

@@ -123,6 +123,7 @@ def one_form(rolling: RollingBody) -> OneForm:
         (J, inertia + m * norm_squared(r) * identity),
         (A, J**-1),
         (lever, A * r),
+        # Ĩ = J − m r rᵀ, whose inverse is A + s_r A r (A r)ᵀ.
         (share, m / (1 - m * dot(r, lever))),
     )
 

@@ -152,6 +152,8 @@ class Level:
         def denominator(x: Argument) -> Argument:
             return body.value(body.principal, x)
 
+        # For K = 0 the factor 1 − u² of N is split off: the axis passes through the vertical at u =
+        # ±1, which is no turning point of the motion in space.
         if K != 0 or body.flat:
             return Equation(numerator, denominator, arb(-1), arb(1))
         return Equation(numerator, denominator, arb(-1), arb(1), inner, (True, True))

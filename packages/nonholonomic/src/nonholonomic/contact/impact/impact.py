@@ -162,6 +162,8 @@ def impact(
     impulse = course.normal_impulse * mobility.gamma + friction
     couple = course.couple_impulse
     after = course.slip @ tangents + course.normal * mobility.gamma
+    # Kelvin's theorem: kinetic energy grows by impulse times mean velocity, ½(J, u + u′).  So a
+    # small loss is not computed as a difference of large energies.
     gain = float(impulse @ (u + after) + couple * (spin + course.spin)) / 2
     force = float(np.linalg.norm(impulse) * (scale + np.linalg.norm(after)))
     terms = force + abs(couple) * (abs(spin) + abs(course.spin))

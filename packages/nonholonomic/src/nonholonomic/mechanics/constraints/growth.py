@@ -129,6 +129,8 @@ def _filtration_of_span(
             return _filtration(distribution, place, counts, dimension, words, False), False
         next_sections: list[tuple[str, Section]] = []
         directions: tuple[str, ...] = ()
+        # By the Jacobi identity all iterated commutators are combinations of [η_i, W] with the
+        # fields η_i themselves and words W of the step before.
         for i, (letter, field) in enumerate(zip(letters, generators, strict=True)):
             for j, (word, other) in enumerate(last):
                 # in the first step [η_i, η_j] = −[η_j, η_i]

@@ -52,6 +52,8 @@ class Bundle:
         rows = [list(row) for row in self.forms]
         pivots: list[tuple[int, Section]] = []
         while rows:
+            # Gauss–Jordan elimination over power series: a pivot must have an inverse series, so it
+            # must not vanish at the point.
             place = leading(rows, self.width)
             if place is None:
                 if all(entry.is_zero for row in rows for entry in row):

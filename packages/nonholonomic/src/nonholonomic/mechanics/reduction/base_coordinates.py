@@ -155,6 +155,8 @@ def _sphere(mechanism: Mechanism, motion: ReducedMomenta, vector: Vector) -> Bas
     place = dict(zip(vector.symbols, (sine * turn, sine * across, cosine), strict=True))
     index = [motion.coordinates.index(s) for s in vector.symbols]
     first, second, third = (motion.anchor.row(i).xreplace(place) for i in index)
+    # With γ = (sin θ sin φ, sin θ cos φ, cos θ): γ̇₃ = −θ̇ sin θ and γ̇₁ cos φ − γ̇₂ sin φ = φ̇ sin
+    # θ.
     rates = sp.Matrix.vstack(-third / sine, (across * first - turn * second) / sine)
     fixed = {q: sp.S.Zero for q in motion.coordinates if q not in place}
     moved = on_base(motion, {**place, **fixed})

@@ -221,6 +221,8 @@ def _coefficients_in_unit_vector(
     ring, count = poly.context(), len(powers)
     rows, right = [], []
     rng = random.Random(SEED)
+    # As many points as there are monomials determine the coefficients; three more tell whether the
+    # polynomial is a function of the unit vector at all.
     for _ in range(count + 3):
         t = [random_rational(rng), random_rational(rng)]
         (s, c), (s2, c2) = _circles(t)

@@ -107,6 +107,7 @@ def motion(mechanism: Mechanism) -> ReducedMomenta:
     for i in range(len(w)):
         along = G.col(i).dot(gradient_by(kinetic, q))
         push.append(along.xreplace(place))
+    # Poincaré's equations (1.9): ṗ_j = E_j(T) + c_ij^k w_i p_k + …, with c_ji^k = −c_ij^k.
     for (i, j, k), value in structure(frame, name).items():
         push[j] += value * momenta[k] * velocities[i]
         push[i] -= value * momenta[k] * velocities[j]
