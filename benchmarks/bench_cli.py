@@ -1,4 +1,4 @@
-"""The command line from outside: seconds of whole processes, cold and warm, beside ``import sympy``.
+"""The command line from outside: seconds of whole processes, beside ``import sympy``.
 
 Cold runs have an empty cache and a home of their own.  The processes of one round follow each
 other, so that all of them meet the same machine; the ratios are to the import of SymPy in the same
