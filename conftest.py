@@ -113,3 +113,10 @@ def pytest_runtest_makereport(
             report.outcome = "skipped"
             report.longrepr = (str(item.path), item.location[1] or 0, f"{tool} is not installed")
     return report
+
+
+@pytest.fixture(autouse=True)
+def _answers_are_not_kept(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keep no answer of a command between tests: the next one may change what computes it."""
+    if "chaplygin/tests/" in request.path.as_posix() and request.path.stem != "test_stored":
+        monkeypatch.setattr("chaplygin.answers.stored.keep", lambda question, answer: None)

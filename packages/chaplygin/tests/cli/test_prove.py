@@ -14,7 +14,7 @@ import sympy
 from borisov_mamaev_2008 import Claim, remarks
 from certificate_checker import check
 from certificate_checker.__main__ import main as check_files
-from chaplygin.cli import prove as prove_command
+from chaplygin.answers import verdicts
 from cli.test_cli import ask
 from flowlanes.printing.formula import width
 from flowlanes.system.laws import Measure
@@ -129,8 +129,8 @@ def test_a_printed_form_that_states_nothing_is_refused_by_itself(ask, monkeypatc
     printed = Measure("printed", {-1 - system.symbols[0] ** 2: sympy.Rational(1, 2)})
     laws = (replace(law, as_printed=printed, misprint="as is"), *others)
     claims = [(system, each) for each in laws]
-    monkeypatch.setattr(prove_command, "_claims", lambda *_: claims)
-    _, out, _ = ask("prove", "veselova", "--law", law.name, "--json")
+    monkeypatch.setattr(verdicts, "claims_of", lambda *_: claims)
+    _, out, _ = ask("prove", "veselova", "--law", law.name, "--json", "--again")
     (row,) = json.loads(out)
     assert (row["verdict"], row["printed"]) == ("proven", "refused")
 
@@ -290,7 +290,7 @@ def test_an_interrupted_proof_prints_what_is_done(ask, monkeypatch):
         return original(system, law, **options)
 
     monkeypatch.setattr(proofs, "prove", interrupted)
-    code, out, err = ask("prove", "veselova")
+    code, out, err = ask("prove", "veselova", "--again")
     assert code == 130
     assert "energy" in out
     assert "proven" in out

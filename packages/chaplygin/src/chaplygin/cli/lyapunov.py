@@ -48,7 +48,7 @@ def command(
         check_output("--output", output, force, json, what)
     numbers, chosen = None if level is None else level_of(level), device_of(device)
     study = study_of(what, overrides)
-    from flowlanes.flow.sampling.level_sampler import sample_level
+    from flowlanes.flow.sampling.resampling import resampled_level
     from flowlanes.lyapunov.record import record
     from flowlanes.lyapunov.report import Spectrum
     from flowlanes.lyapunov.spectrum import lyapunov_spectrum
@@ -60,7 +60,7 @@ def command(
     if numbers is None:
         start = [float(x) for x in study.start[: len(system.symbols)]]
     else:
-        start = sample_level(system, 1, numbers, seed=seed)[0].tolist()
+        start = resampled_level(system, numbers).draw(1, seed=seed)[0].tolist()
     length = TIMES_LONGER * study.until if until is None else until
     interrupted = ""
     with message_on_interrupt(

@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING, NamedTuple
 import typer
 
 from ..interruption import EXIT_CODE, print_interruption, results_on_interrupt
-from .terminal.options import NO_LAWS, console, inform, operations, print_json, study_of
+from .terminal.options import (
+    NO_LAWS,
+    console,
+    inform,
+    inform_remarks,
+    is_name,
+    operations,
+    print_json,
+    study_of,
+)
 from .terminal.output_destination import beside, check_output, name_of, output_file
 from .terminal.progress import progress
 
@@ -16,6 +25,8 @@ if TYPE_CHECKING:
     from flowlanes.system.laws import Law
     from flowlanes.system.system import System
     from lawproof.proof.verdict import Verdict
+
+    from ..answers.verdicts import LawVerdict
 
 COLOURS = {
     "proven": "green",
@@ -34,34 +45,57 @@ def command(
     certificate: Path | None = None,
     force: bool = False,
     json: bool = False,
+    again: bool = False,
 ) -> None:
     """Prove or refute the laws of a system; exit 1 unless all are proven without conditions.
 
     The exit status is 1 if any law is refuted, undecided, or proven only where a
     condition holds, and 2 if one is refused because it states nothing.
     """
+    from ..answers.stored import Answer, Question, keep, stored
+
     allowed = operations(effort)
     if certificate is not None:
         check_output("--certificate", certificate, force, json, what, binary=False)
-    claims = _selected_laws(_claims(what, overrides), only or [], what)
+    question = Question(f"prove {allowed}", what, is_name(what), tuple(overrides or ()))
+    answer = None if again or certificate is not None else stored(question)
+    if answer is not None:
+        inform_remarks(answer.remarks)
+        known: list[LawVerdict] = answer.content
+        chosen = _selected([each["record"]["law"] for each in known], only or [], what)
+        verdicts = [known[index] for index in chosen]
+        _print(verdicts, json)
+        _end(verdicts)
+        return
+    study = study_of(what, overrides)
+    from ..answers.verdicts import claims_of, law_verdict
+
+    claims = claims_of(study, what)
+    chosen = _selected([law.name for _, law in claims], only or [], what)
     with results_on_interrupt("the verdicts reached so far are about to be printed"):
-        done = _attempts(claims, allowed, certificate is not None)
+        done = _attempts([claims[index] for index in chosen], allowed, certificate is not None)
+        verdicts = [law_verdict(*attempt) for attempt in done]
+        if len(done) == len(claims):
+            keep(question, Answer(study.remarks, verdicts))
         with beside(certificate):
-            if json:
-                print_json([_record(attempt, allowed) for attempt in done])
-            else:
-                _print(done)
+            _print(verdicts, json)
         if certificate is not None:
             _write(certificate, [attempt.verdict for attempt in done])
-    if len(done) < len(claims):
+    if len(done) < len(chosen):
         print_interruption(
-            f"{len(claims) - len(done)} of {len(claims)} laws have no verdict; verdicts are saved, "
+            f"{len(chosen) - len(done)} of {len(chosen)} laws have no verdict; verdicts are saved, "
             "and the same command resumes"
         )
         raise typer.Exit(EXIT_CODE)
-    if any(attempt.verdict.decision == "refused" for attempt in done):
+    _end(verdicts)
+
+
+def _end(verdicts: list[LawVerdict]) -> None:
+    """End with the exit status of these verdicts."""
+    decisions = {each["record"]["verdict"] for each in verdicts}
+    if "refused" in decisions:
         raise typer.Exit(2)
-    if not all(attempt.verdict for attempt in done):
+    if decisions - {"proven"}:
         raise typer.Exit(1)
 
 
@@ -96,65 +130,15 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
     return done
 
 
-def _claims(what: str, overrides: list[str] | None) -> list[tuple[System, Law]]:
-    """The laws of the system, and of its general form if it has one."""
-    claims = list(study_of(what, overrides).claims)
-    from nonholonomic.catalogue import CATALOGUE
-
-    general = CATALOGUE[what].general if what in CATALOGUE else None
-    if general is not None:
-        wide = general()
-        claims += [(wide, law) for law in wide.laws]
-    return claims
-
-
-def _selected_laws(
-    claims: list[tuple[System, Law]], only: list[str], what: str
-) -> list[tuple[System, Law]]:
+def _selected(names: list[str], only: list[str], what: str) -> list[int]:
+    """The places of the laws that are asked for, by name."""
     from flowlanes.errors import InputError
 
-    names = [law.name for _, law in claims]
     for name in only:
         if name not in names:
             listed = ", ".join(dict.fromkeys(names)) or "none"
             raise InputError(f"no law {name!r} of {what}; its laws are {listed}")
-    return [pair for pair in claims if not only or pair[1].name in only]
-
-
-def _record(attempt: _Attempt, effort: int) -> dict[str, object]:
-    from flowlanes.printing.formula import latex
-    from flowlanes.printing.laws import condition_text
-    from flowlanes.printing.system import law_latex
-
-    system, law, verdict, printed = attempt
-    record = {
-        "source": law.source,
-        "statement": _law_description(law),
-        "printed": (verdict if printed is None else printed).decision,
-        "corrected": law_latex(law, system),
-        "verdict": verdict.decision,
-        "conditions": list(verdict.conditions),
-        "note": law.misprint,
-        "seconds": round(verdict.seconds, 3),
-        "effort": verdict.effort,
-        "system": system.name,
-        "law": law.name,
-        "level": condition_text(law, system, latex),
-        "shown": verdict.finding,
-        "reason": verdict.reason,
-        "terms": verdict.terms,
-    }
-    if verdict.witness is not None:
-        record["witness"] = verdict.witness
-    return record
-
-
-def _law_description(law: Law) -> str:
-    """Kind and meaning of a law, without saying the same twice."""
-    kind, meaning = law.heading, str(getattr(law, "meaning", ""))
-    if kind.lower() in meaning.lower():
-        return meaning[0].upper() + meaning[1:]
-    return f"{kind}: {meaning}" if meaning else kind
+    return [index for index, name in enumerate(names) if not only or name in only]
 
 
 def coloured_decision(decision: str) -> str:
@@ -162,16 +146,16 @@ def coloured_decision(decision: str) -> str:
     return f"[{COLOURS[decision]}]{decision}[/]"
 
 
-def _print(attempts: list[_Attempt]) -> None:
+def _print(verdicts: list[LawVerdict], json: bool) -> None:
+    if json:
+        print_json([each["record"] for each in verdicts])
+        return
     from rich import box
     from rich.markup import escape
     from rich.table import Table
 
-    from flowlanes.printing.formula import text
-    from flowlanes.printing.laws import condition_text
-
     shown = console()
-    if not attempts:
+    if not verdicts:
         shown.print(NO_LAWS)
         return
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
@@ -182,46 +166,45 @@ def _print(attempts: list[_Attempt]) -> None:
     table.add_column("Terms", justify="right")
     table.add_column("Time", justify="right", no_wrap=True)
     previous = None
-    for system, law, verdict, printed in attempts:
-        if previous is not None and system.title != previous:
+    for each in verdicts:
+        record = each["record"]
+        if previous is not None and each["title"] != previous:
             table.add_section()
-            table.add_row("", f"[italic]{escape(system.title)}[/]")
-        previous = system.title
-        where = condition_text(law, system, text)
+            table.add_row("", f"[italic]{escape(each['title'])}[/]")
+        previous = each["title"]
         table.add_row(
-            escape(law.name),
-            escape(f"{_law_description(law)} {where}".strip()),
-            escape(law.source),
-            coloured_decision(verdict.decision),
-            f"{verdict.terms:,}" if verdict.terms else "",
-            f"{verdict.seconds:.2f} s",
+            escape(record["law"]),
+            escape(f"{record['statement']} {each['level']}".strip()),
+            escape(record["source"]),
+            coloured_decision(record["verdict"]),
+            f"{record['terms']:,}" if record["terms"] else "",
+            f"{record['seconds']:.2f} s",
         )
-        if printed is not None:
+        if each["printed"] is not None:
             table.add_row(
-                "", escape(f"as printed: {law.misprint}"), "", coloured_decision(printed.decision)
+                "", escape(f"as printed: {record['note']}"), "", coloured_decision(each["printed"])
             )
     shown.print(table)
-    if len(attempts) > 1:
-        shown.print(f"\n{_count_text([attempt.verdict for attempt in attempts])}")
-    for _, law, verdict, _ in attempts:
-        if verdict.witness is not None:
-            point = ", ".join(f"{n} = {v}" for n, v in verdict.witness["point"].items())
-            shown.print(
-                f"\n{law.name}: {verdict.witness['what']} = {verdict.witness['residual']} at "
-                f"{point}",
-                markup=False,
-            )
-        elif verdict.conditions:
-            shown.print(f"\n{law.name}: {verdict.statement}", markup=False)
-        elif verdict.reason:
-            shown.print(f"\n{law.name}: {verdict.reason}", markup=False)
+    if len(verdicts) > 1:
+        shown.print(f"\n{_count_text([each['record']['verdict'] for each in verdicts])}")
+    for each in verdicts:
+        record, said = each["record"], ""
+        if "witness" in record:
+            witness = record["witness"]
+            point = ", ".join(f"{n} = {v}" for n, v in witness["point"].items())
+            said = f"{witness['what']} = {witness['residual']} at {point}"
+        elif record["conditions"]:
+            said = each["sentence"]
+        elif record["reason"]:
+            said = record["reason"]
+        if said:
+            shown.print(f"\n{record['law']}: {said}", markup=False)
 
 
-def _count_text(verdicts: list[Verdict]) -> str:
+def _count_text(decisions: list[str]) -> str:
     """The number of laws with each verdict."""
-    decisions = [verdict.decision for verdict in verdicts]
     counts = (f"{decisions.count(d)} {d}" for d in COLOURS if d in decisions)
-    return f"{len(verdicts)} laws: {', '.join(counts).replace('where', 'where a condition holds')}"
+    return f"{len(decisions)} laws: {', '.join(counts).replace('where', 'where a condition holds')}"
 
 
 def _write(path: Path, verdicts: list[Verdict]) -> None:

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 import sys
-import textwrap
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .terminal.options import NO_LAWS, print_json, study_of
+from .terminal.options import inform_remarks, is_name, print_json, study_of
 
 if TYPE_CHECKING:
-    from flowlanes.system.laws import Law
-    from flowlanes.system.system import System
-
     from ..experiment.study import Study
 
 
@@ -35,6 +30,7 @@ def command(
     form: str = "text",
     laws: bool = False,
     json: bool = False,
+    again: bool = False,
     schema: Annotated[
         bool,
         typer.Option(
@@ -59,100 +55,45 @@ def command(
         raise InputError("--laws prints a text: leave out --as and --json, which has all laws")
     if form == "wasm":
         _require_no_terminal(what)
+    if form == "text":
+        answer = _answer(what, overrides, "json" if json else "laws" if laws else "text", again)
+        if json:
+            print_json(answer)
+        else:
+            typer.echo(answer)
+        return
     study = study_of(what, overrides)
     if form in ("javascript", "wasm"):
         _write_module(study, form)
         return
     from flowlanes.printing.code import source_code
-    from flowlanes.printing.system import motion_text
-    from nonholonomic.classification.classifier import classify_quickly
 
     from ..experiment.catalogue_text import catalogue_text
 
-    system = study.system
-    # Laws of a single mode do not place a motion through several in the hierarchy.
-    place = (
-        None
-        if study.subject.changes_equations or not (json or form == "text") or laws
-        else classify_quickly(system, study.subject.model)
-    )
-    if laws:
-        from flowlanes.printing.system import laws_text
-
-        typer.echo(system.title)
-        for each in _systems_with_laws(study):
-            if study.subject.changes_equations:
-                typer.echo(f"\n{each.title}")
-            typer.echo(f"\n{laws_text(each)}")
-        known = f"chaplygin prove {what} proves them." if study.claims else NO_LAWS
-        typer.echo(f"\n{known}")
-        return
-    if json:
-        from flowlanes.printing.formula import latex
-        from flowlanes.printing.laws import condition_text
-        from flowlanes.printing.system import law_latex
-
-        print_json(
-            {
-                "name": system.name,
-                "title": system.title,
-                "summary": system.summary,
-                "source": system.source,
-                "state": [str(s) for s in system.symbols],
-                "parameters": [
-                    {
-                        "symbol": str(p.symbol),
-                        "meaning": p.meaning,
-                        "default": p.default,
-                        "unit": p.unit,
-                    }
-                    for p in system.parameters
-                ],
-                "equations": system.latex(),
-                "laws": [
-                    {
-                        "kind": type(law).__name__,
-                        "heading": law.heading,
-                        "name": getattr(law, "name", ""),
-                        "meaning": getattr(law, "meaning", ""),
-                        "value": law_latex(law, system),
-                        "level": condition_text(law, system, latex),
-                        "source": law.source,
-                        "misprint": law.misprint,
-                    }
-                    for law in system.laws
-                ],
-                "notes": list(study.subject.derivation_notes),
-                "place": None if place is None else place.record,
-            }
-        )
-        return
     texts: dict[str, Callable[[], str]] = {
-        "text": lambda: str(system),
-        "latex": system.latex,
-        "julia": lambda: source_code(system, "julia"),
-        "c": lambda: source_code(system, "c"),
+        "latex": study.system.latex,
+        "julia": lambda: source_code(study.system, "julia"),
+        "c": lambda: source_code(study.system, "c"),
         "toml": lambda: catalogue_text(study),
     }
     typer.echo(texts[form]().rstrip())
-    if form == "text" and study.subject.has_own_reconstruction and (lines := motion_text(system)):
-        typer.echo("\n".join(("\nReconstruction equations", *lines)))
-    for words in filter(
-        None, (study.subject.legend, *study.subject.derivation_notes) if form == "text" else ()
-    ):
-        typer.echo("\n" + textwrap.fill(words, 100))
-    if form == "text" and place is not None:
-        typer.echo(f"\n{place}")
-        if any("effort" in entry.why for entry in place.ignored_laws):
-            typer.echo(f"\nMore effort may decide the undecided laws: chaplygin prove {what}")
 
 
-def _systems_with_laws(study: Study) -> list[System]:
-    """The systems with provable laws, each with those laws."""
-    laws: dict[System, list[Law]] = {}
-    for system, law in study.claims:
-        laws.setdefault(system, []).append(law)
-    return [replace(system, laws=tuple(of_it)) for system, of_it in laws.items()]
+def _answer(what: str, overrides: list[str] | None, form: str, again: bool) -> Any:
+    """The sheet of a system in a form, stored or computed; remarks on the input are printed."""
+    from ..answers.stored import Answer, Question, keep, stored
+
+    question = Question(f"show {form}", what, is_name(what), tuple(overrides or ()))
+    answer = None if again else stored(question)
+    if answer is not None:
+        inform_remarks(answer.remarks)
+        return answer.content
+    study = study_of(what, overrides)
+    from ..answers.sheet import SHEETS
+
+    content = SHEETS[question.command](study, what)
+    keep(question, Answer(study.remarks, content))
+    return content
 
 
 def _require_no_terminal(what: str) -> None:

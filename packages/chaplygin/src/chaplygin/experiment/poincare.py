@@ -12,7 +12,7 @@ from flowlanes.errors import InputError
 from flowlanes.flow.devices.graphics import Device
 from flowlanes.flow.ensembles.task import Task
 from flowlanes.flow.kernel.equations import poincare_section
-from flowlanes.flow.sampling.level_sampler import level_sampler
+from flowlanes.flow.sampling.resampling import resampled_level
 from flowlanes.flow.sections.poincare_dataset import Quantity, section_task
 from flowlanes.flow.sections.poincare_map import PoincareMap, slab
 from flowlanes.formulas.array_evaluation import formula, values
@@ -159,9 +159,11 @@ def _starts(study: Study, system: System, starts: Starts) -> tuple[FloatArray, s
     if starts.level is None and starts.count == 1:
         return own, "the start of the experiment"
     level = dict(starts.level or _level(system, own))
-    chosen = level_sampler(system, level)
+    chosen = resampled_level(system, level)
     constants = ", ".join(f"{name} = {value:.6g}" for name, value in level.items())
-    sentence = f"{starts.count} drawn on {constants} by the {chosen.measure} (seed {starts.seed})"
+    sentence = (
+        f"{starts.count} drawn on {constants} by the {chosen.description} (seed {starts.seed})"
+    )
     return chosen.draw(starts.count, seed=starts.seed), sentence
 
 

@@ -41,6 +41,7 @@ OPTIONS: dict[str, tuple[str, ...]] = {
     "direction": ("Crossings to count: rising, falling or both.",),
     "angle": ("QUANTITY is an angle: take it modulo 2π.",),
     "precision": ("double (16 digits) or quad (34 digits); short for --set run.precision=….",),
+    "again": ("Compute the answer again, even if it is stored.",),
     # chaplygin animate
     "animate output": ("Film to write: .mp4, .webm, .gif, or .glb.", "FILE", "-o --output"),
     "rate": ("Frames per second.",),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -124,6 +125,11 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
             from ...experiment.study import Study
 
             study = Study(experiment, subject)
-    for remark in study.remarks:
-        inform(f"note: {remark}")
+    inform_remarks(study.remarks)
     return study
+
+
+def inform_remarks(remarks: Iterable[str]) -> None:
+    """Print remarks on the input."""
+    for remark in remarks:
+        inform(f"note: {remark}")

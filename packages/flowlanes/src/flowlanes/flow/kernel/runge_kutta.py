@@ -648,12 +648,15 @@ class RungeKuttaLoop(Generic[V]):
             self._advance(step_number, i)
         fifth, third = w.constant(0.0), w.constant(0.0)
         square = w.op("fmul", step, step)
-        # A variable that is close to zero is measured relative to 1e-6 of the acting variables.
-        whole = w.constant(1e-200)
+        # A variable that is close to zero is measured relative to 1e-6 of the acting variables, or,
+        # at rest in the origin, to 1e-12 of their change in the step.
+        whole, speed = w.constant(1e-200), w.constant(0.0)
         for i in self.equations.acting:
-            y = n.leading(self._y(i))
-            whole = w.call("fma", y, y, whole)
+            y, k = n.leading(self._y(i)), n.leading(n.load(self.place("rates"), i))
+            whole, speed = w.call("fma", y, y, whole), w.call("fma", k, k, speed)
         whole = w.op("fmul", whole, w.constant(1e-12))
+        change = w.op("fmul", w.op("fmul", speed, square), w.constant(1e-24))
+        whole = w.call("maxnum", whole, change)
         for group in self.equations.groups:
             e5, e3 = self._share(self._group(step_number, group), square, whole)
             fifth, third = w.op("fadd", fifth, e5), w.op("fadd", third, e3)

@@ -1,18 +1,15 @@
 """Random start points, uniformly distributed on a level of the integrals.
 
-Uniform means with respect to the invariant measure if one is known, and otherwise to the surface
-measure of the level in state space.  In terms of δ-functions the invariant measure of a level is ρ
-∏ δ(relations) ∏ δ(held integrals) dx, that is ρ / √det(G Gᵀ) times the surface measure, where the
-rows of G are the gradients of relations and held integrals (the Gelfand–Leray form).
-
-Points are drawn by rejection sampling, so they are independent and exactly distributed; each
-depends only on the seed and its own index.
+Uniform means with respect to the measure of :mod:`flowlanes.flow.sampling.level`.  Points are drawn
+by rejection sampling, so they are independent and exactly distributed; each depends only on the
+seed and its own index.  The bound of the density that this needs takes a second or more to find;
+:mod:`flowlanes.flow.sampling.resampling` does without it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -20,33 +17,22 @@ import numpy as np
 from ...arguments import Parameters, arguments_checked
 from ...errors import InputError
 from ...formulas.array_evaluation import parameter_rows
-from ...formulas.compiled import CompiledTerms, SystemFormulas
 from ...system.arrays import BoolArray, FloatArray, IntArray
-from ...system.laws import Measure
 from ...system.system import System
 from ..cost import require_room
 from ..devices.threads import map_in_threads
 from .counter_rng import counter_normals
-from .fibration import Fibration
 from .great_circles import GreatCircleProposal
-from .level_integrals import level_label, measure_label, measures, validate_level
-from .level_set_fibration import find_fibration
-from .proposals import Proposal, RayProposal, WeightedPoints, maximise
+from .level import MINDING_RESULTS, TRIAL, Level, prepare_level
+from .level_integrals import level_label
+from .proposals import maximise
 
 #: Number of attempts computed together.
 _BATCH = 1 << 14
 #: Bound of the density, relative to the largest value found.
 _MARGIN = 1.15
-#: Number of attempts from which the acceptance rate is estimated.
-_TRIAL = 1 << 11
 #: Number of attempts for one point after which the level counts as too thin.
 _MOST_ATTEMPTS = 10**6
-#: Number of Newton steps that project a point onto its level.
-_NEWTON = 2
-
-
-#: NaNs are detected in the results, and rejected there.
-_MINDING_RESULTS = np.errstate(over="ignore", invalid="ignore", divide="ignore")
 
 
 @arguments_checked
@@ -105,36 +91,29 @@ class LevelSampler:
 
     Attributes
     ----------
-    system : System
-    values : mapping of str to float
-        The held integrals.
-    parameters : array (p,)
-    measure : str
-        Which measure the points are drawn by: the name of the invariant measure and its source,
-        or "surface measure".
-    invariant : bool
-        Whether it is invariant under the motion.
+    level : Level
     """
 
-    system: System
-    values: Mapping[str, float]
-    parameters: FloatArray
-    measure: str
-    invariant: bool
-    _proposal: Proposal
-    _held_terms: CompiledTerms
-    _targets: FloatArray
-    _slopes: CompiledTerms
-    _density: CompiledTerms | None
+    level: Level
     _density_bound: float
     _tries: int
 
-    @_MINDING_RESULTS
+    @property
+    def measure(self) -> str:
+        """The measure by which points are drawn, with its source."""
+        return self.level.measure
+
+    @property
+    def invariant(self) -> bool:
+        """Whether that measure is invariant under the motion."""
+        return self.level.invariant
+
+    @MINDING_RESULTS
     def draw(self, count: int, *, seed: int = 0, first: int = 0) -> FloatArray:
         """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
         if count < 0:
             raise InputError(f"count = {count}: it must not be negative")
-        size = len(self.system.symbols)
+        size = len(self.level.system.symbols)
         # Drawing needs as much memory again as the points themselves.
         require_room(16.0 * count * size, None, f"{count:,} starts at once")
         points = np.empty((count, size))
@@ -148,8 +127,8 @@ class LevelSampler:
             tries = min(tries + 1, _BATCH)
             if attempt > _MOST_ATTEMPTS:
                 raise InputError(
-                    f"{self.system.name}: the level {level_label(self.values)} is too thin: no "
-                    f"point of it was met in {attempt} attempts"
+                    f"{self.level.system.name}: the level {level_label(self.level.values)} is too "
+                    f"thin: no point of it was met in {attempt} attempts"
                 )
         return points
 
@@ -170,13 +149,13 @@ class LevelSampler:
         """The first accepted attempt of each member, and which members have one."""
         from scipy.special import ndtr
 
-        many = self._proposal.numbers
+        many = self.level.proposal.numbers
         owners = np.repeat(members, tries)
         gauss = counter_normals(
             seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 1
         )
-        weighted_points = self._proposal.weighted_points(gauss[:many])
-        density = self.density(weighted_points)
+        weighted_points = self.level.proposal.weighted_points(gauss[:many])
+        density = self.level.density(weighted_points)
         thresholds = self._density_bound * ndtr(gauss[many])
         # At most one point of a proposal is accepted, each with the probability of its density.
         rank = np.arange(weighted_points.which.size) - np.searchsorted(
@@ -192,56 +171,20 @@ class LevelSampler:
             hit[here] = below & (thresholds[throw] < passed[throw])
         if (passed > self._density_bound).any():
             raise InputError(
-                f"{self.system.name}: the density of the level {level_label(self.values)} has no "
-                "bound that could be found: it lies next to a critical level"
+                f"{self.level.system.name}: the density of the level "
+                f"{level_label(self.level.values)} has no bound that could be found: it lies next "
+                "to a critical level"
             )
         accepted = np.flatnonzero(hit)
         owner, first = np.unique(weighted_points.which[accepted] // tries, return_index=True)
         done = np.zeros(members.size, dtype=bool)
         done[owner] = True
         states = np.ascontiguousarray(weighted_points.states[:, accepted[first]])
-        return self._onto_level(states).T, done
-
-    def _too_far(self) -> InputError:
-        return InputError(
-            f"{self.system.name}: the level {level_label(self.values)} is too far from 1 to "
-            "compute with: choose other units or numbers"
-        )
-
-    def density(self, weighted_points: WeightedPoints) -> FloatArray:
-        """The target density, relative to that of the proposals."""
-        return weighted_points.volume * self._weight(weighted_points.states)
-
-    def _weight(self, states: FloatArray) -> FloatArray:
-        """The target density, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
-        if self._density is not None:
-            density: FloatArray = np.abs(self._density(states, self.parameters)[0])
-            return density
-        slopes = self._gradients(states)
-        gram: FloatArray = slopes @ np.swapaxes(slopes, 1, 2)
-        result: FloatArray = np.sqrt(np.linalg.det(gram))
-        return result
-
-    def _gradients(self, states: FloatArray) -> FloatArray:
-        size, k = states.shape
-        flat = self._slopes(states, self.parameters).T
-        return np.ascontiguousarray(flat).reshape(k, self._targets.size, size)
-
-    def _onto_level(self, states: FloatArray) -> FloatArray:
-        """States projected onto the level by Newton's method."""
-        for _ in range(_NEWTON):
-            defect = self._held_terms(states, self.parameters) - self._targets[:, None]
-            slopes = self._gradients(states)
-            gram = slopes @ np.swapaxes(slopes, 1, 2)
-            if not np.isfinite(gram).all():
-                raise self._too_far()
-            share = np.linalg.solve(gram, np.ascontiguousarray(defect.T)[:, :, None])
-            states = states - (np.swapaxes(slopes, 1, 2) @ share)[:, :, 0].T
-        return states
+        return self.level.onto_level(states).T, done
 
 
 @arguments_checked
-@_MINDING_RESULTS
+@MINDING_RESULTS
 def level_sampler(
     system: System,
     level: Mapping[str, float],
@@ -280,60 +223,18 @@ def level_sampler(
     (5, 3)
     """
     values = parameter_rows(system, parameters, 1)[0]
-    validate_level(system, level, values)
-    sheet = SystemFormulas(system)
-    fibration = find_fibration(system, sheet, level, values)
-    proposal = _proposal(system, sheet, fibration, level, values)
-    law, density = _density(system, sheet, level, proposal, values)
-    conditions = [sheet.term_of(relation) for relation in system.scalar.relations]
-    integrals = {
-        law.name: sheet.term_of(law.value) for law in system.integrals if law.name in level
-    }
-    conditions += [integrals[name] for name in level]
-    blank = LevelSampler(
-        system=system,
-        values=dict(level),
-        parameters=values,
-        measure=measure_label(law),
-        invariant=law is not None,
-        _proposal=proposal,
-        _held_terms=CompiledTerms(conditions),
-        _targets=np.array([0.0] * len(system.relations) + [float(v) for v in level.values()]),
-        _slopes=CompiledTerms([term for row in sheet.slopes(conditions) for term in row]),
-        _density=density,
-        _density_bound=np.inf,
-        _tries=1,
-    )
-    return _with_bound_on_density(blank)
+    return sampler_of(prepare_level(system, level, values))
 
 
-def _density(
-    system: System,
-    sheet: SystemFormulas,
-    level: Mapping[str, float],
-    proposal: Proposal,
-    values: FloatArray,
-) -> tuple[Measure | None, CompiledTerms | None]:
-    """The invariant measure that has constant sign on the level, and its density."""
-    states = proposal.weighted_points(
-        counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
-    ).states
-    for law in measures(system, level, values):
-        density = CompiledTerms([sheet.term_of(law.value)])
-        signs = np.sign(density(states, values))
-        if signs.size and (np.isfinite(signs) & (signs == signs[0, 0])).all() and signs.all():
-            return law, density
-    return None, None
+def sampler_of(level: Level) -> LevelSampler:
+    """The exact sampler of a prepared level; raises InputError if the level has no point."""
+    _require_points(level)
+    return _with_bound_on_density(level)
 
 
-def _proposal(
-    system: System,
-    sheet: SystemFormulas,
-    fibration: Fibration,
-    level: Mapping[str, float],
-    values: FloatArray,
-) -> Proposal:
-    """The proposal distribution on the level; raises an error if the level is empty."""
+def _require_points(level: Level) -> None:
+    """Raise an error if the level has no point; the message names the values that are reached."""
+    system, fibration, values = level.system, level.proposal.fibration, level.parameters
 
     def excess(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
         places = fibration.uniform_points(gauss)
@@ -347,18 +248,13 @@ def _proposal(
         names = {c.name for c in (fibration.quadratic, *fibration.further)}
         raise _empty(
             system,
-            level,
+            level.values,
             names,
             f"{fibration.quadratic.name} is at least {fibration.quadratic.target - spare:.6g}",
         )
-    if not fibration.further:
-        return RayProposal(fibration, values)
-    if len(fibration.further) > 1:
-        raise InputError(
-            f"{system.name}: {' and '.join(c.name for c in fibration.further)} cannot both be held "
-            f"besides {fibration.quadratic.name}; one of them can"
-        )
-    slice_ = GreatCircleProposal.from_fibration(fibration, sheet, values)
+    if not isinstance(level.proposal, GreatCircleProposal):
+        return
+    slice_ = level.proposal
     (further,) = fibration.further
 
     def height_of(sign: float) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
@@ -377,9 +273,11 @@ def _proposal(
     )
     if not low < further.target < high:
         raise _empty(
-            system, level, {further.name}, f"{further.name} lies between {low:.6g} and {high:.6g}"
+            system,
+            level.values,
+            {further.name},
+            f"{further.name} lies between {low:.6g} and {high:.6g}",
         )
-    return slice_
 
 
 def _empty(system: System, level: Mapping[str, float], names: set[str], reach: str) -> InputError:
@@ -388,20 +286,20 @@ def _empty(system: System, level: Mapping[str, float], names: set[str], reach: s
     return InputError(f"{system.name}: the level {level_label(level)} is empty: {condition}{reach}")
 
 
-def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
-    """The level with a bound of the total density of the points of one proposal."""
-    proposal = level._proposal
+def _with_bound_on_density(level: Level) -> LevelSampler:
+    """The sampler of a level, with a bound of the total density of the points of one proposal."""
+    proposal = level.proposal
 
     def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
         weighted_points = proposal.weighted_points(gauss)
         return weighted_points.places, level.density(weighted_points)
 
-    trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
+    trial = counter_normals(0, np.arange(TRIAL), np.zeros(TRIAL), proposal.numbers)
     top, _ = maximise(proposal.fibration, height, proposal.nearby_proposals, proposal.numbers)
     bound = _MARGIN * proposal.most * top
-    share = height(trial)[1].sum() / (_TRIAL * bound)
+    share = height(trial)[1].sum() / (TRIAL * bound)
     if not np.isfinite(share):
-        raise level._too_far()
+        raise level.too_far()
     # Half of the average number of attempts per point, so that few are superfluous.
     tries = int(np.clip(0.5 / max(share, 1 / _BATCH), 1, _BATCH))
-    return replace(level, _density_bound=bound, _tries=tries)
+    return LevelSampler(level, bound, tries)

@@ -1,0 +1,1 @@
+"""Answers of ``show`` and ``prove``: computed, kept, and shipped for the catalogue."""
