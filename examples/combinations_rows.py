@@ -1,4 +1,4 @@
-"""The combinations of docs/combinations.md, and the command of every cell."""
+"""The combinations of nonholonomic/docs/combinations.md, and the command of every cell."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ import pytest
 
 from chaplygin.cli import main
 
-DOCS = Path(__file__).parents[1] / "docs"
+DOCS = Path(__file__).parents[1] / "packages/flowlanes/docs"
 PAGE = (DOCS / "charts.md").read_text()
 
 

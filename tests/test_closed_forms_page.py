@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-PAGE = (Path(__file__).parents[1] / "docs" / "closed-forms.md").read_text()
+PAGE = (Path(__file__).parents[1] / "packages/nonholonomic/docs/closed-forms.md").read_text()
 
 
 @pytest.mark.slow
@@ -31,4 +31,4 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_links_lead_somewhere() -> None:
     for target in re.findall(r"\]\(([^)#]+\.md)\)", PAGE):
-        assert (Path(__file__).parents[1] / "docs" / target).exists(), target
+        assert (Path(__file__).parents[1] / "packages/nonholonomic/docs" / target).exists(), target

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).parents[1]
-PAGE = (ROOT / "docs" / "engine.md").read_text()
+PAGE = (ROOT / "packages/flowlanes/docs/engine.md").read_text()
 
 
 @pytest.mark.slow
@@ -28,4 +28,4 @@ def test_files_and_links_are_there() -> None:
     for name in re.findall(r"`((?:flow|formulas)/[\w/]+\.py)`", PAGE):
         assert (ROOT / "src" / "chaplygin" / name).exists(), name
     for target in re.findall(r"\]\(([^)#:]+)\)", PAGE):
-        assert (ROOT / "docs" / target).exists(), target
+        assert (ROOT / "packages/flowlanes/docs" / target).exists(), target

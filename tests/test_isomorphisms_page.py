@@ -12,7 +12,7 @@ import pytest
 from flowlanes.flow.integrator import integrate
 
 ROOT = Path(__file__).parents[1]
-PAGE = (ROOT / "docs" / "isomorphisms.md").read_text()
+PAGE = (ROOT / "packages/nonholonomic/docs/isomorphisms.md").read_text()
 
 
 @pytest.mark.slow
@@ -29,6 +29,6 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_links_lead_somewhere() -> None:
     for target in re.findall(r"\]\(([^)#:]+)\)", PAGE):
-        assert (ROOT / "docs" / target).exists(), target
+        assert (ROOT / "packages/nonholonomic/docs" / target).exists(), target
     for name in re.findall(r"examples/\w+\.py", PAGE):
         assert (ROOT / name).exists(), name

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).parents[1]
-PAGE = (ROOT / "docs" / "lyapunov.md").read_text()
+PAGE = (ROOT / "packages/flowlanes/docs/lyapunov.md").read_text()
 
 
 @pytest.mark.slow
@@ -31,4 +31,4 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_files_and_links_are_there() -> None:
     for target in re.findall(r"\]\(([^)#:]+)\)", PAGE):
-        assert (ROOT / "docs" / target).exists(), target
+        assert (ROOT / "packages/flowlanes/docs" / target).exists(), target

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).parents[1]
-PAGE = (ROOT / "docs" / "orbits.md").read_text()
+PAGE = (ROOT / "packages/flowlanes/docs/orbits.md").read_text()
 
 
 @pytest.mark.slow
@@ -34,4 +34,4 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_links_lead_somewhere() -> None:
     for target in re.findall(r"\]\(([^)#:]+)\)", PAGE):
-        assert (ROOT / "docs" / target).exists(), target
+        assert (ROOT / "packages/flowlanes/docs" / target).exists(), target

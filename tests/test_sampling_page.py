@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-PAGE = (Path(__file__).parents[1] / "docs" / "sampling.md").read_text()
+PAGE = (Path(__file__).parents[1] / "packages/flowlanes/docs/sampling.md").read_text()
 
 
 @pytest.mark.slow
@@ -22,4 +22,4 @@ def test_the_steps_run_and_print_what_the_page_says(capsys: pytest.CaptureFixtur
 
 def test_links_lead_somewhere() -> None:
     for target in re.findall(r"\]\(([^)#]+\.md)\)", PAGE):
-        assert (Path(__file__).parents[1] / "docs" / target).exists(), target
+        assert (Path(__file__).parents[1] / "packages/flowlanes/docs" / target).exists(), target
