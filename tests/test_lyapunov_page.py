@@ -27,8 +27,3 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
     # the numbers on the page are those of its own steps, but for chaos
     written = [float(x) for x in re.findall(r"λ₁ = ([\d.]+) ± ([\d.]+)", PAGE)[0]]
     assert written == pytest.approx([first.value, first.error], abs=first.error)
-
-
-def test_files_and_links_are_there() -> None:
-    for target in re.findall(r"\]\(([^)#:]+)\)", PAGE):
-        assert (ROOT / "packages/flowlanes/docs" / target).exists(), target

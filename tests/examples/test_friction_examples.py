@@ -52,7 +52,7 @@ def said(number: str) -> str:
 
 def test_every_file_and_picture_of_the_page_exists() -> None:
     named = re.findall(r"(?<!tests/)examples/\w+\.(?:toml|py)", PAGE)
-    pictures = re.findall(r"\]\(([./]+/pictures/\w+\.png)\)", PAGE)
+    pictures = re.findall(r"\]\(([./]+docs/pictures/\w+\.png)\)", PAGE)
     assert len(set(named)) >= 14
     assert all((ROOT / name).exists() for name in named)
     assert len(pictures) >= 13
