@@ -152,7 +152,7 @@ ROOT = Path(__file__).parents[4]
 def test_the_page_lists_the_conditions():
     rows = [f"| {c.source} | {'; '.join(c.where)} |" for _, c in CLAIMS if c.where]
     table = (
-        (ROOT / "packages/lawproof/docs/proofs.md")
+        (ROOT / "packages/borisov-mamaev-2008/docs/audit.md")
         .read_text()
         .split("| claim | where |\n|---|---|\n")[1]
     )
@@ -170,7 +170,9 @@ def test_pages_and_results_that_arguments_name_are_there():
             assert f"**{result}. " in (ROOT / "packages" / page[0]).read_text(), source
 
 
-@pytest.mark.parametrize("page", ["README.md", "packages/lawproof/docs/proofs.md", "CHANGELOG.md"])
+@pytest.mark.parametrize(
+    "page", ["README.md", "packages/borisov-mamaev-2008/docs/audit.md", "CHANGELOG.md"]
+)
 def test_the_numbers_of_claims_in_the_documentation(page):
     """Each printed form is proven, proven where conditions hold, or put right.
 
