@@ -39,7 +39,14 @@ SUFFIXES = {
 }
 #: ``flow/trajectory.py``; of a file that a reader is to write, the text says so.
 FILE = re.compile(r"`((?:[a-z_]+/)+\w+\.py)`")
-TO_WRITE = {"packages/nonholonomic/src/nonholonomic/catalogue/mechanisms/skate.toml"}
+TO_WRITE = {
+    "packages/nonholonomic/src/nonholonomic/catalogue/mechanisms/skate.toml",
+    "packages/certificate-checker/tests/checker/test_forged_point.py",
+    "packages/lawproof/tests/proof/darboux.py",
+    "packages/lawproof/tests/proof/test_darboux.py",
+    "packages/nonholonomic/tests/mechanics/shapes/test_egg.py",
+    "packages/nonholonomic/tests/planted_kinds/egg.py",
+}
 #: The file of a link or picture, without the heading in it.
 LINK = re.compile(r"\]\(([^)\s#]+)")
 ROLE = re.compile(r":(?:mod|func|class|meth|data|attr):`~?([.\w]+)`")
