@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import inspect
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from importlib import import_module
 from typing import Any
@@ -98,13 +99,14 @@ def table(package: str, names: Iterable[str]) -> str:
     rows = "\n".join(
         f"| [{name}]({package}/{name}.md) | {first_line(package, name)} |" for name in names
     )
-    return f"| | |\n|---|---|\n{rows}"
+    return f"| name | |\n|---|---|\n{rows}"
 
 
 def first_line(package: str, name: str) -> str:
-    """The first line of the docstring of a public name."""
+    """The first line of the docstring of a public name, references as plain code."""
     thing = inspect.unwrap(getattr(import_module(package), name))
-    return (inspect.getdoc(thing) or "").partition("\n")[0]
+    line = (inspect.getdoc(thing) or "").partition("\n")[0]
+    return re.sub(r":\w+:`~?([^`]*)`", r"`\1`", line)
 
 
 def name_page(package: str, name: str) -> str:
