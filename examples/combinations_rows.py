@@ -1,4 +1,4 @@
-"""The combinations of docs/combinations.md, and the command of every cell."""
+"""The combinations of nonholonomic/docs/combinations.md, and the command of every cell."""
 
 from __future__ import annotations
 
@@ -302,15 +302,15 @@ FAMILIES = (
         "Any area constant (M + k, γ). The rotors add k to the momentum, Bruns' field is "
         "U = ½K(γ, Iγ). Each alone leaves the ball integrable; both together do not.\n\n"
         "![Sections: curves with rotors or with the field, scattered points with both]"
-        "(pictures/combinations_sections.png)\n\n"
+        "(../../../docs/pictures/combinations_sections.png)\n\n"
         "*Sections γ₃ = 0, rising, at energy 6 and area constant 1 "
-        "([combinations_sections.py](../examples/combinations_sections.py)).*",
+        "([combinations_sections.py](../../../examples/combinations_sections.py)).*",
         _plane(),
     ),
     Family(
         "Ball on or in a sphere, any ratio of the radii",
         "Marble contact; k = a/(a ± R) is left a symbol in the search. Exponents: one motion for "
-        "k = −½; many motions and ratios are in [charts.md](charts.md).",
+        "k = −½; many motions and ratios are in [charts.md](../../flowlanes/docs/charts.md).",
         _sphere("sphere", ""),
     ),
     Family(

@@ -1,7 +1,7 @@
 """Combinations of §12's first problem: what is proven, refuted, observed, undecided of each.
 
 Every cell of the table is the outcome of one command; this script runs them all, keeps the outcomes
-in examples/combinations/verdicts.json, and writes docs/combinations.md.
+in examples/combinations/verdicts.json, and writes nonholonomic/docs/combinations.md.
 
     python examples/combinations_table.py                    missing outcomes, and the page
     python examples/combinations_table.py plane-11           the commands of a row, their outcomes
@@ -26,7 +26,7 @@ from combinations_rows import FAMILIES, ROWS, Row
 
 HERE = Path(__file__).parent
 FILE = HERE / "combinations" / "verdicts.json"
-PAGE = HERE.parent / "docs" / "combinations.md"
+PAGE = HERE.parent / "packages/nonholonomic/docs/combinations.md"
 
 
 # --- outcomes --------------------------------------------------------------------------------
@@ -263,7 +263,7 @@ def summary(outcomes: dict[str, dict[str, Any]]) -> str:
 
 
 def page(outcomes: dict[str, dict[str, Any]]) -> str:
-    """docs/combinations.md."""
+    """nonholonomic/docs/combinations.md."""
     parts = [(HERE / "combinations" / "preface.md").read_text(encoding="utf-8").rstrip()]
     parts.append(f"## Overview\n\n{summary(outcomes)}")
     for family in FAMILIES:

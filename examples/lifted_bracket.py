@@ -1,7 +1,8 @@
 """Whether the Poisson bracket of a rolling ball can be lifted to its whole attitude: exactly.
 
 At an attitude with rational numbers the equations for a bracket of cotangent type are solved, or
-shown to have no solution; docs/open-problems.md has the proof for every attitude and body.
+shown to have no solution; borisov-mamaev-2008/docs/open-problems.md has the proof for every
+attitude and body.
 
     python examples/lifted_bracket.py
 """

@@ -1,4 +1,6 @@
-"""Certificates of the quadratic integrals in n dimensions (docs/quadratic-integrals.md).
+"""Certificates of the quadratic integrals in n dimensions.
+
+The theorems and their proofs are in nonholonomic/docs/quadratic-integrals.md.
 
     python examples/quadratic_integrals.py [--long]
 

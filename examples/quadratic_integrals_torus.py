@@ -5,9 +5,9 @@
 Were the flow on an invariant torus conjugate to a linear one, in whatever time, and one orbit
 closed, then all would be closed and wind around alike.  On the levels found here the orbit from
 φ = (0, 0, 0) is closed with the winding numbers 4 : 3 : 2 and that from (0, 0, π) is not.  The flow
-is (5) of docs/quadratic-integrals.md with φ_1 for the time; a step of the Taylor series is enclosed
-by balls with its remainder, and the zeros f_1, f_2 of the level are shown to exist by the theorem
-of Krawczyk.  Then a section of a nearby level of the top is drawn.
+is (5) of nonholonomic/docs/quadratic-integrals.md with φ_1 for the time; a step of the Taylor
+series is enclosed by balls with its remainder, and the zeros f_1, f_2 of the level are shown to
+exist by the theorem of Krawczyk.  Then a section of a nearby level of the top is drawn.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 Four robots of radius 1 m: a marble with three rotors; a marble with two rotors, whose attitude at
 the start is left to the planner; a rubber ball with two rotors; and a homogeneous shell with a
 pendulum.  The speeds of rotors and joints are found by direct collocation, and each motion is
-integrated anew with them.  See ``docs/control.md``.
+integrated anew with them.  See ``nonholonomic/docs/control.md``.
 
 Run with::
 

@@ -7,7 +7,7 @@ Then p′∧γ′ times a power of φ′ is constant in the body, entry by entry
     (p″∧γ″) φ″^(1/(2ε) − 1),    φ″ = (B + mR²)|γ″|² + (C + mR²)|γ′|².
 
 The rates of these integrals are proven to vanish with A, B, C, m, R and a as symbols, and another
-power is refuted; docs/open-problems.md has the argument for every n.
+power is refuted; borisov-mamaev-2008/docs/open-problems.md has the argument for every n.
 """
 
 from __future__ import annotations

@@ -1,15 +1,17 @@
-"""Files of the package whose functions are entered on a walk, as docs/architecture.md counts them.
+"""Files of the packages whose functions are entered on a walk, as docs/architecture.md counts them.
 
-    python scripts/files_entered.py study|report|verdict|solution [--list]
+    python scripts/files_entered.py file|prove|solve|ensemble|study [--list]
 
-What runs while a module is imported is not counted.  The report is written to a folder of its own
-that is removed; a verdict that is cached takes fewer files: point FLOWLANES_CACHE at an empty one.
+What runs while a module is imported is not counted.  The report of `study` is written to a folder
+of its own that is removed; a verdict that is cached takes fewer files: point FLOWLANES_CACHE at an
+empty one.
 """
 
 from __future__ import annotations
 
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Callable
 from contextlib import nullcontext
 from pathlib import Path
@@ -17,33 +19,35 @@ from types import FrameType
 from unittest.mock import patch
 
 import chaplygin as ch
+import nonholonomic
 from chaplygin.cli import main
 
-HOME = str(Path(ch.__file__).parent)
-EXAMPLE = Path(__file__).parents[1] / "examples" / "rattleback.toml"
+PACKAGES = Path(__file__).parents[1] / "packages"
+EXAMPLE = PACKAGES.parent / "examples" / "rattleback.toml"
 
 
 def files_entered(walk: Callable[[], object]) -> list[str]:
-    """Paths below the package, in order, of the files with functions that a walk enters."""
-    files: set[str] = set()
+    """The files with functions that a walk enters, in the order of the first entry."""
+    home = f"{PACKAGES}/"
+    files: dict[str, None] = {}
 
     def note(frame: FrameType, event: str, _: object) -> None:
         file = frame.f_code.co_filename
-        if event != "call" or file in files or not (file.startswith(HOME) and file.endswith(".py")):
+        if event != "call" or file in files or not (file.startswith(home) and file.endswith(".py")):
             return
         caller: FrameType | None = frame
         while caller is not None:
-            if caller.f_code.co_name == "<module>" and caller.f_code.co_filename.startswith(HOME):
+            if caller.f_code.co_name == "<module>" and caller.f_code.co_filename.startswith(home):
                 return
             caller = caller.f_back
-        files.add(file)
+        files[file] = None
 
     sys.setprofile(note)
     try:
         walk()
     finally:
         sys.setprofile(None)
-    return sorted(file[len(HOME) + 1 :] for file in files)
+    return [file.split("/src/")[1] for file in files]
 
 
 def write_report(folder: str) -> None:
@@ -59,12 +63,15 @@ def write_report(folder: str) -> None:
 
 def walk_of(name: str, folder: str) -> Callable[[], object]:
     """A walk by its name, with all that comes before it done."""
-    veselova = ch.from_catalogue("veselova")
+    entry = nonholonomic.CATALOGUE["veselova"]
+    veselova, start = entry.system(), entry.start.values
+    state = ch.initial_state(veselova, **start)[: len(veselova.symbols)]
     walks: dict[str, Callable[[], object]] = {
-        "study": lambda: ch.Study.from_experiment(ch.load_experiment(EXAMPLE)),
-        "report": lambda: write_report(folder),
-        "verdict": lambda: ch.prove(veselova, veselova.integrals[0]),
-        "solution": lambda: ch.solve(veselova, ch.CATALOGUE["veselova"].start.values),
+        "file": lambda: ch.Study.from_experiment(ch.load_experiment(EXAMPLE)),
+        "prove": lambda: ch.prove(veselova, veselova.integrals[0]),
+        "solve": lambda: ch.solve(veselova, start),
+        "ensemble": lambda: ch.ensemble(veselova, [state] * 50, [0.0, 1.0]),
+        "study": lambda: write_report(folder),
     }
     return walks[name]
 
@@ -73,6 +80,8 @@ if __name__ == "__main__":
     name, *listed = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
         entered = files_entered(walk_of(name, folder))
-    print(f"{name}: {len(entered)} files")
+    counts = Counter(file.split("/")[0] for file in entered)
+    parts = ", ".join(f"{count} of {package}" for package, count in counts.most_common())
+    print(f"{name}: {len(entered)} files ({parts})")
     if listed:
         print("\n".join(entered))

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
 
 from workspace import HOMES, ORDER, ROOT, folded, imports, modules
 
@@ -37,6 +43,14 @@ ROOMS = {
 }
 
 
+#: Modules of steps that are entered where a law is refuted, on a cluster, or with a store.
+ELSEWHERE = {
+    "certificate_checker/certificate_points.py",
+    "flowlanes/flow/ensembles/dask.py",
+    "flowlanes/flow/ensembles/zarr_store.py",
+}
+
+
 def test_the_picture_of_the_packages() -> None:
     real = folded(GRAPH, NAMED, 1)
     assert PACKAGES.keys() | set().union(*PACKAGES.values()) == set(ORDER)
@@ -67,3 +81,20 @@ def test_every_file_that_is_named_is_there() -> None:
     places = (ROOT, *(home.parent for home in HOMES.values()))
     for name in re.findall(r"`(\w+/[\w/]+\.py)`", PAGE):
         assert any((place / name).exists() for place in places), name
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("walk", ["prove", "solve", "ensemble", "study"])
+def test_the_modules_of_a_walk_are_entered_in_its_steps(walk: str, tmp_path: Path) -> None:
+    (section,) = re.findall(rf"^### [^\n]*: `{walk}`\n(.*?)^###", PAGE, re.MULTILINE | re.DOTALL)
+    steps = "".join(re.findall(r"^\d\. .*?(?=^\S|\Z)", section, re.MULTILINE | re.DOTALL))
+    printed = subprocess.run(
+        [sys.executable, str(ROOT / "scripts" / "files_entered.py"), walk, "--list"],
+        env=os.environ | {"FLOWLANES_CACHE": str(tmp_path)},
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout
+    named = set(re.findall(r"`(\w+/[\w/]+\.py)`", steps))
+    assert len(named) >= 8
+    assert named - ELSEWHERE - set(printed.splitlines()) == set()

@@ -13,7 +13,11 @@ from nonholonomic.system_files.open_kinds import GROUP
 from workspace import HOMES, ORDER, modules
 
 TOP = Path(__file__).parents[1]
-PAGES = [*TOP.glob("*.md"), *(TOP / "docs").rglob("*.md")]
+PAGES = [
+    *TOP.glob("*.md"),
+    *TOP.glob("packages/*/*.md"),
+    *(page for docs in (TOP / "docs", *TOP.glob("packages/*/docs")) for page in docs.rglob("*.md")),
+]
 
 #: ``flowlanes.flow.trajectory``, but not ``chaplygin.toml`` or an address on the web.
 _PACKAGES = "|".join(ORDER)
@@ -35,7 +39,16 @@ SUFFIXES = {
 }
 #: ``flow/trajectory.py``; of a file that a reader is to write, the text says so.
 FILE = re.compile(r"`((?:[a-z_]+/)+\w+\.py)`")
-TO_WRITE = {"packages/nonholonomic/src/nonholonomic/catalogue/mechanisms/skate.toml"}
+TO_WRITE = {
+    "packages/nonholonomic/src/nonholonomic/catalogue/mechanisms/skate.toml",
+    "packages/certificate-checker/tests/checker/test_forged_point.py",
+    "packages/lawproof/tests/proof/darboux.py",
+    "packages/lawproof/tests/proof/test_darboux.py",
+    "packages/nonholonomic/tests/mechanics/shapes/test_egg.py",
+    "packages/nonholonomic/tests/planted_kinds/egg.py",
+}
+#: The file of a link or picture, without the heading in it.
+LINK = re.compile(r"\]\(([^)\s#]+)")
 ROLE = re.compile(r":(?:mod|func|class|meth|data|attr):`~?([.\w]+)`")
 
 
@@ -86,6 +99,19 @@ def test_names_and_files_in_pages(page: Path) -> None:
     files = set(FILE.findall(text)) - TO_WRITE
     roots = (TOP, *(home.parent for home in HOMES.values()), page.parent)
     assert [file for file in files if not any((root / file).exists() for root in roots)] == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(TOP)))
+def test_links_lead_to_files(page: Path) -> None:
+    text = re.sub(r"^```.*?^```$|^    [^\n]*$", "", page.read_text("utf-8"), flags=re.M | re.S)
+    links = [link for link in LINK.findall(text) if not re.match(r"https?:|mailto:", link)]
+    assert [link for link in links if not (page.parent / link).exists()] == []
+
+
+def test_a_page_has_a_name_of_its_own() -> None:
+    """Code refers to pages as ``docs/NAME.md``: of its own package, or of the one it names."""
+    names = [page.name for page in TOP.glob("packages/*/docs/*.md") if page.name != "index.md"]
+    assert [name for name in set(names) if names.count(name) > 1] == []
 
 
 @pytest.mark.slow

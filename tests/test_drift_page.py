@@ -14,7 +14,7 @@ from chaplygin.report.summary import drift
 from flowlanes.flow.integrator import integrate
 from nonholonomic.catalogue import CATALOGUE
 
-PAGE = (Path(__file__).parents[1] / "docs" / "drift.md").read_text()
+PAGE = (Path(__file__).parents[1] / "packages/nonholonomic/docs/drift.md").read_text()
 ROWS = {
     name: (float(until), float(size))
     for name, until, size in re.findall(r"^\| ([\w-]+) \| ([\d.]+) \| \d+ \| (\S+) \|", PAGE, re.M)

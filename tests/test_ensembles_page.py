@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-PAGE = (Path(__file__).parents[1] / "docs" / "ensembles.md").read_text()
+PAGE = (Path(__file__).parents[1] / "packages/flowlanes/docs/ensembles.md").read_text()
 
 
 @pytest.mark.slow

@@ -1,4 +1,4 @@
-"""MEGNO of regular motions: the numbers of docs/charts.md, most of them below 2."""
+"""MEGNO of regular motions: the numbers of flowlanes/docs/charts.md, most of them below 2."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import sympy as sp
 import chaplygin as ch
 from flowlanes.lyapunov.indicators import megno
 
-PAGE = (Path(__file__).parents[1] / "docs" / "charts.md").read_text(encoding="utf-8")
+PAGE = (Path(__file__).parents[1] / "packages/flowlanes/docs/charts.md").read_text(encoding="utf-8")
 x, v = sp.symbols("x v", real=True)
 
 

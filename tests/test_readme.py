@@ -105,8 +105,3 @@ def test_the_equations_are_the_ones_that_show_prints(
     shown = capsys.readouterr().out
     for line in block("text", "Equations of motion").splitlines():
         assert line in shown
-
-
-def test_links_lead_somewhere() -> None:
-    for target in re.findall(r"\]\(([^)#]+)\)", README):
-        assert (ROOT / target).exists(), target

@@ -36,18 +36,28 @@ SOURCE, FILES, SITE = BUILD / "site-source", BUILD / "site-files", BUILD / "site
 STORE = BUILD / "site-cache" / program_digest()[:16]
 #: An exhibit is another also where another thing is asked of the program.
 EXHIBITED = hashlib.sha256((HOME / "exhibits.py").read_bytes()).hexdigest()[:8]
-#: Pages of the repository that are pages of the site, beside docs/.
+#: Folders of pages, of the whole and of each package.
+DOCS = (ROOT / "docs", *sorted(ROOT.glob("packages/*/docs")))
+#: Pages of the repository that are pages of the site besides.
 PAGES = (
-    *("CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "CODE_OF_CONDUCT.md"),
-    "benchmarks/README.md",
+    *(ROOT / name for name in ("CHANGELOG.md", "SECURITY.md", "CODE_OF_CONDUCT.md")),
+    *(ROOT / "CONTRIBUTING.md", *sorted(ROOT.glob("packages/*/CONTRIBUTING.md"))),
+    ROOT / "benchmarks/README.md",
 )
-#: What they link to, and the examples that cells read, which are run in the folder of their page.
-LINKED = (
-    "packages",
-    "tests",
-    "examples",
-    *(f"docs{at}/examples" for at in ("", "/start", "/course", "/compare")),
-)
+#: What pages link to, and the examples that cells read, which are run in the folder of their page.
+LINKED = {
+    **{Path(name): ROOT / name for name in ("tests", "examples", "scripts")},
+    **{
+        path.relative_to(ROOT): path
+        for package in ROOT.glob("packages/*")
+        for path in (package / "src", package / "tests")
+    },
+    **{
+        path.parent.relative_to(ROOT) / "examples": ROOT / "examples"
+        for docs in DOCS
+        for path in docs.rglob("*.md")
+    },
+}
 
 
 def main() -> int:
@@ -95,6 +105,10 @@ def pages_of(folder: Path) -> set[Path]:
 def lay_out(most: int | None) -> None:
     """Write pages where Sphinx reads them; what is no longer there goes."""
     wanted = dict(written()) | {Path(place): text.encode() for place, text in generated(most)}
+    # before anything is written: nothing may be written through a link
+    for path in links(SOURCE):
+        if path.relative_to(SOURCE) not in LINKED:
+            path.unlink()
     for place, content in wanted.items():
         write(content, SOURCE / place)
     for path in files(SOURCE):
@@ -103,16 +117,17 @@ def lay_out(most: int | None) -> None:
     for folder, _, _ in os.walk(SOURCE, topdown=False):
         if not any(Path(folder).iterdir()):
             Path(folder).rmdir()
-    for name in LINKED:
-        if not (SOURCE / name).exists():
-            (SOURCE / name).symlink_to(ROOT / Path(name).name)
+    for place, target in LINKED.items():
+        if not (SOURCE / place).exists():
+            (SOURCE / place).parent.mkdir(parents=True, exist_ok=True)
+            (SOURCE / place).symlink_to(target)
 
 
 def written() -> Iterator[tuple[Path, bytes]]:
     """Pages and pictures that are kept in the repository."""
     for path in files(HOME / "pages"):
         yield path.relative_to(HOME / "pages"), path.read_bytes()
-    for path in [*files(ROOT / "docs"), *(ROOT / name for name in PAGES)]:
+    for path in [*(path for docs in DOCS for path in files(docs)), *PAGES]:
         yield path.relative_to(ROOT), path.read_bytes()
 
 
@@ -162,6 +177,12 @@ def tenths(what: str) -> Callable[[float], None]:
 def files(folder: Path) -> list[Path]:
     """All files below a folder; links to other folders are not followed."""
     return sorted(Path(at) / name for at, _, names in os.walk(folder) for name in names)
+
+
+def links(folder: Path) -> list[Path]:
+    """All links to folders below a folder."""
+    found = (Path(at) / name for at, names, _ in os.walk(folder) for name in names)
+    return [path for path in found if path.is_symlink()]
 
 
 def write(content: bytes, place: Path) -> None:

@@ -27,11 +27,17 @@ def pages(judgements: Sequence[Judgement]) -> Iterator[tuple[str, str]]:
     environment.filters["findings"] = judged_findings
     claims = list(zip(anchors(judgements), judgements, strict=True))
     wrong = [(anchor, j) for anchor, j in claims if j.printed.decision == "refuted"]
+    totals = counts(judgements)
     shared = {
         "version": __version__,
         "titles": TITLES,
         "decisions": DECISIONS,
-        "counts": counts(judgements),
+        "counts": totals,
+        # what no claim is has no column
+        "columns": {
+            form: [decision for decision in DECISIONS if by_decision[decision]]
+            for form, by_decision in totals.items()
+        },
         "sections": sorted({j.section for j in judgements}),
         "by_section": {
             n: counts(j for j in judgements if j.section == n)

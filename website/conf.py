@@ -29,7 +29,14 @@ extensions = [
     "formulas",
     "names",
 ]
-exclude_patterns = ["packages", "tests", "examples", "**/examples"]
+exclude_patterns = [
+    "packages/*/src",
+    "packages/*/tests",
+    "tests",
+    "scripts",
+    "examples",
+    "**/examples",
+]
 nitpicky = True
 suppress_warnings = ["myst.header", "bibtex.missing_field"]
 
@@ -72,7 +79,7 @@ html_copy_source = False
 html_show_sphinx = False
 html_theme_options = {
     "logo": {"text": "chaplygin"},
-    "header_links_before_dropdown": 8,
+    "header_links_before_dropdown": 9,
     "navbar_align": "left",
     "show_prev_next": True,
     "show_toc_level": 2,

@@ -5,19 +5,18 @@ A name that the program does not have stays unresolved, which is a warning, and 
 
 from __future__ import annotations
 
+import inspect
 from importlib import import_module
 from typing import Any
 
-import chaplygin
-
 #: Packages whose names docstrings mention.
 PACKAGES = (
-    "borisov_mamaev_2008",
-    "certificate_checker",
-    "chaplygin",
     "flowlanes",
     "lawproof",
+    "certificate_checker",
     "nonholonomic",
+    "chaplygin",
+    "borisov_mamaev_2008",
 )
 
 
@@ -35,6 +34,11 @@ def found(target: str) -> Any:
     return None
 
 
+def home_of(thing: Any) -> str:
+    """The package in which something is defined; empty for a plain value."""
+    return str(getattr(inspect.unwrap(thing), "__module__", "")).split(".")[0]
+
+
 def _resolve(app: Any, env: Any, node: Any, content: Any) -> Any:
     if node.get("refdomain") != "py":
         return None
@@ -43,10 +47,11 @@ def _resolve(app: Any, env: Any, node: Any, content: Any) -> Any:
     if thing is None:
         return None
     name = target.rpartition(".")[2]
-    if getattr(chaplygin, name, None) is thing and f"reference/names/{name}" in env.all_docs:
+    page = f"reference/{home_of(thing)}/{name}"
+    if page in env.all_docs and getattr(import_module(home_of(thing)), name, None) is thing:
         from sphinx.util.nodes import make_refnode
 
-        return make_refnode(app.builder, node["refdoc"], f"reference/names/{name}", None, content)
+        return make_refnode(app.builder, node["refdoc"], page, None, content)
     return content
 
 

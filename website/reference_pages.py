@@ -1,29 +1,36 @@
-"""Reference pages: public names, the command line, the keys of the experiment file."""
+"""Reference pages: names of each package, the command line, the keys of the experiment file."""
 
 from __future__ import annotations
 
 import html
 import inspect
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from importlib import import_module
 from typing import Any
 
-import chaplygin
+from names import PACKAGES, home_of
 
 #: The folders of the packages by what their names are for, in the order of a study.
 SUBJECTS = {
     "nonholonomic.mechanics": "Bodies, surfaces, mechanisms",
     "nonholonomic.catalogue": "The catalogue",
-    "flowlanes.system": "Systems and laws",
-    "lawproof.proof": "Proofs",
     "nonholonomic.classification": "The hierarchy of dynamics",
     "nonholonomic.invariant_measures": "Invariant measures",
     "nonholonomic.closed_form": "Closed forms",
+    "flowlanes.system": "Systems and laws",
     "flowlanes.flow": "Motions",
     "flowlanes.lyapunov": "Lyapunov exponents",
     "flowlanes.orbits": "Orbits",
-    "chaplygin.experiment": "Experiments and files",
     "flowlanes.printing": "Formulas as code",
     "flowlanes.errors": "Errors",
+    "lawproof.proof": "Proofs",
+    "lawproof.search": "The search for laws",
+    "chaplygin.experiment": "Experiments and files",
+    "certificate_checker.certificate": "The check",
+    "certificate_checker.claim": "Errors",
+    "borisov_mamaev_2008.claim": "Claims and remarks",
+    "borisov_mamaev_2008.collection": "The claims of a section",
 }
 
 
@@ -35,56 +42,82 @@ def pages(schema: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     schema : mapping
         That of experiment files.
     """
-    groups = names_by_subject()
-    yield "reference/names.md", names_page(groups)
-    for name in (name for listed in groups.values() for name in listed):
-        yield f"reference/names/{name}.md", name_page(name)
+    for package in PACKAGES:
+        yield f"reference/{package}.md", names_page(package)
+        for name in own_names(package):
+            yield f"reference/{package}/{name}.md", name_page(package, name)
     yield "reference/command-line.md", commands_page()
     yield "reference/experiment-keys.md", keys_page(schema)
 
 
-def names_by_subject() -> dict[str, list[str]]:
-    """The public names by the folder that they come from."""
-    groups: dict[str, list[str]] = {folder: [] for folder in SUBJECTS}
-    for name in sorted(set(chaplygin.__all__) - {"__version__", "CATALOGUE"}, key=str.lower):
-        thing = getattr(chaplygin, name)
-        if not inspect.ismodule(thing):
-            groups[".".join(inspect.unwrap(thing).__module__.split(".")[:2])].append(name)
-    return groups
+def public_names(package: str) -> list[str]:
+    """The public functions and classes of a package, in alphabetical order."""
+    module = import_module(package)
+    found = (name for name in module.__all__ if is_documented(getattr(module, name)))
+    return sorted(found, key=str.lower)
 
 
-def names_page(groups: Mapping[str, list[str]]) -> str:
-    """The public names in groups, each with the first line of its docstring."""
-    parts = [
-        "# Public names\n",
-        "`import chaplygin as ch` makes all of them available as `ch.NAME`. `ch.CATALOGUE` is the "
-        "dictionary of the catalogue's entries by name; the [gallery](/gallery/index.md) shows "
-        "them.\n",
-    ]
-    for folder, listed in groups.items():
+def is_documented(thing: object) -> bool:
+    """Whether something is a function or a class of the workspace, which has a page."""
+    return inspect.isroutine(inspect.unwrap(thing)) or inspect.isclass(thing)  # type: ignore[arg-type]
+
+
+def own_names(package: str) -> list[str]:
+    """The public names of a package that no package below it has made."""
+    module = import_module(package)
+    return [name for name in public_names(package) if home_of(getattr(module, name)) == package]
+
+
+def names_page(package: str) -> str:
+    """The public names of a package in groups, each with the first line of its docstring."""
+    module = import_module(package)
+    own = own_names(package)
+    parts = [f"# Names of {package}\n", f"`import {package}` makes them available.\n"]
+    for folder, title in SUBJECTS.items():
+        listed = [name for name in own if folder_of(getattr(module, name)) == folder]
         if listed:
-            rows = "\n".join(
-                f"| [{name}](names/{name}.md) | {first_line(name)} |" for name in listed
-            )
-            parts.append(f"## {SUBJECTS[folder]}\n\n| | |\n|---|---|\n{rows}\n")
-    parts.append("```{toctree}\n:hidden:\n:glob:\n\nnames/*\n```\n")
+            parts.append(f"## {title}\n\n{table(package, listed)}\n")
+    for other in PACKAGES:
+        listed = [
+            name
+            for name in public_names(package)
+            if other != package and home_of(getattr(module, name)) == other
+        ]
+        if listed:
+            parts.append(f"## From {other}\n\n{table(other, listed)}\n")
+    parts.append(f"```{{toctree}}\n:hidden:\n:glob:\n\n{package}/*\n```\n")
     return "\n".join(parts)
 
 
-def first_line(name: str) -> str:
-    """The first line of the docstring of a public name."""
-    return (inspect.getdoc(inspect.unwrap(getattr(chaplygin, name))) or "").partition("\n")[0]
+def folder_of(thing: object) -> str:
+    """The folder of a package in which something is defined."""
+    return ".".join(inspect.unwrap(thing).__module__.split(".")[:2])  # type: ignore[arg-type]
 
 
-def name_page(name: str) -> str:
+def table(package: str, names: Iterable[str]) -> str:
+    """Names of a package with the first lines of their docstrings."""
+    rows = "\n".join(
+        f"| [{name}]({package}/{name}.md) | {first_line(package, name)} |" for name in names
+    )
+    return f"| name | |\n|---|---|\n{rows}"
+
+
+def first_line(package: str, name: str) -> str:
+    """The first line of the docstring of a public name, references as plain code."""
+    thing = inspect.unwrap(getattr(import_module(package), name))
+    line = (inspect.getdoc(thing) or "").partition("\n")[0]
+    return re.sub(r":\w+:`~?([^`]*)`", r"`\1`", line)
+
+
+def name_page(package: str, name: str) -> str:
     """The docstring of a public name, and of its public methods."""
-    thing = inspect.unwrap(getattr(chaplygin, name))
+    thing = inspect.unwrap(getattr(import_module(package), name))
     if inspect.isclass(thing):
         members = "\n   :members:\n   :undoc-members:" if not issubclass(thing, Exception) else ""
         directive = f".. autoclass:: {name}{members}"
     else:
         directive = f".. autofunction:: {name}"
-    return f"# {name}\n\n```{{eval-rst}}\n.. currentmodule:: chaplygin\n\n{directive}\n```\n"
+    return f"# {name}\n\n```{{eval-rst}}\n.. currentmodule:: {package}\n\n{directive}\n```\n"
 
 
 def commands_page() -> str:
@@ -117,7 +150,7 @@ def keys_page(schema: Mapping[str, Any]) -> str:
     parts = [
         "# Keys of the experiment file\n",
         "From the schema by which files are checked; "
-        "[The experiment file](/docs/experiment-file.md) "
+        "[The experiment file](/packages/chaplygin/docs/experiment-file.md) "
         "explains them. An editor completes keys and marks mistakes if the schema lies beside the "
         "file and the file begins with its name, where the editor reads such a line (Even Better "
         "TOML, Taplo):\n",

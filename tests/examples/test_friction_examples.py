@@ -27,7 +27,7 @@ from nonholonomic.contact.pressure.pressure import CoupledFriction, Ring, Unifor
 from nonholonomic.contact.starts import start_in_space
 
 ROOT = Path(__file__).parents[2]
-PAGE = (ROOT / "docs" / "friction.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "packages/nonholonomic/docs/friction.md").read_text(encoding="utf-8")
 NAMES = ("tippe_top", "sliding_disk", "eulers_disk", "friction_figures", "disk_on_ice")
 
 
@@ -43,7 +43,7 @@ def examples() -> Iterator[dict[str, ModuleType]]:
 
 def said(number: str) -> str:
     """A number as the page prints it."""
-    assert number in PAGE, f"docs/friction.md does not say {number}"
+    assert number in PAGE, f"nonholonomic/docs/friction.md does not say {number}"
     return number
 
 
@@ -52,11 +52,11 @@ def said(number: str) -> str:
 
 def test_every_file_and_picture_of_the_page_exists() -> None:
     named = re.findall(r"(?<!tests/)examples/\w+\.(?:toml|py)", PAGE)
-    pictures = re.findall(r"\]\((pictures/\w+\.png)\)", PAGE)
+    pictures = re.findall(r"\]\(([./]+docs/pictures/\w+\.png)\)", PAGE)
     assert len(set(named)) >= 14
     assert all((ROOT / name).exists() for name in named)
     assert len(pictures) >= 13
-    assert all((ROOT / "docs" / name).exists() for name in pictures)
+    assert all((ROOT / "packages/nonholonomic/docs" / name).exists() for name in pictures)
 
 
 def test_every_test_of_the_page_exists() -> None:

@@ -11,7 +11,7 @@ from types import ModuleType
 import pytest
 
 ROOT = Path(__file__).parents[2]
-PAGE = (ROOT / "docs" / "hierarchy.md").read_text()
+PAGE = (ROOT / "packages/nonholonomic/docs/hierarchy.md").read_text()
 
 
 @pytest.fixture(scope="module")

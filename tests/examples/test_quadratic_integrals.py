@@ -1,4 +1,4 @@
-"""The certificates of docs/quadratic-integrals.md."""
+"""The certificates of nonholonomic/docs/quadratic-integrals.md."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import sympy as sp
 from flint import arb, ctx
 
 ROOT = Path(__file__).parents[2]
-PAGE = (ROOT / "docs" / "quadratic-integrals.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "packages/nonholonomic/docs/quadratic-integrals.md").read_text(encoding="utf-8")
 BODY = [[0, 5, 14, 31], [5, 0, 17, 34], [14, 17, 0, 43], [31, 34, 43, 0]]
 
 
@@ -176,4 +176,4 @@ def test_what_the_page_shows_runs(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_the_picture_is_there() -> None:
     (picture,) = re.findall(r"!\[.*?\]\((.*?)\)", PAGE)
-    assert (ROOT / "docs" / picture).exists()
+    assert (ROOT / "packages/nonholonomic/docs" / picture).exists()

@@ -65,7 +65,10 @@ def pages() -> list[Path]:
     """One page of each folder, and all of those without many like them."""
     found = [path for path in sorted(SITE.rglob("*.html")) if "_static" not in path.parts]
     many = [
-        path for path in found if path.parent.name in ("names", "systems", "experiments", "live")
+        path
+        for path in found
+        if path.parent.name in ("systems", "experiments", "live")
+        or path.parent.parent.name == "reference"
     ]
     return [*(path for path in found if path not in many), *many[::8]]
 

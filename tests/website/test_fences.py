@@ -49,10 +49,25 @@ def test_fences_of_python_are_cells(website: Any, capsys: pytest.CaptureFixture[
 
 def test_every_page_is_in_a_list() -> None:
     lists = [p.read_text() for p in (ROOT / "website" / "pages").rglob("*.md")]
-    listed = re.findall(r"^docs/\S+$", "\n".join(lists), re.M)
-    for path in (ROOT / "docs").rglob("*.md"):
+    listed = re.findall(r"^(?:docs|packages)/\S+$", "\n".join(lists), re.M)
+    pages = [*ROOT.glob("docs/**/*.md"), *ROOT.glob("packages/*/docs/**/*.md")]
+    for path in [*pages, *ROOT.glob("packages/*/CONTRIBUTING.md")]:
         name = path.relative_to(ROOT).with_suffix("").as_posix()
         assert any(fnmatch(name, pattern) for pattern in listed), f"{name} is in no list"
+
+
+def test_a_page_stands_in_the_section_of_its_package() -> None:
+    """Each section lists pages of its packages; the prover has the checker with it."""
+    sections = {
+        "engine": {"flowlanes"},
+        "prover": {"lawproof", "certificate-checker"},
+        "mechanics": {"nonholonomic"},
+        "laboratory": {"chaplygin"},
+        "audit": {"borisov-mamaev-2008"},
+    }
+    for section, packages in sections.items():
+        text = (ROOT / "website" / "pages" / f"{section}.md").read_text()
+        assert set(re.findall(r"^packages/([\w-]+)/", text, re.M)) == packages, section
 
 
 def test_live_pages_stand_where_they_are_asked_for(website: Any) -> None:

@@ -75,9 +75,33 @@ def test_a_claim_that_is_proven_where_conditions_hold_is_no_misprint() -> None:
     assert "claim-1-1" not in written["audit/misprints.md"]
 
 
-def test_the_reference_has_every_name_command_and_key() -> None:
+def test_the_reference_has_every_name_once() -> None:
     written: dict[str, Any] = dict(import_module("reference_pages").pages(experiment_schema()))
-    for name in ("rolling_system", "integrate", "prove", "Body", "InputError"):
-        assert f"reference/names/{name}.md" in written
+    for name in (
+        "nonholonomic/rolling_system",
+        "nonholonomic/Body",
+        "flowlanes/integrate",
+        "flowlanes/InputError",
+        "lawproof/prove_all",
+        "certificate_checker/check",
+        "borisov_mamaev_2008/claims",
+        "chaplygin/Study",
+    ):
+        assert f"reference/{name}.md" in written
+    # the door leads to the pages of the packages that it opens
+    assert "](lawproof/prove.md)" in written["reference/chaplygin.md"]
+    assert "reference/chaplygin/prove.md" not in written
+
+
+def test_every_name_of_the_reference_is_in_a_group() -> None:
+    reference_pages, names = import_module("reference_pages"), import_module("names")
+    for package in names.PACKAGES:
+        page = reference_pages.names_page(package)
+        for name in reference_pages.public_names(package):
+            assert f"| [{name}](" in page, f"{package}.{name}"
+
+
+def test_the_reference_has_commands_and_keys() -> None:
+    written: dict[str, Any] = dict(import_module("reference_pages").pages(experiment_schema()))
     assert "## chaplygin section" in written["reference/command-line.md"]
     assert "<code>keep_integrals</code>" in written["reference/experiment-keys.md"]

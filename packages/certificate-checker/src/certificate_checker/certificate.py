@@ -27,7 +27,7 @@ def check(certificate: object) -> None:
     Parameters
     ----------
     certificate : mapping
-        As :func:`json.load` reads it.
+        As ``json.load`` reads it.
 
     Raises
     ------

@@ -11,8 +11,8 @@ from nonholonomic.catalogue.entry_files import entry_file, entry_files
 from nonholonomic.catalogue.groups import GROUPS, in_section
 from nonholonomic.mechanics.rolling.equations import RollingBody
 
-PAGE = (Path(__file__).parents[4] / "docs" / "hierarchy.md").read_text()
-#: Classes of docs/hierarchy.md that mean an integrable system.
+PAGE = (Path(__file__).parents[4] / "packages/nonholonomic/docs/hierarchy.md").read_text()
+#: Classes of nonholonomic/docs/hierarchy.md that mean an integrable system.
 CLASSES = {"curves", "lie", "euler-jacobi", "liouville"}
 
 

@@ -1,4 +1,4 @@
-"""``chaplygin orbit`` as a user meets it: the cycle of docs/orbits.md."""
+"""``chaplygin orbit`` as a user meets it: the cycle of flowlanes/docs/orbits.md."""
 
 from __future__ import annotations
 

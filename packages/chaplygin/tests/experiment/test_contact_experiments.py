@@ -152,7 +152,7 @@ def test_the_dataset_has_the_names_that_are_documented(
     assert set(map(str, dataset.data_vars)) == set(NAMES.split())
     for name, item in dataset.variables.items():
         assert item.attrs.keys() >= {"long_name", "units", "source"}, name
-    page = (Path(__file__).parents[4] / "docs" / "experiment-file.md").read_text()
+    page = (Path(__file__).parents[4] / "packages/chaplygin/docs/experiment-file.md").read_text()
     assert all(f"`{name}`" in page for name in NAMES.split() if name != "work_coulomb")
 
 

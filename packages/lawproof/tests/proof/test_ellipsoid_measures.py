@@ -1,5 +1,6 @@
-"""The polynomial identities behind the theorems on ellipsoids of docs/measures.md, for m = 1.
+"""The polynomial identities behind the theorems on ellipsoids, for m = 1.
 
+The theorems are in nonholonomic/docs/measures.md.
 B_i are the squared semi-axes; γ = (x, y, 1) near a vertex, since all formulas are homogeneous.
 """
 

@@ -1,7 +1,7 @@
 """Claims about invariant measures, decided by `invariant_measure` and its theorems.
 
-docs/measures.md has the theorems with their proofs: a measure whose density is smooth, and positive
-up to rest, exists only if one with a density of the configuration does.
+nonholonomic/docs/measures.md has the theorems with their proofs: a measure whose density is
+smooth, and positive up to rest, exists only if one with a density of the configuration does.
 """
 
 from __future__ import annotations

@@ -113,7 +113,7 @@ CLAIMS = (
         "There are systems without an invariant measure: Celtic stones",
         celtic_stone,
         note="meant is a measure with a density that is smooth and positive up to rest",
-        argument="docs/measures.md, result 6; computed is one ellipsoid",
+        argument="nonholonomic/docs/measures.md, result 6; computed is one ellipsoid",
         where=(
             "the normal at a contact passes through the centre of mass, and the directions of "
             "curvature there differ from those of the inertia",

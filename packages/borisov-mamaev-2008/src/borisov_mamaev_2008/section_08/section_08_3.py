@@ -374,8 +374,8 @@ REMARKS = (
         "The equations for $F_2 \\neq 0$ are enormously huge, and general methods of integration "
         "in quadratures are not yet sufficiently elaborated.",
         "judgement; with the integral ½ (ΣI + d)(M, ω) − (M, M) in place of the energy the "
-        "multiplier and the form are short, and in the catalogue (docs/reduction.md). Quadratures "
-        "for $F_2 \\neq 0$ are not known here either",
+        "multiplier and the form are short, and in the catalogue "
+        "(nonholonomic/docs/reduction.md). Quadratures for $F_2 \\neq 0$ are not known here either",
     ),
     Remark(
         "§8.3, after (8.12)",

@@ -179,8 +179,9 @@ CLAIMS = (
         no_measure_for_marble,
         note="meant is a measure with a density that is smooth and positive up to rest; the "
         "additional integral is a matter of numerical evidence",
-        argument="docs/measures.md, result 1, for every ball: only balanced ones and those with "
-        "their centre on an axis of dynamical symmetry have such a measure",
+        argument="nonholonomic/docs/measures.md, result 1, for every ball: only "
+        "balanced ones and those with their centre on an axis of dynamical symmetry have such a "
+        "measure",
     ),
     Claim(
         "Fig. 8, caption",
@@ -213,6 +214,6 @@ REMARKS = (
         "numerical evidence. Observed with a body found by search, since the paper gives neither "
         "body nor level: 63 % of the motions that cross the section come to an attracting cycle of "
         "three points, whose mirror image under M → −M, t → −t repels, and a motion leads from one "
-        "to the other; not every motion does (`examples/figure_8.py`, docs/sections.md)",
+        "to the other; not every motion does (`examples/figure_8.py`, flowlanes/docs/sections.md)",
     ),
 )

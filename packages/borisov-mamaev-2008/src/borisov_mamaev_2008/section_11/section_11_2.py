@@ -195,7 +195,7 @@ REMARKS = (
         "Due to the force of friction sliding ceases with the onset of the constraint.",
         "stated of conditions that are not given; without them it is wrong: for an open set of "
         "states of a sliding body with Coulomb friction the slip ends and begins again at once, as "
-        "rolling would need more friction than there is (docs/friction.md)",
+        "rolling would need more friction than there is (nonholonomic/docs/friction.md)",
     ),
     Remark(
         "§11.2, end",

@@ -242,8 +242,8 @@ REMARKS = (
         "the numerical determination of just one or two trajectories.",
         "judgement and literature. Of the approximation: the short formulas of [88] differ from "
         "the exact factors of the model by up to 0.34 and 0.20, the model with a patch of two "
-        "curvatures is an improvement of it (docs/friction.md); charts of several hundred motions "
-        "are computed there",
+        "curvatures is an improvement of it (nonholonomic/docs/friction.md); charts of several "
+        "hundred motions are computed there",
     ),
     Remark(
         "§11.3, after Remark 23",
@@ -254,8 +254,8 @@ REMARKS = (
         "and Levinson spun at 5 rad/s on a table with dry friction, $\\mu = 0.3$, would need 0.76 "
         "of the normal force to roll; it slips 5.7 ms after the start, changes 26 times between "
         "slipping and rolling within half a second, and has lost half of its spin by then "
-        "(`examples/dry_rattleback.toml`, docs/friction.md). With friction enough to hold the "
-        "contact it rolls as the nonholonomic model has it",
+        "(`examples/dry_rattleback.toml`, nonholonomic/docs/friction.md). With friction enough "
+        "to hold the contact it rolls as the nonholonomic model has it",
     ),
     Remark(
         "Remark 24",

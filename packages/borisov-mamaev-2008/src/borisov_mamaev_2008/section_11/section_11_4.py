@@ -79,7 +79,7 @@ CLAIMS = (
         "rest, in which the point of contact runs round at the rate Ω, $\\Omega^2 = mgR/(I_1 "
         "\\sin\\alpha)$, which is $4g/(R \\sin\\alpha)$ if the mass is spread evenly: it grows "
         "without bound as the disk sinks. That friction lets it sink, and come to rest in a finite "
-        "time, is computed and not proven (docs/friction.md)",
+        "time, is computed and not proven (nonholonomic/docs/friction.md)",
         where=("the disk passes through the steady motions of the note as it sinks",),
     ),
     Claim(
@@ -114,6 +114,6 @@ REMARKS = (
         "Bounces invisible to the human eye were mentioned by Appell and Coriolis; loss of contact "
         "is very little studied in nonholonomic mechanics, and can lead to intriguing effects.",
         "history and judgement; bodies that leave their support and land again are computed in "
-        "docs/friction.md",
+        "nonholonomic/docs/friction.md",
     ),
 )

@@ -269,7 +269,7 @@ CLAIMS = (
         "Invariant measures for the multidimensional Chaplygin and Veselova systems are found.",
         measures_of_several_dimensions,
         note="for every operator of inertia; equations derived here",
-        argument="for every n, by docs/n-dimensions.md; computed is n = 4",
+        argument="for every n, by nonholonomic/docs/n-dimensions.md; computed is n = 4",
     ),
 )
 

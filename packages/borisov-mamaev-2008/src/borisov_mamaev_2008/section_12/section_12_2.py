@@ -53,7 +53,7 @@ REMARKS = (
         "problems; their extension does not seem to encounter any fundamental difficulties.",
         "a statement about the literature of 2008. They can be applied: bifurcation diagrams of "
         "the nonholonomic systems that are solved here in closed form are computed exactly "
-        "(docs/bifurcations.md)",
+        "(nonholonomic/docs/bifurcations.md)",
     ),
     Remark(
         "§12, after Remark 25",

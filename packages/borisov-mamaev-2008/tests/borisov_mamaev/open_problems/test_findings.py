@@ -10,7 +10,9 @@ import pytest
 from borisov_mamaev_2008 import Remark, audit, remarks
 from borisov_mamaev_2008.open_problems.findings import FINDINGS
 
-PAGE = (Path(__file__).parents[5] / "docs/open-problems.md").read_text()
+PAGE = (
+    Path(__file__).parents[5] / "packages/borisov-mamaev-2008/docs/open-problems.md"
+).read_text()
 ROWS = [
     [cell.strip().replace(r"\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
     for line in PAGE.splitlines()

@@ -130,7 +130,7 @@ def _print_remarks(audit: Audit, remarks: Mapping[int, Sequence[Remark]]) -> Non
             shown.print(Padding(f"[dim]{escape(words[1])}[/]", (0, 0, 0, 2), expand=False))
             for finding, verdict in audit.judged_findings(remark):
                 text = f"{coloured_decision(verdict.decision)} here: {escape(finding.statement)}"
-                place = f" (docs/open-problems.md, {finding.key})"
+                place = f" (borisov-mamaev-2008/docs/open-problems.md, {finding.key})"
                 shown.print(Padding(text + place, (0, 0, 0, 2), expand=False))
 
 

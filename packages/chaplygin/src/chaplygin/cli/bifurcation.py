@@ -86,7 +86,8 @@ def _answer(what: str, overrides: list[str] | None) -> _Answer:
     if diagram is None:
         raise InputError(
             f"no bifurcation diagram of {system.title} is known at this start: its motions do not "
-            "separate on a plane of two integrals (docs/bifurcations.md lists those that do)"
+            "separate on a plane of two integrals (nonholonomic/docs/bifurcations.md lists those "
+            "that do)"
         )
     return _of_tori(*diagram)
 

@@ -97,7 +97,7 @@ def test_a_deviation_is_assembled(tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize(("deviations", "precision"), [(2, "double"), (6, "double"), (0, "quad")])
 def test_large_states_are_assembled(deviations: int, precision: Precision, tmp_path: Path) -> None:
-    """Their sums need more registers than there are: some spill, as docs/engine.md says."""
+    """Their sums need more registers than there are, so some spill (flowlanes/docs/engine.md)."""
     equations = equations_of(from_catalogue("chaplygin-ball"), deviations, None, False)
     assert 0 < require_sound(ptx_of(equations, precision), tmp_path) < 8000
 

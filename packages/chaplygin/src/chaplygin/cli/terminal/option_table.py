@@ -59,7 +59,8 @@ OPTIONS: dict[str, tuple[str, ...]] = {
     ),
     # chaplygin bifurcation
     "bifurcation what": (
-        "A catalogue name, an experiment file, or a plane listed in docs/bifurcations.md.",
+        "A catalogue name, an experiment file, or a plane listed in "
+        "nonholonomic/docs/bifurcations.md.",
         "NAME|FILE",
     ),
     "bifurcation figure": ("Figure to write: .png, .svg or .pdf.", "FILE.png", "-o --output"),

@@ -6,8 +6,8 @@ plane, a/(R + a) on a sphere.  The bivectors
 
     L′ = φ′^(1/2ε) u′∧γ′,    φ′ = A s + C (1 − s),    L″ = φ″^(1/2ε) u″∧γ″,    φ″ = B (1 − s) + C s
 
-are constant in the body (docs/open-problems.md), so that γ′ and γ″ stay in two planes.  With
-q = 1 − 1/ε the energy is
+are constant in the body (borisov-mamaev-2008/docs/open-problems.md), so that γ′ and γ″ stay in
+two planes.  With q = 1 − 1/ε the energy is
 
     2E s(1 − s) = L′² (1 − s) φ′^q + L″² s φ″^q + C ṡ²/(4ε²),
 

@@ -332,5 +332,5 @@ def _form(
         equations=((C * rate**2 / (4 * epsilon**2), kinetic),),
         constants=tuple(constants),
         ovals=ovals,
-        source="docs/open-problems.md",
+        source="borisov-mamaev-2008/docs/open-problems.md",
     )
