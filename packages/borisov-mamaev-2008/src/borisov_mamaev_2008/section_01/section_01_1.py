@@ -1,8 +1,8 @@
 """§1.1: nonholonomic constraints and Ferrers' equations.
 
-Computed with three coordinates and two constraints, with everything else unspecified: the matrix
-A(q) of the kinetic energy, the constraints a(q), b(q), and the forces Q(q, v).  Each claim states
-the argument that extends it to n coordinates and m constraints.
+The computations use three coordinates and two constraints, with unspecified kinetic energy A(q),
+constraints a(q), b(q), and forces Q(q, v). Each claim gives the argument that extends it to n
+coordinates and m constraints.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ RESTS = unspecified_systems.unspecified_functions("b_s1 b_s2", *q)
 
 @cache
 def ferrers() -> System:
-    """(1.3) solved for the accelerations, with multipliers of any value."""
+    """(1.3) solved for the accelerations, with arbitrary multipliers."""
     first, second = multiplier
     return unspecified_systems.system(
         "ferrers",
@@ -135,12 +135,12 @@ def virtual_work() -> Case:
 
 
 def kinetic_energy_degree_printed() -> Case:
-    """T is homogeneous of degree two for A(q̇)."""
+    """T is homogeneous of degree two, with A(q̇)."""
     return _degree(_matrix(v))
 
 
 def kinetic_energy_degree() -> Case:
-    """T is homogeneous of degree two, for A(q)."""
+    """T is homogeneous of degree two, with A(q)."""
     return _degree(MATRIX)
 
 
@@ -169,7 +169,7 @@ def unique() -> Case:
 
 
 def invariant() -> Case:
-    """The closed system keeps f_μ."""
+    """The closed system preserves f_μ."""
     return constrained(), Identity("invariant", tuple(Rate(f) for f in CONSTRAINTS))
 
 

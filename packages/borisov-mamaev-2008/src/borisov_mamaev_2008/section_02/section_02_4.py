@@ -76,7 +76,7 @@ def equivalent() -> Case:
 
 
 def suslov_balance() -> Case:
-    """A rolling ball in any motion, and the ball of the catalogue, whose torque is along e."""
+    """A rolling ball in arbitrary motion, and the catalogue's ball with its torque along e."""
     whole = I + m * R**2 * identity
     swing = m * R**2 * dot(rate(omega), gamma) * gamma
     balance = whole * rate(omega) - cross(whole * omega, omega) - swing - TORQUE

@@ -68,7 +68,7 @@ def frame() -> System:
 
 
 def angular_velocity() -> Case:
-    """(6.5): γ̇ = γ×ω and α̇ = α×ω, with the first space axis α."""
+    """(6.5): γ̇ = γ×ω and α̇ = α×ω, where α is the first space axis."""
     first = constant(
         [
             sp.cos(psi) * COS_PHI - COS * sp.sin(psi) * SIN_PHI,
@@ -111,7 +111,7 @@ def chaplygin(value: sp.Expr) -> Identity:
 
 
 def s_printed() -> sp.Expr:
-    """The last member of (6.7)."""
+    """The last expression in (6.7)."""
     along = I_1 * COS_PHI**2 + I_2 * SIN_PHI**2 + I_3
     return SIN**2 * (thetadot * (I_2 - I_1) * SIN_PHI * COS_PHI - phidot * along)
 
@@ -144,7 +144,7 @@ def kinetic_energy() -> Case:
 
 
 def slopes(of_T: sp.Symbol, further: sp.Expr) -> Case:
-    """∂T/∂x = ∂T₀/∂x + further."""
+    """∂T/∂x = ∂T₀/∂x + `further`."""
     value = sp.diff(T, of_T) - constrained(sp.diff(T_0, of_T)) - further
     return body(), Identity("slope", value)
 

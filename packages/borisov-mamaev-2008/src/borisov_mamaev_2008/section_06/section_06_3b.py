@@ -1,6 +1,6 @@
 """§6.3, from (6.13): the isomorphism of the Veselova system with the Neumann system.
 
-A Hamiltonian system on e(3) is read as (6.11) writes it, see :mod:`section_06_3a`.
+A Hamiltonian system on e(3) is read as in (6.11), see :mod:`section_06_3a`.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def kirchhoff_equations(sign: int) -> tuple[tuple[System, Integral], tuple[Syste
 
 
 def proposition() -> Case:
-    """The map with k = √det I, also onto the Clebsch case of the catalogue."""
+    """The map with k = √det I, also onto the Clebsch case in the catalogue."""
     target = from_catalogue("clebsch")
     return (*kirchhoff_equations(1), (flow(), geodesic.to_clebsch(target)))
 
@@ -157,7 +157,7 @@ def clebsch_case() -> Case:
 
 
 def brackets_change() -> Verdict:
-    """{L₁, s₁} is not zero, as it would be if the bracket were kept up to a factor."""
+    """{L₁, s₁} is non-zero, so the map does not preserve the bracket up to a factor."""
     variables = (*M.symbols, *Gamma.symbols)
     first, place = (to_components(to_components(v)[0]) for v in (L, S))
     slopes = [sp.Matrix([sp.diff(f, x) for x in variables]) for f in (first, place)]

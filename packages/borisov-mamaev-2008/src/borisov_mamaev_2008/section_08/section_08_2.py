@@ -27,7 +27,7 @@ NUMBERS = e3.ENTRIES[0].defaults
 
 
 def velocity() -> Case:
-    """(8.4) with the A printed in (8.3) and with the right one, for every (AM, n)."""
+    """(8.4) with A as printed in (8.3) and with the correct A, for every (AM, n)."""
     system = ball.equations_on_sphere()
     laws = []
     for shift in (sp.S.Zero, d):
@@ -58,7 +58,7 @@ def coordinates() -> Case:
 
 
 def as_printed() -> Case:
-    """The energy under the printed right-hand sides of (8.6), for unspecified a_u and a_v."""
+    """The energy along the printed right-hand sides of (8.6), for unspecified a_u and a_v."""
     du, dv = chart.rates()
     push = sp.Function("a_u")(u, v) * du + sp.Function("a_v")(u, v) * dv
     system = chart.chaplygin_system(du * push, -dv * push)
@@ -71,12 +71,12 @@ def equations() -> Case:
 
 
 def measure() -> Case:
-    """The right 𝒩 as a density."""
+    """The correct 𝒩 as a density."""
     return chart.reduced_system(), chart.density(chart.numerator())
 
 
 def lagrangian() -> Case:
-    """S̄ of (4.5) for the motion of the ball in u, v and the right 𝒩."""
+    """S̄ of (4.5) for the motion of the ball in u, v and the correct 𝒩."""
     top = chart.numerator()
     density = top / chart.form() / sp.sqrt(chart.area())
     bent = sp.diff(density, v) * chart.P_u - sp.diff(density, u) * chart.P_v
@@ -91,12 +91,12 @@ def multiplier(sign: int) -> Case:
 
 
 def reduced() -> System:
-    """The system on e(3) with the right Hamiltonian."""
+    """The system on e(3) with the correct Hamiltonian."""
     return e3.build(NUMBERS)
 
 
 def hamiltonian(power: int) -> Case:
-    """H of (8.7), with Ā to the power given in δ, is ½ (M, ω) of the ball."""
+    """H of (8.7), with Ā to a given power in δ, is ½ (M, ω) of the ball."""
     excess = e3.energy(e3.delta(power)) - dot(e3.momentum(), e3.velocity()) / 2
     return reduced(), Identity("energy", excess, "the ball's energy")
 
@@ -108,7 +108,7 @@ def second() -> Case:
 
 
 def second_as_printed() -> Case:
-    """The formula against the F₂ of (8.3), which is zero on this orbit."""
+    """The formula compared with F₂ of (8.3), which vanishes on this orbit."""
     return reduced(), Identity("second", e3.second(e3.delta()), "linear integral of the ball")
 
 
@@ -120,11 +120,11 @@ def bracket() -> Case:
 
 
 def with_area() -> Case:
-    """For every F₂ = c: ω from n and ṅ, and an energy without a part linear in ṅ.
+    """For every F₂ = c: ω in terms of n and ṅ, and an energy without a part linear in ṅ.
 
     A system with two degrees of freedom, with accelerations quadratic in the velocities and an
-    integral E = L₂ − L₀ (parts of degree 2 and 0), is (4.4) with the Lagrangian L₂ + L₀: what
-    Lagrange's equations leave over is quadratic and orthogonal to the velocity.
+    integral E = L₂ − L₀ (parts of degree 2 and 0), is (4.4) with the Lagrangian L₂ + L₀: the
+    residual of Lagrange's equations is quadratic and orthogonal to the velocity.
     """
     half = (sp.Add(*ball.I.symbols) + d) / 2
     tensor = half * identity - ball.I
@@ -149,7 +149,7 @@ def with_area() -> Case:
 
 
 def as_chaplygins_problem() -> Verdict:
-    """The statement that `quadratures_differ` contradicts."""
+    """The statement refuted by `quadratures_differ`."""
     return contrary(quadratures_differ())
 
 

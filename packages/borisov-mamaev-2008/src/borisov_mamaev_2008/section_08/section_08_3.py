@@ -29,14 +29,14 @@ s_1, s_2, P_1, P_2 = (real_symbol(name) for name in ("s_1", "s_2", "P_1", "P_2")
 
 @dataclass(frozen=True)
 class Turned:
-    """A real formula times i^turns."""
+    """The number i^turns times a real formula."""
 
     turns: int
     real: sp.Expr
 
 
 def darboux_plane() -> System:
-    """The coordinates x, y, p₁, p₂ at rest: only their brackets matter."""
+    """The coordinates x, y, p₁, p₂ at rest; only their brackets matter."""
     return System(
         name="darboux",
         title="Darboux coordinates",
@@ -112,7 +112,7 @@ def _square(part: Turned) -> sp.Expr:
 def quadratic_in_momenta() -> Case:
     """H and F₂ of (8.7) by (8.8), for both signs in γ₂: ½ (p, Gp) with a matrix G(x, y).
 
-    m_i and γ_i enter as squares alone, which are real.
+    m_i and γ_i occur only as squares, which are real.
     """
     differences: list[sp.Expr] = []
     for sign in (1, -1):
@@ -135,7 +135,7 @@ def quadratic_in_momenta() -> Case:
 
 
 def coefficients() -> tuple[tuple[sp.Expr, sp.Expr], tuple[sp.Expr, sp.Expr]]:
-    """Those of P₁² and P₂² in H and in F of (8.11), for unspecified S₁ and S₂."""
+    """The coefficients of P₁² and P₂² in H and F of (8.11), for unspecified S₁ and S₂."""
     first, second = sp.Function("S_1")(s_1), sp.Function("S_2")(s_2)
     gap = s_1 - s_2
     return (first / gap, -second / gap), (s_2 * first / gap, -s_1 * second / gap)
@@ -204,7 +204,7 @@ def letters() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 
 
 def delta(alpha: sp.Expr) -> sp.Expr:
-    """Δ at x(u₁), with α given."""
+    """Δ at x(u₁), with a given α."""
     beta, gamma, epsilon = letters()
     d, z = chart.d, chart.variable(chart.u[0])
     middle = 4 * beta * gamma + d * beta**2 - 2 * d * alpha * epsilon + 4 * alpha * d**2
@@ -212,13 +212,13 @@ def delta(alpha: sp.Expr) -> sp.Expr:
 
 
 def printed_alpha() -> sp.Expr:
-    """(J₂ + J₁ − J₃)(−J₂ + J₂ − J₃)(−J₂ + J₂ + J₃), the last sign and index read so."""
+    """(J₂ + J₁ − J₃)(−J₂ + J₂ − J₃)(−J₂ + J₂ + J₃), with the last misprinted term read as J₃."""
     J_1, J_2, J_3 = chart.J.symbols
     return (J_2 + J_1 - J_3) * (-J_2 + J_2 - J_3) * (-J_2 + J_2 + J_3)
 
 
 def right_alpha() -> sp.Expr:
-    """With J₁ in the place of the second J₂ of the last two factors."""
+    """α with J₁ in place of the second J₂ in the last two factors."""
     J_1, J_2, J_3 = chart.J.symbols
     return (J_2 + J_1 - J_3) * (-J_2 + J_1 - J_3) * (-J_2 + J_1 + J_3)
 
@@ -230,13 +230,13 @@ def root() -> sp.Expr:
 
 
 def discriminant(alpha: sp.Expr) -> Case:
-    """Δ is the discriminant of ζL − xQ in ζ, times 16."""
+    """Δ is 16 times the discriminant of ζL − xQ in ζ."""
     law = Identity("discriminant", delta(alpha) - root() ** 2, "discriminant Δ")
     return chart.coordinates_around_sphere(), law
 
 
 def function(square: sp.Expr, factor: sp.Expr) -> Identity:
-    """(8.12) with a given value of 2ε²β and a factor, against Liouville's form."""
+    """(8.12) with a given value of 2ε²β and a factor, compared with Liouville's form."""
     beta, gamma, epsilon = letters()
     z, d = chart.variable(chart.u[0]), chart.d
     cubic = 8 * z**3 + 8 * (d - epsilon) * z**2 + (square - 4 * d * epsilon) * z

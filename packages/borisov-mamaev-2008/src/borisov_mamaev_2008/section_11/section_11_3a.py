@@ -26,7 +26,7 @@ SLOW, FAST = sp.Integer(20), sp.Integer(180)
 
 
 def derived() -> bool:
-    """The characteristic polynomial follows from the equations, and the minors from it."""
+    """Whether the characteristic polynomial follows from the equations, and the minors from it."""
     minors = zip(top.hermitian_minors(), top.expected_minors(), strict=True)
     equal = all(sp.expand(minor - product) == 0 for minor, product in minors)
     return equal and top.characteristic_difference(tippe_top()) == 0
@@ -76,7 +76,7 @@ def thresholds() -> Verdict:
 
 
 def at_a_point() -> Verdict:
-    """Friction at a single point makes the fast rotation unstable, and stable the inverted one."""
+    """Friction at a single point destabilises the fast rotation and stabilises the inverted one."""
     below, above = margin(FAST), margin(FAST * _inverted_share(), -1)
     shown = derived() and below < 0 < above
     return computed_verdict(
@@ -90,27 +90,27 @@ def at_a_point() -> Verdict:
 
 
 def _inverted_share() -> sp.Rational:
-    """Ratio of the angular velocities, inverted to upright, with the same Jellett integral."""
+    """Ratio of the inverted to the upright angular velocity with the same Jellett integral."""
     ratio: sp.Rational = (TOP[R] - TOP[c]) / (TOP[R] + TOP[c])
     return ratio
 
 
 def steady_under_dry_friction() -> tuple[bool, sp.Rational]:
-    """Whether a rotation that viscous friction makes unstable is stable under dry friction.
+    """Whether a rotation that is unstable under viscous friction is stable under dry friction.
 
-    Near it the slip ends soon, since friction is μN but the force that rolling needs is small.  The
-    rolling top has the oscillations η ~ e^{iwt} with
+    Near it the slip ends soon, since the friction is μN but the force needed for rolling is small.
+    The rolling top has the oscillations η ~ e^{iwt} with
 
         (I₁ + mb²)w² − n(I₃ + mRb)w − mgc = 0,
 
-    the limit of P(iw) for κ → ∞, whose two roots are real and different for c > 0; by the integrals
-    of Routh's sphere it stays near the vertical, and friction goes on to hold it.
+    the limit of P(iw) for κ → ∞, whose two roots are real and different for c > 0. By the
+    integrals of Routh's sphere it stays near the vertical, and friction continues to hold it.
 
     Returns
     -------
     stable : bool
     discriminant : sympy.Rational
-        Of the equation for w.
+        Discriminant of the equation for w.
     """
     b, w = R - c, sp.Symbol("w")
     rolling = (I_1 + m * b**2) * w**2 - top.n * (I_3 + m * R * b) * w - m * g * c
@@ -145,7 +145,7 @@ def by_any_friction() -> Verdict:
 
 
 def by_viscous_friction() -> Verdict:
-    """Viscous friction makes the rotation unstable, and dry friction does not."""
+    """Viscous friction destabilises the rotation, dry friction does not."""
     dry = computed_verdict("dry friction", steady_under_dry_friction()[0], _DRY, "not shown")
     viscous = at_a_point()
     return conclusion_verdict("viscous friction", viscous.finding, (viscous, dry))
