@@ -94,5 +94,5 @@ def only_symmetric_balls() -> Verdict:
         shown,
         "the curl of q at the principal axes and across them vanishes for these balls alone, "
         "and everywhere for these",
-        "the curl is not as it should be",
+        "the curl does not have the expected value",
     )

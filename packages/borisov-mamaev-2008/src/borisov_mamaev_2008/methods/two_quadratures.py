@@ -103,7 +103,7 @@ def quadratures_differ() -> Verdict:
         "quadratures",
         shown,
         f"{around} of the six roots depend on the level, {own} of those of Chaplygin's ball",
-        rests_on.reason or "the roots are not as they should be",
+        rests_on.reason or "the roots do not depend on the level as expected",
         terms=rests_on.terms,
         seconds=rests_on.seconds,
     )

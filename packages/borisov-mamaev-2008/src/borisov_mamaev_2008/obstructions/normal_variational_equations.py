@@ -109,5 +109,5 @@ def no_second_integral() -> Verdict:
         "no second integral",
         shown,
         "for k = −½ the group of the variations across the circle γ₃ = 0 is SL(2)",
-        "the equation of the variations is not as it should be",
+        "the variational equation does not have the expected form",
     )

@@ -196,7 +196,7 @@ CLAIMS = (
         r"$[\mathbf E_i,\mathbf E_j]=\sum_kc_{ij}^k(\mathbf q)\mathbf E_k$",
         commutators,
         note="for an unspecified frame; it fixes the sign of c",
-        argument="any number of fields that form a basis has its commutators as combinations",
+        argument="the commutators of the fields of any basis are combinations of them",
     ),
     Claim(
         "(1.9), Proposition 1",
@@ -208,7 +208,7 @@ CLAIMS = (
         r"$\frac{d}{dt}\left(\frac{\partial\hat L}{\partial w_i}\right)-\sum_{j,k}c_{ji}^k"
         r"(\mathbf q)\frac{\partial\hat L}{\partial w_k}w_j-\mathbf E_i(\hat L)=\sum_\mu"
         r"\hat\lambda_\mu\frac{\partial\hat f_\mu}{\partial w_i}$",
-        "the sum runs over j and k, not over i and k (printed, j is left free: read as asked for "
+        "the sum runs over j and k, not over i and k (as printed, j is free: read as required for "
         "every j), and the constraint on the right is f̂; L(q, q̇), the frame and the constraint "
         "unspecified, λ̂ = λ",
         argument=r"for any number of coordinates and constraints: $\frac{d}{dt}\frac{\partial"

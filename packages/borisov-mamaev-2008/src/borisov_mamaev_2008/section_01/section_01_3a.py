@@ -211,7 +211,7 @@ CLAIMS = (
         r"projections of the orths of the immovable space on the movable axes, is an orthogonal "
         r"matrix, $\mathbf Q\in SO(3)$",
         orthogonal,
-        note="with a unit quaternion as attitude, of which every attitude has one",
+        note="with a unit quaternion as attitude; every attitude has one",
     ),
     Claim(
         "Remark 4",
@@ -224,7 +224,7 @@ CLAIMS = (
         r"\varepsilon_{kij}\left(\alpha_i\frac\partial{\partial\alpha_j}+\beta_i\frac\partial{"
         r"\partial\beta_j}+\gamma_i\frac\partial{\partial\gamma_j}\right)$",
         turning,
-        note="judged by the rate of the quaternion, ½q(0, ω)",
+        note="checked with the rate ½q(0, ω) of the quaternion",
     ),
     Claim(
         "(1.11), second line",
@@ -234,7 +234,7 @@ CLAIMS = (
         shifting,
         r"$\boldsymbol\zeta_k=\alpha_k\frac\partial{\partial R_1}+\beta_k\frac\partial{\partial "
         r"R_2}+\gamma_k\frac\partial{\partial R_3}$",
-        "the index of α, β, γ is k; printed, i is free (read as summed over, as in ξ_k)",
+        "the index of α, β, γ is k; as printed, i is free (read as summed over, as in ξ_k)",
     ),
     Claim(
         "(1.12)",

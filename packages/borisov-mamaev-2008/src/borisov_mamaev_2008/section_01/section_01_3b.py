@@ -215,7 +215,7 @@ def not_of_reactions() -> Verdict:
         "arguments of λ₀",
         found[0] != found[1],
         f"ω = 0 and λ = (1, 0, 0) with λ₀ = {found[0]} at γ = (0, 0, 1), {found[1]} at (0, 3, 4)/5",
-        "both attitudes have the same multiplier",
+        "the multiplier is the same at both attitudes",
         decision="refuted",
         witness={"lambda_0": [str(value) for value in found]},
     )
@@ -229,7 +229,7 @@ CLAIMS = (
         r"\partial U}{\partial\boldsymbol\gamma}\times\boldsymbol\gamma+\mathbf r\times"
         r"\boldsymbol\lambda+\lambda_0\boldsymbol\gamma$",
         newton,
-        note="judged by Newton's and Euler's laws in space axes, with an unspecified potential",
+        note="checked with the Newton–Euler equations in space axes, in an unspecified potential",
     ),
     Claim(
         "(1.17), from (1.9)",

@@ -230,7 +230,7 @@ CLAIMS = (
         r"\gamma})+\boldsymbol\gamma\times\frac{\partial U}{\partial\boldsymbol\gamma}$, $\dot{"
         r"\boldsymbol\gamma}=\boldsymbol\gamma\times\boldsymbol\omega$",
         chaplygin_ball,
-        note="judged by the mechanics of a rolling ball in an unspecified potential",
+        note="checked with the mechanics of a rolling ball in an unspecified potential",
     ),
     Claim(
         "§1.4, after (1.20)",
@@ -252,7 +252,7 @@ CLAIMS = (
         r"\boldsymbol\omega+\boldsymbol\gamma\times\frac{\partial U}{\partial\boldsymbol\gamma})}"
         r"{(\mathbf I^{-1}\boldsymbol\gamma,\boldsymbol\gamma)}$",
         veselova,
-        note="with this λ₀ the motion keeps (ω, γ)",
+        note="with this λ₀ the motion preserves (ω, γ)",
     ),
     Claim(
         "§1.4, before (1.23)",
@@ -323,7 +323,7 @@ REMARKS = (
         "§1.4, after (1.23)",
         r"Eqs. (1.23) constitute a closed system only in the case where the potential of external "
         r"forces depends only on the normal of the sphere $\boldsymbol\gamma$",
-        "what closed means: any other potential brings in further variables, as gravity brings in "
+        "the meaning of closed: another potential introduces more variables, as gravity introduces "
         "the vertical",
     ),
 )

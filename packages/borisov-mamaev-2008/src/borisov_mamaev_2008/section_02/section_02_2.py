@@ -201,7 +201,7 @@ CLAIMS = (
         r"$m\dot{\mathbf v}=\mathbf N+\mathbf F$, $\mu\dot{\boldsymbol\omega}=\mathbf r\times"
         r"\mathbf N$, $\dot{\mathbf R}=\mathbf v$",
         marble_balance,
-        note="the reaction that keeps the constraint exists for every force",
+        note="the reaction that preserves the constraint exists for every force",
     ),
     Claim(
         "§2.2, proof of Proposition 2",
@@ -242,7 +242,7 @@ CLAIMS = (
         particle,
         r"$\tilde m\dot{\mathbf v}=\mathbf F+\lambda\mathbf n$, $\lambda=-(\mathbf F,\mathbf n)-"
         r"(\tilde m\mathbf v,\dot{\mathbf n})$",
-        "λ is a number; the factor n in it is one too many (printed, λ is a vector: λn was read "
+        "λ is a number; the factor n in it is superfluous (as printed, λ is a vector: λn is read "
         "component by component)",
     ),
     Claim(
@@ -257,7 +257,7 @@ CLAIMS = (
         r"$m\dot{\mathbf v}=\mathbf N+\mathbf F$, $\mu\dot{\boldsymbol\omega}=\mathbf r\times"
         r"\mathbf N+N_0\mathbf r$, $\dot{\mathbf R}=\mathbf v$",
         balance,
-        note="the reactions that keep both constraints exist for every force and surface",
+        note="the reactions that preserve both constraints exist for every force and surface",
     ),
     Claim("(2.11), first relation", r"$\mathbf N=m\dot{\mathbf v}-\mathbf F$", reaction),
     Claim(

@@ -207,6 +207,6 @@ REMARKS = (
     Remark(
         "(3.1)",
         "The components of v are analytic functions in the problems under consideration",
-        "an assumption, not a statement",
+        "an assumption, not a claim",
     ),
 )

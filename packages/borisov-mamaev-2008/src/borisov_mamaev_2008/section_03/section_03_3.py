@@ -314,7 +314,7 @@ REMARKS = (
     Remark(
         "§3.3, end",
         "Most nonholonomic systems can be represented in the conformally Hamiltonian form",
-        "judgement; the cases are claims of §§5–10",
+        "opinion; the cases are claims of §§5–10",
     ),
     Remark(
         "§3.3, before Remark 8",
@@ -326,6 +326,6 @@ REMARKS = (
         "§3.3, before (3.7)",
         "Conformally Hamiltonian systems are practically indistinguishable from Hamiltonian "
         "systems",
-        "judgement; that they keep $H$, and when they keep a measure, are claims",
+        "opinion; that they preserve $H$, and when they preserve a measure, are claims",
     ),
 )

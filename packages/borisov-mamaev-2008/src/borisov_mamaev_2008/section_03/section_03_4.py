@@ -143,7 +143,7 @@ CLAIMS = (
         pairs_printed,
         darboux,
         r"$\{q_i, p_j\} = \delta_{ij}$",
-        "an index: as printed, {q₁, p₂} is left open and the rank may fall",
+        "an index: as printed, {q₁, p₂} is not determined and the rank may be lower",
         argument=BLOCKS,
     ),
     Claim(
@@ -153,7 +153,7 @@ CLAIMS = (
         casimirs_printed,
         darboux,
         r"$\{z_\alpha, q_i\} = \{z_\alpha, p_i\} = \{z_\alpha, z_\beta\} = 0$",
-        "the brackets of the z with each other are left out",
+        "the brackets of the z with each other are missing",
         argument=BLOCKS,
     ),
     Claim(

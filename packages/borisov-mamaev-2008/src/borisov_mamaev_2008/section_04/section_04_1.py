@@ -262,7 +262,7 @@ CLAIMS = (
         precession_printed,
         precession_corrected,
         r"$\dot\psi = \frac{p_\psi - p_\varphi\cos\theta}{I_1\sin^2\theta}$",
-        "the factor 1/I₁ is lost, though the formula for φ̇ keeps I₁",
+        "the factor 1/I₁ is missing, though the formula for φ̇ contains I₁",
     ),
     Claim(
         "§4.1, intrinsic rotation of the Lagrange top",
@@ -272,7 +272,7 @@ CLAIMS = (
         rotation_corrected,
         r"$\dot\varphi = (I_3^{-1} - I_1^{-1})p_\varphi + "
         r"\frac{p_\varphi - p_\psi\cos\theta}{I_1\sin^2\theta}$",
-        "p_ψ and p_φ are exchanged and the factor 1/I₁ is lost",
+        "p_ψ and p_φ are exchanged and the factor 1/I₁ is missing",
     ),
     Claim(
         "§4.1, momenta of the Lagrange top",
@@ -383,6 +383,6 @@ REMARKS = (
         "§4.1, Lagrange–Lie integrable systems",
         "There is a coordinate on the invariant surface by which all others are quadratures; the "
         "dynamics is practically identical to that of integrable Hamiltonian systems",
-        "the definition of a name, and judgement; the formulas of the Lagrange top are claims",
+        "a definition, and opinion; the formulas of the Lagrange top are claims",
     ),
 )

@@ -180,7 +180,7 @@ CLAIMS = (
         r"general case, since $\Phi(\theta_1, \theta_2, \mathbf{F})$ depends on $\theta_i$, the "
         "periods of motion along these trajectories are different",
         different_periods,
-        note="a Φ that depends on θ₁ alone does not do it on a torus with λ₁ ≠ 0",
+        note="a Φ that depends only on θ₁ does not suffice on a torus with λ₁ ≠ 0",
         argument="the period is the mean of Φ over the trajectory, up to a factor; as a function "
         "of the trajectory it has the Fourier coefficients Φ_m with (m, λ) = 0, and those with "
         "m ≠ 0 vanish for special Φ only; computed is an example",

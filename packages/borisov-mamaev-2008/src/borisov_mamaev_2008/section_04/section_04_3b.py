@@ -277,7 +277,7 @@ CLAIMS = (
         in_momenta_printed,
         in_momenta_corrected,
         r"the last term is $\mathcal{N}(q)B(q)$",
-        "the factor N of the last term is lost",
+        "the factor N of the last term is missing",
     ),
     Claim(
         "Theorem 6, S̄ for N = ρ",
@@ -285,7 +285,7 @@ CLAIMS = (
         bar_printed,
         bar_corrected,
         r"$\bar S = \rho(\mathbf{q})B(\mathbf{q})$",
-        "the factor N = ρ is lost, as in the formula before",
+        "the factor N = ρ is missing, as in the preceding formula",
     ),
     Claim(
         "§4.3, original time",

@@ -299,7 +299,7 @@ CLAIMS = (
         energy_printed,
         energy,
         r"$\mathcal{E} = \frac{1}{2}(\omega, \tilde{I}\omega) + U(\gamma_3)$",
-        "lost tilde: I stands for the tensor about the contact point",
+        "missing tilde: I stands for the tensor about the contact point",
     ),
     Claim(
         "§5, symmetry field",

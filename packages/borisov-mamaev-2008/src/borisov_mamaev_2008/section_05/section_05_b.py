@@ -186,6 +186,6 @@ REMARKS = (
         "§5, after (5.1)",
         "The existence of a linear integral is quite expectable [1]; that it is elementary for any "
         "shape of the body is far from trivial.",
-        "judgement; that it is an integral for any shape is (5.1)",
+        "opinion; that it is an integral for any shape is (5.1)",
     ),
 )

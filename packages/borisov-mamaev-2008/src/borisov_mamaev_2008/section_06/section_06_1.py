@@ -173,7 +173,7 @@ CLAIMS = (
         lambda: multiplier(-1),
         r"$\lambda_0 = -\frac{(I\omega \times \omega + \gamma \times \frac{\partial U}"
         r"{\partial\gamma}, I^{-1}\gamma)}{(\gamma, I^{-1}\gamma)}$",
-        "lost minus sign, which (1.22) has",
+        "missing minus sign, which (1.22) has",
     ),
     Claim(
         "(6.2), energy",

@@ -299,7 +299,7 @@ CLAIMS = (
         lambda: (body(), chaplygin(s_printed())),
         lambda: (body(), chaplygin(s_right())),
         TEXT_S + r"\sin\theta\cos\theta(I_3 - I_1\sin^2\varphi - I_2\cos^2\varphi)\right)$",
-        "lost factor sin θ cos θ, wrong signs of I₁ and I₂, and sin φ, cos φ exchanged",
+        "missing factor sin θ cos θ, wrong signs of I₁ and I₂, and sin φ, cos φ exchanged",
     ),
     Claim(
         "(6.8)",
@@ -330,7 +330,7 @@ CLAIMS = (
         lambda: slopes(theta, phidot * SIN * VERTICAL),
         r"$\frac{\partial T}{\partial\theta} = \frac{\partial T_0}{\partial\theta} + "
         r"\dot{\varphi}\sin\theta\frac{\partial T_0}{\partial\dot{\psi}}$",
-        "lost dot: the derivative is by ψ̇; T₀ does not depend on ψ",
+        "missing dot: the derivative is by ψ̇; T₀ does not depend on ψ",
     ),
     Claim(
         "Remark 19, ∂T/∂φ",
@@ -348,7 +348,7 @@ CLAIMS = (
         lambda: euler_lagrange(PRINTED),
         lambda: euler_lagrange(REDUCING),
         r"The same with $\mathcal{N} = (\gamma, I^{-1}\gamma)^{-1/2}$.",
-        "lost inverse: 𝒩 is 1/ρ_ω",
+        "missing inverse: 𝒩 is 1/ρ_ω",
     ),
     Claim(
         "Theorem 7, L",

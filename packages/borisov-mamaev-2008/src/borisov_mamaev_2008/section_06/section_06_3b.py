@@ -202,8 +202,8 @@ CLAIMS = (
         lambda: kirchhoff_equations(-1),
         proposition,
         r"$k = \sqrt{\det I}$",
-        "wrong sign of k with the equations (6.11); it fits the bracket as printed, which has the "
-        "wrong sign itself",
+        "wrong sign of k with the equations (6.11); it agrees with the printed bracket, which has "
+        "the wrong sign itself",
     ),
     Claim(
         "Proposition 6, proof, relations",
@@ -249,7 +249,7 @@ CLAIMS = (
         lambda: quadratic_hamiltonian(I**-1),
         r"$H = k\alpha(\frac{1}{2}M^2 + \frac{c}{2}(\Gamma, I\Gamma)) + "
         r"k\beta(\frac{1}{2}(M, IM) - \frac{c}{2}\det I(\Gamma, I^{-1}\Gamma))$",
-        "lost inverse in the last term",
+        "missing inverse in the last term",
     ),
     Claim(
         "§6.3, α = 1, β = 0",
@@ -260,7 +260,7 @@ CLAIMS = (
         "§6.3, α = 0, β = 1",
         r"At $\alpha = 0$, $\beta = 1$ this is the Hamiltonian of the Bruns problem.",
         bruns_case,
-        note="with the Hamiltonian put right, "
+        note="with the corrected Hamiltonian, "
         r"$\frac{1}{2}(M, IM) - \frac{c}{2}\det I(\Gamma, I^{-1}\Gamma)$, for a body with the "
         r"tensor of inertia $I^{-1}$",
     ),
@@ -269,7 +269,7 @@ CLAIMS = (
         r"With arbitrary $\alpha$, $\beta$, this Hamiltonian corresponds to the general Clebsch "
         "case in the Kirchhoff equations.",
         clebsch_case,
-        note="with the Hamiltonian put right; decided by Clebsch's condition "
+        note="with the corrected Hamiltonian; decided by Clebsch's condition "
         "Σ (C₂ − C₃)/A₁ = 0 for H = ½(M, AM) + ½(Γ, CΓ)",
     ),
     Claim(

@@ -334,6 +334,6 @@ REMARKS = (
         "§7.3, after (7.9)",
         "The equations for θ and φ do not depend on ψ, so that ψ can be eliminated by Routh's "
         "procedure.",
-        "the outcome, (7.10), is proved",
+        "the result, (7.10), is proved",
     ),
 )

@@ -26,7 +26,7 @@ AREA = (dot(M, gamma),)
 TILT = dot(I * gamma, A * gamma)
 LOAD = dot(J * K, INVERSE * K)
 #: Reading of ρ_μ in the rest of §7.5.
-SAME_DENSITY = r"with $\rho_\mu$ put right, $(1 - D(\gamma, J^{-1}\gamma))^{1/2}$"
+SAME_DENSITY = r"with the corrected $\rho_\mu = (1 - D(\gamma, J^{-1}\gamma))^{1/2}$"
 
 
 @cache
@@ -191,7 +191,7 @@ CLAIMS = (
         "§7.5, last paragraph",
         "The system corresponds to the integrable Clebsch case of the Kirchhoff equations.",
         clebsch,
-        note="read for the system put right; its integral of Clebsch is "
+        note="read for the corrected system; its integral of Clebsch is "
         r"$K^2 + \beta' \det I (\gamma, I^{-1}\gamma)$",
     ),
 )
@@ -201,6 +201,6 @@ REMARKS = (
         "§7.5, last paragraph",
         "This isomorphism differs from the one indicated above; their relation would be of "
         "interest.",
-        "a judgement and an open question",
+        "an opinion and an open question",
     ),
 )

@@ -171,14 +171,14 @@ CLAIMS = (
         "§8.1, d",
         "$d = mb^2$, here $m$ is the mass of the body.",
         lambda: momentum(-1, m * R**2),
-        note="with b put right in (8.1), the radius of the body, and the sign of the momentum",
+        note="with (8.1) corrected: b is the radius of the body, and the sign of the momentum",
     ),
     Claim(
         "§8.1, k = 1",
         r"The case $k = 1$ corresponds to $a \rightarrow \infty$, i.e. a ball is rolling over a "
         "plane.",
         large_surface,
-        note="with a put right in (8.1), the radius of the surface",
+        note="with (8.1) corrected: a is the radius of the surface",
     ),
     Claim(
         "(8.2)",
@@ -200,7 +200,7 @@ CLAIMS = (
         lambda: radii(a / 2),
         lambda: radii(2 * a),
         r"$\frac{b}{a} = 2$ without the signs, $b = -2a$ with them, as in §9.2",
-        "the two radii are exchanged once more: with a and b put right in (8.1) b is that of the "
+        "the two radii are exchanged once more: with a and b corrected in (8.1) b is that of the "
         "body, and the ball inside it is the smaller one",
     ),
     Claim(

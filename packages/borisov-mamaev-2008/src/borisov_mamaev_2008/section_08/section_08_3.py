@@ -305,14 +305,14 @@ CLAIMS = (
         r"$\mathbf{m}$ is the printed one divided by $2i$: $m_1 = -\frac{i}{2}(p_1(x^2 - 1) + "
         r"p_2(y^2 - 1))$, and so on; or $\{x, p_1\} = \{y, p_2\} = -\frac{i}{2}$",
         "a factor 2i: the printed m obey {m_i, m_j} = 2iε_ijk m_k; read with {x, p₁} = {y, p₂} = 1 "
-        "and the right γ₂",
+        "and the correct γ₂",
     ),
     Claim(
         "(8.9)",
         r"Using (8.8), the pair $(H, F_2)$ has the form $H = a(x, y)p_1^2 + 2b(x, y)p_1p_2 + c(x, "
         r"y)p_2^2$, $F_2 = A(x, y)p_1^2 + 2B(x, y)p_1p_2 + C(x, y)p_2^2$.",
         quadratic_in_momenta,
-        note="for the (8.8) printed as well as for the right one; with the right δ and A",
+        note="for (8.8) as printed and as corrected; with the correct δ and A",
     ),
     Claim(
         "(8.10)",
@@ -350,7 +350,7 @@ CLAIMS = (
         r"$S(x) = \frac{2\Delta(8x^3 + 8(d - \epsilon)x^2 + (2\epsilon^2 - \beta - 4d\epsilon)x - "
         r"4\gamma - d\beta + \sqrt{\Delta})}{\gamma(2x - \epsilon + 2d)^2}$ with the branch "
         r"$\sqrt{\Delta} = -4Q\frac{dx}{d\zeta}$",
-        "the factor Δ is lost, and ε²β stands for ε² − β/2; the normalisation is that of the "
+        "the factor Δ is missing, and ε²β stands for ε² − β/2; the normalisation is that of the "
         "printed (8.8), with F = M²/γ and H = (M, ω)/γ: for canonical momenta and H = ½ (M, ω), "
         "F = ½ M² the function is −γ/8 times as large",
     ),

@@ -139,7 +139,7 @@ CLAIMS = (
         r"\lambda\mathbf n + \mathbf M_Q$ under the constraint (9.1), "
         r"$(\boldsymbol\omega,\mathbf n) = 0$.",
         dynamics,
-        note="judged against Newton and Euler with $\\mathbf M_Q$ from an arbitrary potential of n",
+        note="checked with the Newton–Euler equations, $\\mathbf M_Q$ from any potential of n",
     ),
     Claim(
         "(9.2), second equation",
@@ -162,7 +162,7 @@ CLAIMS = (
         lambda: spin_torque(A),
         r"$\lambda = -\frac{(\mathbf J\boldsymbol\omega\times\boldsymbol\omega + \mathbf M_Q,"
         r"\mathbf J^{-1}\mathbf n)}{(\mathbf n,\mathbf J^{-1}\mathbf n)}$",
-        "the couple is weighed by J instead of its inverse, so that (ω, n) = 0 is not kept",
+        "the couple is weighted by J instead of its inverse, so that (ω, n) = 0 is not preserved",
     ),
     Claim(
         "(9.3)",

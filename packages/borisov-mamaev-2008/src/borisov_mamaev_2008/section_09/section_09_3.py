@@ -221,7 +221,7 @@ CLAIMS = (
         "§9.3, after (9.5)",
         r"$0 < J_1 < \xi < J_2 < \eta < J_3$.",
         interlaced,
-        note="shown is that (z − ξ)(z − η) is n₁²(J₂−J₁)(J₃−J₁) ≥ 0 at J₁, −n₂²(J₂−J₁)(J₃−J₂) "
+        note="it is shown that (z − ξ)(z − η) is n₁²(J₂−J₁)(J₃−J₁) ≥ 0 at J₁, −n₂²(J₂−J₁)(J₃−J₂) "
         "≤ 0 at J₂ and n₃²(J₃−J₁)(J₃−J₂) ≥ 0 at J₃; for J = diag(1, 2, 3) and "
         "n = (0, 3/5, 4/5) ξ is J₁",
         where=("n₁n₂n₃ ≠ 0", "J₁ < J₂ < J₃"),

@@ -306,9 +306,9 @@ CLAIMS = (
         r"Not in all other cases: for $k = -\frac12$ and a $\mathbf J$ with three different "
         r"eigenvalues there is no second integral that is meromorphic in $\mathbf M$ and "
         r"$\boldsymbol\gamma$.",
-        "“not” is lost, as the next sentences show; by the theorem of Morales and Ramis, from the "
-        "variations of a motion along a great circle. In particular no integral is a polynomial in "
-        "M of any degree with coefficients rational in γ. Other k are not decided",
+        "“not” is missing, as the next sentences show; by the theorem of Morales and Ramis, from "
+        "the variations of a motion along a great circle. In particular no integral is a "
+        "polynomial in M of any degree with coefficients rational in γ. Other k are not decided",
     ),
     Claim(
         "§9.5, g(z)",

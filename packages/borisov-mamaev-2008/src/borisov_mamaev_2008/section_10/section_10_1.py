@@ -126,7 +126,7 @@ CLAIMS = (
         r"(\boldsymbol\omega\times\mathbf r)$, $\mathbf M = \mathbf I\boldsymbol\omega + "
         r"m\mathbf r\times(\boldsymbol\omega\times\mathbf r)$.",
         momentum,
-        note="judged against Newton and Euler",
+        note="checked with the Newton–Euler equations",
     ),
     Claim(
         "§10.1, a",
@@ -144,7 +144,7 @@ CLAIMS = (
         lambda: contact_rate(-OFFSET),
         lambda: contact_rate(OFFSET),
         r"$\dot{\mathbf r} = (\mathbf r + \mathbf a)\times\boldsymbol\omega$",
-        "the sign of a: r + a = −Rγ turns with the space; as printed it would be right with a "
+        "the sign of a: r + a = −Rγ is fixed in space; as printed it would be right with a "
         "towards the geometric centre, but then r = −Rγ + a",
     ),
     Claim(

@@ -70,7 +70,7 @@ REMARKS = (
         "§11.1",
         "To model a number of dynamical phenomena it is essential to use dynamical rather than "
         "static friction.",
-        "a judgement on modelling",
+        "an opinion about modelling",
     ),
     Remark(
         "§11.1",

@@ -188,7 +188,7 @@ REMARKS = (
         "§11.2, first paragraph",
         "Ways to realize constraints, Carathéodory, Routh and Painlevé; as a rule nonholonomic "
         "constraints are a realistic representation of the final stage of a motion.",
-        "history and judgement",
+        "history and opinion",
     ),
     Remark(
         "§11.2, first paragraph",

@@ -48,7 +48,7 @@ def by_slowing_down() -> Verdict:
         shown,
         f"the rotation of Leine and Glocker's top with the centre of mass below is stable at "
         f"{SLOW} rad/s and unstable at {FAST} rad/s, for every viscosity",
-        "the minors are not as they should be",
+        "the minors do not have the expected form",
         decision="refuted",
         witness={"point": point | {"n": str(SLOW)}, "what": "T", "residual": str(slow)},
     )
@@ -71,7 +71,7 @@ def thresholds() -> Verdict:
         shown,
         "the Hermitian form of the characteristic polynomial has the minors 2κmI₁(I₁ + mb²), "
         "4κ²m³I₁[(I₁ + mb²)T + n²(I₁R − I₃b)²] and 8κ³m⁷I₁c²g²b²T",
-        "the minors are not as they should be",
+        "the minors do not have the expected form",
     )
 
 
@@ -85,7 +85,7 @@ def at_a_point() -> Verdict:
         f"with friction at a single point, of any viscosity, the rotation of Leine and Glocker's "
         f"top at {FAST} rad/s is unstable with the centre of mass below, and that with the same "
         "Jellett integral stable with the centre of mass above",
-        "the minors are not as they should be",
+        "the minors do not have the expected form",
     )
 
 
@@ -134,7 +134,7 @@ def by_any_friction() -> Verdict:
         "dry friction",
         stable,
         _DRY,
-        "the polynomial of rolling is not as it should be",
+        "the polynomial of rolling does not have the expected form",
         decision="refuted",
         witness={
             "point": point | {"n": str(FAST)},
@@ -161,7 +161,7 @@ def sliding_without_spin() -> Verdict:
         "coulomb",
         shown,
         "for v ≫ ωa the force is μN (1 − (ωa/v)²/10 − …)",
-        "the series is not as it should be",
+        "the series does not have the expected form",
     )
 
 
@@ -221,19 +221,19 @@ REMARKS = (
     Remark(
         "§11.3",
         "Three categories of systems, and which model of friction each needs.",
-        "a judgement on modelling",
+        "an opinion about modelling",
     ),
     Remark(
         "§11.3, first paragraph",
         "Methods of nonholonomic mechanics are said to be unsuitable for rolling bodies, and the "
         "Contensou–Erismann theory the one to be used; the approach is excessively one-sided.",
-        "opinions of others, and a judgement of them",
+        "opinions of others, and comments on them",
     ),
     Remark(
         "§11.3, before Remark 23",
         "Most phenomena of friction are explained, qualitatively and sometimes quantitatively, by "
         "simpler models of friction.",
-        "a judgement on modelling",
+        "an opinion about modelling",
     ),
     Remark(
         "Remark 23",
@@ -261,19 +261,19 @@ REMARKS = (
         "Remark 24",
         "Most problems of rigid-body dynamics are solved within Hamiltonian mechanics, without "
         "friction; so are foundations of hydrodynamics.",
-        "judgement, a comparison",
+        "opinion, a comparison",
     ),
     Remark(
         "§11.3, after Remark 24",
         "Friction plays a crucial role for the tippe top; modern researches contributed very "
         "little in comparison to the classical works; finer models are justified by the accuracy "
         "required.",
-        "judgement and literature; what is stated of stability is judged in the claims",
+        "opinion and literature; the statements about stability are claims",
     ),
     Remark(
         "§11.3, end",
         "The choice of a friction model must be determined by the effect of interest, experimental "
         "data and the materials.",
-        "a judgement on modelling",
+        "an opinion about modelling",
     ),
 )

@@ -25,7 +25,7 @@ def zero_force_presses() -> Verdict:
         shown,
         f"a loaded ball that rolls with N = 0, whose contact point would be accelerated into the "
         f"plane, by {rise}, in free motion; all numbers rational",
-        "the state is not as it should be",
+        "the state does not have the expected properties",
     )
 
 
@@ -113,7 +113,7 @@ REMARKS = (
         "§11.4",
         "Bounces invisible to the human eye were mentioned by Appell and Coriolis; loss of contact "
         "is very little studied in nonholonomic mechanics, and can lead to intriguing effects.",
-        "history and judgement; bodies that leave their support and land again are computed in "
+        "history and opinion; bodies that leave their support and land again are computed in "
         "docs/friction.md",
     ),
 )

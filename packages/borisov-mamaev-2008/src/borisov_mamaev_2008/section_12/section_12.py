@@ -215,7 +215,7 @@ CLAIMS = (
         "Kozlov's problem was explicitly solved only in the special case when the integral of "
         "areas is zero and therefore these linear summands vanish.",
         without_area,
-        note="decided is that they vanish in this case, in the Bruns field and without it; that "
+        note="it is decided that they vanish in this case, with and without Bruns' field; that "
         "only this case was solved is a statement about the literature, [106]. Here, too, the "
         "closed form in the field is for this case alone",
     ),
@@ -277,7 +277,7 @@ REMARKS = (
     Remark(
         "§12, problem 1",
         "No general methods exist for integrable systems on a sphere with such integrals.",
-        "a judgement on the state of the field",
+        "an opinion about the state of the field",
     ),
     Remark(
         "§12, problem 1",
