@@ -120,7 +120,7 @@ def test_a_divisor_tells_nothing_of_what_it_is_divided_by() -> None:
 def test_a_reason_that_is_no_text_is_refused() -> None:
     certificate = examples.squares()
     certificate["proofs"][0]["positive"][0]["from"] = []
-    with pytest.raises(CheckError, match="is no text"):
+    with pytest.raises(CheckError, match="is not a text"):
         check(certificate)
 
 
