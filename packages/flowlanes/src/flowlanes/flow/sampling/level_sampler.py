@@ -1,9 +1,10 @@
 """Random start points, uniformly distributed on a level of the integrals.
 
-Uniform means with respect to the invariant measure if one is known, and otherwise to the surface
-measure of the level in state space.  In terms of δ-functions the invariant measure of a level is ρ
-∏ δ(relations) ∏ δ(held integrals) dx, that is ρ / √det(G Gᵀ) times the surface measure, where the
-rows of G are the gradients of relations and held integrals (the Gelfand–Leray form).
+The distribution is uniform with respect to the invariant measure if one is known, and otherwise to
+the surface measure of the level in state space.  In terms of δ-functions the invariant measure of
+a level is ρ ∏ δ(relations) ∏ δ(given integrals) dx, that is ρ / √det(G Gᵀ) times the surface
+measure, where the rows of G are the gradients of relations and given integrals (the Gelfand–Leray
+form).
 
 Points are drawn by rejection sampling, so they are independent and exactly distributed; each
 depends only on the seed and its own index.
@@ -39,13 +40,13 @@ _BATCH = 1 << 14
 _MARGIN = 1.15
 #: Number of attempts from which the acceptance rate is estimated.
 _TRIAL = 1 << 11
-#: Number of attempts for one point after which the level counts as too thin.
+#: Number of attempts for one point after which the level is regarded as too thin.
 _MOST_ATTEMPTS = 10**6
 #: Number of Newton steps that project a point onto its level.
 _NEWTON = 2
 
 
-#: NaNs are detected in the results, and rejected there.
+#: Invalid operations give NaN, which is detected in the results and rejected there.
 _MINDING_RESULTS = np.errstate(over="ignore", invalid="ignore", divide="ignore")
 
 
@@ -67,12 +68,12 @@ def sample_level(
     count : int
         Number of points.
     level : mapping of str to float
-        Values of the held integrals by name; the relations of the system hold anyway.
+        Values of integrals by name; the relations of the system are always satisfied.
     parameters : mapping of Symbol or name to float, optional
         Values that replace the defaults.
     seed : int
     first : int
-        Number of the first point: point k depends on `seed` and k alone.
+        Number of the first point; point k depends only on `seed` and k.
 
     Returns
     -------
@@ -82,8 +83,8 @@ def sample_level(
     Raises
     ------
     InputError
-        If an integral is unknown or does not hold at these parameters, if the level is empty (the
-        message names the values that are reached) or not bounded.
+        If an integral is unknown or not valid for these parameters, or if the level is empty (the
+        message contains the possible values) or not bounded.
 
     Examples
     --------
@@ -101,19 +102,19 @@ def sample_level(
 
 @dataclass(frozen=True)
 class LevelSampler:
-    """A level of the integrals from which points can be drawn; see `level_sampler`.
+    """Level of the integrals for random points; see `level_sampler`.
 
     Attributes
     ----------
     system : System
     values : mapping of str to float
-        The held integrals.
+        Values of the given integrals.
     parameters : array (p,)
     measure : str
-        Which measure the points are drawn by: the name of the invariant measure and its source,
-        or "surface measure".
+        Measure of the random points: the name of the invariant measure and its source, or "surface
+        measure".
     invariant : bool
-        Whether it is invariant under the motion.
+        True if it is invariant under the motion.
     """
 
     system: System
@@ -135,7 +136,7 @@ class LevelSampler:
         if count < 0:
             raise InputError(f"count = {count}: it must not be negative")
         size = len(self.system.symbols)
-        # Drawing needs as much memory again as the points themselves.
+        # The computation needs as much memory again as the points themselves.
         require_room(16.0 * count * size, None, f"{count:,} starts at once")
         points = np.empty((count, size))
         pending, attempt, tries = np.arange(count), 0, self._tries
@@ -156,7 +157,7 @@ class LevelSampler:
     def _attempts(
         self, seed: int, members: IntArray, attempt: int, tries: int, low: int, high: int
     ) -> tuple[FloatArray, BoolArray]:
-        """The first accepted attempt for each of the members from `low` to `high`."""
+        """First accepted attempt for each of the members from `low` to `high`."""
         step = _BATCH // tries
         parts = [
             self._first(seed, members[start : min(start + step, high)], attempt, tries)
@@ -167,7 +168,7 @@ class LevelSampler:
     def _first(
         self, seed: int, members: IntArray, attempt: int, tries: int
     ) -> tuple[FloatArray, BoolArray]:
-        """The first accepted attempt of each member, and which members have one."""
+        """First accepted attempt of each member, and the members that have one."""
         from scipy.special import ndtr
 
         many = self._proposal.numbers
@@ -209,11 +210,11 @@ class LevelSampler:
         )
 
     def density(self, weighted_points: WeightedPoints) -> FloatArray:
-        """The target density, relative to that of the proposals."""
+        """Density of the target distribution relative to that of the proposals."""
         return weighted_points.volume * self._weight(weighted_points.states)
 
     def _weight(self, states: FloatArray) -> FloatArray:
-        """The target density, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
+        """Density of the target distribution relative to ∏ δ(relations) ∏ δ(given integrals) dx."""
         if self._density is not None:
             density: FloatArray = np.abs(self._density(states, self.parameters)[0])
             return density
@@ -247,25 +248,25 @@ def level_sampler(
     level: Mapping[str, float],
     parameters: Parameters = None,
 ) -> LevelSampler:
-    """Prepare a level from which points can be drawn repeatedly; see :func:`draw`.
+    """Prepare a level for repeated draws of points; see :func:`sample_level`.
 
     Parameters
     ----------
     system : System
     level : mapping of str to float
-        Integrals by name, with their values.
+        Values of integrals by name.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the defaults.
 
     Returns
     -------
     LevelSampler
-        Its ``draw`` gives states (n, size) in flat order.
+        Its method ``draw`` returns states (n, size) in flat order.
 
     Raises
     ------
     InputError
-        If an integral is unknown, or the level has no point.
+        If an integral is unknown, or the level has no points.
 
     Examples
     --------
@@ -314,7 +315,7 @@ def _density(
     proposal: Proposal,
     values: FloatArray,
 ) -> tuple[Measure | None, CompiledTerms | None]:
-    """The invariant measure that has constant sign on the level, and its density."""
+    """Invariant measure with constant sign on the level, and its density."""
     states = proposal.weighted_points(
         counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     ).states
@@ -333,7 +334,7 @@ def _proposal(
     level: Mapping[str, float],
     values: FloatArray,
 ) -> Proposal:
-    """The proposal distribution on the level; raises an error if the level is empty."""
+    """Proposal distribution on the level; InputError if the level is empty."""
 
     def excess(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
         places = fibration.uniform_points(gauss)
@@ -389,7 +390,7 @@ def _empty(system: System, level: Mapping[str, float], names: set[str], reach: s
 
 
 def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
-    """The level with a bound of the total density of the points of one proposal."""
+    """Level with a bound of the total density of the points of one proposal."""
     proposal = level._proposal
 
     def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -402,6 +403,6 @@ def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
     share = height(trial)[1].sum() / (_TRIAL * bound)
     if not np.isfinite(share):
         raise level._too_far()
-    # Half of the average number of attempts per point, so that few are superfluous.
+    # Half of the average number of attempts per point, so that few of them are superfluous.
     tries = int(np.clip(0.5 / max(share, 1 / _BATCH), 1, _BATCH))
     return replace(level, _density_bound=bound, _tries=tries)
