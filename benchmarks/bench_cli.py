@@ -1,4 +1,4 @@
-"""The command line from outside: seconds and memory of whole processes, cold and warm."""
+"""Time and memory of whole processes of the command line, with cold and warm cache."""
 
 from __future__ import annotations
 

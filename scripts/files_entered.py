@@ -1,9 +1,9 @@
-"""Files of the package whose functions are entered on a walk, as docs/architecture.md counts them.
+"""Files of the package whose functions are executed, as counted in docs/architecture.md.
 
     python scripts/files_entered.py study|report|verdict|solution [--list]
 
-What runs while a module is imported is not counted.  The report is written to a folder of its own
-that is removed; a verdict that is cached takes fewer files: point FLOWLANES_CACHE at an empty one.
+Code that runs on import is not counted.  The report is written to a temporary folder.  A cached
+verdict needs fewer files, so FLOWLANES_CACHE should be an empty folder.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ EXAMPLE = Path(__file__).parents[1] / "examples" / "rattleback.toml"
 
 
 def files_entered(walk: Callable[[], object]) -> list[str]:
-    """Paths below the package, in order, of the files with functions that a walk enters."""
+    """Paths below the package, in order, of the files with functions that are executed."""
     files: set[str] = set()
 
     def note(frame: FrameType, event: str, _: object) -> None:
@@ -47,7 +47,7 @@ def files_entered(walk: Callable[[], object]) -> list[str]:
 
 
 def write_report(folder: str) -> None:
-    """The command ``chaplygin study``, with the figures drawn in this process, not in a copy."""
+    """Run ``chaplygin study``, with the figures drawn in this process instead of a copy."""
     sys.argv = ["chaplygin", "study", str(EXAMPLE), "-o", f"{folder}/report"]
     try:
         with patch("chaplygin.report.study_output.beside", nullcontext):
@@ -58,7 +58,7 @@ def write_report(folder: str) -> None:
 
 
 def walk_of(name: str, folder: str) -> Callable[[], object]:
-    """A walk by its name, with all that comes before it done."""
+    """Function for a name, prepared so that only its own work remains."""
     veselova = ch.from_catalogue("veselova")
     walks: dict[str, Callable[[], object]] = {
         "study": lambda: ch.Study.from_experiment(ch.load_experiment(EXAMPLE)),

@@ -66,7 +66,7 @@ def command(
 
 
 class _Attempt(NamedTuple):
-    """A law with its verdict, and the verdict on its printed form if that differs."""
+    """Law with its verdict, and the verdict on its printed form if that is different."""
 
     system: System
     law: Law
@@ -75,7 +75,7 @@ class _Attempt(NamedTuple):
 
 
 def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool) -> list[_Attempt]:
-    """The verdicts, or those obtained until an interruption."""
+    """Verdicts, or those obtained before an interruption."""
     from lawproof.proof.certificates.certificate import prove_with_certificate
     from lawproof.proof.prover import judgement_of, prove
 
@@ -97,7 +97,7 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
 
 
 def _claims(what: str, overrides: list[str] | None) -> list[tuple[System, Law]]:
-    """The laws of the system, and of its general form if it has one."""
+    """Laws of the system, and of its general form if it has one."""
     claims = list(study_of(what, overrides).claims)
     from nonholonomic.catalogue import CATALOGUE
 
@@ -150,7 +150,7 @@ def _record(attempt: _Attempt, effort: int) -> dict[str, object]:
 
 
 def _law_description(law: Law) -> str:
-    """Kind and meaning of a law, without saying the same twice."""
+    """Kind and meaning of a law, without repetition."""
     kind, meaning = law.heading, str(getattr(law, "meaning", ""))
     if kind.lower() in meaning.lower():
         return meaning[0].upper() + meaning[1:]
@@ -158,7 +158,7 @@ def _law_description(law: Law) -> str:
 
 
 def coloured_decision(decision: str) -> str:
-    """A verdict in its terminal colour."""
+    """Verdict in its terminal colour."""
     return f"[{COLOURS[decision]}]{decision}[/]"
 
 
@@ -218,7 +218,7 @@ def _print(attempts: list[_Attempt]) -> None:
 
 
 def _count_text(verdicts: list[Verdict]) -> str:
-    """The number of laws with each verdict."""
+    """Number of laws with each verdict."""
     decisions = [verdict.decision for verdict in verdicts]
     counts = (f"{decisions.count(d)} {d}" for d in COLOURS if d in decisions)
     return f"{len(verdicts)} laws: {', '.join(counts).replace('where', 'where a condition holds')}"
@@ -230,7 +230,7 @@ def _write(path: Path, verdicts: list[Verdict]) -> None:
     own = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
     by_theorem = [verdict for verdict in verdicts if verdict.identities]
     identities = [part for verdict in by_theorem for part in verdict.identities]
-    # One identity may serve several laws.
+    # One identity may be used for several laws.
     further = [part for i, part in enumerate(identities) if part not in identities[:i]]
     with output_file(path) as place:
         place.write_text(json.dumps([*own, *further], ensure_ascii=False), encoding="utf-8")

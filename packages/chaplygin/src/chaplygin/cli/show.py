@@ -70,7 +70,7 @@ def command(
     from ..experiment.catalogue_text import catalogue_text
 
     system = study.system
-    # Laws of a single mode do not place a motion through several in the hierarchy.
+    # Laws of a single mode do not place a motion through several modes in the hierarchy.
     place = (
         None
         if study.subject.changes_equations or not (json or form == "text") or laws
@@ -148,7 +148,7 @@ def command(
 
 
 def _systems_with_laws(study: Study) -> list[System]:
-    """The systems with provable laws, each with those laws."""
+    """Systems with provable laws, each with those laws."""
     laws: dict[System, list[Law]] = {}
     for system, law in study.claims:
         laws.setdefault(system, []).append(law)
@@ -161,7 +161,7 @@ def _require_no_terminal(what: str) -> None:
 
     if sys.stdout.isatty():
         raise InputError(
-            "--as wasm: machine code is no text to be shown; write it to a file, as with "
+            "--as wasm: machine code cannot be shown as text; write it to a file, as with "
             f"chaplygin show {what} --as wasm > {Path(what).stem}.wasm"
         )
 
