@@ -205,15 +205,15 @@ TARGETS: Mapping[str, Callable[[System], Field]] = {"numpy": _numpy, "jax": _jax
 # --- names and assignments -----------------------------------------------------------------
 
 
-def _words(*lines: str) -> frozenset[str]:
+def _word_set(*lines: str) -> frozenset[str]:
     return frozenset(word for line in lines for word in line.split())
 
 
-_FUNCTIONS = _words(
+_FUNCTIONS = _word_set(
     "sqrt cbrt sin cos tan asin acos atan atan2 sinh cosh tanh exp log pow abs fabs pi"
 )
 
-_PYTHON = _words("t x p jax math numpy arcsin arccos arctan arctan2 e E", *keyword.kwlist)
+_PYTHON = _word_set("t x p jax math numpy arcsin arccos arctan arctan2 e E", *keyword.kwlist)
 
 
 def _identifiers(system: System, reserved_words: Iterable[str]) -> dict[sp.Symbol, sp.Symbol]:
@@ -337,7 +337,7 @@ def _c_power(base: str, exponent: str) -> str:
 
 class _C(_Language):
     comment = "//"
-    reserved_words = _words(
+    reserved_words = _word_set(
         "t x p dx auto break case char const continue default do double else enum extern float",
         "for goto if inline int long register restrict return short signed sizeof static struct",
         "switch typedef union unsigned void volatile while",
@@ -372,7 +372,7 @@ class _C(_Language):
 
 class _Julia(_Language):
     comment = "#"
-    reserved_words = _words(
+    reserved_words = _word_set(
         "t x p dx baremodule begin break catch const continue do else elseif end export false",
         "finally for function global if import in isa let local macro module quote return struct",
         "true try using where while",

@@ -137,7 +137,7 @@ class _Writer:
             isinstance(formula, sp.Pow) and is_negative(formula.exp)
         ):
             return self._product(factors_of(formula))
-        return False, self._whole(formula)
+        return False, self._indivisible(formula)
 
     def _product(self, factors: Factors) -> tuple[bool, Fragment]:
         above = [self.piece(factor) for factor in factors.above]
@@ -175,7 +175,7 @@ class _Writer:
             Precedence.PRODUCT,
         )
 
-    def _whole(self, formula: sp.Basic) -> Fragment:
+    def _indivisible(self, formula: sp.Basic) -> Fragment:
         """A formula that is neither a sum nor a product."""
         if isinstance(formula, (MatrixExpr, sp.MatrixBase)):
             return self._tensor(formula)

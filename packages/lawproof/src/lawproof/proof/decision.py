@@ -144,7 +144,8 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
     return Verdict(
         law.name,
         "proven where" if conditions else "proven",
-        finding=_words(law, count, len(proven)) + "".join({p.remark: 0 for p in proven}),
+        finding=_zero_residuals_text(law, count, len(proven))
+        + "".join({p.remark: 0 for p in proven}),
         conditions=tuple(conditions),
         formulas=tuple(conditions.values()),
     )
@@ -368,7 +369,7 @@ def _refutation(law: Law, failed_part: _Part, parts: list[_Part]) -> Verdict:
     )
 
 
-def _words(law: Law, count: int, parts: int) -> str:
+def _zero_residuals_text(law: Law, count: int, parts: int) -> str:
     many = "1 residual is" if count == 1 else f"{count} residuals are"
     on = f" on {parts} components" if parts > 1 else ""
     return f"{many} zero modulo the relations{on}" + (f" ({law.included})" if law.included else "")

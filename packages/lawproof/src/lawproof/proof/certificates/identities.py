@@ -36,10 +36,10 @@ def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bo
     polys = [poly for poly, _ in sources]
     assumed = list(field.decisions.values()) if with_decisions else []
     reasons, entries = sign_reasons(setting, signed_equations(sources), assumed)
-    numerators = [field.reduce(value.poly) for _, value in _whole(setting)]
+    numerators = [field.reduce(value.poly) for _, value in _multiplied_out(setting)]
     # Recording a denominator as non-zero may add sums to `reasons`, which must happen before the
     # positive quantities are written.
-    for _, value in _whole(setting):
+    for _, value in _multiplied_out(setting):
         for number, power in value.powers.items():
             if power < 0:
                 reasons.is_nonzero(field.factors[number])
@@ -76,12 +76,12 @@ def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bo
             for entry in entries
         ],
         "positive": positive_texts(setting, reasons, len(sources)),
-        "residuals": [_residual(setting, what, value) for what, value in _whole(setting)],
+        "residuals": [_residual(setting, what, value) for what, value in _multiplied_out(setting)],
         "tree": tree,
     }
 
 
-def _whole(setting: ProofSetting) -> list[tuple[str, Element]]:
+def _multiplied_out(setting: ProofSetting) -> list[tuple[str, Element]]:
     """The residuals with positive powers of named factors multiplied into the numerator."""
     residuals = []
     for what, value in setting.residuals:
