@@ -1,4 +1,4 @@
-"""Settings for all tests: the cache of compiled code, and which tests run only when asked for."""
+"""Settings for all tests: the cache of compiled code, and tests that run only on request."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from hypothesis import HealthCheck, settings
 
 from needs import EXTRAS, is_installed
 
-# code compiled by tests stays out of the user's own cache
+# tests must not write to the cache of the user
 os.environ.setdefault("FLOWLANES_CACHE", str(Path(__file__).parent / ".pytest_cache" / "compiled"))
 
-# the same examples every time, on a busy machine too
+# the same examples every time, and no time limit for a busy machine
 settings.register_profile(
     "tests", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("tests")
 
-#: Marks of tests that run only where they are asked for: by an option below, by naming the mark
-#: after ``-m``, or by naming the test itself (``file.py::test``).
+#: Marks of tests that run only on request: by an option below, by the mark after ``-m``, or by the
+#: name of the test (``file.py::test``).
 ON_REQUEST = ("slow", "campaign", "browser", "server")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """The options ``--slow`` and ``--slow-sample``."""
+    """Options ``--slow`` and ``--slow-sample``."""
     parser.addoption(
         "--slow", action="store_true", help="run the slow tests and the campaigns as well"
     )
@@ -42,13 +42,13 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Which part of the slow tests it is: all workers are told the same."""
+    """Determine the part of the slow tests once, so that it is the same for all workers."""
     if config.option.slow_sample:
         config.option.slow_sample = "{}/{}".format(*_part(config.option.slow_sample))
 
 
 def _part(text: str) -> tuple[int, int]:
-    """K and N of ``K/N``; of ``N`` alone, K is the number of today."""
+    """K and N of ``K/N``; for ``N`` alone, K follows from the date."""
     if not re.fullmatch("([0-9]+/)?[1-9][0-9]*", text):
         raise pytest.UsageError(f"--slow-sample takes N or K/N, as 40 or 7/40, not {text}")
     first, _, number = text.rpartition("/")
@@ -59,7 +59,7 @@ def _part(text: str) -> tuple[int, int]:
 
 
 def _asked_for(config: pytest.Config) -> set[str]:
-    """The marks of `ON_REQUEST` whose tests are made."""
+    """Marks of `ON_REQUEST` whose tests are collected."""
     if any("::" in argument for argument in config.args):
         return set(ON_REQUEST)
     found = {mark for mark in ON_REQUEST if re.search(rf"\b{mark}\b", config.option.markexpr)}
@@ -71,7 +71,7 @@ def _asked_for(config: pytest.Config) -> set[str]:
 def pytest_pycollect_makeitem(
     collector: pytest.Module | pytest.Class, name: str, obj: object
 ) -> list[pytest.Item] | None:
-    """Make no tests of a function that nobody has asked for: it may have hundreds of cases."""
+    """Collect no tests of a function that was not requested; it may have hundreds of cases."""
     if not collector.istestfunction(obj, name):
         return None
     marks = {mark.name for mark in get_unpacked_marks(obj)}
@@ -83,14 +83,15 @@ def pytest_pycollect_makeitem(
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out what only single cases of a function are marked as, and take the sample."""
+    """Remove single cases with a mark that was not requested, and select the sample."""
     asked = _asked_for(config)
     part = config.option.slow_sample and _part(config.option.slow_sample)
 
     def is_chosen(item: pytest.Item) -> bool:
         left = {mark.name for mark in item.iter_markers()} & set(ON_REQUEST) - asked
         if left == {"slow"} and part:
-            # by the test's own name: a new test changes nothing for the others
+            # depends only on the name of the test, so a new test does not change the part of the
+            # others
             return crc32(item.nodeid.encode()) % part[1] == part[0]
         return not left
 
@@ -104,7 +105,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def pytest_runtest_makereport(
     item: pytest.Item, call: pytest.CallInfo[None]
 ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """Skip a test that the package answers with "install this extra", where it is not installed."""
+    """Skip a test if the package reports that an extra is not installed."""
     report = yield
     if call.excinfo is None:
         return report

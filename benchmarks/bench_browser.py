@@ -1,9 +1,9 @@
-"""Pages in headless Chromium: opening, a slider, a click into a section, frames per second.
+"""Speed of pages in headless Chromium: opening, a slider, a click into a section, frames.
 
-WebGL is drawn by software, as on a machine without a graphics card. With `--peers PYTHON`, an
-interpreter that has viser and NiceGUI, the same motion plays in their scenes in turn with ours;
-they are sent each pose by a server, 60 times a second. With `--chart`, MEGNO on 200 x 200 starts
-to t = 100 as well, in the page and then by native code on all processors.
+WebGL is rendered in software, as on a machine without a graphics card.  With `--peers PYTHON`, an
+interpreter with viser and NiceGUI, the same motion is played in their scenes alternately with
+ours; a server sends them each pose 60 times a second.  With `--chart`, also MEGNO for 200 x 200
+starts to t = 100, in the page and by native code on all processors.
 """
 
 from __future__ import annotations
@@ -48,7 +48,8 @@ def opened(chromium: Browser, address: str) -> Page:
 def clicks(view: Page, count: int) -> list[float]:
     """Milliseconds from each click into the section to its thousand points.
 
-    NaN where the motion has not come back so often in 20 s: some never do.
+    NaN where the motion has not crossed the section often enough after 20 s; some motions never
+    do.
     """
     view.get_by_role("tab", name="Section").click()
     view.wait_for_timeout(3000)
@@ -67,7 +68,7 @@ def clicks(view: Page, count: int) -> list[float]:
 
 
 def chart_seconds(view: Page, x: str, y: str) -> float:
-    """Seconds in which the page computes a chart of starts."""
+    """Seconds for a chart of starts in the page."""
     view.get_by_role("tab", name="Chart").click()
     tools = view.get_by_role("toolbar", name="Chart")
     for label, chosen in (("across", x), ("up", y), ("points", str(SIZE))):
@@ -83,7 +84,7 @@ def chart_seconds(view: Page, x: str, y: str) -> float:
 
 
 def native_chart_seconds(study: Study, x: str, y: str) -> float:
-    """The same by native code."""
+    """Seconds for the same chart by native code."""
     inputs = {row["name"]: row for row in live_page_model(study)["start_inputs"]}
     axes = [Axis(n, inputs[n]["low"], inputs[n]["high"], SIZE) for n in (x, y)]
     task, _ = chart_task(study, "megno", *axes, t_end=UNTIL)
@@ -95,7 +96,7 @@ def native_chart_seconds(study: Study, x: str, y: str) -> float:
 
 
 def peer_frames(chromium: Browser, python: str, peer: str, poses: Path) -> float:
-    """Frames per second of the scene of another program that plays a motion."""
+    """Frames per second of a motion in the scene of another program."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
@@ -133,7 +134,7 @@ def row(
     paint, ready = np.median(openings, axis=0)
     view = opened(chromium, path.as_uri())
     view.evaluate("times.opening()")
-    # the first move makes the programs of the graphics card
+    # the first move compiles the programs of the graphics card
     slider = median(view.evaluate("count => times.slider(count)", count)[1:])
     spent = clicks(view, count)
     returned = [time for time in spent if math.isfinite(time)]

@@ -1,9 +1,10 @@
-"""A loaded ball that slides, sticks, rolls and slips: error against time, beside other programs.
+"""Error against time for a loaded ball that slides, sticks, rolls and slips, for several programs.
 
-The motion is the "loaded ball" of the tests' reference table: dry friction μ = 0.3, five changes of
-the contact.  SciPy integrates the same equations of sliding with the friction smoothed at
-small slip, as is mostly done.  Where they are installed, MuJoCo steps its elliptic cone, and Drake
-its convex formulation of contact (SAP).  Programs take turns; medians of processor time.
+The motion is the "loaded ball" of the reference table in the tests: dry friction μ = 0.3, five
+changes of the contact.  SciPy integrates the same equations of sliding with the friction smoothed
+at small slip, which is the usual method.  If they are installed, MuJoCo is used with its elliptic
+cone, and Drake with its convex formulation of contact (SAP).  The programs alternate; the results
+are medians of processor time.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ CASE = CASES["loaded ball"]
 UNTIL = CASE["until"]
 TURNS = 5
 
-#: Final position and angular velocity of a run, and how it was set.
+#: Function that returns the final position and angular velocity, for one program and setting.
 Run = Callable[[], np.ndarray]
 
 _MODEL = """
@@ -67,7 +68,7 @@ def ours(contact: FrictionalContact, state: np.ndarray) -> Run:
 
 
 def regularised(contact: FrictionalContact, state: np.ndarray, width: float) -> Run:
-    """SciPy's LSODA with friction μN u/√(u² + width²) in one piece."""
+    """SciPy's LSODA with friction μN u/√(u² + width²) for the whole motion."""
     system = contact_equations(contact, Mode())
     speed = next(i for i, (n, _) in enumerate(system.definitions) if str(n) == "slip_speed")
     smooth = list(system.definitions)
@@ -83,7 +84,7 @@ def regularised(contact: FrictionalContact, state: np.ndarray, width: float) -> 
 
 
 def mujoco(step: float, integrator: str) -> Run:
-    """MuJoCo with steps of one length."""
+    """MuJoCo with steps of equal length."""
     import mujoco as engine
 
     body, given = CASE["body"], CASE["start"]
@@ -110,7 +111,7 @@ def mujoco(step: float, integrator: str) -> Run:
 
     def run() -> np.ndarray:
         engine.mj_resetData(model, data)
-        # its body frame has principal axes only where the tensor is not diagonal
+        # the body frame of MuJoCo has principal axes only if the tensor is not diagonal
         data.qpos[:] = *given["position"], *turn.as_quat(scalar_first=True)
         data.qvel[:] = *given["velocity"], *given["omega"]
         for _ in range(round(UNTIL / step)):
@@ -121,7 +122,7 @@ def mujoco(step: float, integrator: str) -> Run:
 
 
 def drake(step: float) -> Run:
-    """Drake with steps of one length."""
+    """Drake with steps of equal length."""
     from pydrake.geometry import HalfSpace, Sphere
     from pydrake.math import RigidTransform, RotationMatrix
     from pydrake.multibody.math import SpatialVelocity
@@ -173,7 +174,7 @@ def drake(step: float) -> Run:
 
 
 def main() -> None:
-    """Print the table, or the same for programs."""
+    """Print the table, or JSON."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args()

@@ -1,7 +1,7 @@
-"""Deriving the equations of a rolling body: this package beside SymPy's Kane's method.
+"""Time to derive the equations of a rolling body, compared with Kane's method in SymPy.
 
-Both derive the unbalanced ball and the ellipsoid on a plane without slipping; counted are seconds
-and the arithmetic operations of the equations they return.
+Both derive the unbalanced ball and the ellipsoid on a plane without slipping; the results are
+seconds and the numbers of arithmetic operations in the equations.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def own(shape: chaplygin.Ball | chaplygin.Ellipsoid) -> int:
 
 
 def kane(ellipsoid: bool) -> int:
-    """The same by Kane's method, with Euler angles and body-fixed generalised speeds."""
+    """Operations by Kane's method, with Euler angles and body-fixed generalized speeds."""
     q = dynamicsymbols("q1:4")
     u = dynamicsymbols("u1:4")
     m, g, R = sp.symbols("m g R", positive=True)

@@ -1,7 +1,8 @@
-"""A graphics processor beside the processors of the same machine: motions, sections, charts.
+"""Speed of a graphics processor compared with the processors of the same machine.
 
-Both compute the same motions with the same code, in turn, and their results are compared bit by
-bit. Times are those that pass, with the copies to the device and back; medians are printed.
+Both compute the same motions, sections and charts with the same code, alternately, and the results
+are compared bit by bit.  Times are wall-clock times with the copies to the device and back;
+medians are printed.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ DEVICES: tuple[Device, ...] = ("cpu", "gpu")
 
 
 def motions(name: str, energy: float, count: int) -> dict[Device, Callable[[], Any]]:
-    """Motions of a body through 10 s."""
+    """Functions that compute motions of a body over 10 s, by device."""
     body = ch.from_catalogue(name)
     starts = many(ch.sample_level(body, 4096, {"energy": energy}, seed=1), count)
     flows = {d: ch.batch_integrator(body, tolerance=TOLERANCE, device=d) for d in DEVICES}
@@ -40,7 +41,7 @@ def motions(name: str, energy: float, count: int) -> dict[Device, Callable[[], A
 
 
 def section(count: int) -> dict[Device, Callable[[], Any]]:
-    """Ten points of a section of each motion of the unbalanced ball."""
+    """Functions for ten section points of each motion of the unbalanced ball, by device."""
     body = ch.from_catalogue("unbalanced-ball")
     starts = many(ch.sample_level(body, 4096, {"energy": 2.0}, seed=1), count)
     cut = ch.poincare_section(body, "gamma_3")
@@ -54,7 +55,7 @@ def section(count: int) -> dict[Device, Callable[[], Any]]:
 
 
 def chart(number: str, rows: int) -> dict[Device, Callable[[], Any]]:
-    """Rows of a chart with 2000 columns of the unbalanced ball, to t = 100."""
+    """Functions that compute rows of a chart with 2000 columns, to t = 100, by device."""
     study = Study.from_experiment(catalogue_experiment("unbalanced-ball"))
     x, y = axis("c_1=-0.4:0.4:2000"), axis("c_3=-0.4:0.4:2000")
     charts = {d: chart_of(study, number, x, y, t_end=100.0, device=d) for d in DEVICES}
@@ -62,12 +63,12 @@ def chart(number: str, rows: int) -> dict[Device, Callable[[], Any]]:
 
 
 def many(starts: np.ndarray, count: int) -> np.ndarray:
-    """The starts over and over again."""
+    """Starts, repeated to a given number."""
     return np.tile(starts, (-(-count // len(starts)), 1))[:count]
 
 
 def same(a: Any, b: Any) -> bool:
-    """Whether all arrays of two results have the same bits."""
+    """True if all arrays of two results have the same bits."""
     first, second = (x if isinstance(x, dict) else vars(x) for x in (a, b))
     return all(
         np.array_equal(first[name], value, equal_nan=value.dtype.kind == "f")
@@ -99,7 +100,7 @@ def main() -> None:
             for device, call in calls.items():
                 began = time.perf_counter()
                 values[device] = call()
-                # the first compiles
+                # the first run compiles
                 if turn:
                     times[device].append(time.perf_counter() - began)
         cpu, gpu = (median(times[device]) / count * 1e6 for device in DEVICES)

@@ -1,10 +1,10 @@
-"""flowlanes beside heyoka, SciPy and numba on four textbook systems, at equal achieved error.
+"""flowlanes, heyoka, SciPy and numba on four textbook systems, at equal error.
 
-Lorenz, Hénon and Heiles, three bodies in a plane near the figure eight, and the double pendulum.
-As in ``engine.py``, every program chooses its tolerance or its number of steps on some random
-starts, so that the median error of a motion meets the target, and is scored on others, against
-motions with 34 digits.  Programs take turns; medians of the processor time of a motion are given,
-and their ratios to that of flowlanes.
+The systems are Lorenz, Hénon and Heiles, three bodies in a plane near the figure eight, and the
+double pendulum.  As in ``engine.py``, the tolerance or number of steps of every program is chosen
+for some random starts, so that the median error of a motion attains the target; errors and times
+are measured for other starts, against motions with 34 digits.  The programs alternate; the results
+are medians of the processor time of a motion, and their ratios to that of flowlanes.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from contest.programs import Program, Result, Trial, contest
 
 from flowlanes import System
 
-#: Seeds of the starts that settings are chosen by, that errors and that times are measured by.
+#: Seeds of the starts for the choice of settings, for errors and for times.
 REHEARSED, SCORED, TIMED = 1, 2, 3
 
 
 @dataclass(frozen=True)
 class Textbook(Body):
-    """A system whose starts are uniform in a box about a state."""
+    """System with starts that are uniform in a box about a state."""
 
     centre: np.ndarray = field(kw_only=True)
     width: np.ndarray = field(kw_only=True)
@@ -77,7 +77,7 @@ def double_pendulum() -> System:
 
 
 def bodies() -> Iterator[Textbook]:
-    """The four systems, with starts and lengths of time."""
+    """The four systems, with starts and durations."""
     x, y, u, v = 0.97000436, -0.24308753, 0.93240737 / 2, 0.86473146 / 2
     eight = (x, y, -x, -y, 0, 0, u, v, u, v, -2 * u, -2 * v)
     for system, span, centre, width in (
@@ -92,7 +92,7 @@ def bodies() -> Iterator[Textbook]:
 
 
 def programs(body: Body) -> list[Program]:
-    """Who takes part."""
+    """Programs to be compared."""
     return [
         ours.ensemble(body, body.span),
         taylor.batch(body, body.span),
@@ -104,7 +104,7 @@ def programs(body: Body) -> list[Program]:
 
 
 def measure(body: Body, target: float, states: int, many: int, turns: int) -> dict[str, Result]:
-    """All programs on one system."""
+    """Results of all programs for one system."""
     rehearsed, scored = body.starts(REHEARSED, states), body.starts(SCORED, states)
     trial = Trial(
         rehearsed,
@@ -120,7 +120,7 @@ def main() -> None:
     """Print a table for each system."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--target", type=float, default=1e-10, help="median error of a motion")
-    # full batches: a lane without a start of its own could end the batch
+    # full batches, because an unused lane could end the batch early
     parser.add_argument("--states", type=int, default=16)
     parser.add_argument("--many", type=int, default=512)
     parser.add_argument("--turns", type=int, default=5)

@@ -1,7 +1,8 @@
-"""Ensembles of the unbalanced ball: memory and time, whatever the number of motions.
+"""Memory and time of ensembles of the unbalanced ball for different numbers of motions.
 
-Starts drawn on a level of the energy, motions to t = 10 with 101 samples of the state and the
-energy, streamed to a store; each size in a process of its own, here and with two processes of Dask.
+Starts are drawn on a level of the energy, motions run to t = 10 with 101 samples of the state and
+the energy, and are written to a store.  Each size runs in a process of its own, directly and with
+two processes of Dask.
 """
 
 from __future__ import annotations

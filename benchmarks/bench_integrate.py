@@ -1,7 +1,7 @@
-"""Time to reach a given error: this package beside SciPy's DOP853 and LSODA.
+"""Time to reach a given error, compared with DOP853 and LSODA of SciPy.
 
-Each method runs at the loosest tolerance of its own that reaches the target error at the end of
-the run (error against 34-digit integration); then all take turns, and medians are compared.
+Each method uses the largest tolerance for which it attains the target error at the end of the
+motion (error against 34-digit integration); then the methods alternate, and medians are compared.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ Method = Callable[[float], np.ndarray]
 
 
 def reduced(name: str) -> tuple[System, list[float]]:
-    """The system without its motion in space, and the catalogue's start."""
+    """System without its motion in space, and the start from the catalogue."""
     entry = chaplygin.CATALOGUE[name]
     system = entry.system()
     start = initial_state(system, entry.start.omega, entry.start.gamma)
@@ -60,7 +60,7 @@ def methods(system: System, start: list[float], until: float) -> dict[str, Metho
 
 
 def loosest(method: Method, exact: np.ndarray, target: float) -> tuple[float, float] | None:
-    """Loosest tolerance that reaches the target error, and the error reached."""
+    """Largest tolerance that attains the target error, and the error."""
     for tolerance in TOLERANCES:
         error = float(np.abs(method(tolerance) - exact).max())
         if error <= target:

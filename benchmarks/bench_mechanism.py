@@ -1,11 +1,12 @@
-"""The Whipple bicycle: this package beside SymPy's Kane's method, in time and operations.
+"""Time and operations for the Whipple bicycle, compared with Kane's method in SymPy.
 
-Compared are the derivation of the equations, the arithmetic operations in them (of SymPy's mass
-matrix and forcing as returned, and after its elimination of common subexpressions), one evaluation
-of the accelerations in NumPy, and the eigenvalues of straight running at 5 m/s.  The accelerations
-of this package are solved for; SymPy's are solved numerically at every evaluation.  A Kane model
-taken in by `from_sympy` is a third way.  For derivations all take turns, each time in a process of
-its own in which nothing is remembered; medians of processor time are compared.
+The results are times for the derivation of the equations, the numbers of arithmetic operations in
+them (for SymPy, of mass matrix and forcing as returned, and after elimination of common
+subexpressions), the time of one evaluation of the accelerations in NumPy, and of the eigenvalues
+of straight running at 5 m/s.  The accelerations of this package are given by formulas; those of
+SymPy are solved numerically in every evaluation.  A third method is a Kane model converted by
+`from_sympy`.  For derivations the methods alternate, each in a new process without cached results;
+medians of processor time are compared.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ VALUES = {name: float(value) for name, value in whipple_bicycle.VALUES.items()}
 
 
 def operations(system: System) -> int:
-    """Of the rates and of the definitions that they need."""
+    """Number of operations in the rates and in the definitions on which they depend."""
     steps = system.required_definitions(system.rates)
     return int(sum(sp.count_ops(e) for e in (*system.rates, *(value for _, value in steps))))
 
@@ -55,7 +56,7 @@ def taken_in() -> System:
 
 
 def own_rate(system: System) -> Callable[[], Any]:
-    """One evaluation of the rates at straight running."""
+    """Function for one evaluation of the rates in straight running."""
     field = lambdify(system, "numpy")
     state = {name: float(x) for name, x in whipple_bicycle.upright(SPEED).items()}
     point = np.array([state.get(str(s), 0.0) for s in system.symbols])
@@ -64,7 +65,7 @@ def own_rate(system: System) -> Callable[[], Any]:
 
 
 def kane_rate(method: Any) -> Callable[[], Any]:
-    """The same by SymPy: mass matrix and forcing with common subexpressions, solved by NumPy."""
+    """The same for SymPy: mass matrix and forcing with common subexpressions, solved by NumPy."""
     moving = [*method.q, *method.u]
     constants = [sp.Symbol(name) for name in VALUES]
     pair = [method.mass_matrix, method.forcing]
@@ -80,7 +81,7 @@ def kane_rate(method: Any) -> Callable[[], Any]:
 
 
 def kane_eigenvalues(method: Any) -> list[complex]:
-    """Eigenvalues by SymPy's linearisation: lean, steer and their rates."""
+    """Eigenvalues from the linearization by SymPy: lean, steer and their rates."""
     point = dict.fromkeys([*method.q, *method.u, *(u.diff() for u in method.u)], 0)
     by_name = {str(u.func): u for u in method.u}
     point[by_name["u3"]] = -SPEED / sp.Symbol("R_R")
@@ -119,7 +120,7 @@ def each(job: Callable[[], Any], seconds: float = 0.5) -> float:
 
 
 def measured(turns: int, linearisation: bool) -> dict[str, dict[str, float]]:
-    """Medians by way and quantity."""
+    """Medians by method and quantity."""
     found: dict[str, dict[str, list[float]]] = {}
     ways = (("chaplygin", own), ("SymPy", kane), ("SymPy, taken in", taken_in))
 

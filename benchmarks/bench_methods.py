@@ -1,9 +1,9 @@
-"""What other methods would cost: evaluations of the rates, and sums, at equal median error.
+"""Costs of other methods: evaluations of the rates, and sums, at equal median error.
 
-Motions of ``engine.py`` with equal steps, in NumPy; for each method the smallest number of
-evaluations in a second of motion with which the median error of 24 starts is at most the target,
-between the rates that were tried by interpolation of the logarithms.  Prince's methods need the
-package ``extensisq``, and are left out without it.
+Motions of ``engine.py`` are integrated with equal steps in NumPy.  For each method the result is
+the smallest number of evaluations per second of motion for which the median error of 24 starts is
+at most the target, interpolated between the tested numbers in logarithms.  Prince's methods need
+the package ``extensisq``, and are omitted without it.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ RATES = (30, 40, 50, 60, 75, 90, 110, 130, 160, 200)
 
 @dataclass(frozen=True)
 class RungeKutta:
-    """An explicit method; its table."""
+    """Explicit Runge–Kutta method with its table."""
 
     name: str
     a: np.ndarray
@@ -35,16 +35,16 @@ class RungeKutta:
 
     @property
     def evaluations(self) -> int:
-        """Of the rates in a step."""
+        """Number of evaluations of the rates in a step."""
         return len(self.b)
 
     @property
     def sums(self) -> float:
-        """Multiplications and additions for a variable and an evaluation."""
+        """Number of multiplications and additions per variable and evaluation."""
         return float(np.count_nonzero(self.a) + np.count_nonzero(self.b)) / len(self.b)
 
     def ends(self, rates: Rates, states: np.ndarray, until: float, steps: int) -> np.ndarray:
-        """The states at a time."""
+        """States at the final time."""
         h = until / steps
         for _ in range(steps):
             slopes: list[np.ndarray] = []
@@ -57,23 +57,23 @@ class RungeKutta:
 
 @dataclass(frozen=True)
 class Adams:
-    """Predictor of an order and corrector of the next, the rates evaluated after both."""
+    """Predictor of one order and corrector of the next, with the rates evaluated after both."""
 
     order: int
     evaluations: int = 2
 
     @property
     def name(self) -> str:
-        """Of the method."""
+        """Name of the method."""
         return f"Adams, order {self.order} and {self.order + 1}"
 
     @property
     def sums(self) -> float:
-        """Multiplications and additions for a variable and an evaluation."""
+        """Number of multiplications and additions per variable and evaluation."""
         return self.order + 0.5
 
     def ends(self, rates: Rates, states: np.ndarray, until: float, steps: int) -> np.ndarray:
-        """The states at a time; the steps before the start are taken by a finer method."""
+        """States at the final time; the steps before the start are computed by a finer method."""
         h = until / steps
         predictor, corrector = _weights(self.order, 0), _weights(self.order + 1, 1)
         before, slopes = states, [np.array(rates(*states))]
@@ -89,7 +89,7 @@ class Adams:
 
 
 def _weights(count: int, first: int) -> list[float]:
-    """Integrals over [0, 1] of the cardinal polynomials of the nodes first, first − 1, …"""
+    """Integrals over [0, 1] of the Lagrange basis polynomials of the nodes first, first − 1, …"""
     x = sp.Symbol("x")
     nodes = [first - i for i in range(count)]
     cardinal = (sp.prod([(x - z) / sp.Rational(y - z) for z in nodes if z != y]) for y in nodes)
@@ -100,7 +100,7 @@ _DORMAND_PRINCE = RungeKutta("Dormand and Prince, order 8", DOP853.A[:12, :12], 
 
 
 def methods() -> Iterator[RungeKutta | Adams]:
-    """All that are compared."""
+    """Methods to be compared."""
     yield _DORMAND_PRINCE
     if find_spec("extensisq"):
         from extensisq import Pr8, Pr9
@@ -114,7 +114,7 @@ def methods() -> Iterator[RungeKutta | Adams]:
 
 @dataclass(frozen=True)
 class Race:
-    """A body, its starts and where they end."""
+    """Body with starts and exact final states."""
 
     body: Body
     rates: Rates
@@ -122,14 +122,14 @@ class Race:
     right: np.ndarray
 
     def error(self, method: RungeKutta | Adams, steps: int) -> float:
-        """The median error of a method in equal steps."""
+        """Median error of a method with equal steps."""
         with np.errstate(all="ignore"):
             ends = method.ends(self.rates, self.starts.T, self.body.span, steps).T
         apart = np.abs(ends - self.right).max(axis=1) / np.abs(self.right).max(axis=1)
         return float(np.median(apart))
 
     def evaluations(self, method: RungeKutta | Adams, target: float) -> float:
-        """Evaluations in a second of motion for a median error; nan beyond those tried."""
+        """Evaluations per second of motion for a median error; NaN outside the tested numbers."""
         before: tuple[float, float] | None = None
         for rate in RATES:
             steps = round(self.body.span * rate / method.evaluations)

@@ -1,9 +1,9 @@
-"""What a page computes beside native code: one motion, a section, indicators of chaos.
+"""Speed of a page compared with native code: one motion, a section, indicators of chaos.
 
-The page's engine runs in Node, native code on one thread; both take turns, medians of the
-repetitions. A motion is one of 601 samples, as a slider asks for; a section one of 1,000 points, as
-a click does; indicators are MEGNO to t = 100, per motion, of as many motions as a tile of a chart
-has there, and natively of a row of a chart.
+The engine of the page runs in Node, native code on one thread; both alternate, and the results are
+medians.  A motion has 601 samples, as for a slider; a section has 1,000 points, as for a click;
+the indicator is MEGNO to t = 100, per motion, for as many motions as in a tile of a chart in the
+page, and natively for a row of a chart.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ for await (const line of createInterface({ input: process.stdin })) {
 
 
 class Page:
-    """An engine in a process of its own."""
+    """Engine in a process of its own."""
 
     def __init__(self, model: dict[str, object], folder: str) -> None:
         path = Path(folder) / "model.json"
@@ -67,7 +67,7 @@ class Page:
         return float(self.process.stdout.readline()) / 1e3
 
     def seconds(self, method: str, task: dict[str, object]) -> float:
-        """How long a call takes there."""
+        """Duration of a call in that process."""
         self.process.stdin.write(json.dumps([method, task]) + "\n")
         self.process.stdin.flush()
         return self._answer()
@@ -84,7 +84,7 @@ def seconds(act: Callable[[], object]) -> float:
 
 
 def compared(page: Callable[[], float], native: Callable[[], object], times: int) -> list[float]:
-    """Medians of both, which take turns, in ms."""
+    """Medians of both in ms, measured alternately."""
     page(), native()
     pairs = [(page(), seconds(native)) for _ in range(times)]
     return [1e3 * median(column) for column in zip(*pairs, strict=True)]

@@ -1,7 +1,7 @@
-"""Proving an integral: this package beside SymPy, the same law of the same system.
+"""Time to prove an integral, compared with SymPy for the same law of the same system.
 
-SymPy brings dF/dt to a common denominator and reduces its numerator modulo the relations, as one
-does by hand; each run is a process of its own, which is given a limited time.
+SymPy brings dF/dt to a common denominator and reduces its numerator modulo the relations, as in a
+calculation by hand; each run is a process of its own with a time limit.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ LAWS = (
 
 
 def by_sympy(name: str, law_name: str) -> bool:
-    """dF/dt over a common denominator, its numerator reduced modulo the relations."""
+    """Proof by a common denominator of dF/dt, with its numerator modulo the relations."""
     from chaplygin import from_catalogue
     from flowlanes.system import to_components
     from lawproof.proof.level.level_set import LevelSet
@@ -53,7 +53,7 @@ def by_sympy(name: str, law_name: str) -> bool:
 
 
 def by_prover(name: str, law_name: str) -> bool:
-    """The prover of this package, without verdicts of earlier runs."""
+    """Proof by the prover of this package, without cached verdicts."""
     from chaplygin import from_catalogue, prove
 
     system = from_catalogue(name)
@@ -65,7 +65,7 @@ ROADS = {"prover": by_prover, "sympy": by_sympy}
 
 
 def timed(road: str, name: str, law: str, limit: float) -> float | None:
-    """Seconds in a fresh process with an empty cache; None when it failed or took too long."""
+    """Seconds in a new process with an empty cache; None if it failed or exceeded the limit."""
     with tempfile.TemporaryDirectory() as empty:
         try:
             done = subprocess.run(
@@ -83,7 +83,7 @@ def timed(road: str, name: str, law: str, limit: float) -> float | None:
 
 
 def one(road: str, name: str, law: str) -> None:
-    """One run, printed for the parent process; building the system is not counted."""
+    """One run, printed for the parent process; the construction of the system is not included."""
     import lawproof.proof.prover  # noqa: F401  (imports are not counted)
     from chaplygin import from_catalogue
 
@@ -94,7 +94,7 @@ def one(road: str, name: str, law: str) -> None:
 
 
 def main() -> None:
-    """Measure all laws, both roads in turn."""
+    """Measure all laws, with the two provers alternating."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--limit", type=float, default=60.0, help="seconds for one run")

@@ -1,8 +1,8 @@
-"""What bounds the speed of each task of the engine, from small measurements on one core.
+"""Limits on the speed of each task of the engine, from small measurements on one core.
 
-Operations are those that the engine's graphs and tables ask for, a fused product and sum being
-two; steering of steps is not counted.  They are compared with the peak of fused operations and,
-for a single motion, with the time that its longest chain of dependent operations needs.
+Operations are those in the graphs and tables of the engine, where a fused product and sum is two
+operations; the control of steps is not included.  They are compared with the peak rate of fused
+operations and, for a single motion, with the time of its longest chain of dependent operations.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ TURNS = 15
 
 
 def seconds(job: Callable[[], Any]) -> float:
-    """Processor time of a job, the least of some turns: other work only adds to it."""
+    """Processor time of a job, the minimum of several runs: other work only adds to it."""
     spent = []
     for _ in range(TURNS):
         began = time.process_time()
@@ -42,19 +42,19 @@ def seconds(job: Callable[[], Any]) -> float:
 
 
 def chain(body: Body, latency: Mapping[str, int]) -> int:
-    """Cycles from a state to its rates along the longest chain of operations."""
+    """Number of cycles from a state to its rates along the longest chain of operations."""
     _, rates = of_system(body.system)
     depth: dict[int, int] = {}
     for node in topological_order(rates):
         below = max((depth[id(a)] for a in node.operands), default=0)
         moving = node.kind == "state" or below > 0
-        # what depends on parameters alone is computed before; states are there at cycle 1
+        # parameter-only terms are computed before; states are available at cycle 1
         depth[id(node)] = below + latency.get(node.kind, 1) if moving else 0
     return max(depth[id(rate)] for rate in rates)
 
 
 def tangent_step(body: Body) -> int:
-    """Operations of a step with as many tangent vectors as variables."""
+    """Number of operations of a step with as many tangent vectors as variables."""
     reader, rates = of_system(body.system)
     graph = reader.graph
     leaves = [graph.state(i) for i in range(body.size)]
@@ -68,7 +68,7 @@ def tangent_step(body: Body) -> int:
 
 
 def pairs() -> tuple[dict[str, int], dict[str, int]]:
-    """Operations of doubles in one of pairs, and cycles along their longest chain, by kind."""
+    """Numbers of double operations in a pair operation, and cycles of their longest chain."""
     count, cycles = {}, {}
     for kind, taken in (("add", 2), ("sub", 2), ("mul", 2), ("recip", 1)):
         writer = IRWriter(4)
@@ -85,7 +85,7 @@ def pairs() -> tuple[dict[str, int], dict[str, int]]:
 
 
 def measured(body: Body, most: float) -> dict[str, float]:
-    """Of one body, by quantity."""
+    """Results for one body, by quantity."""
     found: dict[str, float] = {}
     starts = body.starts(3, 256)
     plain = batch_integrator(body.system, tolerance=1e-11)

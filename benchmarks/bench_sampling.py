@@ -1,6 +1,6 @@
-"""What a random start costs, and how well it lies on its level; printed as a Markdown table.
+"""Cost of a random start, and its distance from its level; printed as a Markdown table.
 
-Times are of the processor, so that other programs on the machine do not count.
+Times are processor times, so other programs on the machine have no effect.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ LEVELS = (
 
 
 def row(name: str, level: dict[str, float], count: int) -> str:
-    """One level: preparation, time of a point, worst residual relative to 1 + |value|."""
+    """Row for one level: preparation, time of a point, worst residual relative to 1 + |value|."""
     system = from_catalogue(name)
     clock = time.process_time()
     chosen = level_sampler(system, level)

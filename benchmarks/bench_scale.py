@@ -1,7 +1,7 @@
-"""Memory, disk and processor time of large ensembles, streamed to a store by the workers of Dask.
+"""Memory, disk and processor time of large ensembles, written to a store by workers of Dask.
 
-Motions of the unbalanced ball from a level of the energy to t = 10, of which the last state, the
-energy and the outcome are kept.  Each size in a process of its own.
+Motions of the unbalanced ball start on a level of the energy and run to t = 10; the last state,
+the energy and the outcome are stored.  Each size runs in a process of its own.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ SIZES = (100_000, 1_000_000, 10_000_000)
 
 
 def run(size: int, workers: int, block: int | None) -> dict[str, float]:
-    """One ensemble; peaks are those of the writing process and of the largest worker."""
+    """One ensemble; the peaks are those of the writing process and of the largest worker."""
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder) / "ensemble.zarr"
         began = time.perf_counter()

@@ -1,9 +1,9 @@
-"""Closed forms beside integration: time per state, set-up, errors, and how both grow with time.
+"""Closed forms compared with integration: time per state, set-up, errors, and their growth in time.
 
-The errors of the evaluation in doubles are against the evaluation with error bounds.  The fastest
-integration here runs to the same time at the loosest tolerance that reaches the same error, or at
-the tightest where none does; where the run would be long, its time is that of a shorter run in
-proportion.  Times are of the processor.
+The errors of the evaluation in doubles are relative to the evaluation with error bounds.  The
+fastest integration runs to the same time at the largest tolerance with the same error, or at the
+smallest tolerance if this error is not attained; for a long run the time of a shorter run is
+scaled.  Times are processor times.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ import chaplygin
 from chaplygin import Solution, System, initial_state, solve
 from nonholonomic.closed_form.rigorous import rigorous_motion
 
-#: Systems, with angular velocities at γ = (0, 0, 1).  Doubles hold these starts, and the bodies
-#: with I₃ changed, exactly, so that all methods solve one and the same motion.
+#: Systems, with angular velocities at γ = (0, 0, 1).  Doubles represent these starts, and the
+#: bodies with I₃ changed, exactly, so all methods solve exactly the same motion.
 CASES = {
     "veselova": (1.0, 0.5, 0.0),
     "rubber-chaplygin-ball": (1.0, 0.5, 0.0),
@@ -33,7 +33,7 @@ BODY = {"I_3": 2.125}
 TIMES = (1e3, 1e4, 1e6)
 STATES = 10_000
 DIGITS = 20
-#: The longest run that is integrated; beyond it, its time is scaled up.
+#: Longest motion that is integrated; for longer ones the time is scaled.
 LONGEST = 1e4
 TURNS = 5
 TOLERANCES = (1e-10, 1e-12, 1e-14, 1e-15, 1e-16)
@@ -41,14 +41,14 @@ TOLERANCES = (1e-10, 1e-12, 1e-14, 1e-15, 1e-16)
 
 @dataclass(frozen=True)
 class Case:
-    """A motion, reduced; all parameters but `BODY` are the defaults, which doubles hold."""
+    """Reduced motion; all parameters except `BODY` have defaults that are exact in doubles."""
 
     system: System
     start: list[float]
 
     @classmethod
     def of(cls, name: str) -> Case:
-        """A system of the catalogue, without its motion in space."""
+        """System of the catalogue, without its motion in space."""
         system = chaplygin.CATALOGUE[name].system()
         body = {p.symbol: BODY[str(p.symbol)] for p in system.parameters if str(p.symbol) in BODY}
         start = initial_state(system, CASES[name], (0.0, 0.0, 1.0), parameters=body)
@@ -57,7 +57,7 @@ class Case:
 
 
 def set_up(case: Case) -> tuple[Solution, float]:
-    """A solution that is ready, and the seconds it took."""
+    """Prepared solution, and the time of its preparation in seconds."""
     begun = time.process_time()
     solution = solve(case.system, case.start, BODY)
     solution.states(np.array([0.0]))
@@ -76,13 +76,13 @@ def per_state(solution: Solution, until: float, turns: int) -> float:
 
 
 def exact(solution: Any, until: float) -> tuple[Any, float]:
-    """The state with error bounds, and the largest radius."""
+    """State with error bounds, and the largest radius."""
     balls = rigorous_motion(solution, DIGITS, until).state(until)
     return balls, max(float(ball.rad()) for ball in balls)
 
 
 def error(balls: Sequence[Any], state: Sequence[Any]) -> float:
-    """The largest distance of a state in doubles from the exact one."""
+    """Largest distance of a state in doubles from the exact state."""
     return max(abs(float((ball - float(x)).mid())) for ball, x in zip(balls, state, strict=True))
 
 

@@ -1,4 +1,4 @@
-"""Ensembles by instruction sets: the same motions, the same bits, as on older processors."""
+"""Ensembles with different instruction sets: the same motions and bits as on older processors."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import numpy as np
 import chaplygin as ch
 from flowlanes.flow.machine_code import jit
 
-#: What is left out of this processor, by LLVM's words.
+#: Instruction sets that are disabled, by their LLVM names.
 SETS: dict[str, tuple[str, ...]] = {
     "AVX-512": (),
     "AVX2": ("avx512", "avx10"),
@@ -24,11 +24,11 @@ MOTIONS, UNTIL, TURNS = 512, 10.0, 5
 
 
 def flow_with(system: ch.System, left_out: tuple[str, ...]) -> Any:
-    """The lanes of a system without some instruction sets."""
+    """Integrator of a system without some instruction sets."""
     whole, sets = jit.host, jit.instruction_sets(*left_out)
     jit.host = lambda: sets  # type: ignore[assignment]
     try:
-        # past the memory of what has been compiled for this processor
+        # bypasses the cache of functions compiled for this processor
         return ch.batch_integrator.__wrapped__(system, tolerance=1e-10), sets.width
     finally:
         jit.host = whole

@@ -1,10 +1,10 @@
 """Drift of the integrals of every catalogue system over 100 000 units of time.
 
-Each system starts as the catalogue suggests, with its default parameters, and is integrated as
-`chaplygin run` does it (Taylor series, tolerance 1e-15, integrals left free), through lift-off
-where that comes.  The folder named keeps one file per system, written anew after every piece of
-time; the same command goes on from there.  A system whose share of processor seconds is spent is
-left where it is, and a later call with a larger share takes it further.
+Each system has the start of the catalogue and its default parameters, and is integrated as by
+`chaplygin run` (Taylor series, tolerance 1e-15, integrals not corrected), also beyond lift-off.
+The given folder has one file per system, which is rewritten after every piece of time; the same
+command continues from there.  A system that has used its share of processor seconds is left, and a
+later call with a larger share continues it.
 
     nice python benchmarks/drift_catalogue.py build/drift --share 60
     python benchmarks/drift_catalogue.py build/drift --table
@@ -29,7 +29,7 @@ SAMPLES = 51
 
 
 def initial_record(study: Study) -> dict[str, Any]:
-    """What is known of a system before the first step."""
+    """Record of a system before the first step."""
     return {
         "system": study.system.name,
         "time": 0.0,
@@ -45,10 +45,10 @@ def initial_record(study: Study) -> dict[str, Any]:
 def record_after(
     record: dict[str, Any], motion: Trajectory, seconds: float, failure: str
 ) -> dict[str, Any]:
-    """The same record after another piece of the motion.
+    """Record after another piece of the motion.
 
-    Of one that ended at a singularity the last sample does not count: there the terms of an
-    integral are so large that rounding is all that is left of their sum.
+    The last sample of a motion that ended at a singularity is not used: there the terms of an
+    integral are so large that their sum is only rounding.
     """
     stopped = [h.guard.message for h in motion.events if h.is_terminal]
     end = stopped[0] if stopped else failure
@@ -71,10 +71,10 @@ def record_after(
 
 
 def continue_run(study: Study, path: Path, share: float) -> None:
-    """Integrate a system until its share of seconds is spent or the time is over."""
+    """Integrate a system until its share of seconds is used or the final time is reached."""
     record = json.loads(path.read_text()) if path.exists() else initial_record(study)
     while record["time"] < UNTIL and not record["end"] and record["seconds"] < share:
-        # first as far as the catalogue suggests, since some motions end soon after
+        # first up to the duration in the catalogue, because some motions end soon after it
         last = min(record["time"] + PIECE, UNTIL) if record["time"] else study.until
         begin = time.process_time()
         try:
@@ -97,14 +97,14 @@ def continue_run(study: Study, path: Path, share: float) -> None:
 
 
 def relative(record: dict[str, Any]) -> tuple[float, str]:
-    """The largest drift, relative to the first value where that exceeds one, and its law."""
+    """Largest drift, relative to the first value if that exceeds one, and its law."""
     sizes = {n: d / max(1.0, abs(record["first"][n])) for n, d in record["drift"].items()}
     worst = max(sizes, key=lambda name: sizes[name], default="")
     return sizes.get(worst, 0.0), worst
 
 
 def table(folder: Path) -> str:
-    """The records of a folder as a table of Markdown."""
+    """Markdown table of the records of a folder."""
     lines = ["| system | until | integrals | drift | of | steps | s |", "|---" * 7 + "|"]
     for name in CATALOGUE:
         path = folder / f"{name}.json"

@@ -1,15 +1,17 @@
-"""The engine beside heyoka, SciPy, numba, JAX and MuJoCo, at equal achieved error.
+"""The engine, heyoka, SciPy, numba, JAX and MuJoCo at equal error.
 
 Three bodies roll on a plane: the Chaplygin ball, a heavy unbalanced ball and a heavy ellipsoid.
-Every program chooses its tolerance or its steps on some random starts, so that the median error
-of a motion meets the target, and is scored on others, against motions with 34 digits or more.
-Programs take turns and medians are compared.  Times are of the processor, all threads together,
-which other work on the machine changes little; time that passed is shown beside.
+The tolerance or step number of every program is chosen for some random starts, so that the median
+error of a motion attains the target; errors and times are measured for other starts, against
+motions with 34 digits or more.  The programs alternate, and medians are compared.  Times are
+processor times of all threads together, which depend little on other work on the machine;
+wall-clock times are shown too.
 
-``--body ball-4`` asks of a ball of four dimensions, ``ball-4-tensor`` of one with a mass tensor.
-``--json`` prints, for five tasks and three bodies, the time of heyoka's best variant in that of
-this engine; of two targets the smaller ratio.  The row ``"numba"`` is that of ensembles beside
-loops written by hand over 16 lanes, with as many equal steps as their median and worst errors need.
+``--body ball-4`` selects a ball in four dimensions, ``ball-4-tensor`` one with a mass tensor.
+``--json`` prints, for five tasks and three bodies, the ratio of the time of the best variant of
+heyoka to that of this engine; of two targets the smaller ratio.  The row ``"numba"`` is for
+ensembles, compared with hand-written loops over 16 lanes, with the number of equal steps for the
+same median and worst errors.
 """
 
 from __future__ import annotations
@@ -27,7 +29,7 @@ from contest.tasks import QUICK, TASKS, THOROUGH, Effort, Outcome, ball
 def measure(
     effort: Effort, tasks: Sequence[str], bodies: Sequence[Body] = tuple(BODIES.values())
 ) -> Iterator[Outcome]:
-    """Every task with every body and target, one after another."""
+    """Results of every task for every body and target, one after another."""
     for task in TASKS:
         if task.name in tasks:
             for body in bodies:
@@ -38,7 +40,7 @@ def measure(
 
 
 def ratios(outcomes: Sequence[Outcome]) -> dict[str, dict[str, float]]:
-    """The smallest ratio of each task and body."""
+    """Smallest ratio of each task and body."""
     found: dict[str, dict[str, float]] = {}
     for outcome in outcomes:
         row = found.setdefault(outcome.task, {})

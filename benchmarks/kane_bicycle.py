@@ -1,9 +1,9 @@
-"""The Whipple bicycle by Kane's method in SymPy, with the construction of its own test suite.
+"""The Whipple bicycle by Kane's method in SymPy, constructed as in the test suite of SymPy.
 
-Rear contact point upwards; yaw, roll, pitch and steering angle as coordinates; the angular
-velocities of yaw, roll, pitch, steering and both wheels as speeds; the front contact point rests
-(three velocity constraints) and touches the ground (one configuration constraint).  Axes: x
-forward, y right, z down.
+The bicycle is described from the rear contact point upwards, with yaw, roll, pitch and steering
+angle as coordinates, and the angular velocities of yaw, roll, pitch, steering and both wheels as
+speeds.  The front contact point is at rest (three velocity constraints) and on the ground (one
+configuration constraint).  Axes: x forward, y right, z down.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from sympy.physics.mechanics import (
 
 __all__ = ["NAMES", "kane_bicycle"]
 
-#: The parameters of the machine, as in the benchmark paper.
+#: Parameters of the bicycle, as in the benchmark paper.
 NAMES = (
     *("w", "c", "lambda", "g", "R_R", "m_R", "I_Rxx", "I_Ryy"),
     *("x_B", "z_B", "m_B", "I_Bxx", "I_Byy", "I_Bzz", "I_Bxz"),
@@ -33,7 +33,7 @@ NAMES = (
 
 
 def kane_bicycle() -> tuple[KanesMethod, list[RigidBody], list[Any]]:
-    """The method with its kinematics and constraints, the bodies and the loads."""
+    """Method with its kinematics and constraints, bodies and loads."""
     p = {name: sp.Symbol(name) for name in NAMES}
     tilt, g = p["lambda"], p["g"]
     yaw, roll, pitch, steer = dynamicsymbols("q1 q2 q4 q5")
@@ -56,7 +56,7 @@ def kane_bicycle() -> tuple[KanesMethod, list[RigidBody], list[Any]]:
     fork.set_ang_vel(frame, u_steer * fork.z)
     front_wheel.set_ang_vel(fork, u_front * fork.y)
 
-    # distances in the tilted axes; the foot of the rear hub on the column lies at reach e_1
+    # distances in the tilted axes; the rear hub projected onto the column lies at reach e_1
     cl, sl = sp.cos(tilt), sp.sin(tilt)
     reach = (p["w"] + p["c"]) * cl - p["R_R"] * sl
 

@@ -1,12 +1,12 @@
-"""``chaplygin study`` of catalogue systems from outside: times of whole processes, cold.
+"""Times of whole processes ``chaplygin study`` of catalogue systems, with a cold cache.
 
-Processor time is that of all processes of a study together; the time that passes is less where a
-second core draws the figures, and more where others use the machine.
+Processor time is that of all processes of a study together.  The wall-clock time is smaller if a
+second core draws the figures, and larger if other programs use the machine.
 
 Each system is studied in a process of its own with default options and an empty cache, so that
-equations, machine code, proofs, figures and the page are all made anew, and matplotlib's list of
-fonts; the package is compiled to bytecode first, as its installation does it.  With ``--keep``
-reports stay where they can be compared; with ``--results`` the times are stored after each system.
+equations, machine code, proofs, figures, the page and the font list of matplotlib are all computed
+again; the package is compiled to bytecode first, as in an installation.  With ``--keep`` reports
+are kept for comparisons; with ``--results`` the times are stored after each system.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ UNSET = ("FLOWLANES_CACHE", "MPLCONFIGDIR", "PYTHONDONTWRITEBYTECODE")
 
 
 def studied(name: str, folder: Path) -> dict[str, float | str]:
-    """Processor time (user and system), time passed and memory of one study."""
+    """Processor time (user and system), wall-clock time and memory of one study."""
     with tempfile.TemporaryDirectory() as empty:
         environment = os.environ | {"XDG_CACHE_HOME": empty}
         for variable in UNSET:
@@ -55,12 +55,12 @@ def studied(name: str, folder: Path) -> dict[str, float | str]:
 
 
 def _times(row: Mapping[str, Any]) -> str:
-    """System, processor time and time passed, in a line."""
+    """Line with system, processor time and wall-clock time."""
     return f"{row['system']:36} {row['processor']:6.1f} s {row['passed']:6.1f} s passed"
 
 
 def main() -> None:
-    """Study the systems named, or all of the catalogue."""
+    """Study the given systems, or the whole catalogue."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("systems", nargs="*", help="names; default: the whole catalogue")
     parser.add_argument("--json", action="store_true")

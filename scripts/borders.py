@@ -1,4 +1,4 @@
-"""Writes public.txt of each package: the names that other packages take from it.
+"""Write public.txt of each package: the names that are used by other packages.
 
     python scripts/borders.py
 

@@ -1,8 +1,8 @@
-"""Certificates of all laws of the catalogue, or of the audit: made, checked, and counted.
+"""Certificates of all laws of the catalogue, or of the audit: generation, check, and statistics.
 
     python scripts/certify.py [--audit] [--seconds N] [--out FILE] [SYSTEM or SECTION ...]
 
-Writes one line of JSON for each law, and a summary at the end.  Exit status 0 whatever is found.
+Writes one line of JSON for each law, and a summary at the end.  The exit status is always 0.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ Named = tuple[str, System, Law]
 
 
 class TookTooLongError(Exception):
-    """More time than a law may take."""
+    """Raised if a law takes more time than allowed."""
 
 
 def main() -> None:
-    """Go through the laws, those of the catalogue from small systems to large ones."""
+    """Process the laws, in the catalogue from small to large systems."""
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("names", nargs="*", metavar="SYSTEM or SECTION")
     arguments.add_argument("--audit", action="store_true", help="the paper's claims instead")
@@ -58,7 +58,7 @@ def _of_catalogue(names: list[str]) -> Iterator[Named]:
 
 
 def _audited(sections: list[str]) -> Iterator[Named]:
-    """What is proved or refuted of every claim; some are decided in another way."""
+    """Laws behind every claim that is proven or refuted; some claims are decided otherwise."""
     for section in map(int, sections) if sections else (None,):
         for number, claim in claims(section):
             for form in (claim.printed, claim.corrected):

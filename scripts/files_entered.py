@@ -51,7 +51,7 @@ def files_entered(walk: Callable[[], object]) -> list[str]:
 
 
 def write_report(folder: str) -> None:
-    """The command ``chaplygin study``, with the figures drawn in this process, not in a copy."""
+    """Run ``chaplygin study``, with the figures drawn in this process instead of a copy."""
     sys.argv = ["chaplygin", "study", str(EXAMPLE), "-o", f"{folder}/report"]
     try:
         with patch("chaplygin.report.study_output.beside", nullcontext):

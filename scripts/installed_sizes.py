@@ -1,6 +1,6 @@
-"""Prints what the packages of this environment take on the disk, the largest first.
+"""Print the disk sizes of the packages of this environment, largest first.
 
-python installed_sizes.py [HOW_MANY], with the Python of the environment.
+Usage: python installed_sizes.py [HOW_MANY], with the Python of the environment.
 """
 
 from __future__ import annotations
@@ -9,12 +9,12 @@ import sys
 from importlib.metadata import distributions
 from pathlib import Path
 
-#: Bytes of a megabyte, as everywhere in these pages.
+#: Bytes of a megabyte, as everywhere on these pages.
 MEGABYTE = 1_000_000
 
 
 def sizes() -> dict[str, int]:
-    """Bytes of each package, with its compiled modules."""
+    """Bytes of each package, including its compiled modules."""
     found = {}
     for package in distributions():
         files = {Path(str(package.locate_file(file))) for file in package.files or ()}

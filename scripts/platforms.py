@@ -1,9 +1,9 @@
-"""Prints where the package installs from ready-built wheels, as the table of docs/dependencies.md.
+"""Print where the package installs from wheels, as in the table of docs/dependencies.md.
 
-python platforms.py, where uv is installed: `uv pip compile` is asked for each platform and each
-version of Python, for versions from the oldest that will do in the files pyproject.toml on.  First
-each requirement is asked for alone, to name those without a wheel; where all have one, for all of
-them together with all that they need.
+Usage: python platforms.py, with uv installed.  `uv pip compile` is run for each platform and each
+version of Python, for versions from the oldest allowed in pyproject.toml on.  First each
+requirement is resolved alone, to find those without a wheel; if all have wheels, all of them are
+resolved together with their dependencies.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 PYTHONS = ("3.11", "3.12", "3.13", "3.14")
-#: Names of the resolver, and their own.
+#: Names of platforms in the resolver and in the table.
 PLATFORMS = {
     "x86_64-manylinux_2_28": "Linux, x86-64",
     "aarch64-manylinux_2_28": "Linux, aarch64",
@@ -28,14 +28,14 @@ PLATFORMS = {
     "x86_64-unknown-linux-musl": "Linux with musl, x86-64",
     "aarch64-unknown-linux-musl": "Linux with musl, aarch64",
 }
-#: Seconds for one answer.
+#: Time limit in seconds for one answer.
 PATIENCE = 60.0
-#: Extras for users; the others are for work on the package itself.
+#: Extras for users; the others are for the development of the package.
 EXTRAS = ("cluster", "export", "film", "gpu", "lab", "taylor")
 
 
 def has_wheels(requirements: tuple[str, ...], platform: str, python: str, *options: str) -> bool:
-    """Whether the resolver finds versions that all come as wheels."""
+    """True if the resolver finds versions that all have wheels."""
     try:
         asked = subprocess.run(
             [
@@ -57,7 +57,7 @@ def has_wheels(requirements: tuple[str, ...], platform: str, python: str, *optio
 
 
 def cell(project: dict, platform: str, python: str) -> str:
-    """A cell of the table: yes and the extras that lack a wheel, or the requirements that do."""
+    """Cell of the table: yes with the extras, or the requirements, that have no wheel."""
     core, optional = tuple(project["dependencies"]), project["optional-dependencies"]
 
     def lacking(requirements: tuple[str, ...]) -> list[str]:
@@ -83,7 +83,7 @@ def _name(requirement: str) -> str:
 
 
 def all_together() -> dict:
-    """What the packages need of others, and their extras, as if they were one."""
+    """Requirements of all packages and their extras, as for a single package."""
     places = sorted((ROOT / "packages").glob("*/pyproject.toml"))
     own = {place.parent.name for place in places}
 
@@ -102,7 +102,7 @@ def all_together() -> dict:
 
 
 def table() -> list[str]:
-    """The lines of the table."""
+    """Lines of the table."""
     project = all_together()
     places = list(product(PLATFORMS, PYTHONS))
     cells = {}

@@ -1,13 +1,14 @@
-"""The statements of the audit against the text of the paper, word by word.
+"""Comparison of the statements of the audit with the text of the paper, word by word.
 
     python scripts/quotations.py TEXT [--section N] [--show] [--accept]
 
-TEXT is a file with the text of the paper, formulas in LaTeX between dollar signs; the repository
-has none.  A statement shortens what is printed.  Each is laid beside its passage.  Words that one
-of both alone has, and words such as "if" and "only" in the rest of the sentences where the passage
-begins and ends, must be those that ``quotations.txt``, beside this script, allows for it; other
-differences are printed, and the exit status is 1.  ``--show`` prints all differences, allowed or
-not; ``--accept`` writes those found to ``quotations.txt``, to be read before they are committed.
+TEXT is a file with the text of the paper, with formulas in LaTeX between dollar signs; it is not
+in the repository.  A statement is a shortened form of the printed text and is compared with its
+passage.  Words that occur in only one of them, and words such as "if" and "only" in the rest of
+the sentences at both ends of the passage, must be allowed for it in ``quotations.txt`` (in the
+folder of this script).  Other differences are printed, and the exit status is 1.  ``--show``
+prints all differences, allowed or not; ``--accept`` writes them to ``quotations.txt``, to be read
+before they are committed.
 """
 
 from __future__ import annotations
@@ -27,11 +28,11 @@ from flowlanes.printing.symbol_names import GREEK
 ALLOWED = Path(__file__).with_suffix(".txt")
 
 Key: TypeAlias = tuple[int, str, int]
-"""Section, place, and which of the claims at this place."""
+"""Section, place, and number of the claim at this place."""
 
-#: Ends a sentence, in the words of a passage.
+#: End of a sentence, in the words of a passage.
 STOP = "¶"
-#: Words on which it depends what a sentence says.
+#: Words on which the meaning of a sentence depends.
 QUALIFIERS = frozenset(
     [
         *("if", "unless", "except", "only", "special", "provided", "suppose", "assume", "when"),
@@ -41,9 +42,9 @@ QUALIFIERS = frozenset(
         *("numerically", "preliminary", "indicate", "opinion", "reported"),
     ]
 )
-#: What one word too many costs, a gap in the passage, and each further word of the gap.
+#: Costs of an additional word, of a gap in the passage, and of each further word of the gap.
 ADDED, GAP, LONGER = 1.0, 1.2, 0.01
-#: Gaps in the passage longer than this are shortened in the list.
+#: Longer gaps in the passage are shortened in the list.
 SHOWN = 8
 
 _FONTS = r"\\(?:mathbf|boldsymbol|mathcal|mathrm|text|operatorname|overline|bar|left|right)\b"
@@ -60,7 +61,7 @@ _LETTERS = str.maketrans(
 
 
 class Difference(NamedTuple):
-    """Words of the statement alone, and words of the passage alone, at one place."""
+    """Words only in the statement, and words only in the passage, at one place."""
 
     added: tuple[str, ...]
     omitted: tuple[str, ...]
@@ -82,7 +83,7 @@ def tokens(text: str) -> tuple[str, ...]:
 
 
 def words_and_stops(text: str) -> tuple[str, ...]:
-    """The words, with STOP between sentences."""
+    """Words, with STOP between sentences."""
     found: list[str] = []
     parts = re.split(r"\$+", text.translate(_LETTERS))
     for number, part in enumerate(parts):
@@ -96,7 +97,7 @@ def words_and_stops(text: str) -> tuple[str, ...]:
 
 
 def sections(text: str) -> Mapping[int, tuple[str, ...]]:
-    """The words of each section; contents, acknowledgements and references are left out."""
+    """Words of each section, without contents, acknowledgements and references."""
     heads = list(re.finditer(r"^(\d+)\. [A-Z][A-Z \-,():a-z]*$", text, flags=re.M))
     ends = [*(head.start() for head in heads[1:]), len(text)]
     last = re.search(r"^ACKNOWLEDGMENTS$", text, flags=re.M)
@@ -108,10 +109,10 @@ def sections(text: str) -> Mapping[int, tuple[str, ...]]:
 
 
 def differences(statement: Sequence[str], passage: Sequence[str]) -> tuple[Difference, ...]:
-    """What has to be changed in the part of `passage` that is nearest to `statement`.
+    """Differences between `statement` and the part of `passage` that is nearest to it.
 
-    The alignment of least cost, by dynamic programming over prefixes of both: words before and
-    after the part found cost nothing, a gap in it GAP and LONGER for each word (Gotoh 1982).
+    The alignment of least cost is found by dynamic programming over prefixes of both: words
+    outside the part cost nothing, a gap in it costs GAP and LONGER for each word (Gotoh 1982).
     """
     words = np.array(passage)
     size = len(words) + 1
@@ -121,7 +122,7 @@ def differences(statement: Sequence[str], passage: Sequence[str]) -> tuple[Diffe
     for row, word in enumerate(statement, start=1):
         same = np.append(np.inf, np.where(words == word, best[row - 1, :-1], np.inf))
         reached = np.minimum(same, best[row - 1] + ADDED)
-        # from where a gap that ends here began: the least of reached − LONGER·place so far
+        # start of a gap that ends here: the minimum of reached − LONGER·place so far
         shifted = reached - LONGER * place
         least = np.minimum.accumulate(shifted)
         first = np.maximum.accumulate(np.where(shifted == least, place, 0))
@@ -153,7 +154,7 @@ def differences(statement: Sequence[str], passage: Sequence[str]) -> tuple[Diffe
 
 
 def _around(passage: Sequence[str], start: int, end: int) -> Sequence[str]:
-    """The words from the beginning of a sentence to `start`, and from `end` to the end of one."""
+    """Words from the start of a sentence to `start`, and from `end` to the end of a sentence."""
     before, after = passage[:start], passage[end:]
     first = max((n + 1 for n, word in enumerate(before) if word == STOP), default=0)
     last = after.index(STOP) if STOP in after else len(after)
@@ -171,7 +172,7 @@ def _grouped(steps: Sequence[tuple[str, tuple[str, ...]]]) -> Iterator[Differenc
 
 
 def allowed(text: str) -> dict[Key, tuple[str, ...]]:
-    """The differences of each claim that a list allows: a claim's line, then one line for each."""
+    """Allowed differences of each claim in a list: a line for the claim, then one for each."""
     found: dict[Key, list[str]] = {}
     key: Key | None = None
     for line in text.splitlines():
@@ -185,7 +186,7 @@ def allowed(text: str) -> dict[Key, tuple[str, ...]]:
 
 
 def listed(found: Mapping[Key, Sequence[Difference]]) -> str:
-    """The list that allows these differences."""
+    """List that allows these differences."""
     lines = []
     for (section, source, number), changed in found.items():
         if changed:
@@ -195,7 +196,7 @@ def listed(found: Mapping[Key, Sequence[Difference]]) -> str:
 
 
 def compared(text: str, section: int | None = None) -> dict[Key, tuple[Difference, ...]]:
-    """The differences of each claim from the text of the paper."""
+    """Differences of each claim from the text of the paper."""
     passages = sections(text)
     found: dict[Key, tuple[Difference, ...]] = {}
     for number, claim in claims(section):
@@ -205,7 +206,7 @@ def compared(text: str, section: int | None = None) -> dict[Key, tuple[Differenc
 
 
 def main() -> int:
-    """Compare, and print what no list allows."""
+    """Compare, and print the differences that are not in a list."""
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("text", type=Path, metavar="TEXT", help="a file with the paper's text")
     arguments.add_argument("--section", type=int, help="of the paper")

@@ -1,1 +1,1 @@
-"""What `engine.py` compares: bodies, programs, and how they are made to meet."""
+"""Bodies, programs and comparisons of `engine.py`."""

@@ -1,4 +1,4 @@
-"""JAX: the order-8 method by hand over whole arrays, and diffrax's Dopri8 mapped over starts."""
+"""JAX: the order-8 method written for whole arrays, and Dopri8 of diffrax mapped over starts."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def _jax() -> Any:
 def jax_fixed(body: Body, until: float, block: int = 64) -> Program:
     """Equal steps in a compiled loop; a block of trajectories is one array (size, block).
 
-    A variable for each component instead is ten times slower.
+    With a variable for each component it would be ten times slower.
     """
     jax = _jax()
     field = defined(field_text(body), {"sqrt": jax.numpy.sqrt})["field"]
@@ -71,7 +71,7 @@ def _combined(weights: list[float], rates: list[Any]) -> Any:
 
 
 def diffrax_adaptive(body: Body, until: float) -> Program:
-    """Dopri8 with diffrax's own control of steps."""
+    """Dopri8 with the step control of diffrax."""
     import diffrax
 
     jax = _jax()

@@ -1,4 +1,4 @@
-"""The three bodies, random starts, and motions with 34 digits to measure errors by."""
+"""The three bodies, random starts, and motions with 34 digits as references for errors."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ from nonholonomic.catalogue.bodies import unbalanced_ball
 __all__ = ["BEYOND", "BODIES", "Body", "deviation", "rows"]
 
 GRAVITY = 9.81
-#: Tolerance of the motions in 34 digits: far below every error that is measured.
+#: Tolerance of the motions with 34 digits, far below every measured error.
 FINE = 1e-21
-#: Bits and tolerance of the motions that those of 30 digits are measured by.
+#: Bits and tolerance of the references for motions with 30 digits.
 BITS, FINEST = 160, 1e-38
 
 
 @dataclass(frozen=True)
 class Body:
-    """A body rolling on a plane, and how long its motions are followed.
+    """Body rolling on a plane, and the durations of its motions.
 
     Attributes
     ----------
     span, long, short : float
-        Length in seconds of the motions of an ensemble, of a single motion, and of motions that
-        carry tangent vectors or 30 digits; chaos must not amplify rounding much in that time.
+        Duration in seconds of the motions of an ensemble, of a single motion, and of motions with
+        tangent vectors or 30 digits; short enough that chaos does not amplify rounding much.
     spin : float
-        Starts have components of the angular velocity uniform between minus this and this.
+        The components of the angular velocity at the start are uniform between −spin and spin.
     """
 
     name: str
@@ -51,7 +51,7 @@ class Body:
 
     @property
     def size(self) -> int:
-        """State variables."""
+        """Number of state variables."""
         return len(self.system.symbols)
 
     @cached_property
@@ -61,7 +61,7 @@ class Body:
 
     @cached_property
     def taylor(self) -> list[tuple[Any, Any]]:
-        """The equations as heyoka takes them, with numbers for the parameters."""
+        """Equations for heyoka, with numbers for the parameters."""
         translate = Translator(self.system)
         rates = translate.all(self.system.rates)
         values = {hy.par[i]: hy.expression(x) for i, x in enumerate(self.numbers)}
@@ -69,14 +69,14 @@ class Body:
 
     @property
     def height(self) -> Any:
-        """What vanishes on the section: the last component of γ."""
+        """Function that vanishes on the section: the last component of γ."""
         return self.taylor[-1][0]
 
     def starts(self, seed: int, count: int) -> np.ndarray:
         """Random states: γ uniform on the sphere, ω uniform in a cube."""
         dice = np.random.default_rng([seed, *self.name.encode()])
         n = sum(str(s).startswith("gamma_") for s in self.system.symbols)
-        # one after the other: fewer starts are the first of more
+        # one after the other, so that a smaller number of starts is the beginning of a larger one
         drawn = [
             (dice.normal(size=n), dice.uniform(-self.spin, self.spin, size=n * (n - 1) // 2))
             for _ in range(count)
@@ -85,19 +85,19 @@ class Body:
         return np.asarray(flat_starts(self.system, {"omega": omega, "gamma": gamma}))
 
     def ends(self, starts: np.ndarray, until: float) -> np.ndarray:
-        """The states at a time, to 34 digits rounded."""
+        """States at a time, computed with 34 digits and rounded."""
         return np.array([self._wide(start, until)[0] for start in starts])
 
     def crossings(self, starts: np.ndarray, until: float) -> np.ndarray:
-        """Where γ₃ rises through zero before a time: (starts, points, size)."""
+        """Crossings of γ₃ = 0 with increasing γ₃ before a time: (starts, points, size)."""
         return rows([self._wide(start, until)[1] for start in starts], self.size)
 
     def tangents(self, starts: np.ndarray, until: float) -> np.ndarray:
-        """State and derivative by the start at a time: (starts, size + size²)."""
+        """State and derivative with respect to the start at a time: (starts, size + size²)."""
         return np.array([self._wide_tangent(start, until) for start in starts])
 
     def thirty(self, starts: np.ndarray, until: float) -> np.ndarray:
-        """The states at a time with more than 34 digits, as numbers of 34."""
+        """States at a time, computed with more than 34 digits and rounded to 34."""
         return np.array([self._finest(start, until) for start in starts])
 
     # --- references, kept on disk ------------------------------------------------------------
@@ -115,7 +115,7 @@ class Body:
 
     @cached_property
     def _watched(self) -> tuple[list[Any], Any]:
-        """Crossings seen so far, and an integrator in 34 digits that sees them."""
+        """List of crossings, and an integrator with 34 digits that appends to it."""
         found: list[Any] = []
 
         def seen(motion: Any, time: Any, _: int) -> None:
@@ -173,7 +173,7 @@ class Body:
         return self._kept("finest", start, until, compute)
 
     def _kept(self, what: str, start: np.ndarray, until: float, compute: Callable[[], Any]) -> Any:
-        """What `compute` gives, from disk if it has been computed before."""
+        """Result of `compute`, from disk if it has been computed before."""
         text = sp.srepr(
             sp.Matrix([*self.system.rates, *(f for _, f in self.system.scalar_definitions)])
         )
@@ -200,7 +200,7 @@ def _bodies() -> dict[str, Body]:
 
 
 def _beyond() -> dict[str, Body]:
-    """Balls of four dimensions: moments in the coordinate planes, and a mass tensor."""
+    """Balls in four dimensions: moments in the coordinate planes, and a mass tensor."""
     tensor = [
         [0.4, 0.1, 0.0, 0.05],
         [0.1, 0.6, 0.0, 0.0],
@@ -218,12 +218,12 @@ def _beyond() -> dict[str, Body]:
 
 
 BODIES = _bodies()
-#: Bodies that are compared when asked for by name.
+#: Bodies that are compared only if they are named.
 BEYOND = _beyond()
 
 
 def rows(found: list[np.ndarray], size: int) -> np.ndarray:
-    """Lists of points of different lengths as one array, not-a-number beyond their ends."""
+    """Lists of points of different lengths as one array, NaN beyond their ends."""
     most = max(1, *map(len, found))
     filled = np.full((len(found), most, size), np.nan)
     for row, points in zip(filled, found, strict=True):
@@ -232,10 +232,10 @@ def rows(found: list[np.ndarray], size: int) -> np.ndarray:
 
 
 def deviation(found: np.ndarray, exact: np.ndarray) -> np.ndarray:
-    """Largest error, relative to the largest component; for each row.
+    """Largest error of each row, relative to the largest component.
 
-    Points that only one side has (a crossing just before or after the end) are left out; a row
-    without any is not-a-number.
+    Points on only one side (a crossing just before or after the end) are omitted; a row without
+    other points is NaN.
     """
     if exact.ndim == 3:
         common = min(found.shape[1], exact.shape[1])

@@ -16,7 +16,7 @@ __all__ = ["numba_adaptive", "numba_fixed", "step_counts"]
 
 
 def step_counts(fewest: int = 32) -> tuple[float, ...]:
-    """Numbers of steps to choose from, each 6 % more than the one before."""
+    """Numbers of steps for the choice of settings, in ratios of 1.06."""
     return tuple(float(round(fewest * 1.06**k)) for k in range(70))
 
 
@@ -63,7 +63,7 @@ def march(starts, until, tolerance):
 
 
 def numba_fixed(body: Body, until: float, lanes: int = 16) -> Program:
-    """Equal steps, their number being the setting; loops over lanes that LLVM vectorises."""
+    """Equal steps, whose number is the setting; loops over lanes that LLVM vectorizes."""
     march = _lanes(body, lanes)
 
     def build(steps: float) -> Run:
@@ -101,7 +101,7 @@ def _lanes(body: Body, lanes: int) -> Any:
 
 
 def numba_adaptive(body: Body, until: float) -> Program:
-    """Error control as in SciPy's DOP853."""
+    """Error control as in DOP853 of SciPy."""
     march = _adaptive(body)
 
     def build(tolerance: float) -> Run:

@@ -1,7 +1,7 @@
-"""Python source of the equations, for the programs that compile or interpret Python.
+"""Python source of the equations, for programs that compile or interpret Python.
 
-It is written from the package's own graph of operations, each done once, with parameters and all
-that depends on them alone as numbers: the best form that a user could write by hand.
+It is generated from the graph of operations of the package, without repeated operations, and with
+numbers for all parameter-only terms.  This is the best form that a user could write by hand.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _TEMPLATES: Mapping[str, str] = {
 
 
 def field_text(body: Body) -> str:
-    """``field(x0, …)``, the rates as a tuple."""
+    """Text of ``field(x0, …)``, which returns the rates as a tuple."""
     _, rates = of_system(body.system)
     names: dict[int, str] = {}
     lines = []
@@ -70,7 +70,7 @@ def _names(letter: str, count: int, stage: str = "") -> str:
 
 
 def step_text(size: int) -> str:
-    """``step(h, x0, …)``: the state after a step of order 8, and the two estimates of its error."""
+    """Text of ``step(h, x0, …)``: the state after a step of order 8, and two error estimates."""
     table = explicit()
 
     def combined(weights: Sequence[Any], i: int) -> str:
@@ -88,22 +88,22 @@ def step_text(size: int) -> str:
 
 
 def increment(weights: Sequence[Any], rate: Callable[[int], str]) -> str:
-    """What is added to a component: h times rates of stages with their weights."""
+    """Increment of a component: h times weighted rates of stages."""
     terms = [f"{float(w)!r} * {rate(stage)}" for stage, w in enumerate(weights) if w != 0]
     return f" + h * ({' + '.join(terms)})" if terms else ""
 
 
 def defined(text: str, known: Mapping[str, Any]) -> dict[str, Any]:
-    """The names that a text defines."""
+    """Names defined by a text."""
     names = dict(known)
     exec(text, names)
     return names
 
 
 def operations(body: Body) -> dict[str, int]:
-    """Arithmetic in one evaluation of the rates by this engine, by kind.
+    """Arithmetic operations in one evaluation of the rates by this engine, by kind.
 
-    What depends on parameters alone is computed once for a motion and not counted.
+    Parameter-only terms are computed once per motion and are not included.
     """
     _, rates = of_system(body.system)
     nodes = topological_order(rates)

@@ -17,7 +17,7 @@ __all__ = ["scipy_method"]
 
 
 def scipy_method(body: Body, until: float, method: str) -> Program:
-    """A method of `solve_ivp`; the rates are computed by Python with floats, its quickest way."""
+    """Method of `solve_ivp`; the rates are computed in Python with floats, its fastest form."""
     field: Callable[..., Any] = defined(
         field_text(body), {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos}
     )["field"]

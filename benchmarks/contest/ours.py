@@ -1,4 +1,4 @@
-"""This engine."""
+"""Programs of this engine."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NAME = "chaplygin"
 
 
 def ensemble(body: Body, until: float, threads: int = 1) -> Program:
-    """A lane for each trajectory."""
+    """One lane for each trajectory."""
 
     def build(tolerance: float) -> Run:
         made = batch_integrator(body.system, tolerance=tolerance)
@@ -30,7 +30,7 @@ def ensemble(body: Body, until: float, threads: int = 1) -> Program:
 
 
 def crossings(body: Body, until: float, most: int) -> Program:
-    """Where γ₃ rises through zero; no trajectory has more than `most` such points."""
+    """Crossings of γ₃ = 0 with increasing γ₃; no trajectory has more than `most` of them."""
     where = poincare_section(body.system, body.system.symbols[-1])
 
     def build(tolerance: float) -> Run:
@@ -45,7 +45,7 @@ def crossings(body: Body, until: float, most: int) -> Program:
 
 
 def tangents(body: Body, until: float) -> Program:
-    """State and derivative by the start, as tangent vectors in lanes."""
+    """State and derivative with respect to the start, as tangent vectors in lanes."""
     identity = np.eye(body.size)
 
     def build(tolerance: float) -> Run:
@@ -54,7 +54,7 @@ def tangents(body: Body, until: float) -> Program:
         def run(starts: np.ndarray) -> np.ndarray:
             carried = np.repeat(identity[None], len(starts), axis=0)
             found = made.propagate(starts, [until], deviations=carried, threads=1)
-            # a row for each component, as heyoka has it
+            # a row for each component, as in heyoka
             slopes = np.swapaxes(found.deviations[:, -1], 1, 2).reshape(len(starts), -1)
             return np.hstack([found.states[:, -1], slopes])
 
@@ -64,7 +64,7 @@ def tangents(body: Body, until: float) -> Program:
 
 
 def single(body: Body, until: float) -> Program:
-    """Collocation with a lane for each stage; it has no setting but the number of digits."""
+    """Collocation with one lane for each stage; the only setting is the number of digits."""
 
     def build(_: float) -> Run:
         made = gauss_integrator(body.system, body.starts(0, 1)[0])
@@ -78,7 +78,7 @@ def single(body: Body, until: float) -> Program:
 
 
 def thirty(body: Body, until: float) -> Program:
-    """The same in two doubles for each number."""
+    """The same with two doubles for each number."""
 
     def build(_: float) -> Run:
         made = gauss_integrator(body.system, body.starts(0, 1)[0], precision="quad")

@@ -1,4 +1,4 @@
-"""How many operations a second a core can do at most, and how many of them the engine does."""
+"""Peak rate of operations of a core, and the rate attained by the engine."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TURNS = 7
 
 
 def peak(width: int = 8) -> float:
-    """Operations of one core in a second (a fused product and sum is two), by measurement."""
+    """Operations per second of one core (a fused product and sum is two), by measurement."""
     import llvmlite.binding as llvm
 
     llvm.initialize_native_target()
@@ -79,9 +79,9 @@ def _kernel(width: int) -> str:
 
 
 def per_step(body: Body) -> int:
-    """Operations that the formulas of one step ask for, error estimates included.
+    """Number of operations in the formulas of one step, including error estimates.
 
-    What steers the steps is not counted; a division counts as one.
+    The control of steps is not included; a division is one operation.
     """
     table = explicit()
     rows = (*table.a, table.b, table.e3, table.e5)
@@ -90,7 +90,7 @@ def per_step(body: Body) -> int:
 
 
 def reached(body: Body, tolerance: float = 1e-11, count: int = 1024) -> float:
-    """Operations that the engine does in a second on one core."""
+    """Operations per second of the engine on one core."""
     starts = body.starts(3, count)
     flow = batch_integrator(body.system, tolerance=tolerance)
     spent = []

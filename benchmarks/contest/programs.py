@@ -1,4 +1,4 @@
-"""A program at its loosest setting that meets a target, and turns taken by several."""
+"""Program with the coarsest setting that attains a target, and alternating measurements."""
 
 from __future__ import annotations
 
@@ -12,27 +12,27 @@ import numpy as np
 
 from .bodies import deviation
 
-#: From starts (n, size) to what is compared with the exact answer, first axis n.
+#: Function from starts (n, size) to results for comparison with the exact ones, first axis n.
 Run = Callable[[np.ndarray], np.ndarray]
 
-#: Tolerances to choose from, eight to a decade.
+#: Tolerances for the choice of settings, eight per decade.
 TOLERANCES = tuple(10.0 ** (-k / 8) for k in range(6 * 8, 16 * 8 + 1))
 
 
 @dataclass
 class Program:
-    """One way to compute many motions.
+    """One method to compute many motions.
 
     Attributes
     ----------
     build : callable
-        From a setting to the compiled program.
+        Function from a setting to the compiled program.
     settings : sequence of float
-        From the coarsest to the finest.
+        Settings from the coarsest to the finest.
     rehearse : callable, optional
-        A program with the same errors that takes less time to compile, to find the setting with.
+        Program with the same errors and shorter compilation, for the choice of the setting.
     share : float
-        The part of the starts on which a slow program is timed.
+        Fraction of the starts for the timing of a slow program.
     """
 
     name: str
@@ -43,7 +43,7 @@ class Program:
     compiled: dict[float, tuple[Run, float]] = field(default_factory=dict)
 
     def ready(self, setting: float, starts: np.ndarray) -> Run:
-        """The program compiled for a setting."""
+        """Program compiled for a setting."""
         if setting not in self.compiled:
             began = time.process_time()
             run = self.build(setting)
@@ -56,13 +56,13 @@ class Program:
 
     @property
     def compilation(self) -> float:
-        """Seconds of processor time to compile; many programs do so for one setting only."""
+        """Processor time of the compilation in seconds; it often depends on the setting."""
         return max(seconds for _, seconds in self.compiled.values())
 
     def calibrate(
         self, starts: np.ndarray, exact: np.ndarray, target: float, worst: float = np.inf
     ) -> float | None:
-        """The coarsest setting with median and worst error within bounds; None if none has."""
+        """Coarsest setting with median and worst error within bounds; None if there is none."""
 
         def meets(place: int) -> bool:
             setting = self.settings[place]
@@ -79,7 +79,7 @@ class Program:
         return self.settings[high]
 
     def finest(self, starts: np.ndarray, exact: np.ndarray, target: float) -> float:
-        """The coarsest setting that meets the target, or comes within half of the best it can."""
+        """Coarsest setting that attains the target, or an error within half of the best one."""
         errors = [
             float(np.nanmedian(deviation(self.ready(setting, starts)(starts), exact)))
             for setting in self.settings
@@ -90,20 +90,20 @@ class Program:
 
 @dataclass(frozen=True)
 class Result:
-    """What a program did on held-out starts.
+    """Results of a program on held-out starts.
 
     Attributes
     ----------
     setting : float or None
-        None where no setting meets the target; the rest then means nothing.
+        None if no setting attains the target; then the other values have no meaning.
     error, worst : float
-        Median and largest error of a motion, relative.
+        Median and largest relative error of a motion.
     core : float
-        Seconds of processor time for each motion, all threads together.
+        Processor time in seconds for each motion, summed over all threads.
     wall : float
-        Seconds that passed for each motion.
+        Wall-clock time in seconds for each motion.
     compile : float
-        Seconds of processor time to compile.
+        Processor time of the compilation in seconds.
     """
 
     name: str
@@ -117,7 +117,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Trial:
-    """Starts to choose settings by, and others to measure by, with their exact answers."""
+    """Starts for the choice of settings and for measurements, with their exact results."""
 
     rehearsal: np.ndarray
     rehearsal_exact: np.ndarray
@@ -129,7 +129,7 @@ class Trial:
 def contest(
     programs: Sequence[Program], trial: Trial, target: float, turns: int
 ) -> dict[str, Result]:
-    """Every program at the target error; programs take turns, medians are compared."""
+    """Results of all programs at the target error, measured alternately; medians."""
     chosen = {p.name: p.calibrate(trial.rehearsal, trial.rehearsal_exact, target) for p in programs}
     able = {p.name: p for p in programs if chosen[p.name] is not None}
     return {p.name: Result(p.name, None) for p in programs} | compare(able, chosen, trial, turns)
@@ -138,7 +138,7 @@ def contest(
 def compare(
     programs: Mapping[str, Program], settings: Mapping[str, Any], trial: Trial, turns: int
 ) -> dict[str, Result]:
-    """Programs at given settings: errors on held-out starts, and times by turns."""
+    """Results of programs at given settings: errors on held-out starts, and alternating times."""
     runs: dict[str, tuple[Run, np.ndarray]] = {}
     results: dict[str, dict[str, float]] = {}
     for name, program in programs.items():
@@ -161,7 +161,7 @@ def compare(
 
 
 def alternate(works: Mapping[str, Callable[[], Any]], turns: int) -> dict[str, tuple[float, float]]:
-    """Median seconds of processor and of wall clock for each of several works, by turns."""
+    """Median processor and wall-clock seconds of several works, measured alternately."""
     spent: dict[str, list[tuple[float, float]]] = {name: [] for name in works}
     for _ in range(turns):
         for name, work in works.items():

@@ -1,4 +1,4 @@
-"""Tables of what was measured."""
+"""Tables of results."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ __all__ = ["arithmetic", "machine", "show"]
 
 
 def machine() -> str:
-    """The processor, how many of it, and how busy it is."""
+    """Processor, number of processors, and load of the machine."""
     info = Path("/proc/cpuinfo")
     lines = info.read_text().splitlines() if info.exists() else []
     model = next((x.split(":")[1].strip() for x in lines if x.startswith("model name")), "unknown")
@@ -28,7 +28,7 @@ def machine() -> str:
 
 
 def arithmetic() -> Table:
-    """Operations a second of one core: the most it can do, and what the engine does."""
+    """Operations per second of one core: the peak rate, and the rate of the engine."""
     most = max(peak(width) for width in (2, 4, 8))
     made = Table(title=f"arithmetic: one core does {most / 1e9:.0f} operations in a nanosecond")
     for head in ("body", "operations of a step", "in a nanosecond", "part of the most"):
@@ -41,7 +41,7 @@ def arithmetic() -> Table:
 
 
 def show(outcomes: Iterable[Outcome], width: int = 118) -> None:
-    """One table for each task, body and target, as they come; arithmetic last."""
+    """One table for each task, body and target, in the order of measurement; arithmetic last."""
     console = Console(width=width)
     console.print(machine())
     for outcome in outcomes:
@@ -50,7 +50,7 @@ def show(outcomes: Iterable[Outcome], width: int = 118) -> None:
 
 
 def table(outcome: Outcome) -> Table:
-    """Rows are programs; times in microseconds for each motion or section point."""
+    """Table with a row per program; times in microseconds for each motion or section point."""
     unit = {"section": "point", "ball": "second"}.get(outcome.task, "motion")
     target = f", error {outcome.target:.0e}" if np.isfinite(outcome.target) else ""
     made = Table(title=f"{outcome.task}, {outcome.body}{target}")

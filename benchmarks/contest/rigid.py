@@ -11,7 +11,7 @@ from .programs import Program, Run
 
 __all__ = ["mujoco_ball"]
 
-#: Time constant and damping of the contact, the stiffest that 2 ms steps still bear.
+#: Time constant and damping of the contact, the stiffest that is stable with 2 ms steps.
 _MODEL = """
 <mujoco>
   <option timestep="{step}" gravity="0 0 -9.81" integrator="RK4" cone="elliptic" impratio="100"
@@ -32,7 +32,7 @@ _MODEL = """
 
 
 def mujoco_ball(body: Body, until: float) -> Program:
-    """The setting is the length of a step in seconds; the answer is in M and γ."""
+    """Program whose setting is the step length in seconds; the result is in M and γ."""
     import mujoco
 
     numbers = {str(p.symbol): p.default for p in body.system.parameters}
@@ -67,7 +67,7 @@ def mujoco_ball(body: Body, until: float) -> Program:
 
 
 def _upright(gamma: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """A rotation from body to space axes that takes γ upward: quaternion and matrix."""
+    """Rotation from body to space axes that maps γ to the vertical: quaternion and matrix."""
     axis = np.cross(gamma, (0.0, 0.0, 1.0))
     half = math.acos(np.clip(gamma[2], -1, 1)) / 2
     length = math.hypot(*axis)

@@ -1,6 +1,6 @@
-"""The scene of viser or of NiceGUI with an ellipsoid that plays a motion: PEER POSES PORT.
+"""Scene of viser or NiceGUI with an ellipsoid in motion; arguments PEER POSES PORT.
 
-Run by an interpreter that has the program asked for.
+The interpreter must have the chosen program.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ RATE = 60
 
 
 def mesh() -> tuple[np.ndarray, np.ndarray]:
-    """An ellipsoid of about as many triangles as a body has in our pages."""
+    """Ellipsoid with about as many triangles as a body in our pages."""
     rows, columns = 48, 96
     theta, phi = np.meshgrid(
         np.linspace(0, np.pi, rows + 1), 2 * np.pi * np.arange(columns) / columns, indexing="ij"

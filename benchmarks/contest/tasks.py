@@ -1,4 +1,4 @@
-"""The five tasks, each for a body: what is asked, what is exact, and who takes part."""
+"""The five tasks for a body, with exact results and programs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .programs import TOLERANCES, Program, Result, Trial, compare, contest
 
 __all__ = ["QUICK", "TASKS", "THOROUGH", "Effort", "Outcome", "Task", "ball"]
 
-#: Seeds of the starts that settings are chosen by, that errors and that times are measured by.
+#: Seeds of the starts for the choice of settings, for errors and for times.
 REHEARSED, SCORED, TIMED = 1, 2, 3
 FAST: Mapping[str, bool] = {"fast_math": True}
 COMPACT: Mapping[str, bool] = {"compact_mode": True}
@@ -22,19 +22,19 @@ COMPACT: Mapping[str, bool] = {"compact_mode": True}
 
 @dataclass(frozen=True)
 class Effort:
-    """How much is measured.
+    """Amount of measurement.
 
     Attributes
     ----------
     states, few : int
-        Starts with exact answers, to choose settings by and as many to score by; for tasks whose
-        exact answers are dear.
+        Number of starts with exact results for the choice of settings, and the same number for
+        errors; `few` for tasks with expensive exact results.
     many : int
-        Starts of an ensemble that is timed.
+        Number of starts of a timed ensemble.
     turns : int
-        Repetitions, alternating, of which medians are taken.
+        Number of alternating repetitions for medians.
     thorough : bool
-        Whether every variant of every program takes part, or those known to be best.
+        True for all variants of every program, False for the known best ones.
     """
 
     states: int
@@ -44,7 +44,7 @@ class Effort:
     thorough: bool
 
     def long(self, body: Body) -> float:
-        """How long single motions are."""
+        """Duration of single motions."""
         return body.long if self.thorough else min(body.long, 200.0)
 
 
@@ -59,9 +59,9 @@ class Outcome:
     Attributes
     ----------
     each : float
-        What a time is divided by: section points, seconds of a rolling ball, or 1.
+        Divisor of times: number of section points, seconds of a rolling ball, or 1.
     rival : str
-        With whom this engine is compared.
+        Program with which this engine is compared.
     """
 
     task: str
@@ -73,12 +73,12 @@ class Outcome:
 
     @property
     def own(self) -> Result:
-        """This engine's."""
+        """Result of this engine."""
         return self.results[ours.NAME]
 
     @property
     def best(self) -> Result:
-        """The rival's best on one thread."""
+        """Best result of the rival on one thread."""
         rivals = [
             r
             for name, r in self.results.items()
@@ -88,13 +88,13 @@ class Outcome:
 
     @property
     def ratio(self) -> float:
-        """Time of the rival's best in that of this engine."""
+        """Ratio of the best time of the rival to that of this engine."""
         return self.best.core / self.own.core
 
 
 @dataclass(frozen=True)
 class Task:
-    """One kind of question, asked of every body."""
+    """One kind of task, for every body."""
 
     name: str
     targets: Sequence[float]
@@ -102,7 +102,7 @@ class Task:
 
 
 def ensemble(body: Body, target: float, effort: Effort) -> Outcome:
-    """The end of many motions."""
+    """Final states of many motions."""
     trial = _trial(body, effort.states, effort.many, lambda x: body.ends(x, body.span))
     rivals = [taylor.batch(body, body.span), taylor.batch(body, body.span, **FAST)]
     if effort.thorough:
@@ -122,7 +122,7 @@ def ensemble(body: Body, target: float, effort: Effort) -> Outcome:
 
 
 def by_hand(body: Body, target: float, effort: Effort) -> Outcome:
-    """The same, beside loops written by hand whose median and worst errors are as small."""
+    """The same, with hand-written loops whose median and worst errors are as small."""
     trial = _trial(body, max(effort.states, 16), effort.many, lambda x: body.ends(x, body.span))
     own, other = ours.ensemble(body, body.span), compiled.numba_fixed(body, body.span)
     starts, exact = trial.rehearsal, trial.rehearsal_exact
@@ -137,7 +137,7 @@ def by_hand(body: Body, target: float, effort: Effort) -> Outcome:
 
 
 def _others(body: Body) -> list[Program]:
-    """SciPy, and of numba, JAX and diffrax what is installed."""
+    """SciPy, and numba, JAX and diffrax if they are installed."""
     made = [interpreted.scipy_method(body, body.span, name) for name in ("DOP853", "LSODA")]
     if find_spec("numba"):
         made += [compiled.numba_fixed(body, body.span), compiled.numba_adaptive(body, body.span)]
@@ -149,7 +149,7 @@ def _others(body: Body) -> list[Program]:
 
 
 def ball(body: Body, effort: Effort) -> Outcome:
-    """A rolling ball in a program for rigid bodies, beside one motion and many of this engine."""
+    """Rolling ball in a program for rigid bodies, and one and many motions of this engine."""
     until = body.short
     trial = _trial(body, effort.few, 0, lambda x: body.ends(x, until))
     programs = {"chaplygin, one motion": ours.single(body, until)}
@@ -165,7 +165,7 @@ def ball(body: Body, effort: Effort) -> Outcome:
 
 
 def single(body: Body, target: float, effort: Effort) -> Outcome:
-    """The end of one long motion, as exact as doubles can be."""
+    """Final state of one long motion, as accurate as possible in doubles."""
     until = effort.long(body)
     trial = _trial(body, effort.few, 0, lambda x: body.ends(x, until))
     programs = [ours.single(body, until), taylor.scalar(body, until)]
@@ -175,12 +175,12 @@ def single(body: Body, target: float, effort: Effort) -> Outcome:
             taylor.scalar(body, until, high_accuracy=True),
         ]
     for rival in programs[1:]:
-        rival.settings = taylor.ORDERS[-4:-1]  # where rounding takes over
+        rival.settings = taylor.ORDERS[-4:-1]  # rounding dominates
     return Outcome("single", body.name, target, _finest(programs, trial, target, effort.turns))
 
 
 def section(body: Body, target: float, effort: Effort) -> Outcome:
-    """Where motions rise through γ₃ = 0."""
+    """Crossings of γ₃ = 0 with increasing γ₃."""
     trial = _trial(body, effort.states, effort.many, lambda x: body.crossings(x, body.span))
     points = np.isfinite(trial.scored_exact[:, :, 0]).sum(axis=1)
     programs = [
@@ -195,7 +195,7 @@ def section(body: Body, target: float, effort: Effort) -> Outcome:
 
 
 def tangent(body: Body, target: float, effort: Effort) -> Outcome:
-    """The end of motions with six tangent vectors."""
+    """Final states of motions with six tangent vectors."""
     until = body.short
     trial = _trial(body, effort.few, effort.many, lambda x: body.tangents(x, until))
     programs = [
@@ -208,7 +208,7 @@ def tangent(body: Body, target: float, effort: Effort) -> Outcome:
 
 
 def digits30(body: Body, target: float, effort: Effort) -> Outcome:
-    """The end of one motion to 30 digits."""
+    """Final state of one motion with 30 digits."""
     trial = _trial(body, effort.few, 0, lambda x: body.thirty(x, body.short))
     programs = [ours.thirty(body, body.short), taylor.thirty(body, body.short)]
     return Outcome("digits30", body.name, target, _finest(programs, trial, target, effort.turns))
@@ -217,7 +217,7 @@ def digits30(body: Body, target: float, effort: Effort) -> Outcome:
 def _finest(
     programs: Sequence[Program], trial: Trial, target: float, turns: int
 ) -> dict[str, Result]:
-    """Programs at the target or, where none of their settings meets it, as exact as they can."""
+    """Programs at the target or, if no setting attains it, with the smallest error."""
     settings = {p.name: p.finest(trial.rehearsal, trial.rehearsal_exact, target) for p in programs}
     return compare({p.name: p for p in programs}, settings, trial, turns)
 
@@ -229,12 +229,12 @@ def _trial(body: Body, states: int, many: int, exact: Callable[[np.ndarray], np.
 
 
 def _part(program: Program, share: float) -> Program:
-    """A slow program, timed on a part of the starts."""
+    """Slow program, timed on a fraction of the starts."""
     program.share = share
     return program
 
 
-#: Where two targets are asked for, the smaller ratio is the one reported.
+#: With two targets, the smaller ratio is reported.
 TASKS = (
     Task("ensemble", (1e-10, 1e-12), ensemble),
     *((Task("numba", (1e-10, 1e-12), by_hand),) if find_spec("numba") else ()),

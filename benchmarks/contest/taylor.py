@@ -1,6 +1,6 @@
 """heyoka: one motion at a time, and its batch mode with a loop of our own over blocks.
 
-Its tolerance decides the order and nothing else; so there is one tolerance for each order.
+Its tolerance affects only the order, so there is one tolerance for each order.
 """
 
 from __future__ import annotations
@@ -30,19 +30,19 @@ __all__ = [
     "variants",
 ]
 
-#: The coarsest tolerance of each order.
+#: Largest tolerance for each order.
 ORDERS = tuple(math.exp(2 * (1 - order)) * 1.0001 for order in range(7, 21))
 WIDE_ORDERS = tuple(math.exp(2 * (1 - order)) * 1.0001 for order in range(32, 38))
 RISING = hy.event_direction.positive
 
 
 def forget() -> None:
-    """Keep no compiled code on disk, so that the time of compilation is seen."""
+    """Disable the disk cache of compiled code, so that compilation is measured."""
     hy.llvm_state.set_diskcache_enabled(False)
 
 
 def scalar(body: Body, until: float, **options: Any) -> Program:
-    """One trajectory after another; options as heyoka's integrator takes them."""
+    """One trajectory after another; the options are those of the integrator of heyoka."""
 
     def build(tolerance: float) -> Run:
         motion = hy.taylor_adaptive(body.taylor, [1.0] * body.size, tol=tolerance, **options)
@@ -61,7 +61,7 @@ def scalar(body: Body, until: float, **options: Any) -> Program:
 
 
 def batch(body: Body, until: float, lanes: int = 8, threads: int = 1, **options: Any) -> Program:
-    """Blocks of trajectories, shared out between threads; lanes that end early wait."""
+    """Blocks of trajectories, distributed over threads; lanes that end early wait."""
 
     def build(tolerance: float) -> Run:
         first = hy.taylor_adaptive_batch(
@@ -90,7 +90,7 @@ def batch(body: Body, until: float, lanes: int = 8, threads: int = 1, **options:
 
 
 def _blocks(motion: Any, starts: np.ndarray, lanes: int) -> Iterator[slice]:
-    """Blocks of starts, each put into the state of a batch at time zero."""
+    """Blocks of starts, each written to the state of a batch at time zero."""
     size = starts.shape[1]
     for begin in range(0, len(starts), lanes):
         block = slice(begin, begin + lanes)
@@ -176,7 +176,7 @@ def batch_section(body: Body, until: float, lanes: int = 8, **options: Any) -> P
 
 
 def scalar_tangent(body: Body, until: float, **options: Any) -> Program:
-    """State and derivative by the start, from heyoka's variational system."""
+    """State and derivative with respect to the start, from the variational system of heyoka."""
     identity = np.eye(body.size).ravel()
 
     def build(tolerance: float) -> Run:
@@ -231,7 +231,7 @@ def _varied(body: Body) -> Any:
 
 
 def thirty(body: Body, until: float) -> Program:
-    """Numbers of 34 digits (compiled in full, the unbalanced ball takes minutes)."""
+    """Numbers of 34 digits (the full compilation of the unbalanced ball takes minutes)."""
     wide = hy.real128
 
     def build(tolerance: float) -> Run:
@@ -253,7 +253,7 @@ def thirty(body: Body, until: float) -> Program:
 
 
 def _compact(make: Callable[..., Program], body: Body, until: float) -> Callable[[float], Run]:
-    """A program with the same steps that is quick to compile."""
+    """Program with the same steps and a short compilation."""
 
     def build(tolerance: float) -> Run:
         return make(body, until, compact_mode=True).build(tolerance)
@@ -265,7 +265,7 @@ _WORDS = {"compact_mode": "compact", "fast_math": "fast", "high_accuracy": "accu
 
 
 def _said(options: dict[str, Any]) -> str:
-    """Options in words."""
+    """Text of options."""
     return "".join(f", {_WORDS[key]}" for key, value in options.items() if value)
 
 

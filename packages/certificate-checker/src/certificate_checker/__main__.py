@@ -1,7 +1,7 @@
-"""``python -m certificate_checker FILE…``: check certificates.
+"""``python -m certificate_checker FILE…`` checks certificates.
 
-A file holds one certificate, or a list of them.  Exit status 0: all are valid; 1: one is not; 2:
-the file contains something else.
+A file holds one certificate or a list of certificates.  Exit status 0: all of them are valid; 1:
+at least one is not valid; 2: the file contains something else.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def main(arguments: Sequence[str]) -> int:
             continue
         several = data if isinstance(data, list) else [data]
         if not several:
-            print(f"{file}: there is no certificate in it", file=sys.stderr)
+            print(f"{file}: the file contains no certificate", file=sys.stderr)
             worst = 2
         for number, one in enumerate(several, 1):
             label = f"{file}, certificate {number}" if isinstance(data, list) else file
@@ -43,7 +43,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _exit_status(certificate: object, label: str) -> int:
-    """Check one certificate, print the result, and return the exit status for it."""
+    """Check one certificate, print the result and return its exit status."""
     try:
         check(certificate)
     except BadInputError as error:
@@ -69,19 +69,19 @@ def _read(file: str) -> object:
     except OSError as error:
         raise BadInputError(f"the file cannot be read: {error.strerror}") from None
     except (ValueError, RecursionError) as error:
-        raise BadInputError(f"this is no JSON: {error}") from None
+        raise BadInputError(f"this is not JSON: {error}") from None
 
 
 def _distinct(pairs: list[tuple[str, object]]) -> dict[str, object]:
-    """A mapping without duplicate names."""
+    """Dictionary of the pairs; ValueError if a name occurs twice."""
     mapping = dict(pairs)
     if len(mapping) < len(pairs):
-        raise ValueError("a name stands twice in one mapping")
+        raise ValueError("a name occurs twice in one mapping")
     return mapping
 
 
 def _refuse_constant(word: str) -> NoReturn:
-    raise ValueError(f"{word} is no number")
+    raise ValueError(f"{word} is not a number")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Check a whole certificate: the claim, and its proofs or its witness."""
+"""Check of a whole certificate: the claim, and its proofs or its witness."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ def check(certificate: object) -> None:
     Parameters
     ----------
     certificate : mapping
-        As ``json.load`` reads it.
+        As returned by :func:`json.load`.
 
     Raises
     ------
     BadInputError
-        If this is no certificate.
+        If the data are not a certificate.
     CheckError
-        If it does not check: one sentence says what.
+        If the certificate is not valid; the message is one sentence with the reason.
 
     Examples
     --------
@@ -63,7 +63,7 @@ def check(certificate: object) -> None:
     ... )
     """
     if not isinstance(certificate, Mapping) or certificate.get("format") != FORMAT:
-        raise BadInputError(f"this is no certificate of the format {FORMAT!r}")
+        raise BadInputError(f"this is not a certificate of the format {FORMAT!r}")
     try:
         _check(certificate)
     except UndefinedError as error:
@@ -81,7 +81,7 @@ def _check(data: Mapping[str, object]) -> None:
         check_witness(claim, field(data, "witness", what))
         return
     if verdict not in ("proven", "proven where"):
-        raise CheckError(f"the verdict {verdict!r} is none that a certificate may have")
+        raise CheckError(f"the verdict {verdict!r} is not allowed in a certificate")
     allowed = ["format", "verdict", "claim", "proofs", "sample"]
     conditions: list[Condition] = []
     if verdict == "proven where":
@@ -89,7 +89,9 @@ def _check(data: Mapping[str, object]) -> None:
         stated = as_list(field(data, "conditions", what), f"the conditions of {what}")
         conditions = [_condition(t, claim) for t in stated]
         if not conditions:
-            raise CheckError("the verdict is proven where, but no condition says where")
+            raise CheckError("the verdict is 'proven where', but there are no conditions")
+    # The random points are derived from the whole certificate, so that they cannot be known before
+    # it is written (see :mod:`.identities.error_bound`).
     seed = hashlib.sha256(json.dumps(data, sort_keys=True, default=repr).encode()).hexdigest()
     if "rates" in data:
         only(data, what, "format", "verdict", "claim", "sample", "rates", "identities")
@@ -104,7 +106,7 @@ def _check(data: Mapping[str, object]) -> None:
 
 
 def _check_identities(data: Mapping[str, object], claim: Claim, seed: str) -> None:
-    """Check the identities by which the theorem on energy proves an integral."""
+    """Check the identities with which the theorem on energy proves an integral."""
     what = "the identities"
     stated = mapping(field(data, "claim", "the certificate"), "the claim")
     claims = claims_of_identities(stated, claim, data["rates"])
@@ -119,7 +121,7 @@ def _check_identities(data: Mapping[str, object], claim: Claim, seed: str) -> No
 
 
 def _condition(data: object, claim: Claim) -> Condition:
-    """A condition such as ``x > 0``, ``not x = 0`` or ``x != 0``."""
+    """Condition such as ``x > 0``, ``not x = 0`` or ``x != 0``."""
     words = text(data, "a condition")
     negated = words.startswith("not ")
     relation = words
@@ -142,6 +144,7 @@ def _check_proofs(
     proofs = as_list(field(data, "proofs", "the certificate"), "proofs")
     if not proofs:
         raise CheckError("the certificate has no proofs")
+    # Proofs can be combined only if they make the same assumptions about vanishing functions.
     groups: dict[str, list[Basis]] = {}
     for i, data_of_one in enumerate(proofs):
         what = f"proof {i}"
@@ -149,4 +152,4 @@ def _check_proofs(
         basis = check_proof(proof, claim, what, conditions, seed)
         groups.setdefault(json.dumps(proof.get("zeros", [])), []).append(basis)
     if not any(covers(group, conditions) for group in groups.values()):
-        raise CheckError("the proofs leave open what holds for some signs")
+        raise CheckError("the proofs do not cover all signs")

@@ -1,8 +1,8 @@
-"""Check the points in certificates: counterexamples and sample points.
+"""Checks of the points in certificates: counterexamples and sample points.
 
 Coordinates are rational numbers, roots of triangular polynomials that change sign, or values of
-formulas.  That a condition holds at a point is shown exactly (see :mod:`.exact_values`); balls show
-that a value is positive or nonzero.
+formulas.  Equations between them are decided exactly (see :mod:`.exact_values`), inequalities with
+balls.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def check_witness(claim: Claim, data: object) -> None:
 
 
 def point_of_level(claim: Claim, data: object) -> Point:
-    """The point, which must be on the level in the domain of the law; CheckError otherwise."""
+    """Evaluation at a point on the level in the domain of the law; otherwise CheckError."""
     with ctx.workprec(PRECISION):
         point = _StatedPoint(claim, data)
         point.check()
@@ -63,12 +63,12 @@ def point_of_level(claim: Claim, data: object) -> Point:
 
 
 def failing(claim: Claim, data: object) -> tuple[int, str]:
-    """The first residual that is certainly nonzero at a point of the level: index and value.
+    """Index and value of the first residual that is certainly nonzero at a point of the level.
 
     Raises
     ------
     CheckError
-        If there is none, or the point is none of the level.
+        If there is no such residual, or the point does not lie on the level.
     """
     with ctx.workprec(PRECISION):
         point = _StatedPoint(claim, data)
@@ -80,7 +80,7 @@ def failing(claim: Claim, data: object) -> tuple[int, str]:
 
 
 def check_sample(claim: Claim, data: object, conditions: Sequence[Condition]) -> None:
-    """Check that the law is defined at a point of its level, with the stated rank."""
+    """Check that the law is defined, and has the stated rank, at a point of its level."""
     with ctx.workprec(PRECISION):
         point = _StatedPoint(claim, data)
         point.check()
@@ -90,11 +90,11 @@ def check_sample(claim: Claim, data: object, conditions: Sequence[Condition]) ->
                 raise CheckError(f"the sample does not satisfy {condition.text}")
         residuals(claim, point.evaluate)
         if is_on_rank(claim) and not rank_at_least(claim, point.evaluate):
-            raise CheckError("at the sample the rank is not as the law says")
+            raise CheckError("at the sample the rank is not the stated one")
 
 
 def _stated_number(data: object) -> arb:
-    """A number given as text: a fraction, a decimal, or a ball such as ``[1.5 +/- 1e-20]``."""
+    """Number from text: a fraction, a decimal, or a ball such as ``[1.5 +/- 1e-20]``."""
     words = text(data, "the residual at the witness")
     try:
         return ball(rational(words, "the residual"))
@@ -103,13 +103,13 @@ def _stated_number(data: object) -> arb:
     try:
         return arb(words)
     except ValueError:
-        raise CheckError(f"the residual at the witness, {words!r}, is no number") from None
+        raise CheckError(f"the residual at the witness, {words!r}, is not a number") from None
 
 
 def _decimal(data: object, what: str) -> Fraction:
     words = text(data, what)
     if _DECIMAL.fullmatch(words) is None:
-        raise CheckError(f"{what} is no decimal number")
+        raise CheckError(f"{what} is not a decimal number")
     return Fraction(words)
 
 
@@ -119,7 +119,8 @@ class _StatedPoint:
     def __init__(self, claim: Claim, data: object) -> None:
         self.claim = claim
         self.system = claim.system
-        # Another point uses other random values: they may be too small for some root.
+        # Each point has its own random values of unspecified functions, because with some values a
+        # root would not exist.
         self.functions = RealFunctions(json.dumps(data, sort_keys=True))
         self.balls: dict[str, arb] = {}
         self.rationals: dict[str, Fraction] = {}
@@ -144,7 +145,7 @@ class _StatedPoint:
         return Point(self.balls, self.system.definitions, {}, self.functions, settled)
 
     def _set_vanishing_functions(self, zeros: list[Formula]) -> None:
-        """Set the values of unspecified functions that a condition declares zero."""
+        """Set the values of unspecified functions that are zero by a condition."""
         for zero in list(zeros):
             if self.system.reach(zero.parts) <= {*self.balls, *self.system.definitions}:
                 partial = self._partial_point()
@@ -162,8 +163,9 @@ class _StatedPoint:
         if set(data) == {"formula"}:
             formula = parse(data["formula"], what)
             if not names_in([formula]) <= {*self.balls, *self.system.definitions, *CONSTANTS}:
-                raise CheckError(f"{what} uses what is not known before it")
+                raise CheckError(f"{what} uses a symbol that is not known before it")
             self.balls[word] = self._partial_point()(formula)
+            # A ball cannot show that an equation holds, so the formula is kept too.
             self._formulas[word] = formula
         elif set(data) == {"root"}:
             self._read_root(word, mapping(data["root"], what), what)
@@ -176,7 +178,9 @@ class _StatedPoint:
         only(stated, what, "ring", "terms")
         names = [text(n, what) for n in as_list(field(stated, "ring", what), what)]
         if word not in names or not set(names) <= {*self.balls, word}:
-            raise CheckError(f"{what} is a root of a polynomial in what is not known before it")
+            raise CheckError(
+                f"{what} is a root of a polynomial in a symbol that is not known before it"
+            )
         if len(set(names)) < len(names):
             raise CheckError(f"{what} has a generator twice")
         small = Ring(names)
@@ -186,6 +190,7 @@ class _StatedPoint:
         if radius <= 0:
             raise CheckError(f"{what} has a radius that is not positive")
         self.balls[word] = _root(poly, small, word, self.balls, middle, radius, what)
+        # The polynomial is rewritten over all symbols of the system for the exact arithmetic.
         table = {n: self.system.symbols.index(n) for n in names}
         terms: dict[tuple[int, ...], fmpq] = {}
         for exponents, coefficient in poly.to_dict().items():
@@ -198,7 +203,7 @@ class _StatedPoint:
     # --- what must hold ------------------------------------------------------------------------
 
     def check(self) -> None:
-        """Check that the point lies on the level and in the domain of system and law."""
+        """Check that the point lies on the level and in the domain of the system and the law."""
         for condition in self.claim.conditions:
             if not self._vanishes(condition):
                 raise CheckError("the point does not satisfy a condition of the level")
@@ -255,7 +260,7 @@ class _StatedPoint:
         )
 
     def _vanishes(self, formula: Formula) -> bool:
-        """Whether a formula is exactly zero at the point."""
+        """True if a formula is exactly zero at the point."""
         try:
             return self._exact.vanishes(formula)
         except UndefinedError:
@@ -271,7 +276,7 @@ def _root(
     radius: Fraction,
     what: str,
 ) -> arb:
-    """A ball around a root in an interval at whose ends a polynomial has opposite signs."""
+    """Ball around the root in an interval at the ends of which a polynomial has opposite signs."""
 
     def value(at: arb, of: Poly = poly) -> arb:
         values = [at if n == word else balls[n] for n in ring.names]
@@ -284,6 +289,8 @@ def _root(
 
     low, high = middle - radius, middle + radius
     left, right = sign(low), sign(high)
+    # Opposite signs guarantee a root.  Bisection makes the interval so short that the polynomial
+    # is monotone on it; then there is one root, and Newton's method converges.
     if left * right >= 0:
         raise CheckError(f"{what} is no certain root in the interval given")
     slope = poly.derivative(ring.index[word])
@@ -291,7 +298,7 @@ def _root(
         here = ball(low).union(ball(high))
         if value(here, slope) != 0:
             return _newton_narrowed(here, value, lambda at: value(at, slope))
-        # A root may lie at one of the points that divide the interval.
+        # The midpoint may itself be a root and has no sign then, so two other points are tried.
         points = [low + (high - low) * Fraction(share, 8) for share in (4, 3, 5)]
         inside = next(((at, side) for at in points if (side := sign(at))), None)
         if inside is None:
@@ -301,8 +308,8 @@ def _root(
 
 
 def _newton_narrowed(here: arb, value: Callable[[arb], arb], slope: Callable[[arb], arb]) -> arb:
-    """A ball with one root, narrowed by Newton's method; the root stays in it."""
-    # The intersection is rounded; only its width matters.
+    """Ball with one root, narrowed by the interval Newton method, in which the root stays."""
+    # The intersection of two balls is rounded outwards, so only its width is checked.
     for _ in range(NEWTON_STEPS):
         middle = here.mid()
         after = here.intersection(middle - value(middle) / slope(here))

@@ -1,8 +1,8 @@
 """Exact values at a point with algebraic and other coordinates.
 
 Every root of a number and every other function value is a separate generator: a root satisfies its
-equation, sines and cosines of arc tangents are rational, and those of quarter turns are numbers.  A
-value that vanishes by these rules does vanish at the point; one that does not may still vanish.
+equation, sines and cosines of arc tangents are rational, and those of quarter turns are numbers.
+A value that is zero by these rules is zero at the point; the converse need not hold.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from .claim.quotients import Quotient, quotient
 #: Maximum number of roots and function values in the conditions at one point.
 MOST = 40
 
-#: Multiples of an angle whose sine is expressed by that of the angle.
+#: Largest multiple of an angle whose sine is computed from that of the angle.
 MULTIPLES = 24
 
 
-#: Sine and cosine by their positions in a pair: numerator and denominator.
+#: Numerator and denominator of a circular function by position in the pair (sine, cosine).
 _CIRCULAR: dict[str, tuple[int | None, int | None]] = {
     "sin": (0, None),
     "cos": (1, None),
@@ -45,15 +45,16 @@ class ExactValues:
     ----------
     symbols : sequence of str
     rationals : mapping of name to number
-        Coordinates that are rational.
+        Rational coordinates.
     algebraic : sequence of (name, Poly)
-        Those that are roots of polynomials in earlier ones, with these polynomials, over `symbols`.
+        Coordinates that are roots of polynomials in earlier ones, with these polynomials over
+        `symbols`.
     formulas : mapping of name to formula
-        Definitions, and coordinates that are given by formulas.
+        Definitions, and coordinates given by formulas.
     value : callable
-        The ball of a formula.
+        Ball of a formula.
     balls : mapping of str to ball
-        All coordinates.
+        Balls of all coordinates.
     zeros : sequence of formulas
         Values of unspecified functions that are zero at the point.
     """
@@ -74,7 +75,7 @@ class ExactValues:
         self._formulas = {**formulas, **{w: number(v) for w, v in rationals.items()}}
         self._balls: dict[str, arb] = dict(balls)
         self._values: list[tuple[str, object, tuple[Quotient, ...], Quotient]] = []
-        #: Generators with the polynomials whose roots they are, in order.
+        #: Generators with the polynomials of which they are roots, in order.
         self._chain: list[tuple[str, Poly]] = []
         for word, terms in algebraic:
             self._chain.append((word, self._polynomial(terms)))
@@ -82,7 +83,7 @@ class ExactValues:
         self._count = 0
 
     def _polynomial(self, terms: Mapping[tuple[int, ...], fmpq]) -> Poly:
-        """A polynomial over the symbols, with the rational coordinates inserted."""
+        """Polynomial over the symbols, with the rational coordinates inserted."""
         spread = {(*exponents, *[0] * MOST): c for exponents, c in terms.items()}
         poly = self.ring.context.from_dict(spread)
         for word, value in self._rationals.items():
@@ -93,12 +94,12 @@ class ExactValues:
         return poly
 
     def vanishes(self, formula: Formula) -> bool:
-        """Whether a formula is zero at the point, as far as the rules show.
+        """True if the rules imply that a formula is zero at the point.
 
         Raises
         ------
         UndefinedError
-            If it has no value there.
+            If the formula has no value there.
         """
         above, below = self._quotient(formula)
         if not self._ball(below) != 0:
@@ -125,11 +126,12 @@ class ExactValues:
         if node.kind == "power":
             exponent = exact_value(node.parts[1], self._formulas)
             if exponent is None or exponent.denominator == 1:
-                raise UndefinedError("the exponent is no number")
+                raise UndefinedError("the exponent is not a number")
             return self._root(value_of(node.parts[0]), exponent)
         if node.kind == "function":
             arguments = tuple(map(value_of, node.parts))
             for zero in self._zeros:
+                # Functions that vanish by a condition have the value zero instead of a generator.
                 theirs = [self._quotient(part) for part in zero.parts]
                 if zero.word == node.word and all(map(self._same, arguments, theirs)):
                     return self.ring.constant(0), one
@@ -158,7 +160,7 @@ class ExactValues:
     def _new(
         self, word: str, more: object, arguments: tuple[Quotient, ...], node: Formula
     ) -> Quotient:
-        """A generator that is the same for equal arguments."""
+        """Generator for a function value, the same for equal arguments."""
         for function, other, theirs, value in self._values:
             if (function, other) == (word, more) and all(map(self._same, arguments, theirs)):
                 return value
@@ -197,7 +199,7 @@ class ExactValues:
     def _ratio(
         self, places: tuple[int | None, int | None], pair: tuple[Quotient, Quotient]
     ) -> Quotient:
-        """The quotient of the members of a pair, where None stands for 1."""
+        """Quotient of the members of a pair, where None stands for 1."""
         one = self.ring.constant(1)
         above, below = ((one, one) if place is None else pair[place] for place in places)
         if self._is_zero(below[0]):
@@ -207,13 +209,13 @@ class ExactValues:
     def _hyperbola(
         self, exponent: Formula, value_of: Callable[[Formula], Quotient]
     ) -> tuple[Quotient, Quotient]:
-        """Hyperbolic sine and cosine."""
+        """Hyperbolic sine and cosine, as quotients."""
         above, below = self._exponential(exponent, value_of)
         double = 2 * above * below
         return (above**2 - below**2, double), (above**2 + below**2, double)
 
     def _exponential(self, exponent: Formula, value_of: Callable[[Formula], Quotient]) -> Quotient:
-        """The exponential of a sum of multiples of logarithms and of earlier exponents."""
+        """Exponential of a sum of multiples of logarithms and of earlier exponents."""
         exponent = self._without_names(exponent)
         one = self.ring.constant(1)
         if exponent.kind == "sum":
@@ -234,7 +236,7 @@ class ExactValues:
         return self._new("exp", None, (argument,), call("exp", [exponent]))
 
     def _without_names(self, formula: Formula) -> Formula:
-        """A formula with its name replaced by its definition."""
+        """Formula of a name by its definition; any other formula unchanged."""
         while formula.kind == "name" and formula.word in self._formulas:
             formula = self._formulas[formula.word]
         return formula
@@ -242,7 +244,7 @@ class ExactValues:
     def _circle(
         self, angle: Formula, value_of: Callable[[Formula], Quotient]
     ) -> tuple[Quotient, Quotient]:
-        """Sine and cosine, from addition theorems, arc tangents and quarter turns."""
+        """Sine and cosine from addition theorems, arc tangents and quarter turns."""
         angle = self._without_names(angle)
         zero, one = self.ring.constant(0), self.ring.constant(1)
         if angle.kind == "sum":
@@ -294,6 +296,8 @@ class ExactValues:
         return self._is_zero(first[0] * second[1] - second[0] * first[1])
 
     def _is_zero(self, poly: Poly) -> bool:
+        # Pseudo-division from the last generator to the first; the leading coefficients are
+        # nonzero at the point, so a remainder of zero means that the polynomial is zero there.
         for word, own in reversed(self._chain):
             poly = self._remainder(poly, own, word)
         return bool(poly.is_zero())
@@ -314,7 +318,7 @@ class ExactValues:
         degree = _degree(divisor, position)
         lead = _coefficient(self.ring, divisor, position, degree)
         if degree < 1 or not self._ball(lead) != 0:
-            raise UndefinedError(f"the polynomial whose root {word} is has no certain degree")
+            raise UndefinedError(f"the polynomial with the root {word} has no certain degree")
         variable = self.ring.generator(word)
         while not poly.is_zero() and (height := _degree(poly, position)) >= degree:
             top = _coefficient(self.ring, poly, position, height)

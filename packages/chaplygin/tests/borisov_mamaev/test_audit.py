@@ -90,7 +90,7 @@ def test_the_page_of_an_interrupted_audit_is_not_in_the_way_of_the_next(
         main()
     assert end.value.code == 130
     assert capsys.readouterr().err.endswith(
-        "interrupted: 5 claims were not judged and no page was written; verdicts are saved, and "
+        "interrupted: 5 claims were not checked and no page was written; verdicts are saved, and "
         "the same command resumes\n"
     )
     assert not list(tmp_path.iterdir())

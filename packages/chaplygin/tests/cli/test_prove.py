@@ -242,7 +242,7 @@ def test_what_was_not_computed_is_counted_listed_and_in_json(ask, monkeypatch):
     monkeypatch.setattr(judged, "audit", lambda *_: judged.Audit(()))
     code, out, _ = ask("audit", "--section", "7")
     assert code == 0
-    counted = f"{len(found)} further statements, of literature or judgement, were not computed: "
+    counted = f"{len(found)} further statements, of literature or opinion, were not computed: "
     assert counted + "chaplygin audit --section 7 --remarks" in " ".join(out.split())
     _, out, _ = ask("audit", "--section", "7", "--json")
     records = json.loads(out)["remarks"]
@@ -263,7 +263,7 @@ def test_the_remarks_alone_judge_nothing(ask, monkeypatch):
     assert len(json.loads(out)["remarks"]) == len(remarks(7))
     code, out, err = ask("audit", "--remarks", "-o", "audit.html")
     assert code == 2
-    assert err.strip() == "error: --remarks judges no claims: leave out --output and --workers"
+    assert err.strip() == "error: --remarks checks no claims: leave out --output and --workers"
 
 
 def test_an_erratum_is_told_beside_the_verdict(ask, monkeypatch):

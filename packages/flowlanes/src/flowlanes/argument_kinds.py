@@ -1,4 +1,4 @@
-"""The values that an annotation allows: in words, and a test for them."""
+"""Allowed values of annotations, each with a description and a test."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 @dataclass(frozen=True)
 class Kind:
-    """Allowed values in words, and a test for them."""
+    """Allowed values: a description and a test."""
 
     words: str
     fits: Callable[[Any], bool]
@@ -27,18 +27,18 @@ TEXT = (str, bytes)
 
 
 def is_number(value: Any) -> bool:
-    """Whether it is one real number that a float can hold."""
+    """True for one real number that can be converted to a float."""
     is_other = isinstance(value, TEXT) or class_name(value) in ("bool", "bool_")
     return not is_other and getattr(value, "ndim", 0) == 0 and converts_to_float(value)
 
 
 def is_number_or_text(value: Any) -> bool:
-    """Whether it is a number, or a string that reads as one."""
+    """True for a number, or a string that represents one."""
     return converts_to_float(value) if isinstance(value, str) else is_number(value)
 
 
 def converts_to_float(value: Any) -> bool:
-    """Whether `float` accepts it."""
+    """True if `float` accepts the value."""
     try:
         float(value)
     except (TypeError, ValueError, OverflowError):
@@ -47,40 +47,40 @@ def converts_to_float(value: Any) -> bool:
 
 
 def class_name(value: object) -> str:
-    """The name of its class."""
+    """Name of the class of a value."""
     return type(value).__name__
 
 
 def is_integer(value: Any) -> bool:
-    """Whether it is one integer."""
+    """True for one integer."""
     return not isinstance(value, bool) and hasattr(value, "__index__") and is_number(value)
 
 
 def is_collection(value: Any) -> bool:
-    """Whether it is an iterable of values, neither a string nor a mapping."""
+    """True for an iterable of values that is neither a string nor a mapping."""
     if isinstance(value, (type, Mapping, *TEXT)):
         return False
     return hasattr(value, "__len__") if hasattr(value, "shape") else isinstance(value, Iterable)
 
 
 def are_numbers(value: Any) -> bool:
-    """Whether these are numbers in order."""
+    """True for a sequence of numbers."""
     if not is_collection(value) or getattr(value, "ndim", 1) != 1:
         return False
     kind = getattr(getattr(value, "dtype", None), "kind", "O")
-    # an iterator is read once, by the function itself
+    # an iterator can be read only once, and the function itself needs its values
     return kind in "iuf" or (
         kind == "O" and (iter(value) is value or all(map(is_number_or_text, value)))
     )
 
 
 def is_numeric_array(value: Any) -> bool:
-    """Whether it is an array that can hold numbers."""
+    """True for an array that can hold numbers."""
     return getattr(getattr(value, "dtype", None), "kind", "") in ("i", "u", "f", "O")
 
 
 def is_array_like(value: Any) -> bool:
-    """Whether these are numbers, alone, in order, or in rows of equal lengths."""
+    """True for a number, a sequence of numbers, or rows of numbers of equal lengths."""
     if is_number_or_text(value) or is_numeric_array(value):
         return True
     if not isinstance(value, list | tuple) or not all(map(is_array_like, value)):
@@ -89,17 +89,17 @@ def is_array_like(value: Any) -> bool:
 
 
 def length(value: Any) -> int:
-    """The number of its entries; −1 if it has none."""
+    """Number of entries of a value; −1 if it has no length."""
     return len(value) if hasattr(value, "__len__") else -1
 
 
 def is_row(value: Any) -> bool:
-    """Whether it is a number, or numbers in order."""
+    """True for a number or a sequence of numbers."""
     return is_number(value) or are_numbers(value)
 
 
 def is_start(value: Any) -> bool:
-    """Whether it is a state: numbers in order, or by name."""
+    """True for a state: a sequence of numbers, or numbers by name."""
     if isinstance(value, Mapping):
         return all(
             is_number_or_text(v) or are_numbers(v) or (k == "attitude" and are_rows(v))
@@ -109,12 +109,12 @@ def is_start(value: Any) -> bool:
 
 
 def are_rows(value: Any) -> bool:
-    """Whether these are numbers in rows."""
+    """True for rows of numbers."""
     return is_collection(value) and all(map(are_numbers, value))
 
 
 def are_parameters(value: Any) -> bool:
-    """Whether it maps names to numbers, or to one number for each motion."""
+    """True for a mapping of names to numbers, or to one number for each motion."""
     if value is None:
         return True
     return isinstance(value, Mapping) and all(
@@ -123,7 +123,7 @@ def are_parameters(value: Any) -> bool:
 
 
 def are_conditions(value: Any) -> bool:
-    """Whether these are relations, or made of some by and, or, not."""
+    """True for relations, or combinations of relations by and, or, not."""
     return isinstance(value, tuple | list) and all(map(_is_condition, value))
 
 
@@ -137,7 +137,7 @@ def _is_condition(value: Any) -> bool:
 
 
 def is_formula(value: Any) -> bool:
-    """Whether it is an expression, a matrix of these, or a number."""
+    """True for an expression, a matrix of expressions, or a number."""
     if "sympy" in sys.modules:
         import sympy as sp
 
@@ -147,7 +147,7 @@ def is_formula(value: Any) -> bool:
 
 
 def are_formulas(value: Any) -> bool:
-    """Whether it is a formula, or formulas in nested rows of equal lengths."""
+    """True for a formula, or formulas in nested rows of equal lengths."""
     if isinstance(value, list | tuple):
         lengths = {length(row) for row in value if isinstance(row, list | tuple)}
         return len(lengths) <= 1 and all(map(are_formulas, value))
@@ -155,7 +155,7 @@ def are_formulas(value: Any) -> bool:
 
 
 def are_named_formulas(value: Any) -> bool:
-    """Whether it pairs names with formulas, none of them a string."""
+    """True for pairs of names and formulas, where no formula is a string."""
     pairs = pairs_of(value)
     return pairs is not None and not any(
         isinstance(part, (*TEXT, NoneType)) for pair in pairs for part in pair
@@ -163,7 +163,7 @@ def are_named_formulas(value: Any) -> bool:
 
 
 def pairs_of(value: Any) -> list[tuple[Any, Any]] | None:
-    """A mapping or a sequence of pairs as such a sequence; None if it is neither."""
+    """Sequence of pairs from a mapping or from such a sequence; otherwise None."""
     pairs = list(value.items()) if isinstance(value, Mapping) else value
     if not isinstance(pairs, list | tuple):
         return None
@@ -178,7 +178,7 @@ _ARRAY_LIKE = Kind("numbers in an array or in nested sequences", is_array_like)
 _SIMPLE: dict[Any, Kind | None] = {
     float: Kind("a number", is_number),
     int: Kind("a whole number", is_integer),
-    # of NumPy too
+    # integers of NumPy too
     bool: Kind("True or False", lambda value: class_name(value) in ("bool", "bool_")),
     str: Kind("a text", lambda value: isinstance(value, str)),
     Path: Kind("a path", lambda value: isinstance(value, os.PathLike)),
@@ -190,7 +190,7 @@ _SIMPLE: dict[Any, Kind | None] = {
 
 
 def kind_of(annotation: Any) -> Kind | None:
-    """The values that an annotation allows; None if it allows any."""
+    """Values that an annotation allows; None if it allows any value."""
     origin, inner = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
         notes = [note for note in inner[1:] if isinstance(note, Kind)]
@@ -228,9 +228,9 @@ def _one_of(choices: tuple[Any, ...]) -> Kind | None:
 
 
 def _array_like() -> tuple[Any, ...]:
-    """Members of ``numpy.typing.ArrayLike``, or a sentinel if NumPy is not imported."""
+    """Members of ``numpy.typing.ArrayLike``, or a placeholder if NumPy is not imported."""
     alias = getattr(sys.modules.get("numpy.typing"), "ArrayLike", ...)
-    # a union, or from Python 3.12 on the name of one
+    # a union, or from Python 3.12 on a type alias
     return get_args(alias) or (alias,)
 
 
@@ -266,7 +266,7 @@ def _sequence(origin: type, inner: tuple[Any, ...]) -> Kind | None:
     items = [item for item in inner if item is not ...]
     if pair := get_args(items[0]) if items and get_origin(items[0]) is tuple else ():
         if len(pair) != 2 or ... in pair or inner[1:] != (...,):
-            # of rows in rows the function itself says more
+            # the function itself checks nested rows and gives a better message
             return None
         of = kind_of(pair[1])
         return Kind(
@@ -281,9 +281,9 @@ def _sequence(origin: type, inner: tuple[Any, ...]) -> Kind | None:
         f"{count} {_plural(of)}",
         lambda value: (
             (is_collection(value) or (isinstance(value, Mapping) and origin is Iterable))
-            # of how many numbers there are the function itself says more
+            # the function itself checks the number of entries and gives a better message
             and (not size or of is not None or length(value) == size)
-            # an iterator is read once, by the function itself
+            # an iterator can be read only once, and the function itself needs its values
             and (iter(value) is value or _all_fit(of, value))
         ),
     )

@@ -1,10 +1,11 @@
-"""Arguments of public functions, checked against their annotations.
+"""Check of the arguments of public functions against their annotations.
 
-An argument of the wrong type is a mistake of whoever wrote the call; `arguments_checked` answers it
-at once with a sentence that names the function, the argument and what is allowed.  Where an
-annotation alone says too little (a start may be a mapping or a sequence), the types below say it.
+An argument of the wrong type is a mistake in the call.  `arguments_checked` raises an error at
+once, with a sentence that contains the function, the argument and the allowed values.  Where a
+Python annotation is not precise enough (a start may be a mapping or a sequence), one of the types
+below is used.
 Annotations are resolved on the first call; a class that is imported under ``TYPE_CHECKING`` is
-recognised by its name.
+recognized by its name.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T", bound=Callable[..., Any])
 
-#: Characters of a refused value that are shown.
+#: Maximum number of characters of a refused value in a message.
 _LONGEST = 60
 
 #: A state: numbers in flat order, or by name.
@@ -64,7 +65,7 @@ Parameters: TypeAlias = Annotated[
     "Mapping[str, ParameterValue] | Mapping[Symbol, ParameterValue] | None",
     Kind("a mapping of parameters to numbers", are_parameters),
 ]
-#: One number, as a length or a duration is.
+#: One positive number, such as a length or a duration.
 Positive: TypeAlias = Annotated[
     float,
     Kind("a positive finite number", lambda value: is_number(value) and 0 < float(value) < inf),
@@ -75,7 +76,7 @@ Finite: TypeAlias = Annotated[
 Numbers: TypeAlias = Annotated[
     Iterable[SupportsFloat | str], Kind("a sequence of numbers", are_numbers)
 ]
-#: One number; in quotes it keeps digits that a float has not.
+#: One number; as a string it may have more digits than a float.
 NumberOrText: TypeAlias = Annotated[SupportsFloat | str, Kind("a number", is_number_or_text)]
 Formula: TypeAlias = Annotated["Expr | float", Kind("a SymPy expression", is_formula)]
 #: One formula, or several in a matrix or in nested sequences.
@@ -113,7 +114,7 @@ NamedFormulas: TypeAlias = Annotated[
 
 
 def _short_text(value: Any) -> str:
-    """A refused value in a few words."""
+    """Short description of a refused value."""
     if isinstance(value, str):
         return f"the text {value[:_LONGEST]!r}"
     if isinstance(value, type):
@@ -129,17 +130,17 @@ def _short_text(value: Any) -> str:
 
 
 def arguments_checked(thing: T) -> T:
-    """Refuse arguments of other types than annotated, with an InputError.
+    """Function or class that raises InputError for arguments of other types than annotated.
 
     Parameters
     ----------
     thing
-        A function, a method, or a class, whose making is then checked.
+        A function, a method, or a class, whose constructor is checked.
     """
     if not isinstance(thing, type):
         name = thing.__qualname__.removesuffix(".__init__")
         return cast(T, _checking(thing, name, [thing.__module__]))
-    # a dataclass inherits annotations that are written in the names of other modules
+    # a dataclass inherits annotations that contain names of other modules
     modules = [base.__module__ for base in reversed(thing.__mro__)]
     checked_class: Any = thing
     checked_class.__init__ = _checking(checked_class.__init__, thing.__name__, modules)
@@ -147,7 +148,7 @@ def arguments_checked(thing: T) -> T:
 
 
 def _checking(function: Callable[..., Any], name: str, modules: list[str]) -> Callable[..., Any]:
-    @cache  # on the first call: most functions of an imported module are never called
+    @cache  # delayed, because most functions of an imported module are never called
     def signature_and_kinds() -> tuple[inspect.Signature, dict[str, Kind | None]]:
         hints = get_type_hints(function, None, _Scope(modules), include_extras=True)
         return inspect.signature(function), {key: kind_of(hint) for key, hint in hints.items()}
@@ -158,7 +159,7 @@ def _checking(function: Callable[..., Any], name: str, modules: list[str]) -> Ca
         try:
             bound = signature.bind(*arguments, **keywords).arguments
         except TypeError:
-            # Python's own sentence names the function
+            # Python's own message contains the name of the function
             return function(*arguments, **keywords)
         for argument, value in bound.items():
             if (kind := kinds.get(argument)) is None:
@@ -181,7 +182,7 @@ def _checking(function: Callable[..., Any], name: str, modules: list[str]) -> Ca
 
 
 class _Scope(dict[str, Any]):
-    """The names of modules and of this one; any other is a class known by that name."""
+    """Names of given modules; any other name is taken as the name of a class."""
 
     def __init__(self, modules: Iterable[str]) -> None:
         super().__init__(vars(builtins) | globals())
@@ -193,7 +194,7 @@ class _Scope(dict[str, Any]):
 
 
 class _ByName(type):
-    """A class that is imported under ``TYPE_CHECKING``, or the module of one."""
+    """Class that is imported under ``TYPE_CHECKING``, or a module of such classes."""
 
     def __instancecheck__(cls, value: object) -> bool:
         return any(base.__name__ == cls.__name__ for base in type(value).__mro__)

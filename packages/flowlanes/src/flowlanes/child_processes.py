@@ -1,4 +1,4 @@
-"""Worker processes, which end when their parent ends, however it ends."""
+"""Worker processes that always end together with their parent."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ LAST_SECONDS = 2.0
 
 
 def follow_parent() -> None:
-    """In a new process: leave Ctrl-C to the parent, and end when the parent ends or requests it.
+    """Initialize a new process: it ignores Ctrl-C, and ends when the parent ends or requests it.
 
-    Ctrl-C reaches all processes of a terminal.  SIGTERM and the end of the parent raise SystemExit,
-    so that partial files are removed; a process that does not end is killed.
+    Ctrl-C is sent to all processes of a terminal.  SIGTERM and the end of the parent raise
+    SystemExit, so partial files are removed; a process that does not end is killed.
     """
     # A forked process would pass its own signals to the parent.
     signal.set_wakeup_fd(-1)
@@ -43,9 +43,9 @@ def _watch_parent() -> None:
 
 @contextmanager
 def signals_blocked() -> Iterator[None]:
-    """A context for starting processes: no signal reaches them before `follow_parent`.
+    """Context for starting processes: no signal is delivered to them before `follow_parent`.
 
-    Windows has no equivalent.
+    Windows has no equivalent, so there it has no effect.
     """
     if sys.platform == "win32":
         yield
@@ -58,7 +58,7 @@ def signals_blocked() -> Iterator[None]:
 
 
 def end_processes(processes: Iterable[BaseProcess], seconds: float = LAST_SECONDS) -> None:
-    """Ask processes to end, and kill those that have not ended after some seconds."""
+    """Request that processes end, and kill those that are still running after some seconds."""
     asked = list(processes)
     for process in asked:
         process.terminate()

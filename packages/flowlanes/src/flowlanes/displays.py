@@ -1,6 +1,6 @@
-"""The printers of systems and formulas, registered by the package.
+"""Registered printers of systems and formulas.
 
-Printed objects do not import their printers, which import them; they look them up here.
+Printers import the printed classes, so these cannot import the printers and look them up here.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ _SOURCES: list[Callable[[], object]] = []
 def use_printers(source: Callable[[], object]) -> None:
     """Register a function that imports the printers.
 
-    It is called when something is first printed.
+    The function is called when something is first printed.
     """
     _SOURCES[:] = [source]
 
 
 def printers() -> object:
-    """The printers: an object whose attributes `system` and `formula` print these."""
+    """Printers: an object with the attributes `system` and `formula`."""
     (source,) = _SOURCES
     return source()

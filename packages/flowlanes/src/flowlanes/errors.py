@@ -22,7 +22,7 @@ INVISIBLE = re.compile(
 
 
 def readable(text: str) -> str:
-    """A text suitable for a terminal: no invisible characters, limited line and total length.
+    """Text suitable for a terminal: no invisible characters, limited line and total length.
 
     Control characters and other non-printing characters except line breaks are escaped.  A long
     line is shortened in the middle, so that its beginning and end remain.
@@ -46,14 +46,14 @@ def _abbreviation(line: str) -> str:
 
 
 def nearest(name: str, names: Iterable[str]) -> str:
-    """The end of a sentence about an unknown name: the likeliest match, and all allowed names.
+    """End of a sentence about an unknown name: the most similar name, and all allowed names.
 
     Parameters
     ----------
     name
         The unknown name.
     names
-        The names that would have been accepted.
+        Allowed names.
 
     Returns
     -------
@@ -74,7 +74,7 @@ def nearest(name: str, names: Iterable[str]) -> str:
 
 
 def _families(names: Iterable[str]) -> Iterator[str]:
-    """Names, with three or more that differ only in a number abbreviated as ``x_1 … x_3``."""
+    """Names, where three or more that differ only in a number are abbreviated as ``x_1 … x_3``."""
     for stem, group in itertools.groupby(names, key=lambda name: re.sub(r"\d+$", "", name)):
         members = list(group)
         several = len(members) > 2 and members == [f"{stem}{i}" for i in range(1, len(members) + 1)]
@@ -82,14 +82,15 @@ def _families(names: Iterable[str]) -> Iterator[str]:
 
 
 class InputError(ValueError):
-    """A mistake of the user: what is wrong, where, and what is allowed.
+    """Error caused by wrong input.
 
     Parameters
     ----------
     message
-        One sentence, written for the user; a mistake inside a formula adds a two-line excerpt.
+        One sentence with the mistake and the allowed values; for a formula also a two-line
+        excerpt.
     where
-        Where the mistake stands, such as ``"body.toml, line 7, body.inertia"``; may be empty.
+        Location of the mistake, such as ``"body.toml, line 7, body.inertia"``; may be empty.
 
     Examples
     --------
@@ -134,16 +135,16 @@ def require_visible(texts: Iterable[str]) -> None:
 
 
 class RunError(RuntimeError):
-    """A computation that could not be completed.
+    """Computation that could not be completed.
 
     Parameters
     ----------
     reason
-        One sentence saying what went wrong.
+        One sentence with the reason.
     time
-        The last instant at which the solution was still good.
+        Last instant at which the solution was valid.
     partial
-        The results computed before, such as a trajectory.
+        Results computed before the failure, such as a trajectory.
 
     Examples
     --------
@@ -170,18 +171,18 @@ class RunError(RuntimeError):
 
 
 class InterruptionError(RunError):
-    """A computation that the user interrupted; the results computed before are in `partial`."""
+    """Computation interrupted by the user; the results computed before are in `partial`."""
 
 
 class EarlyEndError(RunError):
-    """A motion that ended before its time.
+    """Motion that ended before its time.
 
     Parameters
     ----------
     system
         Name of the system.
     reason, time
-        As of a RunError.
+        As in RunError.
     """
 
     def __init__(self, system: str, reason: str, time: float) -> None:

@@ -1,4 +1,4 @@
-"""Words that have a meaning in every formula: functions and numbers."""
+"""Words with a meaning in every formula: functions and numbers."""
 
 from __future__ import annotations
 

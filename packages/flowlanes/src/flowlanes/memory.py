@@ -1,4 +1,4 @@
-"""Functions that remember their last results."""
+"""Functions with a memory of their last results."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ T = TypeVar("T")
 
 
 def memory(size: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
-    """A decorator that keeps the last results of a function without effects.
+    """Decorator that keeps the last results of a function without side effects.
 
-    With arguments that cannot be hashed, as systems with lists or matrices that may change, or
-    given by keyword, the function is called every time.
+    With arguments that cannot be hashed, such as systems with lists or matrices that may change,
+    or with keyword arguments, the function is called every time.
 
     Parameters
     ----------
     size : int
-        How many results are kept.
+        Number of results that are kept.
 
     Examples
     --------

@@ -188,7 +188,7 @@ def test_what_a_proof_assumes_makes_nothing_certain() -> None:
             tree=zero(identity(0, ["-1", "0"], ring)),
         )
     ]
-    with pytest.raises(CheckError, match="leave open"):
+    with pytest.raises(CheckError, match="do not cover all signs"):
         check(certificate)
 
 

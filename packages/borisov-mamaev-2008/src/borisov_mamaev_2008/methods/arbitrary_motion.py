@@ -1,7 +1,7 @@
-"""A body in contact with arbitrary accelerations and contact point.
+"""A body in contact with arbitrary accelerations and an arbitrary contact point.
 
-Equations of motion that are linear in ω̇ and λ₀ are equivalent when their residuals agree for
-every value of both; no equation has to be solved for that.
+Equations of motion that are linear in ω̇ and λ₀ are equivalent if their residuals agree for all
+values of both; no equation has to be solved for that.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ TORQUE: MatrixExpr = cross(gamma, gradient(POTENTIAL, gamma))
 
 
 def any_motion() -> System:
-    """ω̇ and ṙ are arbitrary, γ̇ = γ×ω as on a plane."""
+    """The system with arbitrary ω̇ and ṙ, and γ̇ = γ×ω as on a plane."""
     arbitrary = ((omegadot, "angular acceleration"), (rdot, "rate of the contact point"))
     return unspecified_systems.system(
         "any-motion",
@@ -61,7 +61,7 @@ def reaction() -> MatrixExpr:
 
 
 def newton_euler() -> MatrixExpr:
-    """The second equation (1.17), left less right side, with λ from the first."""
+    """The second equation (1.17), left minus right side, with λ from the first."""
     right = cross(I * omega, omega) + TORQUE + cross(r, reaction()) + lambda_0 * gamma
     return I * rate(omega) - right
 
@@ -72,7 +72,7 @@ def tensor(vector: MatrixExpr) -> MatrixExpr:
 
 
 def reduced_equation() -> MatrixExpr:
-    """The first equation (1.18), left less right side."""
+    """The first equation (1.18), left minus right side."""
     gyroscopic = cross(tensor(omega), omega) - m * cross(r, cross(omega, rate(r)))
     return tensor(rate(omega)) - gyroscopic - TORQUE - lambda_0 * gamma
 
@@ -85,7 +85,7 @@ def driven(normal_rate: MatrixExpr, correction: Expr) -> System:
     normal_rate : vector
         γ̇, which may use the arbitrary vector ``gammadot``.
     correction : sympy.Expr
-        What is added to (Ĩ⁻¹γ, X) in the numerator of (1.19).
+        The term added to (Ĩ⁻¹γ, X) in the numerator of (1.19).
     """
     adjugate = constant(K.entries.adjugate())
     determinant = K.entries.det()

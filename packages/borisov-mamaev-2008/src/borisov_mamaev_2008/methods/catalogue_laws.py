@@ -1,4 +1,4 @@
-"""Laws of systems by name, and as the paper prints them."""
+"""Laws of systems by name, and their printed forms."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from flowlanes.system.system import System
 
 
 def law_named(system: System, name: str) -> Law:
-    """The law of a system by its name.
+    """The law of a system with a given name.
 
     Raises
     ------
@@ -31,7 +31,7 @@ def printed_form(law: Law) -> Law:
     Raises
     ------
     ValueError
-        If the paper prints the law as it is.
+        If the law is printed correctly.
     """
     if law.as_printed is None:
         raise ValueError("the paper prints this law as it is")

@@ -29,19 +29,19 @@ def computed_verdict(
 def conclusion_verdict(
     name: str, finding: str, rests_on: Iterable[Verdict | tuple[System, Law]]
 ) -> Verdict:
-    """Proven if all premisses of the conclusion are proven.
+    """Proven if all premises of a conclusion are proven.
 
     Parameters
     ----------
     name : str
     finding : str
-        What follows, in a few words.
+        The conclusion, in a few words.
     rests_on : verdicts, or laws with their systems
 
     Returns
     -------
     Verdict
-        Undecided where something is not proven; a premiss that fails proves no opposite.
+        Undecided if some premise is not proven: a false premise does not prove the opposite.
     """
     verdicts = [v if isinstance(v, Verdict) else prove(*v) for v in rests_on]
     missing = [v for v in verdicts if not v]
@@ -66,10 +66,10 @@ _OPPOSITE: dict[Decision, Decision] = {
 
 
 def contrary(verdict: Verdict) -> Verdict:
-    """The verdict on the negated statement.
+    """The verdict on the negation of a statement.
 
-    The text and the witness, if there is one, are kept.  A statement proven only under conditions
-    does not decide the opposite.
+    The text and the witness, if there is one, are kept. A statement proven only under conditions
+    does not decide its negation.
     """
     if verdict.decision == "proven where":
         where = ", ".join(verdict.conditions)

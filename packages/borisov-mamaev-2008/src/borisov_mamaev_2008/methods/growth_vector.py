@@ -1,4 +1,4 @@
-"""The span of vector fields and their commutators, and verdicts on claims about it."""
+"""The span of vector fields and their commutators, and verdicts on claims about its dimension."""
 
 from __future__ import annotations
 
@@ -16,25 +16,26 @@ def growth(
     coordinates: Sequence[sp.Symbol],
     point: Mapping[sp.Symbol, sp.Expr],
 ) -> tuple[int, ...]:
-    """Growth vector of a distribution, with its last entry repeated."""
+    """The growth vector of a distribution, with its last entry repeated."""
     counts = mechanics.growth(fields, coordinates, point)
     return (*counts, counts[-1])
 
 
 def holonomic_count_verdict(claim: int, counts: tuple[int, ...], dimension: int) -> Verdict:
-    """The verdict on a claimed number of holonomic constraints, from the growth of a distribution.
+    """The verdict on a claimed number of holonomic constraints.
 
-    A function F with η(F) = 0 for every admissible field has dF annul their commutators too, so
-    that there are as many independent ones as the dimension exceeds that of the span.
+    A function F with η(F) = 0 for every admissible field η has a differential that annihilates the
+    commutators as well. The number of independent functions of this kind is therefore the
+    dimension minus the dimension of the span.
 
     Parameters
     ----------
     claim : int
-        Number of independent holonomic constraints that is claimed.
+        The claimed number of independent holonomic constraints.
     counts : tuple of int
-        As from `growth`.
+        The growth vector, as returned by `growth`.
     dimension : int
-        Of the configuration space.
+        Dimension of the configuration space.
     """
     true = dimension - counts[-1]
     return Verdict(

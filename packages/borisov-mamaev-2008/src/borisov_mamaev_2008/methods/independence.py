@@ -14,13 +14,13 @@ from .derived_verdicts import computed_verdict
 
 
 def rational_point(system: System, state: Mapping[str, object]) -> dict[sp.Symbol, sp.Rational]:
-    """A point with the default parameters, as exact rational numbers.
+    """A point with the default parameters, in exact rational numbers.
 
     Parameters
     ----------
     system : System
     state : mapping of str to number or text
-        Values by the name of the scalar, such as ``{"gamma_1": "2/7"}``.
+        Values by scalar name, such as ``{"gamma_1": "2/7"}``.
     """
     point = {p.symbol: exact_number(p.default) for p in system.parameters}
     names = {str(s): s for s in (*system.symbols, *point)}
@@ -30,22 +30,22 @@ def rational_point(system: System, state: Mapping[str, object]) -> dict[sp.Symbo
 def independent(
     system: System, functions: Sequence[sp.Expr], point: Mapping[sp.Symbol, sp.Expr]
 ) -> Verdict:
-    """Whether functions on a phase space are independent.
+    """The verdict that functions on a phase space are independent.
 
     Parameters
     ----------
     system : System
-        Its state gives the variables.
+        A system whose state variables are the coordinates.
     functions : sequence of sympy.Expr
-        In state, definitions and parameters.
+        Functions in state, definitions and parameters.
     point : mapping of Symbol to number
-        State and parameters, exact.
+        Exact values of state and parameters.
 
     Returns
     -------
     Verdict
-        Proven when the rank of the differentials at the point is the number of functions, so
-        that it is so on an open dense set; otherwise undecided.
+        Proven if the rank of the differentials at the point is the number of functions, since it
+        then is so on an open dense set; otherwise undecided.
     """
     rows = []
     for function in functions:

@@ -1,12 +1,12 @@
 """Marble bodies of revolution: general ones, and those with an elementary integral linear in ω.
 
-With the height p(γ₃) of the centre of mass above the plane, the radii of curvature ρ₁ of the
-meridian and ρ₂ across it, r₃ and ξ² = r₁² + r₂², let the profile obey
+Let p(γ₃) be the height of the centre of mass above the plane, ρ₁ and ρ₂ the radii of curvature
+along and across the meridian, and ξ² = r₁² + r₂². Suppose that the profile satisfies
 
     I₃ γ₃ r₃ ρ₁ + (I₃ + mξ²) p ρ₂ = 0.
 
-This is an equation of second order for p.  Around a pole its solutions are smooth convex caps,
-two of which make a lens; M₃/√(I₃ + mξ²) is then constant in any potential U(γ₃).
+This is a second-order equation for p. Around a pole its solutions are smooth convex caps, two of
+which form a lens; M₃/√(I₃ + mξ²) is then constant in any potential U(γ₃).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from nonholonomic.mechanics.shapes.revolution import Revolution
 
 M, omega, gamma, r = vectors("M omega gamma r")
 m, I_1, I_2, I_3 = (real_symbol(s) for s in ("m", "I_1", "I_2", "I_3"))
-#: The names used by the mechanics for the support function and its derivatives.
+#: The names of the support function and its derivatives in the mechanics package.
 height, slope, bend = real_symbol("p"), real_symbol("pprime"), real_symbol("pprime2")
 g_1, g_2, g_3 = gamma.symbols
 LEAN = 1 - g_3**2
@@ -32,7 +32,7 @@ POTENTIAL = sp.Function("U")(g_3)
 
 
 def any_body() -> System:
-    """A marble body of revolution of any profile p(γ₃), heavy and in any potential U(γ₃)."""
+    """A marble body of revolution with any profile p(γ₃), in gravity and any potential U(γ₃)."""
     profile = sp.Function("p_s")(g_3)
     values = {name: sp.diff(profile, g_3, n) for n, name in enumerate((height, slope, bend))}
     system = _with_some_profile(POTENTIAL)
@@ -55,7 +55,7 @@ def _with_some_profile(potential: sp.Expr) -> System:
 
 
 def curvatures() -> tuple[sp.Expr, sp.Expr]:
-    """ρ₁ and ρ₂ of a lens, in γ₃, p and p′."""
+    """ρ₁ and ρ₂ of a lens in terms of γ₃, p and p′."""
     across = height - g_3 * slope
     r_3 = -(g_3 * height + LEAN * slope)
     along = -(I_3 + m * LEAN * across**2) * height * across / (I_3 * g_3 * r_3)
@@ -63,9 +63,10 @@ def curvatures() -> tuple[sp.Expr, sp.Expr]:
 
 
 def lens(potential: sp.Expr = POTENTIAL) -> System:
-    """A lens with marble contact, heavy and in a potential U(γ₃), by default an unspecified one.
+    """A lens with marble contact, in gravity and a potential U(γ₃), by default unspecified.
 
-    State M, γ, and p, p′ at the contact, whose rates follow from the equation of the profile.
+    The state is M, γ, and p, p′ at the contact, whose rates follow from the equation of the
+    profile.
     """
     system = _with_some_profile(potential)
     along, across = curvatures()
@@ -81,7 +82,7 @@ def lens(potential: sp.Expr = POTENTIAL) -> System:
 
 
 def linear_integral() -> Integral:
-    """M₃/√(I₃ + m(r₁² + r₂²))."""
+    """The integral M₃/√(I₃ + m(r₁² + r₂²))."""
     reach = r.symbols[0] ** 2 + r.symbols[1] ** 2
     value = M.symbols[2] / sp.sqrt(I_3 + m * reach)
     return Integral("linear", value, "integral linear in ω", level=(I_1 - I_2,))

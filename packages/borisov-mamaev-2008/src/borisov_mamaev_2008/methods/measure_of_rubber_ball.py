@@ -1,4 +1,4 @@
-"""Unbalanced rubber balls with a measure whose density depends on γ alone.
+"""Unbalanced rubber balls with a measure whose density depends on γ only.
 
 In the momenta across γ a density e^σ(γ) gives an invariant measure if and only if
 
@@ -9,12 +9,13 @@ principal axes, κ = 2mRc, s = (κ, γ) and n_i = J_i − s, Ĩq is along γ and
 
     q = ν N⁻¹γ − ½ N⁻¹κ,      ν (γ, N⁻¹γ) = 1 + ½ (γ, N⁻¹κ),      N = diag(n_1, n_2, n_3).
 
-The curl of q along γ must vanish on the sphere.  At γ = e₃ it is κ₁κ₂(J₂ − J₁)(n₁ + n₂)/(2n₁²n₂²),
-where n₁ and n₂ are moments about axes through the contact point, hence positive; the same holds
-with other indices.  Therefore, if no component of κ vanishes, J is a multiple of E; if one does,
-the other two belong to equal moments, and the axes can be chosen so that one component remains.
-If κ is along e₃, J₁ = J₂ follows from the curl at γ = (cos φ, sin φ, 0).  So either κ = 0, or the
-line of κ is an axis of symmetry of J, and thus of I.  For these bodies dσ is closed.
+The component of the curl of q along γ must vanish on the sphere. At γ = e₃ it is κ₁κ₂(J₂ − J₁)(n₁
++ n₂)/(2n₁²n₂²), where n₁ and n₂ are moments about axes through the contact point and hence
+positive; the same holds for the other indices. Therefore, if no component of κ vanishes, J is a
+multiple of E; if one does, the other two belong to equal moments, and the axes can be chosen such
+that only one component remains. If κ is along e₃, J₁ = J₂ follows from the curl at γ = (cos φ, sin
+φ, 0). Hence either κ = 0, or the line of κ is an axis of symmetry of J, and thus of I. For these
+bodies dσ is closed.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ Point = tuple[sp.Expr, sp.Expr, sp.Expr]
 
 
 def curl(place: Point, offset: Point = kappa, moments: Point = J) -> sp.Expr:
-    """(γ, rot q) at a unit vector, in J and κ, factored.
+    """(γ, rot q) at a unit vector, factored, in terms of J and κ.
 
     Parameters
     ----------
@@ -65,7 +66,7 @@ def curl(place: Point, offset: Point = kappa, moments: Point = J) -> sp.Expr:
 
 
 def necessary() -> bool:
-    """The two values of the curl named above."""
+    """Whether the two values of the curl stated above are correct."""
     n = [j - kappa[2] for j in J]
     at_pole = kappa[0] * kappa[1] * (J[1] - J[0]) * (n[0] + n[1]) / (2 * (n[0] * n[1]) ** 2)
     along = (sp.S.Zero, sp.S.Zero, kappa[2])
@@ -78,7 +79,7 @@ def necessary() -> bool:
 
 
 def sufficient() -> Verdict:
-    """The verdict that dσ is closed for a centre on an axis of symmetry."""
+    """The verdict that dσ is closed if the centre of mass is on an axis of symmetry."""
     ball = Ball(1.0, centre=(0.1, 0.2, 0.3))
     form = one_form(RollingBody(Body(1.0, (1.0, 1.5, 2.1), ball), contact="rubber"))
     I, c = Diagonal("I").symbols, Vector("c").symbols
@@ -93,5 +94,5 @@ def only_symmetric_balls() -> Verdict:
         shown,
         "the curl of q at the principal axes and across them vanishes for these balls alone, "
         "and everywhere for these",
-        "the curl is not as it should be",
+        "the curl does not have the expected value",
     )

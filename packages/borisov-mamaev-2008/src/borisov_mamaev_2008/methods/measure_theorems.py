@@ -1,7 +1,8 @@
 """Claims about invariant measures, decided by `invariant_measure` and its theorems.
 
-nonholonomic/docs/measures.md has the theorems with their proofs: a measure whose density is
-smooth, and positive up to rest, exists only if one with a density of the configuration does.
+The theorems and their proofs are in nonholonomic/docs/measures.md: a measure with a smooth density
+that is positive up to rest exists only if there is one whose density depends on the configuration
+alone.
 """
 
 from __future__ import annotations
@@ -20,15 +21,15 @@ def has_no_measure(source: RollingBody | Mechanism, name: str) -> Verdict:
     Parameters
     ----------
     source : RollingBody or Mechanism
-        With numbers, or with parameters outside the conditions of its theorem.
+        With numerical parameters, or with parameters outside the conditions of its theorem.
     name : str
-        Of the system.
+        Name of the system.
 
     Returns
     -------
     Verdict
-        Proven where `invariant_measure` says that there is none, or none outside certain levels of
-        the parameters, which its finding names; else undecided.
+        Proven if `invariant_measure` excludes a measure, or excludes it outside certain values of
+        the parameters, which its finding names; otherwise undecided.
     """
     found = invariant_measure(source, name)
     excluded = found.decision == "none" or (found.decision == "conditional" and found.complete)

@@ -1,10 +1,11 @@
 """Quadratic integrals in the potentials (γ, Jγ)^(−s) on a sphere.
 
 An integral of ½M² + V on the sphere that is quadratic in M has the form ½(M, CM) + W(γ) with a
-constant symmetric C, since the Killing tensors of the sphere are squares of rotations.  It is
-conserved when (∇W×γ) + C(γ×∇V) has no tangential part.  ∇W×γ has no divergence on the sphere, so
-that C(γ×∇V) must not have any either: a linear condition on C, in which C = E drops out (it gives
-the energy).  With V continued to be homogeneous of degree zero it reads
+constant symmetric C, since the Killing tensors of the sphere are symmetric products of rotation
+fields. It is conserved if (∇W×γ) + C(γ×∇V) has no tangential part. The divergence of ∇W×γ on the
+sphere is zero, so that the divergence of C(γ×∇V) must vanish as well: a linear condition on C,
+which is satisfied trivially by C = E (the energy). If V is extended as a homogeneous function of
+degree zero, it reads
 
     div (C(γ×∇V)) = 2 (γ, C(γ×∇V)) / γ².
 """
@@ -30,7 +31,7 @@ def conditions() -> list[sp.Expr]:
     place = sp.Matrix(gamma.symbols)
     form = sp.Add(*(j * x**2 for j, x in zip(J.symbols, place, strict=True)))
     square = sp.Add(*(x**2 for x in place))
-    # ∇V / V, with V = (form / square)^(−s)
+    # ∇V/V for V = (form/square)^(−s), which is homogeneous of degree zero.
     slope = sp.Matrix(
         [-2 * s * x * (j / form - 1 / square) for j, x in zip(J.symbols, place, strict=True)]
     )
@@ -44,14 +45,14 @@ def conditions() -> list[sp.Expr]:
 
 
 def no_quadratic_integral() -> Verdict:
-    """C is a multiple of E unless s² = 1, for any J with three distinct eigenvalues.
+    """The verdict that C is a multiple of E unless s² = 1, for J with distinct eigenvalues.
 
     Returns
     -------
     Verdict
-        Proven when the conditions contain each off-diagonal entry of C alone, times a factor
-        that vanishes only for equal J, and two of them in C₁₁ and C₂₂ have the determinant
-        (s² − 1) times such a factor.
+        Proven if each off-diagonal entry of C occurs alone in some condition, with a factor that
+        vanishes only for equal J, and if two conditions on C₁₁ and C₂₂ have the determinant (s² −
+        1) times such a factor.
     """
     equations = conditions()
     J_1, J_2, J_3 = J.symbols

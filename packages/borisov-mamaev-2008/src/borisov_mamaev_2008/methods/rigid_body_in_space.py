@@ -1,7 +1,7 @@
 """A free rigid body in space, and the vector fields of (1.11).
 
-The attitude is a quaternion, in which the formulas of the paper for the direction
-vectors α, β, γ can be decided: they are the rows of the rotation matrix.
+The attitude is a quaternion. The direction vectors α, β, γ of the paper are the rows of the
+rotation matrix.
 """
 
 from __future__ import annotations
@@ -46,12 +46,12 @@ def translation_field(axis: int) -> VectorField:
 
 
 def bracket(first: VectorField, second: VectorField) -> VectorField:
-    """The commutator of two fields on α, β, γ and R."""
+    """The commutator of two vector fields on α, β, γ and R."""
     return commutator(first, second)
 
 
 def moving() -> System:
-    """A body that moves with any ω and v, both in body axes."""
+    """A body that moves with arbitrary ω and v in body axes."""
     rows = rotation()
     return unspecified_systems.system(
         "free-body",

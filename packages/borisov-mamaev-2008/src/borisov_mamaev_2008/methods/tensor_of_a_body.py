@@ -1,4 +1,4 @@
-"""Restrict the moments of inertia of a system to those of a body (triangle inequalities)."""
+"""Restriction of the moments of inertia of a system to those of a body."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from flowlanes.system.system import System
 
 
 def with_tensor_of_a_body(system: System, moments: tuple[sp.Symbol, ...]) -> System:
-    """The system with its moments of inertia restricted to those that a body can have.
+    """The system with the triangle inequalities for its moments of inertia.
 
     Parameters
     ----------
     system : System
     moments : 3 Symbols
-        Parameters, of which two may be the same; for a ball also I + mR², as these have the
-        property if the moments I have it.
+        Three parameters, of which two may coincide; for a ball also I + mR², which satisfies the
+        inequalities if I does.
     """
     conditions = {
         own: own <= sp.Add(*moments[:i], *moments[i + 1 :]) for i, own in enumerate(moments)

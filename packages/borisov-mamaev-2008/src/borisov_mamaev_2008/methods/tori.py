@@ -26,15 +26,15 @@ def canonical_in(
     Parameters
     ----------
     frequencies : 2 sympy.Expr
-        ω_i(F), independent.
+        Independent functions ω_i(F).
     weights : 2 sympy.Expr
-        w_i, a function of ω_i.
+        Functions w_i of ω_i.
     shift : sympy.Expr
-        Z(θ₁, F), with θ̃₁ = θ₁ and θ̃₂ = θ₂ − Z.
+        Z(θ₁, F), where θ̃₁ = θ₁ and θ̃₂ = θ₂ − Z.
     """
     slopes = sp.Matrix(2, 2, lambda j, k: sp.diff(frequencies[j], (F_1, F_2)[k]))
     determinant = slopes[0, 0] * slopes[1, 1] - slopes[0, 1] * slopes[1, 0]
-    # {θ̃_i, F_k}, the transposed inverse of ∂ω_j/∂F_k
+    # {θ̃_i, F_k} is the transposed inverse of ∂ω_j/∂F_k, with row i times w_i.
     mixed = sp.diag(*weights) * slopes.adjugate().T / determinant
     mixed[1, :] += sp.diff(shift, theta_1) * mixed[0, :]
     turn = sp.Add(*(sp.diff(shift, F) * mixed[0, k] for k, F in enumerate((F_1, F_2))))
@@ -43,12 +43,12 @@ def canonical_in(
 
 
 def of_rank_two() -> tuple[tuple[System, Law], ...]:
-    """v = (f, r f, 0, 0) with f(θ, F), r(F₂) is Hamiltonian with v∧∂/∂F₁, without a new time.
+    """v = (f, r f, 0, 0) with f(θ, F), r(F₂) is Hamiltonian in the bracket v∧∂/∂F₁.
 
-    [v, ∂/∂F₁] is along v when r does not depend on F₁, which is Jacobi's identity for v∧∂/∂F₁.
-    (4.3) with two integrals or more has this form, f = λ₁/Φ and r = λ₂/λ₁, near every torus where
-    the rotation number r has a differential that is not zero, with F₂ = r, and where it is
-    constant.
+    If r does not depend on F₁, [v, ∂/∂F₁] is along v, which is the Jacobi identity of v∧∂/∂F₁; no
+    change of time is needed. (4.3) with two or more integrals has this form, with f = λ₁/Φ and r =
+    λ₂/λ₁, near every torus where the rotation number r has a non-zero differential, with F₂ = r,
+    and where r is constant.
     """
     (speed,), (rotation,) = (
         unspecified_functions("f", theta_1, theta_2, F_1, F_2),
@@ -69,17 +69,17 @@ def of_rank_two() -> tuple[tuple[System, Law], ...]:
 
 @cache
 def not_hamiltonian() -> Verdict:
-    """No function N ≠ 0 makes θ̇ = λ(F)/Φ, Ḟ = 0 on T² × ℝ equal to N J ∇H when λ₁/λ₂ varies.
+    """The verdict that θ̇ = λ(F)/Φ, Ḟ = 0 on T² × ℝ is not N J ∇H if λ₁/λ₂ varies.
 
-    On tori with irrational λ₁/λ₂, which are dense, an integral H is constant; so H = H(F).  Then
-    J₁₃ = μλ₁, J₂₃ = μλ₂ with μ = 1/(N H′ Φ), and J₁₂ = μa with an unknown a(θ, F).  The Jacobi
-    identity is proved to be μ²(λ₁λ₂′ − λ₂λ₁′ − λ₁∂a/∂θ₁ − λ₂∂a/∂θ₂) = 0 up to sign.  The mean over
-    the torus of the last two terms is zero, that of the first two is their value.
+    On tori with irrational λ₁/λ₂, which are dense, an integral H is constant; hence H = H(F). Then
+    J₁₃ = μλ₁, J₂₃ = μλ₂ with μ = 1/(N H′ Φ), and J₁₂ = μa with an unknown a(θ, F). Up to sign the
+    Jacobi identity is μ²(λ₁λ₂′ − λ₂λ₁′ − λ₁∂a/∂θ₁ − λ₂∂a/∂θ₂) = 0. The mean of the last two terms
+    over the torus is zero, whereas the first two are constant on it.
 
     Returns
     -------
     Verdict
-        Proven, or undecided when the identity is.
+        Proven; undecided if the identity is not reduced.
     """
     state = (theta_1, theta_2, F_1)
     (lambda_1, lambda_2), (mu, a) = (

@@ -11,11 +11,12 @@ h = (M, ω), f = M²: p(u), L(u) and Q(u) of that module become its factors.  Th
 Σ dw/√R(w) = 0, and those of the Chaplygin ball with (M, γ) = 0 are Σ dz/y = 0 with the six roots
 I₁, I₂, I₃, 0, −D, f/h − D (:mod:`nonholonomic.closed_form.separations.chaplygin_ball`).
 
-Such an equation keeps its form under affine maps alone.  Let one, which may depend on the level,
-take the roots of R into those of a Chaplygin ball, for all levels of a range.  Five of the latter
-do not depend on the level f/h.  Among any five roots of R three at least are of the four that do
-not depend on it either; they fix the map, which so does not depend on the level.  But one of the
-five is a root of q, both of which depend on it: a contradiction.
+An equation of this kind keeps its form only under affine maps. Suppose that such a map, which may
+depend on the level, takes the roots of R to those of a Chaplygin ball, for all levels in some
+range. Five of the latter do not depend on the level f/h. Among any five roots of R at least three
+belong to the four that do not depend on it either; these determine the map, which therefore does
+not depend on the level. But one of the five is a root of q, and both roots of q depend on the
+level: a contradiction.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ h, f, w = real_symbol("h"), real_symbol("f"), real_symbol("w")
 
 
 def level_factor() -> sp.Expr:
-    """q(w)."""
+    """The factor q(w) of the polynomial R(w)."""
     u = 1 / w
     form = h * (chart.tau - u) * chart.scale(u) - f * chart.ratio_form(u)
     value: sp.Expr = sp.expand(w**2 * form)
@@ -47,10 +48,10 @@ def level_factor() -> sp.Expr:
 
 
 def moving_root_counts() -> tuple[int, int]:
-    """The numbers of roots that depend on f/h: around a sphere, and on a plane.
+    """The numbers of roots that depend on f/h, around a sphere and on a plane.
 
-    A root of q that does not would be one of its part with h, w = 1/τ or e₂/e₃, where the part with
-    f is −I₁I₂I₃/τ² and d, both not zero.
+    A root of q that does not depend on f/h would be a zero of its coefficient of h, that is, w =
+    1/τ or e₂/e₃. There the coefficient of f is −I₁I₂I₃/τ² and d, which are non-zero.
     """
     tensor = chart.A.symbols
     e_3 = sp.Mul(*tensor)
@@ -102,7 +103,7 @@ def quadratures_differ() -> Verdict:
         "quadratures",
         shown,
         f"{around} of the six roots depend on the level, {own} of those of Chaplygin's ball",
-        rests_on.reason or "the roots are not as they should be",
+        rests_on.reason or "the roots do not depend on the level as expected",
         terms=rests_on.terms,
         seconds=rests_on.seconds,
     )

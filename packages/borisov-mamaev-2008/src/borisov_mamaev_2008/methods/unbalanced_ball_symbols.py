@@ -1,4 +1,4 @@
-"""The symbols of the unbalanced ball, for the claims of §10.1 and §10.2."""
+"""The symbols of the unbalanced ball for the claims of §10.1 and §10.2."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ I = Diagonal("I")
 m, R = real_symbol("m"), real_symbol("R")
 
 NORMAL: dict[str, object] = {"gamma_1": "2/7", "gamma_2": "-3/7", "gamma_3": "6/7"}
-#: a of r = −Rγ − a; c goes from the centre of mass to the geometric centre.
+#: The vector a of r = −Rγ − a; c points from the centre of mass to the geometric centre.
 OFFSET = -c
 
 M_RATE, OMEGA_RATE, GAMMA_RATE, R_RATE = (

@@ -1,4 +1,4 @@
-"""Systems with unspecified functions, on which general statements are decided."""
+"""Systems with unspecified functions, for the proof of general statements."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from flowlanes.system.system import System
 
 
 def unspecified_functions(names: str, *variables: sp.Symbol) -> tuple[sp.Expr, ...]:
-    """Unspecified functions of the given variables, by their names."""
+    """Unspecified functions of the given variables, by name."""
     return tuple(sp.Function(name)(*variables) for name in names.split())
 
 
 def gradient(function: sp.Expr, variables: Sequence[sp.Symbol]) -> sp.Matrix:
-    """Column of partial derivatives."""
+    """The column of partial derivatives."""
     return sp.Matrix([sp.diff(function, s) for s in variables])
 
 
@@ -33,17 +33,17 @@ def skew(variables: Sequence[sp.Symbol], name: str = "J") -> sp.Matrix:
 
 
 def fields(names: str, variables: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
-    """A vector field with unspecified components, one name for each variable."""
+    """A vector field with unspecified components; each name belongs to one variable."""
     return dict(zip(variables, unspecified_functions(names, *variables), strict=True))
 
 
 def system(name: str, title: str, field: NamedFormulas, **more: Any) -> System:
-    """A System that is constructed only for a proof."""
+    """A System that serves only for a proof."""
     return System(name=name, title=title, field=field, **more)
 
 
 def bracket(matrix: sp.Matrix, f: sp.Expr, g: sp.Expr, variables: Sequence[sp.Symbol]) -> sp.Expr:
-    """Σ J_ij ∂f/∂x_i ∂g/∂x_j."""
+    """The bracket Σ J_ij ∂f/∂x_i ∂g/∂x_j."""
     return (gradient(f, variables).T * matrix * gradient(g, variables))[0, 0]
 
 
@@ -53,6 +53,6 @@ def hamiltonian(
     variables: Sequence[sp.Symbol],
     multiplier: sp.Expr = sp.S.One,
 ) -> System:
-    """ẋ = N J ∇H."""
+    """The system ẋ = N J ∇H."""
     rates = multiplier * (matrix * gradient(function, variables))
     return system("hamiltonian", "ẋ = N J ∇H", dict(zip(variables, rates, strict=True)))

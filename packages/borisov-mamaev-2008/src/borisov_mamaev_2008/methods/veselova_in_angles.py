@@ -1,4 +1,4 @@
-"""The Veselova system in Euler angles, with energies and new time (§6.2)."""
+"""The Veselova system in Euler angles, with its energies and the new time (§6.2)."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ T_0 = HALF * sp.Add(*(i * w**2 for i, w in zip(I.symbols, omega_of_angles, stric
 
 
 def constrained(formula: sp.Expr) -> sp.Expr:
-    """A formula with ψ̇ = −cos θ φ̇."""
+    """A formula with ψ̇ = −cos θ φ̇ substituted."""
     return formula.xreplace({psidot: -C_THETA * phidot})
 
 
@@ -50,25 +50,25 @@ def body() -> System:
 
 
 def slope_of_potential(angle: sp.Symbol) -> sp.Expr:
-    """∂U/∂θ or ∂U/∂φ of U(γ)."""
+    """The derivative ∂U/∂θ or ∂U/∂φ of U(γ)."""
     return dot(
         gradient(catalogue.ANY, gamma), constant([part.diff(angle) for part in scalars(NORMAL)])
     )
 
 
 def multiplier(tensor: sp.MatrixBase) -> sp.Expr:
-    """(γ, `tensor` γ)^(−1/2) in the angles."""
+    """The factor (γ, `tensor` γ)^(−1/2) in the angles."""
     normal = sp.Matrix(scalars(NORMAL))
     return 1 / sp.sqrt(normal.dot(tensor * normal))
 
 
 def lagrangian(rate: sp.Expr, slope_of: sp.Symbol) -> sp.Expr:
-    """A derivative of L(θ, φ, θ′, φ′) = T with θ̇ = 𝒩θ′, φ̇ = 𝒩φ′, back in θ̇ and φ̇.
+    """A derivative of L(θ, φ, θ′, φ′) = T with θ̇ = 𝒩θ′, φ̇ = 𝒩φ′, expressed in θ̇ and φ̇.
 
     Parameters
     ----------
     rate : sympy.Expr
-        𝒩 in the angles.
+        The factor 𝒩 in the angles.
     slope_of : Symbol
         θ or φ for ∂L/∂θ, ∂L/∂φ; θ̇ or φ̇ for ∂L/∂θ′, ∂L/∂φ′.
     """

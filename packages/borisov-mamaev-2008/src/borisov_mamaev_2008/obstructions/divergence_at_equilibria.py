@@ -1,7 +1,7 @@
-"""Equilibria with nonzero divergence, which exclude a smooth measure.
+"""Equilibria with non-zero divergence, which exclude a smooth measure.
 
-At v = 0, div(ρv) = ρ div v, so that no positive smooth density ρ solves the Liouville equation
-near an equilibrium with div v ≠ 0.
+Where v = 0, div(ρv) = ρ div v, so that no positive smooth density ρ satisfies the Liouville
+equation near an equilibrium with div v ≠ 0.
 """
 
 from __future__ import annotations
@@ -40,20 +40,20 @@ def _slopes(
 
 
 def divergence(system: System, point: Point) -> sp.Expr:
-    """div v at an equilibrium, exactly.
+    """The exact divergence of the vector field at an equilibrium.
 
     Parameters
     ----------
     system : System
-        Its relations must be preserved by the field off the phase space as well, as γ² = 1 is by
-        γ̇ = γ×ω; then this is the divergence on the phase space.
+        A system that preserves its relations also off the phase space, as γ̇ = γ×ω preserves γ²;
+        the divergence then is the one on the phase space.
     point : mapping of Symbol to exact number
-        State and parameters.
+        Exact values of state and parameters.
 
     Raises
     ------
     ValueError
-        If the point is not a rest point of the phase space.
+        If the point is not an equilibrium on the phase space.
     """
     values, slopes = _jets(system, point)
     moving = [*system.rates, *system.relations]
@@ -66,18 +66,18 @@ def divergence(system: System, point: Point) -> sp.Expr:
 
 
 def excludes_measure(system: System, point: Point) -> Verdict:
-    """The verdict that a system has no invariant measure with positive smooth density.
+    """The verdict that a system has no invariant measure with a positive smooth density.
 
     Parameters
     ----------
     system : System
     point : mapping of Symbol to exact number
-        A rest point.
+        An equilibrium.
 
     Returns
     -------
     Verdict
-        Undecided when the divergence vanishes at the point.
+        Proven if the divergence does not vanish at the point; otherwise undecided.
     """
     value = divergence(system, point)
     if value == 0:

@@ -1,14 +1,14 @@
 """Limit cycles of an unbalanced rubber ball, with rigorous bounds.
 
 On the torus of :func:`~nonholonomic.catalogue.bodies.unbalanced_rubber_ball_centred.torus` the
-motion is dα/dβ = f(α, β) > 0, and one turn of β gives a map of the circle of α.  If its
-displacement from two whole turns is negative at one α and positive at another, the map has a fixed
-point and is not the identity.  A map of the circle that keeps a continuous positive density and has
-a fixed point is the identity; so that on this torus, and hence around it in the phase space, there
-is no invariant measure with such a density.
+motion satisfies dα/dβ = f(α, β) > 0, and one turn of β gives a map of the circle of α. If its
+displacement from two full turns is negative at one α and positive at another, the map has a fixed
+point and is not the identity. A circle map that preserves a continuous positive density and has a
+fixed point is the identity. On this torus, and hence near it in the phase space, there is no
+invariant measure with such a density.
 
-The displacements are enclosed by polygons: where f ≤ F on a box that contains the line of slope F
-from a corner, that line is above the solution, and the same below.
+The displacements are enclosed by polygons: if f ≤ F on a box that contains the line of slope F
+from a corner, that line lies above the solution, and likewise below.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ Case = tuple[tuple[str, ...], tuple[str, ...], str]
 
 #: J, κ and λ: a ball with m = 1 kg, R = 0.5 m, c = κ/(2mR) and I = J − mR² − m(c² − c⊗c).
 CASE: Case = (("0.5", "2.75", "2.8"), ("0.05", "-0.1", "0.15"), "0.95")
-#: α at which the displacement is negative and positive.
+#: Angles α at which the displacement is negative and positive.
 BELOW, ABOVE = Fraction(13, 5), Fraction(11, 2)
 STEPS = 1500
-#: Precision of the polygons in bits.
+#: Precision of the polygons, in bits.
 BITS = 64
-#: A bound of f that is verified on the boxes.
+#: Bound of f, verified on the boxes.
 STEEPEST = 8
 
 
@@ -53,18 +53,18 @@ def _slope(alpha: arb, beta: arb, case: Case) -> arb:
 
 
 def displacement(start: Fraction, upwards: bool, case: Case = CASE, steps: int = STEPS) -> arb:
-    """A bound of α after one turn of β from zero, minus its start and two turns.
+    """A bound of α after one turn of β from zero, minus the start and two full turns.
 
     Parameters
     ----------
     start : Fraction
-        α for β = 0.
+        α at β = 0.
     upwards : bool
-        Whether the bound is an upper one; else it is a lower one.
+        Whether the bound is an upper one.
     case : tuple
-        J, κ and λ as decimal fractions.
+        J, κ and λ as decimal strings.
     steps : int
-        Sides of the polygon.
+        Number of sides of the polygon.
 
     Returns
     -------
@@ -74,12 +74,14 @@ def displacement(start: Fraction, upwards: bool, case: Case = CASE, steps: int =
     Raises
     ------
     ArithmeticError
-        If a slope exceeds the bound that the boxes assume.
+        If a slope exceeds the bound assumed for the boxes.
     """
     with ctx.workprec(BITS):
         step = 2 * arb.pi() / steps
         alpha = arb(start.numerator) / start.denominator
         for i in range(steps):
+            # The solution stays in the box [α, α + STEEPEST·step] during the step, since f <
+            # STEEPEST there.
             beta = (step * i).union(step * (i + 1))
             slope = _slope(alpha.union(alpha + STEEPEST * step), beta, case)
             if not slope < STEEPEST:
@@ -95,7 +97,7 @@ def limit_cycle(proofs: Sequence[Verdict] = ()) -> Verdict:
     Parameters
     ----------
     proofs : sequence of Verdict
-        What the reduction to the torus rests on; all must be proven.
+        The verdicts on the reduction to the torus, which must all be proven.
     """
     below = displacement(BELOW, upwards=True)
     above = displacement(ABOVE, upwards=False)

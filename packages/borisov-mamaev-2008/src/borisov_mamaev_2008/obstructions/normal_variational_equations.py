@@ -1,4 +1,4 @@
-"""(9.17) with k = −½ has no meromorphic second integral (§9.4).
+"""(9.17) with k = −½ has no second meromorphic integral (§9.4).
 
 V = −h (γ, Jγ)² is a polynomial on the sphere.  A point on the great circle γ₃ = 0 with H̃ = 0 has
 φ′² = 2h a², a = J₁cos²φ + J₂sin²φ.  With y = δγ₃ and φ as the time its variation across the circle
@@ -6,22 +6,22 @@ is
 
     (a y_φ)_φ + (3a − 2J₃) y = 0.
 
-In t = tan φ this is an equation of Fuchs over the rational functions, with the singular points
-t = ±i with the exponents −½ and 3/2, and the two roots of J₁ + J₂t² = 0, where a vanishes, with the
-exponents 0 and 0, hence with a logarithm: a monodromy that is unipotent and not the identity.
-t = ∞ is regular, and the Wronskian is rational.
+In t = tan φ this is a Fuchsian equation over the rational functions. Its singular points are t =
+±i, with the exponents −½ and 3/2, and the two roots of J₁ + J₂t² = 0, where a vanishes, with the
+exponents 0 and 0 and hence a logarithm: a monodromy that is unipotent and not the identity. t = ∞
+is regular, and the Wronskian is rational.
 
-If the differential Galois group, in SL(2), were reducible, there would be a solution
-y = (t − i)^p (t + i)^q P(t) with a polynomial P, p and q among −½ and 3/2 and the degree p + q +
-deg P at t = ∞ among 0 and −1; so p = q = −½ and deg P ≤ 1, that is, y = b sin φ + c cos φ.  But
+If the differential Galois group, a subgroup of SL(2), were reducible, there would be a solution y
+= (t − i)^p (t + i)^q P(t) with a polynomial P, p and q in {−½, 3/2}, and degree p + q + deg P at t
+= ∞ in {0, −1}; hence p = q = −½ and deg P ≤ 1, that is, y = b sin φ + c cos φ. But
 
     (a y_φ)_φ + (3a − 2J₃) y = 2(J₂ − J₃) b sin φ + 2(J₁ − J₃) c cos φ,
 
-which vanishes for no such y when J₃ is neither J₁ nor J₂.  An irreducible subgroup of SL(2) with
-such a unipotent element is SL(2), whose identity component does not commute.  By the theorem of
-Morales and Ramis there is no second integral that is meromorphic around this motion; in particular
-none that is rational in M and γ.  The level H̃ = 0 is the one to which (9.14) corresponds, which is
-homogeneous in M, so that the same holds for (9.2).
+which vanishes for no such y if J₃ differs from J₁ and J₂. An irreducible subgroup of SL(2) with
+such a unipotent element is SL(2), whose identity component is not commutative. By the theorem of
+Morales and Ramis there is no second integral that is meromorphic near this motion; in particular
+none that is rational in M and γ. The level H̃ = 0 is the one to which (9.14) corresponds; (9.14)
+is homogeneous in M, so that the same holds for (9.2).
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from nonholonomic.catalogue.ball_on_sphere.rubber_ball_on_e3 import J, M, gamma,
 
 from ..methods.derived_verdicts import computed_verdict
 
-#: k.
+#: The exponent k.
 EXPONENT = sp.Rational(-1, 2)
 phi, t, y, slope, b, c = sp.symbols("phi t y y_phi b c", real=True)
 J_1, J_2, J_3 = J.symbols
@@ -42,12 +42,12 @@ WEIGHT = J_1 * sp.cos(phi) ** 2 + J_2 * sp.sin(phi) ** 2
 
 
 def _operator(value: sp.Expr, first: sp.Expr, second: sp.Expr) -> sp.Expr:
-    """(a y_φ)_φ + (3a − 2J₃) y for y, y_φ and y_φφ."""
+    """(a y_φ)_φ + (3a − 2J₃) y for given y, y_φ and y_φφ."""
     return WEIGHT * second + sp.diff(WEIGHT, phi) * first + (3 * WEIGHT - 2 * J_3) * value
 
 
 def normal_equation() -> tuple[sp.Expr, sp.Expr]:
-    """Two formulas that vanish by the equations of (9.16): they determine y_φ and y_φφ.
+    """Two formulas that vanish by (9.16) and determine y_φ and y_φφ.
 
     γ = (cos φ, sin φ, 0), M = (0, 0, −φ′), and a variation δγ₃ = y, δM₁, δM₂ with
     δγ₃′ = γ₁δM₂ − γ₂δM₁ that keeps (M, γ) = 0.
@@ -71,7 +71,8 @@ def normal_equation() -> tuple[sp.Expr, sp.Expr]:
 def exponents() -> dict[str, list[sp.Expr]]:
     """The exponents at t = i and at a root of J₁ + J₂t², from (1 + t²)² (P y_t)_t + Q y = 0.
 
-    P = J₁ + J₂t² = J₂(t² − z²), Q = 3P − 2J₃(1 + t²).  At −i and the other root they are the same.
+    P = J₁ + J₂t² = J₂(t² − z²), Q = 3P − 2J₃(1 + t²). They are the same at −i and at the other
+    root.
     """
     zero, e = sp.symbols("z e")
     weight = J_2 * (t**2 - zero**2)
@@ -96,7 +97,7 @@ def remainder() -> sp.Expr:
 
 
 def no_second_integral() -> Verdict:
-    """The verdict on the computations stated above."""
+    """The verdict on the computations described above."""
     left = 2 * (J_2 - J_3) * b * sp.sin(phi) + 2 * (J_1 - J_3) * c * sp.cos(phi)
     half = sp.Rational(1, 2)
     shown = (
@@ -108,5 +109,5 @@ def no_second_integral() -> Verdict:
         "no second integral",
         shown,
         "for k = −½ the group of the variations across the circle γ₃ = 0 is SL(2)",
-        "the equation of the variations is not as it should be",
+        "the variational equation does not have the expected form",
     )

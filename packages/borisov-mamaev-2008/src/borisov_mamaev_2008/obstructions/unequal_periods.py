@@ -7,11 +7,11 @@ sin²α, z₂ = I₂ + (I₃ − I₂) sin²β and 2H = 1
     ds = dα/√(z₁(z₁ + D)(I₂ − z₁)(I₃ − z₁)) = dβ/√(z₂(z₂ + D)(z₂ − I₁)(z₂ − e)),
     dt = (z₂ − z₁) √(det I (z₁ + D)(z₂ + D)/(z₁z₂)) ds.
 
-α and β, both mod 2π, are angles of a torus: γ₁ has the sign of sin α, γ₂ and γ₃ those of sin β and
-cos β.  Let A(e) and B(e) be the growth of s while α or β grows by π.  If A = 2B, every motion of
-the torus is closed, after two turns of β for one of α, and its period is twice the integral of dt
-over 0 ≤ α ≤ π.  Rigorous bounds show that A − 2B changes its sign between two values of e, with a
-derivative that is not zero, and that for all e between them the motions from (0, 0) and (0, π/2)
+α and β, modulo 2π, are angles on a torus: γ₁ has the sign of sin α, and γ₂ and γ₃ have those of
+sin β and cos β. Let A(e) and B(e) be the increase of s while α or β increases by π. If A = 2B,
+every motion on the torus is closed, with two turns of β for one of α, and its period is twice the
+integral of dt over 0 ≤ α ≤ π. Rigorous bounds show that A − 2B changes sign between two values of
+e, with a non-zero derivative, and that for all e between them the motions from (0, 0) and (0, π/2)
 have different periods.
 """
 
@@ -44,14 +44,14 @@ from nonholonomic.closed_form.separations.fedorov import fedorov
 from ..methods.derived_verdicts import computed_verdict
 
 T = TypeVar("T", arb, arb_series)
-#: I and D = mR², as decimal fractions.
+#: I and D = mR² as decimal strings.
 BallNumbers: TypeAlias = tuple[tuple[str, str, str], str]
-#: A slender ball: one of 5 kg and radius 1 m can have these moments.
+#: A slender ball: 5 kg and a radius of 1 m are compatible with these moments.
 BALL: BallNumbers = (("0.2", "2", "2.1"), "5")
 #: Two values of e; the resonant torus lies between them.
 BETWEEN = ("1.20074", "1.20075")
 STEPS, ORDER = 64, 12
-#: A bound of dβ/dα that is verified on the boxes.
+#: Bound of dβ/dα, verified on the boxes.
 STEEPEST = 8
 PRECISION = 128
 
@@ -77,9 +77,10 @@ def _rates(alpha: T, beta: T, level: arb, ball: BallNumbers) -> tuple[T, T]:
 
 
 def _series(alpha: arb, beta: arb, level: arb, ball: BallNumbers) -> tuple[list[arb], list[arb]]:
-    """Taylor coefficients of β and t by α, up to `ORDER`, at a point or on a box."""
+    """Taylor coefficients of β and t in α, up to `ORDER`, at a point or on a box."""
     place = arb_series([alpha, arb(1)])
     moved = arb_series([beta])
+    # Picard iteration: every pass makes one more coefficient exact.
     for _ in range(ORDER):
         steep, _ = _rates(place, moved, level, ball)
         moved = steep.integral() + beta
@@ -87,9 +88,9 @@ def _series(alpha: arb, beta: arb, level: arb, ball: BallNumbers) -> tuple[list[
 
 
 def _step(alpha: arb, beta: arb, step: arb, level: arb, ball: BallNumbers) -> tuple[arb, arb]:
-    """Bounds of β at α + `step`, and of the growth of t.
+    """Bounds of β at α + `step`, and of the increase of t.
 
-    Taylor's formula, with the last coefficient on a box that contains the motion.
+    By Taylor's formula, with the last coefficient evaluated on a box that contains the motion.
     """
     across = alpha.union(alpha + step)
     box = beta.union(beta + STEEPEST * step)
@@ -108,24 +109,24 @@ def _step(alpha: arb, beta: arb, step: arb, level: arb, ball: BallNumbers) -> tu
 def half_period(
     start: arb, ball: BallNumbers = BALL, between: Sequence[str] = BETWEEN
 ) -> tuple[arb, arb]:
-    """The growth of t and of β while α grows from 0 to π, for every e between two values.
+    """The increase of t and β while α grows from 0 to π, for every e between two values.
 
     Parameters
     ----------
     start : arb
-        β for α = 0.
+        β at α = 0.
     ball : moments and D
     between : two decimal fractions
 
     Returns
     -------
     tuple of arb
-        Balls that contain both for every e of the interval.
+        Balls that contain both values for every e in the interval.
 
     Raises
     ------
     ArithmeticError
-        If a slope exceeds the bound that the boxes assume.
+        If a slope exceeds the bound assumed for the boxes.
     """
     precision = ctx.prec, ctx.cap
     ctx.prec, ctx.cap = PRECISION, ORDER + 1
@@ -142,7 +143,7 @@ def half_period(
 
 
 def resonance(level: arb, ball: BallNumbers = BALL) -> tuple[arb, arb]:
-    """A − 2B and its derivative by e, at one value or on an interval of them."""
+    """A − 2B and its derivative with respect to e, at one value or on an interval."""
     i_1, i_2, i_3, lever = (acb(x) for x in _moments_and_lever(ball))
     e = acb(level)
 
@@ -165,7 +166,7 @@ def resonance(level: arb, ball: BallNumbers = BALL) -> tuple[arb, arb]:
 
 
 def clock() -> tuple[System, Identity]:
-    """(dt/dτ)² in z₁ and z₂, with dτ = (z₂ − z₁) ds: det I (z₁ + D)(z₂ + D)/(z₁z₂)."""
+    """(dt/dτ)² in terms of z₁ and z₂, with dτ = (z₂ − z₁) ds: det I (z₁ + D)(z₂ + D)/(z₁z₂)."""
     separable = chaplygin_ball()
     moments = sp.Mul(*I.symbols)
     places = [
@@ -197,7 +198,7 @@ def clock() -> tuple[System, Identity]:
 
 @cache
 def unequal_periods() -> Verdict:
-    """Two closed motions on one torus, of a certain ball, with different periods."""
+    """The verdict that two closed motions on one torus of a certain ball have different periods."""
     proofs = [
         prove(separable.system, law)
         for separable in (chaplygin_ball(), fedorov())

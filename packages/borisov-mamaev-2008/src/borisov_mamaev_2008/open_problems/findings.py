@@ -1,7 +1,7 @@
-"""Decisions on questions that the paper leaves open, by the rows of open-problems.md.
+"""Findings on questions that the paper leaves open, keyed by rows of docs/open-problems.md.
 
-Remarks of the audit refer to findings.  The audit judges them like claims, and
-docs/open-problems.md quotes their statements and decisions.
+Remarks of the audit refer to them. They are judged like claims, and docs/open-problems.md quotes
+their statements and decisions.
 """
 
 from __future__ import annotations
@@ -17,20 +17,20 @@ from .lost_integral import integral_of
 
 
 def _laws(name: str, *kinds: type, dimension: int | None = None) -> tuple[tuple[System, Law], ...]:
-    """The laws of given kinds of a catalogue system."""
+    """The laws of given kinds of a catalogue system, with the system."""
     numbers = {} if dimension is None else {"dimension": dimension}
     system = CATALOGUE[name].system(numbers)
     return tuple((system, law) for law in system.laws if isinstance(law, kinds))
 
 
 def measures_of_several_dimensions() -> Case:
-    """The measures of the marble ball and the Veselova system, by theorems for every n."""
+    """The measures of the marble ball and the Veselova system, by theorems for all n."""
     names = ("chaplygin-ball-nd", "veselova-nd")
     return tuple(case for name in names for case in _laws(name, Measure, dimension=4))
 
 
 def two_constraints() -> Case:
-    """Without a field: the integrals of energy, angle and momentum, and the measure."""
+    """Energy and measure, and the angular momentum without a field."""
     system = from_catalogue("two-veselova-constraints")
     return tuple((system, law) for law in system.laws if isinstance(law, Integral | Measure))
 
@@ -106,9 +106,9 @@ FINDINGS = (
         fluid_theorem.lemma,
     ),
 )
-"""In the order of the page."""
+"""The findings in the order of docs/open-problems.md."""
 
 
 def findings_of(*keys: str) -> tuple[Finding, ...]:
-    """The findings in these rows of the table."""
+    """The findings with given keys."""
     return tuple(finding for finding in FINDINGS if finding.key in keys)

@@ -1,16 +1,16 @@
-"""Decide exactly whether the Poisson bracket of a rolling ball lifts to its whole attitude.
+"""Exact test whether the Poisson bracket of a rolling ball lifts to its full attitude.
 
 A ball in a ball bearing has the momentum M = Bω, B = I + tr P − P, P = Σ D a⊗a over the directions
-a of its supports, fixed in space; the Chaplygin ball is the case P = D γ⊗γ.  Sought is a
-conformally Hamiltonian form v = N {·, E} in which functions of the attitude commute and {M_i, a_j}
-depends on the attitude alone.  From ȧ = a×ω it follows that {L_i, a_j} = ε_ijk a_k with L = NM,
-from the Jacobi identity that {L_i, L_j} = ε_ijk (L_k + w_k) with w a function of the attitude, and
-from Ṁ = M×ω
+a of its supports, which are fixed in space; the Chaplygin ball is the case P = D γ⊗γ. A lifted
+bracket would give a conformally Hamiltonian form v = N {·, E} in which functions of the attitude
+commute and {M_i, a_j} depends only on the attitude. From ȧ = a×ω it follows that {L_i, a_j} =
+ε_ijk a_k with L = NM, from the Jacobi identity that {L_i, L_j} = ε_ijk (L_k + w_k) with a function
+w of the attitude, and from Ṁ = M×ω that
 
     (M, ω) Θ − (Θ, ω) M = w×ω/N + Σ a×∂E/∂a    for every M,    Θ = Σ a×∂ ln N/∂a.
 
-These equations are linear in Θ and w/N.  At an attitude with rational numbers they are solved or
-shown to have no solution; docs/open-problems.md has the proof for every attitude and body.
+These equations are linear in Θ and w/N. At an attitude with rational entries they are solved or
+shown to have no solution; the proof for every attitude and body is in docs/open-problems.md.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from nonholonomic.catalogue.chaplygin_ball.ball_bearing import SUPPORTS, alpha, 
 
 from ..methods.derived_verdicts import computed_verdict
 
-#: The rows are orthonormal: α, β, γ in body axes, in sevenths.
+#: An attitude whose rows α, β, γ in body axes are orthonormal.
 ATTITUDE = sp.Matrix([[6, 2, -3], [3, -6, 2], [-2, -3, -6]]) / 7
 MOMENTA = ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1), (1, 2, 3))
 MOMENTS = (Fraction(1), Fraction(3, 2), Fraction(21, 10))
@@ -42,14 +42,14 @@ WEIGHTS: dict[str, tuple[Fraction | int, ...]] = {
 
 
 def unknowns(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> sp.Matrix:
-    """The equations at :data:`ATTITUDE` as an augmented matrix in Θ and w/N, over the rationals.
+    """The equations at :data:`ATTITUDE` as a rational augmented matrix in Θ and w/N.
 
     Parameters
     ----------
     moments : 3 rational numbers
         Principal moments of inertia.
     weights : 3 rational numbers
-        D of the supporting balls in the directions α, β, γ, which are orthonormal.
+        D of the supporting balls in the orthonormal directions α, β, γ.
     """
     values = dict(zip(Diagonal("I").symbols, map(sp.Rational, moments), strict=True))
     values |= {
@@ -68,7 +68,7 @@ def unknowns(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> 
         spin = inverse * momentum
         torque = sp.zeros(3, 1)
         for axis in axes:
-            # ∂(½(M, B⁻¹M))/∂a = −½(ω, ∂B/∂a ω)
+            # ∂(½(M, B⁻¹M))/∂a = −½(ω, ∂B/∂a ω), since ∂B⁻¹ = −B⁻¹ ∂B B⁻¹.
             slope = sp.Matrix(
                 [-(spin.T * inertia.diff(s).xreplace(here) * spin)[0] / 2 for s in axis.symbols]
             )
@@ -93,7 +93,7 @@ def lifts(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> boo
 
 
 def of_cotangent_type() -> Verdict:
-    """The verdict on such a bracket of the Chaplygin ball and of balls in a ball bearing."""
+    """The verdict on such a bracket for the Chaplygin ball and for balls in a ball bearing."""
     refuted = not any(lifts(MOMENTS, w) for w in WEIGHTS.values() if len(set(w)) > 1)
     return computed_verdict(
         "bracket",

@@ -1,9 +1,9 @@
-"""The quadratic integral preserved by rotors and by Bruns' field separately, but not by both.
+"""A quadratic integral preserved by rotors and by Bruns' field, but not by both together.
 
 For the Chaplygin ball, F = |M + k|² − K det J (γ, J⁻¹γ) is an integral for K = 0 (Markeev) and for
-k = 0 (Kozlov).  With both its rate is 2K(k, γ×Iγ): proven as an identity, and F refuted at a point.
-The same is done for the Veselova system and for the ball around a sphere, whose rate has the ratio
-of the radii as a factor.
+k = 0 (Kozlov). In general its rate is 2K(k, γ×Iγ): this is proven as an identity, and F is refuted
+at a point. The same holds for the Veselova system and for the ball around a sphere, whose rate has
+the ratio of the radii as a factor.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ K, ratio = real_symbol("K"), real_symbol("k")
 
 
 def field_part(tensor: Diagonal) -> sp.Expr:
-    """K det J (γ, J⁻¹γ), written without an inverse."""
+    """K det J (γ, J⁻¹γ) without an inverse."""
     a, b, c = tensor.symbols
     x, y, z = gamma.symbols
     return K * (b * c * x**2 + a * c * y**2 + a * b * z**2)
@@ -59,6 +59,6 @@ def cases() -> dict[str, tuple[System, sp.Expr, sp.Expr]]:
 
 
 def integral_of(name: str) -> tuple[System, Integral]:
-    """The integral of one of `cases`, with both rotors and field."""
+    """The lost integral of one of the `cases`, with its system."""
     system, value, _ = cases()[name]
     return system, Integral("lost", value)

@@ -1,8 +1,8 @@
 """§1.1: nonholonomic constraints and Ferrers' equations.
 
-Computed with three coordinates and two constraints, with everything else unspecified: the matrix
-A(q) of the kinetic energy, the constraints a(q), b(q), and the forces Q(q, v).  Each claim states
-the argument that extends it to n coordinates and m constraints.
+The computations use three coordinates and two constraints, with unspecified kinetic energy A(q),
+constraints a(q), b(q), and forces Q(q, v). Each claim gives the argument that extends it to n
+coordinates and m constraints.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ RESTS = unspecified_systems.unspecified_functions("b_s1 b_s2", *q)
 
 @cache
 def ferrers() -> System:
-    """(1.3) solved for the accelerations, with multipliers of any value."""
+    """(1.3) solved for the accelerations, with arbitrary multipliers."""
     first, second = multiplier
     return unspecified_systems.system(
         "ferrers",
@@ -135,12 +135,12 @@ def virtual_work() -> Case:
 
 
 def kinetic_energy_degree_printed() -> Case:
-    """T is homogeneous of degree two for A(q̇)."""
+    """T is homogeneous of degree two, with A(q̇)."""
     return _degree(_matrix(v))
 
 
 def kinetic_energy_degree() -> Case:
-    """T is homogeneous of degree two, for A(q)."""
+    """T is homogeneous of degree two, with A(q)."""
     return _degree(MATRIX)
 
 
@@ -169,7 +169,7 @@ def unique() -> Case:
 
 
 def invariant() -> Case:
-    """The closed system keeps f_μ."""
+    """The closed system preserves f_μ."""
     return constrained(), Identity("invariant", tuple(Rate(f) for f in CONSTRAINTS))
 
 
@@ -232,8 +232,8 @@ CLAIMS = (
         kinetic_energy_degree_printed,
         kinetic_energy_degree,
         r"where $\mathbf A(\mathbf q)$ is a symmetric matrix",
-        "A must not depend on the velocities: then T is not a quadratic form (Euler's identity "
-        "fails)",
+        "A must not depend on the velocities: otherwise T is not a quadratic form (Euler's "
+        "identity fails)",
         argument=any_number(2),
     ),
     Claim(
@@ -253,7 +253,7 @@ CLAIMS = (
         "substituting these multipliers in Eqs. (1.3), we obtain a closed system; moreover, "
         "Eqs. (1.2) define an invariant variety of this system",
         invariant,
-        note="everything unspecified; every level of f_μ is invariant",
+        note="with all functions unspecified; every level of f_μ is invariant",
         argument=RATE_OF_CONSTRAINT,
         where=REGULAR,
     ),
@@ -280,19 +280,19 @@ REMARKS = (
         "(1.1), (1.2)",
         r"$f_\mu(\mathbf q,\dot{\mathbf q},t)=0$, $\mu=1,\dots,m<n$; $f_\mu=\sum_k a_{\mu k}"
         r"(\mathbf q)\dot q_k+b_\mu(\mathbf q)=0$",
-        "definitions; (1.2) is what (1.3)–(1.6) are proven with",
+        "definitions; (1.2) is used in the proofs of (1.3)–(1.6)",
     ),
     Remark(
         "§1.1, after (1.1)",
         "nonholonomic constraints cannot be represented in the integral form "
         r"$F_\mu(\mathbf q,t)=0$",
-        "the definition of the word; the criterion is decided in §2.1",
+        "a definition; the criterion is decided in §2.1",
     ),
     Remark(
         "§1.1",
         "Ferrers (1872), Appell and Hamel, the other forms of the equations and how often they are "
         "used; Remark 2 on Chaplygin and Voronets",
-        "history and judgement",
+        "history and opinion",
     ),
     Remark(
         "§1.1, after (1.2)",

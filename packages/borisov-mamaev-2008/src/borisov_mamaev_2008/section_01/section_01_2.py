@@ -1,14 +1,14 @@
 """§1.2: the Poincaré–Suslov equations.
 
-Computed with three coordinates, an unspecified frame G(q), an unspecified Lagrange function L(q, q̇)
-and an unspecified constraint f(q, q̇); the motion is arbitrary: q̇ = G w, ẇ = s with any s.
+The computations use three coordinates, an unspecified frame G(q), an unspecified Lagrangian L(q,
+q̇) and an unspecified constraint f(q, q̇); the motion is arbitrary: q̇ = G w, ẇ = s with any s.
 
 (1.9) for n coordinates: with v = G w, L̂(q, w) = L(q, G w) and L_a = ∂L/∂q̇_a,
 
     d/dt ∂L̂/∂w_i − E_i(L̂) = Σ_a G_ai (d/dt L_a − ∂L/∂q_a) + Σ_a L_a Σ_j w_j [E_j, E_i]_a,
 
-since G_ai has the rate Σ_j w_j E_j(G_ai) and E_i(L̂) contains Σ_aj L_a E_i(G_aj) w_j.  The last
-sum is Σ_jk c_ji^k w_j ∂L̂/∂w_k, by (1.8) and Σ_a G_ak L_a = ∂L̂/∂w_k.
+since G_ai has the rate Σ_j w_j E_j(G_ai) and E_i(L̂) contains Σ_aj L_a E_i(G_aj) w_j. The last sum
+is Σ_jk c_ji^k w_j ∂L̂/∂w_k, by (1.8) and Σ_a G_ak L_a = ∂L̂/∂w_k.
 """
 
 from __future__ import annotations
@@ -38,13 +38,13 @@ SYMBOLS, SPEEDS, WEIGHTS = q.symbols, v.symbols, w.symbols
 
 @cache
 def frame() -> sp.ImmutableDenseMatrix:
-    """G_ij(q), whose column j holds the components of E_j."""
+    """The matrix G_ij(q), whose column j contains the components of E_j."""
     return constant(sp.Matrix(3, 3, lambda i, j: sp.Function(f"G_s{i + 1}{j + 1}")(*q)))
 
 
 @cache
 def motion() -> System:
-    """An arbitrary curve, by its velocity w in the frame."""
+    """An arbitrary curve, given by its velocity w in the frame."""
     return _motion(frame())
 
 
@@ -62,7 +62,7 @@ def _motion(matrix: sp.ImmutableDenseMatrix) -> System:
 
 
 def derivative(matrix: sp.ImmutableDenseMatrix, index: int, function: sp.Expr) -> sp.Expr:
-    """E_i of a function of q, as (1.9) writes it: Σ_j G_ji ∂/∂q_j."""
+    """The derivative of a function of q along E_i, as in (1.9): Σ_j G_ji ∂/∂q_j."""
     return sp.Add(*(matrix[j, index] * sp.diff(function, SYMBOLS[j]) for j in THREE))
 
 
@@ -94,7 +94,7 @@ def _force(matrix: sp.ImmutableDenseMatrix, index: int) -> sp.Expr:
 
 
 def _lagrange(matrix: sp.ImmutableDenseMatrix, index: int) -> sp.Expr:
-    """The left side of (1.6) less its right side, along the displacement E_i."""
+    """Left minus right side of (1.6), along the displacement E_i."""
     residuals = (
         Rate(sp.diff(LAGRANGE, SPEEDS[a]))
         - sp.diff(LAGRANGE, SYMBOLS[a])
@@ -108,7 +108,7 @@ def _lagrange(matrix: sp.ImmutableDenseMatrix, index: int) -> sp.Expr:
 
 
 def velocity() -> Case:
-    """The rate of any function is Σ w_i E_i of it."""
+    """The rate of any function is Σ w_i E_i applied to it."""
     function = sp.Function("h_s")(*q)
     matrix = frame()
     total = sp.Add(*(WEIGHTS[i] * derivative(matrix, i, function) for i in THREE))
@@ -116,7 +116,7 @@ def velocity() -> Case:
 
 
 def commutators() -> Case:
-    """The commutator of two fields of the frame on any function is Σ c_ij^k E_k of it."""
+    """The commutator of two frame fields, applied to any function, is Σ c_ij^k E_k."""
     function = sp.Function("h_s")(*q)
     matrix, constants = frame(), structure(frame())
     first = [derivative(matrix, i, function) for i in THREE]
@@ -130,7 +130,7 @@ def commutators() -> Case:
 
 
 def suslov() -> Case:
-    """(1.9), with the sum over j and k, is (1.6) along E_i: for any motion and any multiplier."""
+    """(1.9), summed over j and k, is (1.6) along E_i for any motion and multiplier."""
     matrix, constants = frame(), structure(frame())
     momenta, pushes = _momenta(matrix, LAGRANGE), _momenta(matrix, CONSTRAINT)
     residuals = []
@@ -144,7 +144,7 @@ def suslov() -> Case:
 
 
 def suslov_printed() -> Case:
-    """The sum over i and k, as printed: j is left free, and equation i is asked for every j."""
+    """(1.9) summed over i and k, as printed: j is free, so equation i must hold for all j."""
     matrix, constants = frame(), structure(frame())
     momenta, pushes = _momenta(matrix, LAGRANGE), _momenta(matrix, CONSTRAINT)
     residuals = []
@@ -158,7 +158,7 @@ def suslov_printed() -> Case:
 
 
 def argument_printed() -> Case:
-    """Whether G_ij of any frame depends on q_i alone."""
+    """The claim that G_ij of any frame depends on q_i alone."""
     matrix = frame()
     residuals = tuple(
         sp.diff(matrix[i, j], SYMBOLS[k]) for i, j, k in product(THREE, repeat=3) if k != i
@@ -167,7 +167,7 @@ def argument_printed() -> Case:
 
 
 def coordinates() -> Case:
-    """G_ij = δ_ij: (1.9) is (1.6) word by word."""
+    """For G_ij = δ_ij, (1.9) is literally (1.6)."""
     matrix = constant(sp.eye(3))
     constants = structure(matrix)
     momenta, pushes = _momenta(matrix, LAGRANGE), _momenta(matrix, CONSTRAINT)
@@ -196,7 +196,7 @@ CLAIMS = (
         r"$[\mathbf E_i,\mathbf E_j]=\sum_kc_{ij}^k(\mathbf q)\mathbf E_k$",
         commutators,
         note="for an unspecified frame; it fixes the sign of c",
-        argument="any number of fields that form a basis has its commutators as combinations",
+        argument="the commutators of the fields of any basis are combinations of them",
     ),
     Claim(
         "(1.9), Proposition 1",
@@ -208,7 +208,7 @@ CLAIMS = (
         r"$\frac{d}{dt}\left(\frac{\partial\hat L}{\partial w_i}\right)-\sum_{j,k}c_{ji}^k"
         r"(\mathbf q)\frac{\partial\hat L}{\partial w_k}w_j-\mathbf E_i(\hat L)=\sum_\mu"
         r"\hat\lambda_\mu\frac{\partial\hat f_\mu}{\partial w_i}$",
-        "the sum runs over j and k, not over i and k (printed, j is left free: read as asked for "
+        "the sum runs over j and k, not over i and k (as printed, j is free: read as required for "
         "every j), and the constraint on the right is f̂; L(q, q̇), the frame and the constraint "
         "unspecified, λ̂ = λ",
         argument=r"for any number of coordinates and constraints: $\frac{d}{dt}\frac{\partial"

@@ -70,12 +70,12 @@ def _multiple(field: VectorField, number: sp.Expr) -> VectorField:
 
 
 def orthogonal() -> Case:
-    """Q keeps orthonormal columns and its determinant."""
+    """Q has orthonormal columns and a constant determinant along the motion."""
     return body(), Identity("orthogonal", (Q * Q.T - sp.eye(3), Q.det() - 1))
 
 
 def redundant() -> Verdict:
-    """Rank of the six relations between the nine direction cosines, at a rational rotation."""
+    """The rank of the six relations between the nine direction cosines, at a rational rotation."""
     relations = [
         dot(first, second) for i, first in enumerate(DIRECTIONS) for second in DIRECTIONS[: i + 1]
     ]
@@ -105,7 +105,7 @@ def turning() -> Case:
 
 
 def shifting_printed() -> Case:
-    """ζ_k with the index i, summed over as in ξ_k: then it is the same for all k."""
+    """ζ_k with the index i, summed over as in ξ_k, so that it does not depend on k."""
     total = [sp.Add(*v.symbols) * sp.Add(*direction.symbols) for direction in DIRECTIONS]
     return body(), Identity("shifting", rate(R) - constant(total))
 
@@ -158,7 +158,7 @@ def no_slip() -> Case:
 
 
 def inward_normal() -> Case:
-    """γ = −∇f/|∇f| for any f: a unit vector normal to f = 0, in the direction of decreasing f."""
+    """γ = −∇f/|∇f| for any f: a unit normal to f = 0 in the direction of decreasing f."""
     surface = sp.Function("f_s")(*r.symbols)
     slope = gradient(surface, r)
     length = sp.sqrt(norm_squared(slope))
@@ -185,14 +185,14 @@ def no_spin() -> Case:
 
 
 def kinetic() -> Case:
-    """The energy of a unit mass at r: what is linear in r, and (ω, (r² − r⊗r)ω)."""
+    """The energy of a unit mass at r: the part linear in r, and (ω, (r² − r⊗r)ω)."""
     turned = norm_squared(r) * norm_squared(omega) - dot(r, omega) ** 2
     split = HALF * norm_squared(v) + dot(cross(v, omega), r) + HALF * turned
     return body(), Identity("kinetic", HALF * norm_squared(v + cross(omega, r)) - split)
 
 
 def height() -> Case:
-    """−(r, γ) rises as the centre of mass does: its rate is (v, γ) with v = r×ω."""
+    """−(r, γ) increases with the height of the centre of mass: its rate is (v, γ) with v = r×ω."""
     return rubber(), Identity("height", Rate(dot(r, gamma)) + dot(gamma, cross(r, omega)))
 
 
@@ -211,7 +211,7 @@ CLAIMS = (
         r"projections of the orths of the immovable space on the movable axes, is an orthogonal "
         r"matrix, $\mathbf Q\in SO(3)$",
         orthogonal,
-        note="with a unit quaternion as attitude, of which every attitude has one",
+        note="with a unit quaternion as attitude; every attitude has one",
     ),
     Claim(
         "Remark 4",
@@ -224,7 +224,7 @@ CLAIMS = (
         r"\varepsilon_{kij}\left(\alpha_i\frac\partial{\partial\alpha_j}+\beta_i\frac\partial{"
         r"\partial\beta_j}+\gamma_i\frac\partial{\partial\gamma_j}\right)$",
         turning,
-        note="judged by the rate of the quaternion, ½q(0, ω)",
+        note="checked with the rate ½q(0, ω) of the quaternion",
     ),
     Claim(
         "(1.11), second line",
@@ -234,7 +234,7 @@ CLAIMS = (
         shifting,
         r"$\boldsymbol\zeta_k=\alpha_k\frac\partial{\partial R_1}+\beta_k\frac\partial{\partial "
         r"R_2}+\gamma_k\frac\partial{\partial R_3}$",
-        "the index of α, β, γ is k; printed, i is free (read as summed over, as in ξ_k)",
+        "the index of α, β, γ is k; as printed, i is free (read as summed over, as in ξ_k)",
     ),
     Claim(
         "(1.12)",

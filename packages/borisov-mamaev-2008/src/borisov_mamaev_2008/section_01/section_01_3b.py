@@ -53,7 +53,7 @@ COUPLE = cross(gamma, gradient(POTENTIAL, gamma)) + cross(r, lambda_) + lambda_0
 
 @cache
 def free_with_reactions() -> System:
-    """The body of (1.17), with arbitrary reactions."""
+    """The body of (1.17) with arbitrary reactions."""
     return constrained()
 
 
@@ -67,7 +67,7 @@ def touching() -> System:
 
 
 def newton() -> Case:
-    """In space: m R̈ is the force, the rate of the momentum Iω the couple."""
+    """In space axes: m R̈ is the force, and the rate of the momentum Iω is the couple."""
     speed = [dot(direction, v) for direction in DIRECTIONS]
     residuals = [m * Rate(s) - dot(u, lambda_) for s, u in zip(speed, DIRECTIONS, strict=True)]
     residuals += [Rate(dot(u, I * omega)) - dot(u, COUPLE) for u in DIRECTIONS]
@@ -116,7 +116,7 @@ def rates() -> Case:
 
 
 def _multiplier(sign: int) -> Case:
-    """λ against ±(m ω̇×r + m ω×ṙ + m (r×ω)×ω)."""
+    """λ compared with ±(m ω̇×r + m ω×ṙ + m (r×ω)×ω)."""
     spin_rate, wander = rate(omega), rate(r)
     acceleration = cross(spin_rate, r) + cross(omega, wander) + cross(cross(r, omega), omega)
     return touching(), Identity("multiplier", reaction() - sign * m * acceleration)
@@ -144,7 +144,7 @@ def contact_tensor() -> Case:
 
 
 def spin_torque() -> Case:
-    """With (1.19), (1.18) preserves (ω, γ) for every symmetric tensor and bracket."""
+    """(1.18) with (1.19) preserves (ω, γ) for every symmetric tensor and bracket."""
     system = driven(cross(gamma, omega), sp.S.Zero)
     return system, Identity("spin", Rate(dot(omega, gamma)))
 
@@ -154,7 +154,7 @@ def spin_torque() -> Case:
 
 @cache
 def in_euler_angles() -> System:
-    """Any motion in which (ω, γ) = 0, by the Euler angles."""
+    """An arbitrary motion with (ω, γ) = 0 in Euler angles."""
     nutation, rotation = real_symbol("s_1"), real_symbol("s_2")
     return unspecified_systems.system(
         "euler-angles",
@@ -172,7 +172,7 @@ def in_euler_angles() -> System:
 
 
 def quadratures() -> Case:
-    """ψ̇ is a function of θ, φ and their rates, and with ψ come α and β."""
+    """ψ̇ is a function of θ, φ and their rates; α and β follow from ψ."""
     (sin_t, cos_t), (sin_f, cos_f), (sin_p, cos_p) = (
         (sp.sin(angle), sp.cos(angle)) for angle in (theta, phi, psi)
     )
@@ -191,7 +191,7 @@ def quadratures() -> Case:
 
 
 def evolution() -> Case:
-    """(1.18) in θ, φ and their rates is a closed system."""
+    """(1.18) is a closed system in θ, φ and their rates."""
     system = in_angles(any_rubber_body())
     return system, system.laws[0]
 
@@ -215,7 +215,7 @@ def not_of_reactions() -> Verdict:
         "arguments of λ₀",
         found[0] != found[1],
         f"ω = 0 and λ = (1, 0, 0) with λ₀ = {found[0]} at γ = (0, 0, 1), {found[1]} at (0, 3, 4)/5",
-        "both attitudes have the same multiplier",
+        "the multiplier is the same at both attitudes",
         decision="refuted",
         witness={"lambda_0": [str(value) for value in found]},
     )
@@ -229,7 +229,7 @@ CLAIMS = (
         r"\partial U}{\partial\boldsymbol\gamma}\times\boldsymbol\gamma+\mathbf r\times"
         r"\boldsymbol\lambda+\lambda_0\boldsymbol\gamma$",
         newton,
-        note="judged by Newton's and Euler's laws in space axes, with an unspecified potential",
+        note="checked with the Newton–Euler equations in space axes, in an unspecified potential",
     ),
     Claim(
         "(1.17), from (1.9)",

@@ -82,7 +82,7 @@ def over_sphere() -> System:
 
 
 def _ball_balance() -> sp.MatrixExpr:
-    """The first equation (1.20), left less right side; the radius is R here."""
+    """The first equation (1.20), left minus right side; the radius is called R here."""
     lever = m * R**2
     right = COUPLE - lever * cross(gamma, cross(omega, rate(gamma)))
 
@@ -98,14 +98,14 @@ def chaplygin_ball() -> Case:
 
 
 def contact_tensor() -> Case:
-    """Ĩ of (1.20) takes ω to the momentum M about the contact point."""
+    """Ĩ of (1.20) maps ω to the momentum M about the contact point."""
     lever = m * R**2
     matrix = I + lever * identity - lever * outer(gamma, gamma)
     return ball(), Identity("tensor", matrix * omega - M)
 
 
 def veselova() -> tuple[System, Identity]:
-    """(1.21) with (1.22) keeps (ω, γ)."""
+    """(1.21) with (1.22) preserves (ω, γ)."""
     right = cross(I * omega, omega) + COUPLE
     torque_0 = -dot(A * gamma, right) / dot(A * gamma, gamma)
     return spinning_general(), Identity(
@@ -116,7 +116,7 @@ def veselova() -> tuple[System, Identity]:
 
 @cache
 def bound(point: sp.MatrixExpr, torque_0: sp.Expr) -> System:
-    """A body in any motion, touching at a given point r, with a given torque λ₀."""
+    """A body in arbitrary motion with a given contact point r and a given torque λ₀."""
     system = any_motion()
     return replace(
         system,
@@ -153,18 +153,18 @@ def from_unreduced() -> Case:
 
 
 def same_balance() -> Case:
-    """Eliminating λ from (1.17) gives the form (1.18) on a sphere as well."""
+    """Elimination of λ from (1.17) gives the form (1.18) on a sphere as well."""
     return over_sphere(), Identity("balance", newton_euler() - reduced_equation())
 
 
 def kinematics() -> Case:
-    """γ̇ + ω×γ = ṙ/a: the contact wanders over the body as fast as over the sphere."""
+    """γ̇ + ω×γ = ṙ/a: the contact point moves over the body and the sphere at the same speed."""
     wander = rate(gamma) + cross(omega, gamma) - rate(r) / a
     return ellipsoid_on_sphere(), Identity("kinematics", wander)
 
 
 def _ball_on_sphere(couple: sp.MatrixExpr) -> tuple[System, Identity]:
-    """(1.23) for a ball on a sphere, crossed with γ so that λ₀ drops out."""
+    """(1.23) for a ball on a sphere, multiplied by γ× so that λ₀ drops out."""
     point = -R * gamma
     inertia = I * rate(omega) + m * cross(point, cross(rate(omega), point))
     momentum = I * omega + m * cross(point, cross(omega, point))
@@ -178,7 +178,7 @@ def balance_printed() -> Case:
 
 
 def balance() -> Case:
-    """The couple γ×(E + W/a)⁻¹∂U/∂γ: for a ball W = RE; and energy is kept for every shape."""
+    """The couple γ×(E + W/a)⁻¹∂U/∂γ; W = RE for a ball. Energy is conserved for every shape."""
     system = general_on_sphere()
     (energy,) = system.integrals
     return _ball_on_sphere(a / (a + R) * COUPLE), (system, energy)
@@ -191,13 +191,13 @@ def spin_torque_printed() -> Case:
 
 
 def spin_torque() -> Case:
-    """(1.19) with (ω, γ̇) keeps the constraint, whatever tensor, bracket and γ̇."""
+    """(1.19) with (ω, γ̇) preserves the constraint for any tensor, bracket and γ̇."""
     system = driven(gammadot, dot(omega, gammadot))
     return system, Identity("spin", Rate(dot(omega, gamma)))
 
 
 def plane_limit() -> Case:
-    """1/a = 0: the equations are those on a plane, for every shape and potential."""
+    """For 1/a = 0 the equations are those on a plane, for every shape and potential."""
     flat = Identity(
         "plane",
         (gammadot - cross(gamma, omega), torque - COUPLE, dot(omega, gammadot)),
@@ -230,7 +230,7 @@ CLAIMS = (
         r"\gamma})+\boldsymbol\gamma\times\frac{\partial U}{\partial\boldsymbol\gamma}$, $\dot{"
         r"\boldsymbol\gamma}=\boldsymbol\gamma\times\boldsymbol\omega$",
         chaplygin_ball,
-        note="judged by the mechanics of a rolling ball in an unspecified potential",
+        note="checked with the mechanics of a rolling ball in an unspecified potential",
     ),
     Claim(
         "§1.4, after (1.20)",
@@ -252,7 +252,7 @@ CLAIMS = (
         r"\boldsymbol\omega+\boldsymbol\gamma\times\frac{\partial U}{\partial\boldsymbol\gamma})}"
         r"{(\mathbf I^{-1}\boldsymbol\gamma,\boldsymbol\gamma)}$",
         veselova,
-        note="with this λ₀ the motion keeps (ω, γ)",
+        note="with this λ₀ the motion preserves (ω, γ)",
     ),
     Claim(
         "§1.4, before (1.23)",
@@ -323,7 +323,7 @@ REMARKS = (
         "§1.4, after (1.23)",
         r"Eqs. (1.23) constitute a closed system only in the case where the potential of external "
         r"forces depends only on the normal of the sphere $\boldsymbol\gamma$",
-        "what closed means: any other potential brings in further variables, as gravity brings in "
+        "the meaning of closed: another potential introduces more variables, as gravity introduces "
         "the vertical",
     ),
 )

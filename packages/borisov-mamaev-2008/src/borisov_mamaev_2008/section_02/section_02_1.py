@@ -93,7 +93,7 @@ def ball_growth(pairs: tuple[Coefficients, ...] = ADMISSIBLE) -> tuple[int, ...]
 
 # --- the three possibilities ---------------------------------------------------------------
 
-#: ż = xẏ, whose commutators span the space; d(z − xy) = 0, which is a holonomic constraint.
+#: ż = xẏ, whose commutators span the space, and d(z − xy) = 0, a holonomic constraint.
 CONTACT: tuple[VectorField, ...] = ({x: sp.S.One}, {y: sp.S.One, z: x})
 FLAT: tuple[VectorField, ...] = ({x: sp.S.One, z: y}, {y: sp.S.One, z: x})
 POINT = {x: sp.Rational(2, 3), y: sp.Rational(-1, 5), z: sp.S.Zero}
@@ -104,12 +104,12 @@ def _example(fields: tuple[VectorField, ...], claimed: int) -> Verdict:
 
 
 def full_printed() -> Verdict:
-    """A completely holonomic system would have m = 1 holonomic constraint."""
+    """The claim that a completely holonomic system has m = 1 holonomic constraint."""
     return _example(CONTACT, 1)
 
 
 def full() -> Verdict:
-    """A completely nonholonomic one has none."""
+    """A completely nonholonomic system has no holonomic constraint."""
     return _example(CONTACT, 0)
 
 
@@ -133,7 +133,7 @@ def between_printed() -> Verdict:
 
 
 def between() -> Verdict:
-    """As many as dim M − dim L = 1."""
+    """The number of functions is dim M − dim L = 1."""
     return _of_ball(1)
 
 
@@ -166,7 +166,7 @@ def second() -> Case:
 
 
 def dimension() -> Verdict:
-    """dim L = 5: no more, since every field keeps R_3; no less, at a rational attitude."""
+    """dim L = 5: at most, since every field preserves R_3; at least, at a rational attitude."""
     both = (PRINTED, ADMISSIBLE)
     counts = [ball_growth(pairs) for pairs in both]
     level_rates = [sp.expand((gamma.entries.T * u)[0]) for pairs in both for _, u in pairs]
@@ -188,7 +188,7 @@ def level() -> Case:
 
 
 def any_level() -> Case:
-    """R_3 + (γ, r) along every motion of a rubber body, for every support function."""
+    """R_3 + (γ, r) is constant for every motion of a rubber body and support function."""
     system = any_rubber_body()
     lifted = replace(system, field=(*system.field, (height, dot(gamma, cross(r, omega)))))
     return lifted, Integral("level", height + dot(gamma, r))

@@ -1,6 +1,6 @@
-"""§2.2 and §2.3: homogeneous balls under a resultant force, as particles.
+"""§2.2 and §2.3: homogeneous balls under a resultant force as particles.
 
-The force is unspecified, F(R, ω), and so is the surface z = f(x, y) of the centre.
+The force F(R, ω) and the surface z = f(x, y) of the centre are unspecified.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ def particle_in_plane() -> Case:
 
 
 def equidistant() -> Case:
-    """The contact point R + r moves at right angles to n, at the distance b from the centre."""
+    """The contact point R + r moves orthogonally to n, at the distance b from the centre."""
     return rubber(), Identity("equidistant", (dot(rate(R + r), n), norm_squared(r) - b**2))
 
 
@@ -101,7 +101,7 @@ def constraints() -> Case:
 
 
 def particle_printed() -> Case:
-    """λ is a vector as printed, and λn the vector of products of components."""
+    """λ is a vector, as printed, and λn the vector of products of components."""
     return rubber(), printed_form(law_named(rubber(), "particle"))
 
 
@@ -111,7 +111,7 @@ def particle() -> Case:
 
 
 def on_surface() -> Case:
-    """A particle on the surface with Lagrange's multiplier keeps (v, n) = 0 and f."""
+    """A particle on the surface with Lagrange's multiplier preserves (v, n) = 0 and f."""
     gathered = EFFECTIVE_MASS * rate(v) - F
     across = cross(gathered, n)
     tangent = (dot(v, n), Rate(dot(v, n)))
@@ -119,7 +119,7 @@ def on_surface() -> Case:
 
 
 def balance() -> Case:
-    """(2.10), and both constraints are kept."""
+    """(2.10), which preserves both constraints."""
     newton = m * rate(v) - N - F
     euler = mu * rate(omega) - cross(r, N) - N_0 * r
     return rubber(), Identity("balance", (newton, euler, rate(R) - v))
@@ -201,7 +201,7 @@ CLAIMS = (
         r"$m\dot{\mathbf v}=\mathbf N+\mathbf F$, $\mu\dot{\boldsymbol\omega}=\mathbf r\times"
         r"\mathbf N$, $\dot{\mathbf R}=\mathbf v$",
         marble_balance,
-        note="the reaction that keeps the constraint exists for every force",
+        note="the reaction that preserves the constraint exists for every force",
     ),
     Claim(
         "§2.2, proof of Proposition 2",
@@ -242,7 +242,7 @@ CLAIMS = (
         particle,
         r"$\tilde m\dot{\mathbf v}=\mathbf F+\lambda\mathbf n$, $\lambda=-(\mathbf F,\mathbf n)-"
         r"(\tilde m\mathbf v,\dot{\mathbf n})$",
-        "λ is a number; the factor n in it is one too many (printed, λ is a vector: λn was read "
+        "λ is a number; the factor n in it is superfluous (as printed, λ is a vector: λn is read "
         "component by component)",
     ),
     Claim(
@@ -257,7 +257,7 @@ CLAIMS = (
         r"$m\dot{\mathbf v}=\mathbf N+\mathbf F$, $\mu\dot{\boldsymbol\omega}=\mathbf r\times"
         r"\mathbf N+N_0\mathbf r$, $\dot{\mathbf R}=\mathbf v$",
         balance,
-        note="the reactions that keep both constraints exist for every force and surface",
+        note="the reactions that preserve both constraints exist for every force and surface",
     ),
     Claim("(2.11), first relation", r"$\mathbf N=m\dot{\mathbf v}-\mathbf F$", reaction),
     Claim(

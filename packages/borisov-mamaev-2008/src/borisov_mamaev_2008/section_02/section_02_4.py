@@ -76,7 +76,7 @@ def equivalent() -> Case:
 
 
 def suslov_balance() -> Case:
-    """A rolling ball in any motion, and the ball of the catalogue, whose torque is along e."""
+    """A rolling ball in arbitrary motion, and the catalogue's ball with its torque along e."""
     whole = I + m * R**2 * identity
     swing = m * R**2 * dot(rate(omega), gamma) * gamma
     balance = whole * rate(omega) - cross(whole * omega, omega) - swing - TORQUE
@@ -121,7 +121,7 @@ CLAIMS = (
         r"\boldsymbol\gamma)}{\partial\boldsymbol\gamma})}{(\mathbf J^{-1}\boldsymbol\gamma,"
         r"\boldsymbol\gamma)}$",
         equations,
-        note="judged by the mechanics of a rolling ball in an unspecified potential",
+        note="checked with the mechanics of a rolling ball in an unspecified potential",
     ),
     Claim(
         "§2.4, conclusion",
@@ -161,7 +161,7 @@ REMARKS = (
         "§2.5, conclusions 1) and 2)",
         "nonholonomy of constraints is geometry and has no direct relation to the mechanical "
         "system; holonomy of a dynamical system is a dynamical effect",
-        "judgement; the examples are decided in §2.1, §2.3 and §2.4",
+        "opinion; the examples are decided in §2.1, §2.3 and §2.4",
     ),
     Remark("Remark 7", "Lagrangian and Hamiltonian systems", "definition of words"),
 )

@@ -30,7 +30,7 @@ def rate_of_a_function() -> Case:
 
 
 def symmetry_of_integrals() -> Case:
-    """[u, v] = 0 in components: u takes the rate of any F into the rate of u(F)."""
+    """[u, v] = 0 in components: u maps the rate of any F to the rate of u(F)."""
     (F,) = unspecified_functions("F", *x)
     v, u = fields("v1 v2 v3", x), fields("u1 u2 u3", x)
 
@@ -75,7 +75,7 @@ def _left_side(i: int) -> sp.Expr:
 
 
 def energy_identity() -> tuple[System, Identity]:
-    """Ė = Σ w_i × (left side of (1.9))_i along every motion, whatever ẇ is."""
+    """Ė = Σ w_i × (left side of (1.9))_i along every motion, for any ẇ."""
     power = sp.Add(*(s * _left_side(i) for i, s in enumerate(w)))
     return _any_motion(), Identity("power", Rate(ENERGY) - power)
 
@@ -95,7 +95,7 @@ def theorem_1() -> Case:
 
 
 def power_of_reactions() -> Case:
-    """The formula for Ė in the proof; (1.9) says that the left sides are Σ λ_μ ∂f_μ/∂w_i."""
+    """The formula for Ė in the proof, since by (1.9) the left sides are Σ λ_μ ∂f_μ/∂w_i."""
     return energy_identity()
 
 
@@ -116,7 +116,7 @@ def energy_in_coordinates() -> Case:
 
 
 def homogeneous_constraints() -> Case:
-    """Σ q̇ ∂f/∂q̇ − f = −b for f = Σ a_k q̇_k + b, so that f is homogeneous just when b = 0."""
+    """Σ q̇ ∂f/∂q̇ − f = −b for f = Σ a_k q̇_k + b; f is homogeneous if and only if b = 0."""
     a, (b,) = unspecified_functions("a1 a2 a3", *q), unspecified_functions("b", *q)
     f = sp.Add(*(s * rate for s, rate in zip(a, w, strict=True))) + b
     residual = sp.Add(*(sp.diff(f, s) * s for s in w)) - f + b
@@ -124,13 +124,13 @@ def homogeneous_constraints() -> Case:
 
 
 def examples() -> Case:
-    """The energy of every rubber body in any potential, of the Chaplygin ball and Veselova's."""
+    """The energy of all rubber bodies, the Chaplygin ball and the Veselova system."""
     names = ("chaplygin-ball", "veselova")
     dynamics = [rubber_body.general(), *(CATALOGUE[name].system() for name in names)]
     return tuple((each, law_named(each, "energy")) for each in dynamics)
 
 
-#: Euler's theorem for all homogeneous functions; polynomials are computed.
+#: Euler's theorem for all homogeneous functions; the computation covers polynomials.
 EULER = (
     "for every differentiable f, homogeneous of degree ϰ, the derivative of f(q, sw) = s^ϰ f(q, w) "
     "by s at s = 1 is Euler's identity"
@@ -207,6 +207,6 @@ REMARKS = (
     Remark(
         "(3.1)",
         "The components of v are analytic functions in the problems under consideration",
-        "an assumption, not a statement",
+        "an assumption, not a claim",
     ),
 )

@@ -69,7 +69,7 @@ def celtic_stone() -> Verdict:
 
 
 def suslov_skew() -> Verdict:
-    """ω₃ = 0 with any tensor of inertia: a measure needs I_13 = I_23 = 0."""
+    """For ω₃ = 0 and any tensor of inertia, a measure requires I_13 = I_23 = 0."""
     turning = cross(gamma, omega)
     frame = Frame(
         {gamma: turning}, (omega,), (norm_squared(gamma) - 1,), structure=rotations(omega)

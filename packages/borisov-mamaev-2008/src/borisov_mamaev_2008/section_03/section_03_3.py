@@ -29,7 +29,7 @@ from ..obstructions.divergence_at_equilibria import excludes_measure
 x = sp.symbols("x_1:4", real=True)
 z = sp.symbols("z_1:5", real=True)
 J = skew(x)
-#: In four dimensions, for formulas whose terms have four different indices.
+#: Four dimensions, for formulas whose terms have four different indices.
 K = skew(z)
 f, g, H, N = unspecified_functions("f g H N", *x)
 
@@ -56,7 +56,7 @@ def _cyclic_gradient(matrix: sp.Matrix, i: int, j: int, k: int) -> sp.Expr:
 
 
 def jacobi_printed() -> Case:
-    """A bracket satisfies the Jacobi identity when its components satisfy (3.6): e(3)'s so(3)."""
+    """The claim that (3.6) implies the Jacobi identity, refuted by the bracket of so(3)."""
     turning = sp.Matrix([[0, x[2], -x[1]], [-x[2], 0, x[0]], [x[1], -x[0], 0]])
     top = hamiltonian(turning, H, x)
     structure = PoissonStructure("so(3)", turning, rank=2)
@@ -95,13 +95,13 @@ def conformal_energy() -> Case:
 
 
 def _book() -> tuple[System, PoissonStructure]:
-    """{x₁, x₃} = x₁, {x₂, x₃} = x₂ with H = x₃, the bracket of an algebra not unimodular."""
+    """{x₁, x₃} = x₁, {x₂, x₃} = x₂ with H = x₃: the bracket of a non-unimodular algebra."""
     matrix = sp.Matrix([[0, 0, x[0]], [0, 0, x[1]], [-x[0], -x[1], 0]])
     return hamiltonian(matrix, x[2], x), PoissonStructure("book", matrix, rank=2)
 
 
 def measure_printed() -> Verdict:
-    """A Hamiltonian system that preserves no smooth measure."""
+    """A Hamiltonian system without a smooth invariant measure."""
     dynamics, structure = _book()
     if not prove(dynamics, structure):
         return Verdict("measure", "undecided", reason="the bracket of the example is not proven")
@@ -139,7 +139,7 @@ PF = sp.Symbol("Pf", real=True)
 
 
 def measure_corrected() -> Case:
-    """Pf Ω for a non-degenerate structure; for any J, Σ_i ∂(ρJ_ij)/∂x_i = 0 is what is needed."""
+    """Pf Ω for a non-degenerate structure; in general Σ_i ∂(ρJ_ij)/∂x_i = 0 is required."""
     dynamics, structure = _symplectic()
     (rho,) = unspecified_functions("rho", *x)
     modular = [sp.Add(*(sp.diff(rho * J[i, j], x[i]) for i in range(3))) for j in range(3)]
@@ -154,7 +154,7 @@ def measure_corrected() -> Case:
 
 
 def conformal_measure_printed() -> Verdict:
-    """q̇ = q, ṗ = 0: N = q, H = p in the canonical bracket."""
+    """The system q̇ = q, ṗ = 0, with N = q and H = p in the canonical bracket."""
     canonical = sp.Matrix([[0, 1], [-1, 0]])
     dynamics = hamiltonian(canonical, x[1], x[:2], x[0])
     return contrary(excludes_measure(dynamics, dict.fromkeys(x[:2], sp.S.Zero)))
@@ -171,7 +171,7 @@ def conformal_measure_corrected() -> Case:
 
 
 def change_of_time() -> Case:
-    """N dt = dτ takes (3.7) into (3.5)."""
+    """N dt = dτ transforms (3.7) into (3.5)."""
     law = Isomorphism(
         "time", hamiltonian(J, H, x), {s: s for s in x}, time=N, meaning="change of time"
     )
@@ -210,7 +210,7 @@ def no_conservation_laws() -> Verdict:
 
 
 def one_conservation_law() -> Case:
-    """H stays an integral without the Jacobi identity."""
+    """H is an integral also without the Jacobi identity."""
     return energy()
 
 
@@ -314,7 +314,7 @@ REMARKS = (
     Remark(
         "§3.3, end",
         "Most nonholonomic systems can be represented in the conformally Hamiltonian form",
-        "judgement; the cases are claims of §§5–10",
+        "opinion; the cases are claims of §§5–10",
     ),
     Remark(
         "§3.3, before Remark 8",
@@ -326,6 +326,6 @@ REMARKS = (
         "§3.3, before (3.7)",
         "Conformally Hamiltonian systems are practically indistinguishable from Hamiltonian "
         "systems",
-        "judgement; that they keep $H$, and when they keep a measure, are claims",
+        "opinion; that they preserve $H$, and when they preserve a measure, are claims",
     ),
 )

@@ -56,12 +56,12 @@ def _darboux(pairs: sp.Matrix, among_z: int) -> tuple[System, PoissonStructure]:
 
 
 def pairs_printed() -> Case:
-    """{q_i, p_i} = 1, with {q_1, p_2} = {q_2, p_1} = 1, which is not excluded: the rank is 2."""
+    """{q_i, p_i} = 1, where {q_1, p_2} = {q_2, p_1} = 1 is not excluded: the rank is then 2."""
     return _darboux(sp.ones(2), 0)
 
 
 def casimirs_printed() -> Case:
-    """{z_1, z_2} = 1 is not excluded: z_1 and z_2 are no Casimir functions."""
+    """{z_1, z_2} = 1 is not excluded: then z_1 and z_2 are not Casimir functions."""
     return _darboux(sp.eye(2), 1)
 
 
@@ -76,7 +76,7 @@ def local_casimirs() -> Case:
 
 
 def canonical_form() -> Case:
-    """q̇ = N ∂H/∂p, ṗ = −N ∂H/∂q with the canonical bracket, two degrees of freedom."""
+    """q̇ = N ∂H/∂p, ṗ = −N ∂H/∂q with the canonical bracket, for two degrees of freedom."""
     state = DARBOUX[:4]
     one, nothing = sp.eye(2), sp.zeros(2)
     matrix = nothing.row_join(one).col_join((-one).row_join(nothing))
@@ -98,15 +98,14 @@ def _top(names: tuple[str, ...]) -> tuple[tuple[System, Law], ...]:
 
 
 def additional_corrected() -> Case:
-    """The Lagrange top: leaves of dimension four, one integral besides H, quadratures."""
+    """The Lagrange top: leaves of dimension four, one integral in addition to H, quadratures."""
     return _top(("bracket", "energy", "spin", "nutation", "intrinsic_rotation"))
 
 
 def additional_printed() -> Verdict:
-    """n = 2 integrals besides H are necessary; the Lagrange top has one.
+    """The claim that n = 2 integrals in addition to H are necessary; the Lagrange top has one.
 
-    Three independent functions in involution on a symplectic leaf of dimension four there cannot
-    be at all.
+    Three independent functions in involution cannot exist on a symplectic leaf of dimension four.
     """
     verdicts = [prove(*case) for case in _top(("bracket", "spin", "nutation"))]
     decided = all(verdicts)
@@ -144,7 +143,7 @@ CLAIMS = (
         pairs_printed,
         darboux,
         r"$\{q_i, p_j\} = \delta_{ij}$",
-        "an index: as printed, {q₁, p₂} is left open and the rank may fall",
+        "an index: as printed, {q₁, p₂} is not determined and the rank may be lower",
         argument=BLOCKS,
     ),
     Claim(
@@ -154,7 +153,7 @@ CLAIMS = (
         casimirs_printed,
         darboux,
         r"$\{z_\alpha, q_i\} = \{z_\alpha, p_i\} = \{z_\alpha, z_\beta\} = 0$",
-        "the brackets of the z with each other are left out",
+        "the brackets of the z with each other are missing",
         argument=BLOCKS,
     ),
     Claim(

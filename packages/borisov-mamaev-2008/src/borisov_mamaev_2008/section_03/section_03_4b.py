@@ -57,7 +57,7 @@ def in_suslovs_problem() -> Case:
 
 
 def solvable() -> Verdict:
-    """Linear in the variables, and all brackets lie in the abelian span of p and γ₁, γ₂."""
+    """The algebra is solvable: all brackets lie in the abelian span of p and γ₁, γ₂."""
     matrix = suslov_bracket.bracket().matrix
     order = suslov_bracket.ORDER
     derived = {s for entry in matrix for s in entry.free_symbols} - {d}
@@ -100,10 +100,11 @@ def two_casimirs() -> Case:
 
 
 def only_two() -> Verdict:
-    """Monomials in z₁ = p₁ + iγ₁, z₂ = p₂ + iγ₂ and their conjugates are weights of {·, γ₃}.
+    """Monomials in z₁ = p₁ + iγ₁, z₂ = p₂ + iγ₂ and their conjugates are weight vectors of {·, γ₃}.
 
-    z₁^a z̄₁^b z₂^c z̄₂^e has the weight i((a − b) + d(c − e)); for irrational d it vanishes only for
-    a = b, c = e, so that a Casimir function, which cannot depend on γ₃, is a series in Φ₁ and Φ₂.
+    z₁^a z̄₁^b z₂^c z̄₂^e has the weight i((a − b) + d(c − e)). For irrational d it vanishes only
+    if a = b and c = e, so that a Casimir function, which cannot depend on γ₃, is a series in Φ₁
+    and Φ₂.
     """
     matrix = suslov_bracket.bracket().matrix
     order = suslov_bracket.ORDER
@@ -163,9 +164,9 @@ def _polar() -> System:
 def leaves() -> Case:
     """In p_i = ρ_i cos φ_i, γ_i = ρ_i sin φ_i: {φ₁, γ₃} = 1, {φ₂, γ₃} = d, all others zero.
 
-    A leaf is a line of slope d on the torus (φ₁, φ₂) times the line of γ₃; for irrational d it is
+    A leaf is a line of slope d on the torus (φ₁, φ₂) times the γ₃-axis. For irrational d it is
     dense in the three-dimensional level of ρ₁ and ρ₂, on which a continuous function that is
-    constant on it must be constant.
+    constant on the leaf must therefore be constant.
     """
     dynamics = _polar()
     rho_1, rho_2, phi_1, phi_2, _ = dynamics.symbols

@@ -44,13 +44,13 @@ def _triangular() -> System:
 
 
 def triangular_measure() -> Case:
-    """The density 1/v₁, where v₁ is not zero."""
+    """The density 1/v₁ where v₁ does not vanish."""
     dynamics = _triangular()
     return dynamics, Measure("measure", {dynamics.rates[0]: -sp.S.One})
 
 
 def lie_measure() -> Verdict:
-    """The velocities of the Chaplygin sleigh: n = 2, one integral, no symmetry field needed."""
+    """The velocities of the Chaplygin sleigh: n = 2 with one integral; no symmetry is needed."""
     dynamics = CATALOGUE["chaplygin-sleigh-reduced"].system()
     if not prove(dynamics, law_named(dynamics, "energy")):
         return Verdict("measure", "undecided", reason="the energy of the example is not proven")
@@ -125,7 +125,7 @@ def _with_uniform_angles(shifts: tuple[sp.Expr, sp.Expr]) -> tuple[System, Isomo
 
 
 def theorem_4_printed() -> Verdict:
-    """θ̇₁ = F, θ̇₂ = cos θ₁: the torus F = 0 carries rest points and moving points.
+    """θ̇₁ = F, θ̇₂ = cos θ₁: the torus F = 0 contains points at rest and moving points.
 
     In (4.2) either all points of a torus are at rest or none.
     """
@@ -145,15 +145,16 @@ def theorem_4_printed() -> Verdict:
 
 
 def theorem_4_corrected() -> tuple[System, Isomorphism]:
-    """Z_i(θ₁, F), the periodic primitive of (ζ_i − ω_i)/ω₁, unspecified."""
+    """The change of variables with Z_i(θ₁, F), the periodic primitive of (ζ_i − ω_i)/ω₁."""
     first, second = unspecified_functions("Z2 Z3", theta_1, F_1, F_2)
     return _with_uniform_angles((first, second))
 
 
 def fourier() -> Case:
-    """The series with three harmonics, in real form: cosine a_m gives sine a_m/(m ω₁).
+    """The series with three harmonics, in real form: a_m cos mθ₁ gives a_m/(m ω₁) sin mθ₁.
 
-    For every ζ the change is `theorem_4_corrected`, whose Z has this series by partial integration.
+    For every ζ the change of variables is `theorem_4_corrected`, whose Z has this Fourier series
+    by partial integration.
     """
     omega_1 = _uniform().rates[0]
 
@@ -168,7 +169,7 @@ def fourier() -> Case:
 
 
 def frequencies() -> Verdict:
-    """(1/2π)∫ζ dθ₁ is the coefficient with m = 0, for five harmonics with any coefficients."""
+    """(1/2π)∫ζ dθ₁ is the coefficient with m = 0, for five arbitrary harmonics."""
     orders = range(-5, 6)
     coefficients = {n: sp.Symbol(f"zeta_{n}") for n in orders}
     series = sp.Add(*(c * sp.exp(sp.I * n * theta_1) for n, c in coefficients.items()))
@@ -185,7 +186,7 @@ def frequencies() -> Verdict:
 def corollary_1_corrected() -> Case:
     """Two angles, two integrals, independent frequencies, ω₁ ≠ 0: structures for (4.1).
 
-    For any g_i the frequencies themselves are taken as the variables F_i.
+    For any g_i the frequencies are used as the variables F_i.
     """
     omega_1, omega_2 = unspecified_functions("omega1 omega2", F_1, F_2)
     (Z,) = unspecified_functions("Z", theta_1, F_1, F_2)
@@ -228,7 +229,7 @@ def _for_any_energy() -> tuple[tuple[System, Law], ...]:
 
 
 def remark_11() -> Case:
-    """θ̇₁ = θ̇₂ = 1, θ̇₃ = cos(θ₁ − θ₂): the mean rate of θ₃ differs along one torus."""
+    """θ̇₁ = θ̇₂ = 1, θ̇₃ = cos(θ₁ − θ₂): the mean rate of θ₃ varies on one torus."""
     field = {theta_1: sp.S.One, theta_2: sp.S.One, theta_3: sp.cos(theta_1 - theta_2)}
     dynamics = system("resonant", "a resonant triangular field", field)
     mean = Integral("mean", sp.cos(theta_1 - theta_2))
@@ -236,7 +237,7 @@ def remark_11() -> Case:
 
 
 def corollary_1_printed() -> Verdict:
-    """θ̇₁ = 1, θ̇₂ = F on T² × ℝ: the frequencies are two, the integral is one."""
+    """θ̇₁ = 1, θ̇₂ = F on T² × ℝ: two frequencies and one integral."""
     return contrary(not_hamiltonian())
 
 
@@ -261,7 +262,7 @@ CLAIMS = (
         precession_printed,
         precession_corrected,
         r"$\dot\psi = \frac{p_\psi - p_\varphi\cos\theta}{I_1\sin^2\theta}$",
-        "the factor 1/I₁ is lost, though the formula for φ̇ keeps I₁",
+        "the factor 1/I₁ is missing, though the formula for φ̇ contains I₁",
     ),
     Claim(
         "§4.1, intrinsic rotation of the Lagrange top",
@@ -271,7 +272,7 @@ CLAIMS = (
         rotation_corrected,
         r"$\dot\varphi = (I_3^{-1} - I_1^{-1})p_\varphi + "
         r"\frac{p_\varphi - p_\psi\cos\theta}{I_1\sin^2\theta}$",
-        "p_ψ and p_φ are exchanged and the factor 1/I₁ is lost",
+        "p_ψ and p_φ are exchanged and the factor 1/I₁ is missing",
     ),
     Claim(
         "§4.1, momenta of the Lagrange top",
@@ -382,6 +383,6 @@ REMARKS = (
         "§4.1, Lagrange–Lie integrable systems",
         "There is a coordinate on the invariant surface by which all others are quadratures; the "
         "dynamics is practically identical to that of integrable Hamiltonian systems",
-        "the definition of a name, and judgement; the formulas of the Lagrange top are claims",
+        "a definition, and opinion; the formulas of the Lagrange top are claims",
     ),
 )

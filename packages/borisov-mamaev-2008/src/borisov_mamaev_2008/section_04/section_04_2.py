@@ -41,7 +41,8 @@ LAMBDA = unspecified_functions("lambda1 lambda2", F_1, F_2)
 def quadratures() -> Case:
     """On the level surface ρv = (∂ψ/∂x₂, −∂ψ/∂x₁), with ψ = ∫ρ(v₁ dx₂ − v₂ dx₁) an integral.
 
-    div(ρv) = 0 says just that there is such a ψ locally; the time is a quadrature along ψ = const.
+    div(ρv) = 0 is equivalent to the local existence of ψ; the time is a quadrature along ψ =
+    const.
     """
     x = sp.symbols("x_1:3", real=True)
     psi, rho = unspecified_functions("psi rho", *x)
@@ -59,7 +60,7 @@ def measure_of_kolmogorov() -> Case:
 
 
 def corollary_2_printed() -> Verdict:
-    """θ̇₁ = 1/Φ, θ̇₂ = F/Φ on T² × ℝ, that is, n = 3 with the measure Φ and one integral."""
+    """θ̇₁ = 1/Φ, θ̇₂ = F/Φ on T² × ℝ: n = 3 with the measure Φ and one integral."""
     return contrary(not_hamiltonian())
 
 
@@ -96,13 +97,13 @@ def _constant_ratio() -> tuple[tuple[System, Law], ...]:
 
 
 def never_hamiltonian() -> Verdict:
-    """n = 3 with a varying rotation number has no Hamiltonian form, n = 4 has one of rank two."""
+    """For n = 3 a varying rotation number excludes a Hamiltonian form, for n = 4 it does not."""
     none = not_hamiltonian()
     return conclusion_verdict("reduction", none.finding, (none, *of_rank_two()))
 
 
 def different_periods() -> Case:
-    """λ₁ = λ₂ = 1, Φ = 2 + cos(θ₁ − θ₂): the period is 2πΦ, constant on each trajectory alone."""
+    """λ₁ = λ₂ = 1, Φ = 2 + cos(θ₁ − θ₂): the period 2πΦ is constant only on each trajectory."""
     spread = 2 + sp.cos(theta_1 - theta_2)
     dynamics = system("resonant", "a resonant torus", dict.fromkeys(ANGLES, 1 / spread))
     return (
@@ -113,9 +114,9 @@ def different_periods() -> Case:
 
 
 def equal_periods() -> tuple[tuple[System, Law], ...]:
-    """In angle–action variables the shifts of the angles commute with the motion.
+    """In action–angle variables the translations of the angles commute with the motion.
 
-    They take any trajectory of a torus into any other one, with its period.
+    They map any trajectory of a torus to any other one, with the same period.
     """
     (energy,) = unspecified_functions("H", F_1, F_2)
     field = dict(zip(ANGLES, (sp.diff(energy, F) for F in (F_1, F_2)), strict=True))
@@ -179,7 +180,7 @@ CLAIMS = (
         r"general case, since $\Phi(\theta_1, \theta_2, \mathbf{F})$ depends on $\theta_i$, the "
         "periods of motion along these trajectories are different",
         different_periods,
-        note="a Φ that depends on θ₁ alone does not do it on a torus with λ₁ ≠ 0",
+        note="a Φ that depends only on θ₁ does not suffice on a torus with λ₁ ≠ 0",
         argument="the period is the mean of Φ over the trajectory, up to a factor; as a function "
         "of the trajectory it has the Fourier coefficients Φ_m with (m, λ) = 0, and those with "
         "m ≠ 0 vanish for special Φ only; computed is an example",

@@ -46,8 +46,8 @@ def _coordinate_slopes(name: str, places: tuple[sp.Expr, ...]) -> tuple[sp.Expr,
 def ordinary() -> Case:
     """q̇₃ = c₁(q)q̇₁ + c₂(q)q̇₂ with a Lagrangian that does not depend on q₃.
 
-    The equations with multipliers, d/dt ∂L/∂q̇_i − ∂L/∂q_i + c_i d/dt ∂L/∂q̇₃ = 0, are (4.4) for the
-    Lagrangian L* on the constraint, with S = (∂L/∂q̇₃)* (∂c₁/∂q₂ − ∂c₂/∂q₁), for any L.
+    The equations with multipliers, d/dt ∂L/∂q̇_i − ∂L/∂q_i + c_i d/dt ∂L/∂q̇₃ = 0, are (4.4) for
+    the constrained Lagrangian L*, with S = (∂L/∂q̇₃)* (∂c₁/∂q₂ − ∂c₂/∂q₁), for any L.
     """
     c = unspecified_functions("c1 c2", *q)
     places = (v[0], v[1], c[0] * v[0] + c[1] * v[1])
@@ -71,25 +71,25 @@ def _any_motion() -> System:
 
 
 def sleigh() -> Case:
-    """The Chaplygin sleigh with its centre of mass anywhere, in q₁ = φ and q₂ = x."""
+    """The Chaplygin sleigh with an arbitrary centre of mass, in q₁ = φ and q₂ = x."""
     dynamics = CATALOGUE["chaplygin-sleigh"].system()
     return dynamics, law_named(dynamics, "chaplygin_form")
 
 
 def _condition() -> Identity:
-    """∂A₁/∂q₁ + ∂A₂/∂q₂ = 0, without which no density ρ(q) has ρ₁/ρ = A₂, ρ₂/ρ = −A₁."""
+    """∂A₁/∂q₁ + ∂A₂/∂q₂ = 0, which is necessary for a density ρ(q) with ρ₁/ρ = A₂, ρ₂/ρ = −A₁."""
     gyroscopic = dict(chaplygin_sleigh.sleigh_in_chaplygin_form().scalar_definitions)[chaplygin.S]
     A_1, A_2 = (sp.diff(gyroscopic, P) for P in (chaplygin.P_1, chaplygin.P_2))
     return Identity("condition", sp.diff(A_1, q_1) + sp.diff(A_2, q_2))
 
 
 def sleigh_multiplier_printed() -> Case:
-    """Any centre of mass."""
+    """An arbitrary centre of mass."""
     return chaplygin_sleigh.sleigh_in_chaplygin_form(), _condition()
 
 
 def sleigh_multiplier_corrected() -> Case:
-    """N = cos φ when the centre of mass lies beside the contact."""
+    """N = cos φ if the centre of mass lies beside the contact."""
     return laws_named(chaplygin_sleigh.sleigh_in_chaplygin_form(), "measure", "form")
 
 

@@ -41,7 +41,7 @@ def _density() -> System:
 def _lagrangian() -> tuple[System, dict[sp.Symbol, sp.Expr], sp.Expr]:
     """(4.4) with L = ½(q̇, m q̇) + (l, q̇) − U and S = a₁q̇₁ + a₂q̇₂ + b, solved for q̈.
 
-    The inverse of m, l, U, a and b are unspecified.  Also the momenta and S.
+    The inverse of m, and l, U, a and b, are unspecified. Also returns the momenta and S.
     """
     names = ("m11", "m12", "m22", "l1", "l2", "U", "a1", "a2", "b")
     part = dict(zip(names, unspecified_functions(" ".join(names), *q), strict=True))
@@ -114,7 +114,7 @@ def liouville() -> Case:
 def brackets_vanish() -> Case:
     """The brackets are linear combinations of the derivatives of div(ρv)/ρ by P₁ and P₂.
 
-    With D = div(ρv)/ρ, ∂D/∂P_i = Σ_j (m⁻¹)_ij (…)_j, and m⁻¹ is not degenerate.
+    With D = div(ρv)/ρ, ∂D/∂P_i = Σ_j (m⁻¹)_ij (…)_j, and m⁻¹ is non-degenerate.
     """
     dynamics = _any_linear()
     by_P1, by_P2 = (sp.diff(_divergence(dynamics), s) for s in P)
@@ -182,7 +182,7 @@ def _magnetic(turn: sp.Expr) -> sp.Matrix:
 
 
 def theorem_6() -> Case:
-    """Both statements: S̄ = ρB depends on q alone, and N = ρ leads to (4.6)."""
+    """Both statements: S̄ = ρB depends only on q, and N = ρ leads to (4.6)."""
     target, structure = _target()
     map_ = {q_1: q_1, q_2: q_2, p[0]: rho * P_1, p[1]: rho * P_2}
     dynamics = _density()
@@ -277,7 +277,7 @@ CLAIMS = (
         in_momenta_printed,
         in_momenta_corrected,
         r"the last term is $\mathcal{N}(q)B(q)$",
-        "the factor N of the last term is lost",
+        "the factor N of the last term is missing",
     ),
     Claim(
         "Theorem 6, S̄ for N = ρ",
@@ -285,7 +285,7 @@ CLAIMS = (
         bar_printed,
         bar_corrected,
         r"$\bar S = \rho(\mathbf{q})B(\mathbf{q})$",
-        "the factor N = ρ is lost, as in the formula before",
+        "the factor N = ρ is missing, as in the preceding formula",
     ),
     Claim(
         "§4.3, original time",

@@ -50,10 +50,10 @@ def canonical_momenta() -> Case:
 
 
 def on_torus() -> tuple[System, Identity]:
-    """Ω = dω on the torus, when S̄ = g′(q₂) + ∂Ψ/∂q₁ with periodic g and Ψ.
+    """Ω = dω on the torus if S̄ = g′(q₂) + ∂Ψ/∂q₁ with periodic g and Ψ.
 
-    g′ is the mean of S̄ over q₁, and ∂Ψ/∂q₁ the rest, whose mean vanishes, so that there is a
-    periodic Ψ.  A periodic g exists if and only if the mean of g′, the integral of Ω, vanishes.
+    g′ is the mean of S̄ over q₁, and ∂Ψ/∂q₁ is the rest, whose mean vanishes, so that a periodic Ψ
+    exists. A periodic g exists if and only if the mean of g′, the integral of Ω, vanishes.
     """
     (mean,) = unspecified_functions("g", q[1])
     spread = sp.diff(mean, q[1]) + sp.diff(psi, q[0])
@@ -63,10 +63,10 @@ def on_torus() -> tuple[System, Identity]:
 def on_sphere() -> tuple[System, Identity]:
     """Ω = dω on the sphere, q = (θ, φ), when S̄ = g′(θ) + sin θ ∂Ψ/∂φ, where ω = g dφ − Ψ sin θ dθ.
 
-    With Ω = f times the area, g′ is sin θ times the mean of f over φ, and Ψ the periodic primitive
-    of the rest without mean: in each harmonic exp(imφ) it is f/(im), as smooth at the poles as f.
-    g = ∫g′ dθ from the one pole vanishes there like θ², and at the other one, as g dφ needs, if and
-    only if the integral of Ω does.
+    With Ω = f times the area form, g′ is sin θ times the mean of f over φ, and Ψ is the periodic
+    primitive of the remainder, which has no mean: in each harmonic exp(imφ) it is f/(im), as
+    smooth at the poles as f. g = ∫g′ dθ from one pole vanishes there like θ², and at the other
+    pole, as g dφ requires, if and only if the integral of Ω vanishes.
     """
     (mean,) = unspecified_functions("g", q[0])
     spread = sp.diff(mean, q[0]) + sp.sin(q[0]) * sp.diff(psi, q[1])
@@ -83,7 +83,7 @@ def _closedness(
 
 
 def exact() -> Case:
-    """The potentials on the torus and on the sphere; that they are needed is Stokes' theorem."""
+    """The potentials on the torus and on the sphere; their necessity is Stokes' theorem."""
     return on_torus(), on_sphere()
 
 

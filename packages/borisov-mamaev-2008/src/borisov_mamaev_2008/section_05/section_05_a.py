@@ -1,7 +1,7 @@
 """§5, up to the quadratures (5.2): a heavy rubber body of revolution on a plane.
 
-The profile is given by an unspecified support function p(γ₃) and the potential U(γ₃) is
-unspecified, so that every claim is decided for all bodies at once.
+The support function p(γ₃) of the profile and the potential U(γ₃) are unspecified, so that every
+claim is decided for all bodies at once.
 """
 
 from __future__ import annotations
@@ -60,13 +60,13 @@ LEAN = 1 - g_3**2
 
 @cache
 def body() -> System:
-    """Any profile, any potential."""
+    """A body with any profile in any potential."""
     return catalogue.general_system()
 
 
 @cache
 def body_in_angles() -> System:
-    """The body in the angles θ, φ, which is proven to lead back to ω, γ."""
+    """The body in the angles θ, φ, which provably map to ω, γ."""
     return in_angles(body())
 
 
@@ -76,7 +76,7 @@ def spin() -> tuple[System, Integral]:
 
 
 def rotation() -> tuple[System, Symmetry]:
-    """The symmetry field."""
+    """The symmetry field of rotation about the axis."""
     return body(), catalogue.rotation()
 
 
@@ -89,19 +89,19 @@ def constants() -> tuple[sp.Expr, sp.Expr]:
 
 
 def equations() -> Case:
-    """(1.18) with I_1 = I_2, in the form in which everything here is proven."""
+    """(1.18) with I_1 = I_2, in the form used for all proofs here."""
     return with_tensor_of_a_body(body(), (I_1, I_1, I.symbols[2])), catalogue.onto_rolled()
 
 
 def contact_vector() -> Case:
-    """r of the mechanics, in which r is the point with the normal −γ."""
+    """r of the mechanics: the contact point is the point with the normal −γ."""
     dynamics = catalogue.rolling_equations()
     first, second = from_support(HEIGHT)
     return dynamics, Identity("contact", r - constant([first * g_1, first * g_2, second]))
 
 
 def tie() -> Case:
-    """r₁² + r₂² = χ₁²(1 − γ₃²), r₃ = χ₂, so that f = 0 ties χ₁ and χ₂; and so does the normal."""
+    """r₁² + r₂² = χ₁²(1 − γ₃²), r₃ = χ₂: χ₁ and χ₂ are related by f = 0, and by the normal."""
     first, second = from_support(HEIGHT)
     r_1, r_2, r_3 = r.symbols
     normal = -g_3 * first + LEAN * first.diff(g_3) + g_3 * second.diff(g_3)
@@ -109,7 +109,7 @@ def tie() -> Case:
 
 
 def potential() -> Case:
-    """The share of the weight in the energy of the mechanics."""
+    """The contribution of the weight to the energy."""
     dynamics = catalogue.rolling_equations(gravity=9.81)
     first, second = from_support(HEIGHT)
     (energy,) = (item.value for item in dynamics.integrals)
@@ -137,7 +137,7 @@ def energy() -> Case:
 
 
 def only_spheres() -> Verdict:
-    """A convex body that is no sphere and has an elementary integral though it may spin."""
+    """A convex body other than a sphere with an elementary integral although it may spin."""
     verdict = prove(lens(), linear_integral())
     along, across = curvatures()
     place = {g_3: (4, 5), height: (1, 1), slope: (0, 1), m: (1, 1), I.symbols[2]: (1, 5)}
@@ -155,11 +155,11 @@ def only_spheres() -> Verdict:
 
 
 def edge() -> tuple[System, Identity]:
-    """At γ₃ = 0 the left side of the lens's condition is (I₃ + mp²)p².
+    """At γ₃ = 0 the left side of the condition on a lens is (I₃ + mp²)p².
 
-    There r₁² + r₂² = p² and ρ₂ = p for every support function p.  A smooth closed strictly convex
+    There r₁² + r₂² = p² and ρ₂ = p for every support function p. A smooth closed strictly convex
     body of revolution touches the plane with every normal, and p > 0 at γ₃ = 0, where p is the
-    distance of the tangent plane from the axis that it is parallel to.
+    distance between the tangent plane and the axis, which are parallel.
     """
     first, second = from_support(HEIGHT)
     across = HEIGHT - g_3 * HEIGHT.diff(g_3)
@@ -176,12 +176,12 @@ def edge() -> tuple[System, Identity]:
 
 
 def other_bodies() -> Case:
-    """M₃/√(I₃ + m(r₁² + r₂²)) for a lens, and that only a body with an edge is one."""
+    """M₃/√(I₃ + m(r₁² + r₂²)) for a lens, and that only a body with an edge is a lens."""
     return (lens(), linear_integral()), edge()
 
 
 def lie() -> Case:
-    """Two integrals besides the relations, and a symmetry field tangent to their level."""
+    """Two integrals in addition to the relations, and a symmetry field tangent to their level."""
     dynamics = body()
     turning = replace(
         dynamics, field={v: cross(unit_vector(3), v) for v in (omega, gamma)}, laws=()
@@ -214,7 +214,7 @@ def lie_independent() -> Case:
 
 
 def angles() -> Case:
-    """The angles lead back to γ and ω, and every γ has them."""
+    """The angles map to γ and ω, and every γ is covered."""
     dynamics = body_in_angles()
     return dynamics, dynamics.laws[0]
 
@@ -245,18 +245,18 @@ def omega_2() -> Case:
 
 
 def principal() -> Case:
-    """B is the moment of inertia about the horizontal n through the contact."""
+    """B is the moment of inertia about the horizontal axis n through the contact."""
     moment = dot(n, I * n + m * cross(r, cross(n, r)))
     return body(), Identity("B", moment - (I_1 + m * dot(r, r)) * norm_squared(n))
 
 
 def quadratures() -> tuple[System, Reduction]:
-    """(5.2) in γ₃ instead of θ."""
+    """(5.2) in terms of γ₃ instead of θ."""
     return body(), catalogue.quadratures(body(), r + 0 * gamma, dot(r, gamma), ())
 
 
 def kinematics() -> Case:
-    """φ = arctan(γ₁/γ₂) along γ̇ = γ×ω for any ω, here that of a body about a fixed point."""
+    """φ = arctan(γ₁/γ₂) along γ̇ = γ×ω for any ω, here that of a body with a fixed point."""
     value = w_3 - g_3 * (w_1 * g_1 + w_2 * g_2) / (g_1**2 + g_2**2)
     return spinning_general(), Identity("phi", Rate(sp.atan2(g_1, g_2)) - value)
 
@@ -299,7 +299,7 @@ CLAIMS = (
         energy_printed,
         energy,
         r"$\mathcal{E} = \frac{1}{2}(\omega, \tilde{I}\omega) + U(\gamma_3)$",
-        "lost tilde: I stands for the tensor about the contact point",
+        "missing tilde: I stands for the tensor about the contact point",
     ),
     Claim(
         "§5, symmetry field",

@@ -1,4 +1,4 @@
-"""§5, after (5.2): the measure, the Hamiltonian form and two bodies of a simple shape."""
+"""§5, after (5.2): the measure, the Hamiltonian form and two bodies of simple shape."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ g_1, g_2, g_3 = gamma.symbols
 w_3 = omega.symbols[2]
 HALF = sp.Rational(1, 2)
 
-#: The centre of the disk or ball lies at −a on the axis.
+#: The centre of the disk or ball is at −a on the axis.
 a = -c.symbols[2]
 #: cos θ and sin θ.
 COS, SIN = g_3, sp.sqrt(1 - g_3**2)
@@ -48,7 +48,7 @@ def determinant() -> Case:
 
 
 def proposition() -> Case:
-    """θ̇² and φ̇ are functions of θ on a level, φ̇ has the sign of k ≠ 0, and the form on tori."""
+    """On a level θ̇² and φ̇ are functions of θ, and φ̇ has the sign of k ≠ 0; the form on tori."""
     return quadratures(), nowhere_zero(), *of_rank_two()
 
 
@@ -186,6 +186,6 @@ REMARKS = (
         "§5, after (5.1)",
         "The existence of a linear integral is quite expectable [1]; that it is elementary for any "
         "shape of the body is far from trivial.",
-        "judgement; that it is an integral for any shape is (5.1)",
+        "opinion; that it is an integral for any shape is (5.1)",
     ),
 )

@@ -53,9 +53,9 @@ def free_body() -> System:
 
 
 def equations() -> Case:
-    """Euler's equations with a torque along γ, and Lagrange's in three Euler angles.
+    """Euler's equations with a torque along γ, and Lagrange's equations in Euler angles.
 
-    With (6.6) as constraint, the multiplier Λ enters the equations for θ, φ, ψ with the factors
+    With the constraint (6.6), the multiplier Λ enters the equations for θ, φ, ψ with the factors
     0, cos θ, 1.
     """
     reaction = I * rate(omega) - TORQUE
@@ -82,7 +82,7 @@ def _lagrange(coordinate: sp.Symbol, speed: sp.Symbol) -> sp.Expr:
 
 
 def multiplier(sign: int) -> Case:
-    """The torque along γ that keeps (ω, γ) = 0, up to a sign."""
+    """The torque along γ that preserves (ω, γ) = 0, up to a sign."""
     system = body()
     reaction = I * rate(omega) - TORQUE
     return (
@@ -135,7 +135,7 @@ def euler_jacobi() -> Case:
 
 
 def bruns() -> Case:
-    """F − K det I (γ, I⁻¹γ) in the field ½K(γ, Iγ), of which the printed one has K = 2."""
+    """F − K det I (γ, I⁻¹γ) in the field ½K(γ, Iγ); the printed integral has K = 2."""
     system = from_catalogue("veselova-bruns")
     return system, catalogue.momentum_in_bruns_field()
 
@@ -173,7 +173,7 @@ CLAIMS = (
         lambda: multiplier(-1),
         r"$\lambda_0 = -\frac{(I\omega \times \omega + \gamma \times \frac{\partial U}"
         r"{\partial\gamma}, I^{-1}\gamma)}{(\gamma, I^{-1}\gamma)}$",
-        "lost minus sign, which (1.22) has",
+        "missing minus sign, which (1.22) has",
     ),
     Claim(
         "(6.2), energy",

@@ -68,7 +68,7 @@ def frame() -> System:
 
 
 def angular_velocity() -> Case:
-    """(6.5): γ̇ = γ×ω and α̇ = α×ω, with the first space axis α."""
+    """(6.5): γ̇ = γ×ω and α̇ = α×ω, where α is the first space axis."""
     first = constant(
         [
             sp.cos(psi) * COS_PHI - COS * sp.sin(psi) * SIN_PHI,
@@ -111,7 +111,7 @@ def chaplygin(value: sp.Expr) -> Identity:
 
 
 def s_printed() -> sp.Expr:
-    """The last member of (6.7)."""
+    """The last expression in (6.7)."""
     along = I_1 * COS_PHI**2 + I_2 * SIN_PHI**2 + I_3
     return SIN**2 * (thetadot * (I_2 - I_1) * SIN_PHI * COS_PHI - phidot * along)
 
@@ -144,7 +144,7 @@ def kinetic_energy() -> Case:
 
 
 def slopes(of_T: sp.Symbol, further: sp.Expr) -> Case:
-    """∂T/∂x = ∂T₀/∂x + further."""
+    """∂T/∂x = ∂T₀/∂x + `further`."""
     value = sp.diff(T, of_T) - constrained(sp.diff(T_0, of_T)) - further
     return body(), Identity("slope", value)
 
@@ -299,7 +299,7 @@ CLAIMS = (
         lambda: (body(), chaplygin(s_printed())),
         lambda: (body(), chaplygin(s_right())),
         TEXT_S + r"\sin\theta\cos\theta(I_3 - I_1\sin^2\varphi - I_2\cos^2\varphi)\right)$",
-        "lost factor sin θ cos θ, wrong signs of I₁ and I₂, and sin φ, cos φ exchanged",
+        "missing factor sin θ cos θ, wrong signs of I₁ and I₂, and sin φ, cos φ exchanged",
     ),
     Claim(
         "(6.8)",
@@ -330,7 +330,7 @@ CLAIMS = (
         lambda: slopes(theta, phidot * SIN * VERTICAL),
         r"$\frac{\partial T}{\partial\theta} = \frac{\partial T_0}{\partial\theta} + "
         r"\dot{\varphi}\sin\theta\frac{\partial T_0}{\partial\dot{\psi}}$",
-        "lost dot: the derivative is by ψ̇; T₀ does not depend on ψ",
+        "missing dot: the derivative is by ψ̇; T₀ does not depend on ψ",
     ),
     Claim(
         "Remark 19, ∂T/∂φ",
@@ -348,7 +348,7 @@ CLAIMS = (
         lambda: euler_lagrange(PRINTED),
         lambda: euler_lagrange(REDUCING),
         r"The same with $\mathcal{N} = (\gamma, I^{-1}\gamma)^{-1/2}$.",
-        "lost inverse: 𝒩 is 1/ρ_ω",
+        "missing inverse: 𝒩 is 1/ρ_ω",
     ),
     Claim(
         "Theorem 7, L",

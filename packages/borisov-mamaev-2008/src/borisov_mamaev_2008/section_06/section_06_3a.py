@@ -1,7 +1,7 @@
 """§6.3, up to (6.13): the Veselova system on e(3).
 
-A Hamiltonian system on e(3) is read as (6.11) writes it: dM/dτ = M×∂H/∂M + Γ×∂H/∂Γ,
-dΓ/dτ = Γ×∂H/∂M.  The bracket printed with it has the opposite sign and would reverse the time.
+A Hamiltonian system on e(3) is read as in (6.11): dM/dτ = M×∂H/∂M + Γ×∂H/∂Γ, dΓ/dτ = Γ×∂H/∂M. The
+bracket printed with it has the opposite sign and would reverse the time.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ DENSITY = catalogue.DENSITY
 ROOT = geodesic.ROOT
 INVERSE_ROOT = constant(to_components(ROOT).inv())
 
-#: M and Γ of (6.11) in ω and γ; and L and s of Proposition 6 in M and Γ.
+#: M and Γ of (6.11) in terms of ω and γ; L and s of Proposition 6 in terms of M and Γ.
 M_OF, GAMMA_OF = DENSITY * ROOT * omega, INVERSE_ROOT * gamma / DENSITY
 L, S = INVERSE_ROOT * M, ROOT * Gamma / geodesic.LENGTH
 
@@ -103,7 +103,7 @@ def bracket(sign: int) -> Case:
 
 
 def leaf_by_gamma() -> Verdict:
-    """γ² by Γ is one everywhere, so that it cuts nothing out of e(3)."""
+    """γ² as a function of Γ is identically one, so that it restricts nothing on e(3)."""
     verdict = prove(off_level(), Identity("unit", norm_squared(S) - 1))
     return computed_verdict(
         "leaf",
@@ -122,12 +122,12 @@ def leaf() -> Case:
 
 
 def geodesic_flow() -> Case:
-    """With U = 0, H is quadratic in M, and F is a second integral."""
+    """For U = 0, H is quadratic in M, and F is a second integral."""
     return free_flow(), Integral("F", second())
 
 
 def inverse() -> Case:
-    """ω and γ by M and Γ lead back to the Veselova system."""
+    """The inverse map from M and Γ to the Veselova system."""
     back = Isomorphism(
         "veselova",
         from_catalogue("veselova"),
@@ -154,7 +154,7 @@ def second_integral() -> Case:
 
 
 def only_on_level() -> Verdict:
-    """{H, F} = 0 on (M, Γ) = 0, and not elsewhere."""
+    """{H, F} = 0 only on (M, Γ) = 0."""
     law = Integral("F", second())
     on, off = prove(free_flow(), law), prove(off_level(), law)
     decided = on.decision == "proven" and off.decision == "refuted"

@@ -1,6 +1,6 @@
 """§6.3, from (6.13): the isomorphism of the Veselova system with the Neumann system.
 
-A Hamiltonian system on e(3) is read as (6.11) writes it, see :mod:`section_06_3a`.
+A Hamiltonian system on e(3) is read as in (6.11), see :mod:`section_06_3a`.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def kirchhoff_equations(sign: int) -> tuple[tuple[System, Integral], tuple[Syste
 
 
 def proposition() -> Case:
-    """The map with k = √det I, also onto the Clebsch case of the catalogue."""
+    """The map with k = √det I, also onto the Clebsch case in the catalogue."""
     target = from_catalogue("clebsch")
     return (*kirchhoff_equations(1), (flow(), geodesic.to_clebsch(target)))
 
@@ -157,7 +157,7 @@ def clebsch_case() -> Case:
 
 
 def brackets_change() -> Verdict:
-    """{L₁, s₁} is not zero, as it would be if the bracket were kept up to a factor."""
+    """{L₁, s₁} is non-zero, so the map does not preserve the bracket up to a factor."""
     variables = (*M.symbols, *Gamma.symbols)
     first, place = (to_components(to_components(v)[0]) for v in (L, S))
     slopes = [sp.Matrix([sp.diff(f, x) for x in variables]) for f in (first, place)]
@@ -202,8 +202,8 @@ CLAIMS = (
         lambda: kirchhoff_equations(-1),
         proposition,
         r"$k = \sqrt{\det I}$",
-        "wrong sign of k with the equations (6.11); it fits the bracket as printed, which has the "
-        "wrong sign itself",
+        "wrong sign of k with the equations (6.11); it agrees with the printed bracket, which has "
+        "the wrong sign itself",
     ),
     Claim(
         "Proposition 6, proof, relations",
@@ -249,7 +249,7 @@ CLAIMS = (
         lambda: quadratic_hamiltonian(I**-1),
         r"$H = k\alpha(\frac{1}{2}M^2 + \frac{c}{2}(\Gamma, I\Gamma)) + "
         r"k\beta(\frac{1}{2}(M, IM) - \frac{c}{2}\det I(\Gamma, I^{-1}\Gamma))$",
-        "lost inverse in the last term",
+        "missing inverse in the last term",
     ),
     Claim(
         "§6.3, α = 1, β = 0",
@@ -260,7 +260,7 @@ CLAIMS = (
         "§6.3, α = 0, β = 1",
         r"At $\alpha = 0$, $\beta = 1$ this is the Hamiltonian of the Bruns problem.",
         bruns_case,
-        note="with the Hamiltonian put right, "
+        note="with the corrected Hamiltonian, "
         r"$\frac{1}{2}(M, IM) - \frac{c}{2}\det I(\Gamma, I^{-1}\Gamma)$, for a body with the "
         r"tensor of inertia $I^{-1}$",
     ),
@@ -269,7 +269,7 @@ CLAIMS = (
         r"With arbitrary $\alpha$, $\beta$, this Hamiltonian corresponds to the general Clebsch "
         "case in the Kirchhoff equations.",
         clebsch_case,
-        note="with the Hamiltonian put right; decided by Clebsch's condition "
+        note="with the corrected Hamiltonian; decided by Clebsch's condition "
         "Σ (C₂ − C₃)/A₁ = 0 for H = ½(M, AM) + ½(Γ, CΓ)",
     ),
     Claim(

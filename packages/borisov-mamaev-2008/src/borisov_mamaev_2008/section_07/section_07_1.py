@@ -54,7 +54,7 @@ def free_ball() -> System:
 
 
 def identity_of(name: str, *formulas: object) -> Identity:
-    """Formulas that vanish."""
+    """The law that some formulas vanish."""
     return Identity(name, formulas)
 
 
@@ -95,7 +95,7 @@ def tensor() -> Case:
 
 
 def energy() -> Case:
-    """The energy of (7.2), of the ball that may spin and of the one that does not."""
+    """The energy in (7.2), for a marble and a rubber ball."""
     law = Integral("energy", HALF * dot(M, omega) + U)
     return ball(), law
 
@@ -152,13 +152,13 @@ def gyrostat() -> Case:
 
 
 def periods_exclude_printed() -> Verdict:
-    """A bracket of rank two near the very torus on which periods differ."""
+    """A bracket of rank two near the torus on which the periods differ."""
     shown = "v∧∂/∂F₁ is a bracket of rank two near the torus with different periods"
     return contrary(conclusion_verdict("no form", shown, (unequal_periods(), *of_rank_two())))
 
 
 def periods_exclude() -> Verdict:
-    """Proposition 4 against the periods, and the bracket of rank two."""
+    """Proposition 4 contradicted by the periods, and the bracket of rank two."""
     shown = f"{unequal_periods().finding}; Proposition 4 would make them equal"
     shifts = tuple(prove(system, law) for system, law in equal_periods())
     return conclusion_verdict(

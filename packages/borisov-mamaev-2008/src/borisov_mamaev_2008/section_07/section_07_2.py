@@ -66,7 +66,7 @@ def ball() -> System:
 
 
 def kinematics() -> Case:
-    """The rates of α and β, the first rows of the rotation from body to space."""
+    """The rates of α and β, the first rows of the rotation matrix from body to space axes."""
     dynamics = free_ball()
     system = replace(
         dynamics,
@@ -98,7 +98,7 @@ def along_without_field() -> Case:
 
 
 def superintegrable() -> Case:
-    """Six conditions on α, β, γ and four integrals are independent in the twelve variables."""
+    """Six conditions on α, β, γ and four integrals are independent in twelve variables."""
     system = orientation(sp.S.Zero)
     axes = (alpha, beta, gamma)
     conditions = [dot(a, b) for i, a in enumerate(axes) for b in axes[i:]]
@@ -122,7 +122,7 @@ def energy() -> Case:
 
 
 def hamilton_equations(momentum: MatrixExpr) -> Identity:
-    """Their left sides minus the right ones."""
+    """Left minus right sides of Hamilton's equations."""
     return Identity(
         "hamilton",
         (
@@ -133,7 +133,7 @@ def hamilton_equations(momentum: MatrixExpr) -> Identity:
 
 
 def equations() -> Case:
-    """Hamilton's equations along (7.1) for M and γ, as printed, and for L."""
+    """Hamilton's equations along (7.1), for M and γ as printed, and for L."""
     system = ball()
     return (system, hamilton_equations(M)), (system, hamilton_equations(L))
 

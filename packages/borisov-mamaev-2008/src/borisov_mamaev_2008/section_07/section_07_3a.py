@@ -77,13 +77,13 @@ VELOCITIES = {theta: thetadot, phi: phidot, psi: psidot}
 
 @cache
 def rolling() -> System:
-    """The ball in angles, with ψ and the place of its centre."""
+    """The ball in angles, with ψ and the position of its centre."""
     return in_space(ball_in_angles())
 
 
 @cache
 def turning() -> System:
-    """The ball in angles alone."""
+    """The ball in angles only."""
     return ball_in_angles()
 
 
@@ -135,7 +135,7 @@ def multipliers() -> Case:
 
 
 def independent_of_psi() -> Case:
-    """T₀ is what it is in the variables M, and contains no x, y, ψ."""
+    """T₀ agrees with its form in the variables M, and does not contain x, y, ψ."""
     along = (Rate(x), Rate(y))
     whole = m * sum(v**2 for v in along) / 2 + TURNING
     return _identity(whole - dot(M, SPIN) / 2, *(sp.diff(TURNING, s) for s in (x, y, psi)))
@@ -229,7 +229,7 @@ def routh_system() -> System:
 
 
 def multiplier() -> Case:
-    """(7.3) is the density of the measure in θ, φ, P, in which Theorem 6 wants it."""
+    """(7.3) is the density of the measure in θ, φ, P, as Theorem 6 requires."""
     first, second, third = M
     onto = Isomorphism(
         "momenta",
@@ -334,6 +334,6 @@ REMARKS = (
         "§7.3, after (7.9)",
         "The equations for θ and φ do not depend on ψ, so that ψ can be eliminated by Routh's "
         "procedure.",
-        "the outcome, (7.10), is proved",
+        "the result, (7.10), is proved",
     ),
 )

@@ -117,9 +117,9 @@ def bracket() -> Case:
 
 
 def _coefficient(first: sp.Symbol, second: sp.Symbol, value: sp.Expr) -> Callable[[], Case]:
-    """Whether the coefficient of two of p_θ, p_φ, c in the energy has a value.
+    """The claim that a coefficient of two of p_θ, p_φ, c in the energy has a given value.
 
-    N is written out on both sides, so that c is differentiated as it stands.
+    N is expanded on both sides, so that derivatives by c treat it as a constant.
     """
 
     def decide() -> Case:
@@ -140,7 +140,7 @@ def _momentum(axis: int) -> Callable[[], Case]:
 
 
 def _brackets(sign: int) -> Case:
-    """{L_i, L_j} and {L_i, γ_j} by (7.14), against `sign` times (7.6)."""
+    """{L_i, L_j} and {L_i, γ_j} by (7.14), compared with `sign` times (7.6)."""
     place = dict(zip(gamma.symbols, scalars(VERTICAL), strict=True))
     momenta = to_components(MOMENTUM).subs(N, MULTIPLIER)
     variables = sp.Matrix([*momenta, *place.values()])

@@ -104,18 +104,18 @@ def gyroscopic_printed() -> Case:
 
 
 def gyroscopic() -> Case:
-    """Theorem 9 with rotors, S̄ put right."""
+    """Theorem 9 with rotors, with S̄ corrected."""
     return ball_in_angles(k), reduction(k)
 
 
 def bracket_printed() -> Case:
-    """The energy with the bracket as printed, in the variables of the ball."""
+    """The energy and the bracket as printed, in the variables of the ball."""
     system = hamiltonian_form(U, k)
     return system, printed_form(law_named(system, "hamiltonian"))
 
 
 def bracket() -> Case:
-    """The bracket put right is Poisson, and with the energy it gives the motion of the ball."""
+    """The corrected bracket is Poisson, and with the energy it gives the motion of the ball."""
     system = hamiltonian_form(U, k)
     return (
         (system, law_named(system, "hamiltonian")),

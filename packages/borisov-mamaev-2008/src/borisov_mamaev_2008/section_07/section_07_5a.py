@@ -42,7 +42,7 @@ def ball() -> System:
 
 
 def bracket() -> Case:
-    """(7.6) where (L, γ) = 0 is that of e(3)."""
+    """(7.6) restricted to (L, γ) = 0 is the bracket of e(3)."""
     return hamiltonian_form(sp.S.Zero), Identity("bracket", u - L, level=(dot(L, gamma),))
 
 
@@ -51,7 +51,7 @@ def _spread(vector: MatrixExpr) -> sp.Expr:
 
 
 def energy() -> Case:
-    """The Hamiltonian at (M, γ) = 0, up to the factor det J / D."""
+    """The Hamiltonian at (M, γ) = 0, up to the factor det J/D."""
     value = (
         norm_squared(L) * _spread(gamma) / 2
         - (_spread(L) * _spread(gamma) - dot(gamma, B * L) ** 2) / 2
@@ -61,7 +61,7 @@ def energy() -> Case:
 
 
 def integral() -> Case:
-    """(7.4) in L and γ, up to the factor det J."""
+    """(7.4) in terms of L and γ, up to the factor det J."""
     return ball(), Identity(
         "integral", norm_squared(M) - DET_J * norm_squared(L) * _spread(gamma), level=AREA
     )

@@ -25,8 +25,8 @@ INVERSE = I**-1
 AREA = (dot(M, gamma),)
 TILT = dot(I * gamma, A * gamma)
 LOAD = dot(J * K, INVERSE * K)
-#: What is meant wherever the rest of §7.5 writes ρ_μ.
-SAME_DENSITY = r"with $\rho_\mu$ put right, $(1 - D(\gamma, J^{-1}\gamma))^{1/2}$"
+#: Reading of ρ_μ in the rest of §7.5.
+SAME_DENSITY = r"with the corrected $\rho_\mu = (1 - D(\gamma, J^{-1}\gamma))^{1/2}$"
 
 
 @cache
@@ -39,7 +39,7 @@ def ball(density: sp.Expr) -> System:
 
 @cache
 def rightly() -> System:
-    """With ρ = (1 − D(γ, J⁻¹γ))^(1/2)."""
+    """The ball with ρ = (1 − D(γ, J⁻¹γ))^(1/2)."""
     return ball(sp.sqrt(1 - D * dot(gamma, A * gamma)))
 
 
@@ -101,7 +101,7 @@ def integral_printed() -> Case:
 
 
 def integral() -> Case:
-    """The integral put right; it is M² − 2DH."""
+    """The corrected integral, equal to M² − 2DH."""
     value = LOAD / TILT
     known = norm_squared(M) - D * dot(M, omega)
     return (
@@ -116,7 +116,7 @@ def final_printed() -> Case:
 
 
 def final() -> Case:
-    """The final system, and its isomorphism with the ball."""
+    """The final system as corrected, and its isomorphism with the ball."""
     return CATALOGUE["chaplygin-ball"].system(), onto_fedorov()
 
 
@@ -191,7 +191,7 @@ CLAIMS = (
         "§7.5, last paragraph",
         "The system corresponds to the integrable Clebsch case of the Kirchhoff equations.",
         clebsch,
-        note="read for the system put right; its integral of Clebsch is "
+        note="read for the corrected system; its integral of Clebsch is "
         r"$K^2 + \beta' \det I (\gamma, I^{-1}\gamma)$",
     ),
 )
@@ -201,6 +201,6 @@ REMARKS = (
         "§7.5, last paragraph",
         "This isomorphism differs from the one indicated above; their relation would be of "
         "interest.",
-        "a judgement and an open question",
+        "an opinion and an open question",
     ),
 )

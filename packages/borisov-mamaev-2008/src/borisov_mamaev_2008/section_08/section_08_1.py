@@ -39,31 +39,31 @@ HALF = sp.S.Half
 
 
 def rolled(surface: Surface, *, hollow: bool = False) -> System:
-    """The ball as it follows from mechanics; γ is n."""
+    """The ball derived from mechanics; γ is n."""
     radius = 2.0 if hollow else 1.0
     return rolling_system(Body(1.0, (1.0, 1.5, 2.1), Ball(radius, hollow=hollow)), surface)
 
 
 def dynamics() -> Case:
-    """Ṁ = M×ω outside and around, with M the momentum about the contact."""
+    """Ṁ = M×ω outside and around, with M the momentum about the contact point."""
     law = Identity("dynamics", rate(M) - cross(M, omega), "balance of momentum")
     return (rolled(Sphere(2.0)), law), (rolled(Sphere(1.0), hollow=True), law)
 
 
 def kinematics(ratio: sp.Expr) -> tuple[System, Identity]:
-    """ṅ = k n×ω with the ratio given."""
+    """ṅ = k n×ω with a given ratio k."""
     law = Identity("kinematics", rate(gamma) - ratio * cross(gamma, omega), "motion of the normal")
     return rolled(Sphere(2.0)), law
 
 
 def momentum(sign: int, moment: sp.Expr) -> Case:
-    """M = Iω ± d n×(n×ω) with d given."""
+    """M = Iω ± d n×(n×ω) with a given d."""
     right_side = I * omega + sign * moment * cross(gamma, cross(gamma, omega))
     return rolled(Sphere(2.0)), Identity("momentum", M - right_side, "momentum about the contact")
 
 
 def with_ratio(ratio: sp.Expr) -> System:
-    """ṅ = `ratio` n×ω with any ω."""
+    """ṅ = `ratio` n×ω with arbitrary ω."""
     return unspecified_systems.system(
         "ratio",
         "a ball of the ratio given",
@@ -77,18 +77,18 @@ def with_ratio(ratio: sp.Expr) -> System:
 
 
 def flattened(ratio: sp.Expr) -> tuple[System, Identity]:
-    """ṅ = n×ω where a curvature κ vanishes."""
+    """ṅ = n×ω if the curvature κ vanishes."""
     law = Identity("kinematics", rate(gamma) - cross(gamma, omega), "a plane", level=(kappa,))
     return with_ratio(ratio), law
 
 
 def large_surface() -> Case:
-    """The radius of the surface grows, k = a/(a + R) with a = 1/κ, to the ball on a plane."""
+    """The limit of a large radius, k = a/(a + R) with a = 1/κ, is the ball on a plane."""
     return kinematics(a / (a + R)), flattened(1 / (1 + R * kappa)), *on_plane()
 
 
 def on_plane() -> tuple[tuple[System, Identity], ...]:
-    """k = 1 is a ball on a plane."""
+    """k = 1 is the ball on a plane."""
     law = Identity("kinematics", rate(gamma) - cross(gamma, omega), "motion of the normal")
     return (rolled(Plane()), law), (
         rolled(Plane()),
@@ -116,7 +116,7 @@ def measure() -> Case:
 
 
 def radii(body: sp.Expr) -> Case:
-    """k = a/(a − b) of a ball of radius a inside a hollow body is −1 for the b given."""
+    """k = a/(a − b) of a ball of radius a inside a hollow body is −1 for the given b."""
     ratio = a / (a - R)
     inside = rolled(Sphere(1.0), hollow=True)
     law = Identity("kinematics", rate(gamma) - ratio * cross(gamma, omega), "motion of the normal")
@@ -171,14 +171,14 @@ CLAIMS = (
         "§8.1, d",
         "$d = mb^2$, here $m$ is the mass of the body.",
         lambda: momentum(-1, m * R**2),
-        note="with b put right in (8.1), the radius of the body, and the sign of the momentum",
+        note="with (8.1) corrected: b is the radius of the body, and the sign of the momentum",
     ),
     Claim(
         "§8.1, k = 1",
         r"The case $k = 1$ corresponds to $a \rightarrow \infty$, i.e. a ball is rolling over a "
         "plane.",
         large_surface,
-        note="with a put right in (8.1), the radius of the surface",
+        note="with (8.1) corrected: a is the radius of the surface",
     ),
     Claim(
         "(8.2)",
@@ -200,7 +200,7 @@ CLAIMS = (
         lambda: radii(a / 2),
         lambda: radii(2 * a),
         r"$\frac{b}{a} = 2$ without the signs, $b = -2a$ with them, as in §9.2",
-        "the two radii are exchanged once more: with a and b put right in (8.1) b is that of the "
+        "the two radii are exchanged once more: with a and b corrected in (8.1) b is that of the "
         "body, and the ball inside it is the smaller one",
     ),
     Claim(

@@ -27,7 +27,7 @@ NUMBERS = e3.ENTRIES[0].defaults
 
 
 def velocity() -> Case:
-    """(8.4) with the A printed in (8.3) and with the right one, for every (AM, n)."""
+    """(8.4) with A as printed in (8.3) and with the correct A, for every (AM, n)."""
     system = ball.equations_on_sphere()
     laws = []
     for shift in (sp.S.Zero, d):
@@ -58,7 +58,7 @@ def coordinates() -> Case:
 
 
 def as_printed() -> Case:
-    """The energy under the printed right-hand sides of (8.6), for unspecified a_u and a_v."""
+    """The energy along the printed right-hand sides of (8.6), for unspecified a_u and a_v."""
     du, dv = chart.rates()
     push = sp.Function("a_u")(u, v) * du + sp.Function("a_v")(u, v) * dv
     system = chart.chaplygin_system(du * push, -dv * push)
@@ -71,12 +71,12 @@ def equations() -> Case:
 
 
 def measure() -> Case:
-    """The right 𝒩 as a density."""
+    """The correct 𝒩 as a density."""
     return chart.reduced_system(), chart.density(chart.numerator())
 
 
 def lagrangian() -> Case:
-    """S̄ of (4.5) for the motion of the ball in u, v and the right 𝒩."""
+    """S̄ of (4.5) for the motion of the ball in u, v and the correct 𝒩."""
     top = chart.numerator()
     density = top / chart.form() / sp.sqrt(chart.area())
     bent = sp.diff(density, v) * chart.P_u - sp.diff(density, u) * chart.P_v
@@ -91,12 +91,12 @@ def multiplier(sign: int) -> Case:
 
 
 def reduced() -> System:
-    """The system on e(3) with the right Hamiltonian."""
+    """The system on e(3) with the correct Hamiltonian."""
     return e3.build(NUMBERS)
 
 
 def hamiltonian(power: int) -> Case:
-    """H of (8.7), with Ā to the power given in δ, is ½ (M, ω) of the ball."""
+    """H of (8.7), with Ā to a given power in δ, is ½ (M, ω) of the ball."""
     excess = e3.energy(e3.delta(power)) - dot(e3.momentum(), e3.velocity()) / 2
     return reduced(), Identity("energy", excess, "the ball's energy")
 
@@ -108,7 +108,7 @@ def second() -> Case:
 
 
 def second_as_printed() -> Case:
-    """The formula against the F₂ of (8.3), which is zero on this orbit."""
+    """The formula compared with F₂ of (8.3), which vanishes on this orbit."""
     return reduced(), Identity("second", e3.second(e3.delta()), "linear integral of the ball")
 
 
@@ -120,11 +120,11 @@ def bracket() -> Case:
 
 
 def with_area() -> Case:
-    """For every F₂ = c: ω from n and ṅ, and an energy without a part linear in ṅ.
+    """For every F₂ = c: ω in terms of n and ṅ, and an energy without a part linear in ṅ.
 
     A system with two degrees of freedom, with accelerations quadratic in the velocities and an
-    integral E = L₂ − L₀ (parts of degree 2 and 0), is (4.4) with the Lagrangian L₂ + L₀: what
-    Lagrange's equations leave over is quadratic and orthogonal to the velocity.
+    integral E = L₂ − L₀ (parts of degree 2 and 0), is (4.4) with the Lagrangian L₂ + L₀: the
+    residual of Lagrange's equations is quadratic and orthogonal to the velocity.
     """
     half = (sp.Add(*ball.I.symbols) + d) / 2
     tensor = half * identity - ball.I
@@ -149,7 +149,7 @@ def with_area() -> Case:
 
 
 def as_chaplygins_problem() -> Verdict:
-    """The statement that `quadratures_differ` contradicts."""
+    """The statement refuted by `quadratures_differ`."""
     return contrary(quadratures_differ())
 
 
@@ -183,7 +183,7 @@ CLAIMS = (
         r"\dot{\mathbf{n}}}{(\mathbf{n}, \mathbf{B}\mathbf{n})}$, $\mathbf{B} = (\mathbf{I} + d - "
         r"d\mathbf{n} \otimes \mathbf{n})\mathbf{A}$, with $\mathbf{A}$ of (8.3).",
         velocity,
-        note="with the A printed in (8.3) as well as with the right one: for every diagonal A "
+        note="with A as printed in (8.3) and with the correct A: for every diagonal A "
         "(n, Bn)ω = Bn×ṅ + (AM, n)n",
     ),
     Claim(
@@ -204,8 +204,8 @@ CLAIMS = (
         r"\dot{v}\Phi$, $\frac{d}{dt} \frac{\partial T}{\partial \dot{v}} - \frac{\partial "
         r"T}{\partial v} = -\dot{u}\Phi$, $\Phi = (P_v \partial_u\mathcal{N} - P_u "
         r"\partial_v\mathcal{N})/\mathcal{N}$",
-        "the velocities are exchanged: as printed T is no integral, for unspecified a_u and a_v; "
-        "the right form, with Φ from the reducing multiplier, is the ball's motion",
+        "the velocities are exchanged: as printed T is not an integral for unspecified a_u, a_v; "
+        "the corrected form, with Φ from the reducing multiplier, is the ball's motion",
     ),
     Claim(
         "§8.2, Lagrangian form",
@@ -213,7 +213,7 @@ CLAIMS = (
         r"\frac{\partial T}{\partial u'} - \frac{\partial T}{\partial u} = 0$, $\frac{d}{d\tau} "
         r"\frac{\partial T}{\partial v'} - \frac{\partial T}{\partial v} = 0$.",
         lagrangian,
-        note="S̄ of (4.5) vanishes with the right 𝒩; (4.5) is proved for every T",
+        note="S̄ of (4.5) vanishes with the correct 𝒩; (4.5) is proved for every T",
     ),
     Claim(
         "§8.2, 𝒩 as a density",
@@ -221,7 +221,7 @@ CLAIMS = (
         r"dP_v$, $P_u = \frac{\partial T}{\partial \dot{u}}$, $P_v = \frac{\partial T}{\partial "
         r"\dot{v}}$.",
         measure,
-        note="with the right 𝒩, see the next claim",
+        note="with the correct 𝒩, see the next claim",
     ),
     Claim(
         "§8.2, 𝒩",
@@ -242,8 +242,8 @@ CLAIMS = (
         r"After the change of time $\mathcal{N}dt = d\tau$ we get a Hamiltonian system on the "
         "two-dimensional sphere, represented on the zero orbit of the co-algebra $e(3)$.",
         lambda: (reduced(), e3.to_ball()),
-        note="proved with the right 𝒩 and H; a Hamiltonian system on that orbit, quadratic in the "
-        "momenta, is a Lagrangian one on the sphere",
+        note="proved with the correct 𝒩 and H; a Hamiltonian system on that orbit, quadratic in "
+        "the momenta, is a Lagrangian one on the sphere",
     ),
     Claim(
         "(8.7), δ",
@@ -253,7 +253,7 @@ CLAIMS = (
         lambda: hamiltonian(2),
         r"$\delta = (\gamma, \mathbf{J}\bar{\mathbf{A}}^2\gamma) - d(\gamma, "
         r"\bar{\mathbf{A}}\gamma)^2$",
-        "the first Ā lacks its square; judged by H = ½ (M, ω), with the right A",
+        "the first Ā lacks its square; checked with H = ½ (M, ω) and the correct A",
     ),
     Claim(
         "(8.7), H",
@@ -261,7 +261,7 @@ CLAIMS = (
         r"m_i^2$, $c_i = \frac{\rho^2 \delta}{J_i} - 4 \prod_{k \neq i} (J_i - J_k) \gamma_i^2 "
         r"\left(\rho^2 - \frac{d\delta}{4J_i \det \mathbf{J}} \right)$.",
         lambda: hamiltonian(2),
-        note="read with the right δ and A",
+        note="read with the correct δ and A",
     ),
     Claim(
         "(8.7), F₂",
@@ -272,7 +272,7 @@ CLAIMS = (
         second_as_printed,
         second,
         r"the formula is that of $F_1/\det\mathbf{J}$, $F_1 = (\mathbf{M}, \mathbf{M})$",
-        "F₂ is the linear integral (8.3), which is zero here; read with the right δ and A",
+        "F₂ is the linear integral (8.3), which is zero here; read with the correct δ and A",
     ),
     Claim(
         "§8.2, after (8.7)",
@@ -298,6 +298,6 @@ REMARKS = (
     Remark(
         "§8.2, after (8.6)",
         "The expressions of $T$ and $\\Phi$ are too bulky to be given.",
-        "judgement; both are short in the momenta and are given with (8.6) in the catalogue",
+        "opinion; both are short in the momenta and are given with (8.6) in the catalogue",
     ),
 )

@@ -29,14 +29,14 @@ s_1, s_2, P_1, P_2 = (real_symbol(name) for name in ("s_1", "s_2", "P_1", "P_2")
 
 @dataclass(frozen=True)
 class Turned:
-    """A real formula times i^turns."""
+    """The number i^turns times a real formula."""
 
     turns: int
     real: sp.Expr
 
 
 def darboux_plane() -> System:
-    """The coordinates x, y, p₁, p₂ at rest: only their brackets matter."""
+    """The coordinates x, y, p₁, p₂ at rest; only their brackets matter."""
     return System(
         name="darboux",
         title="Darboux coordinates",
@@ -112,7 +112,7 @@ def _square(part: Turned) -> sp.Expr:
 def quadratic_in_momenta() -> Case:
     """H and F₂ of (8.7) by (8.8), for both signs in γ₂: ½ (p, Gp) with a matrix G(x, y).
 
-    m_i and γ_i enter as squares alone, which are real.
+    m_i and γ_i occur only as squares, which are real.
     """
     differences: list[sp.Expr] = []
     for sign in (1, -1):
@@ -135,7 +135,7 @@ def quadratic_in_momenta() -> Case:
 
 
 def coefficients() -> tuple[tuple[sp.Expr, sp.Expr], tuple[sp.Expr, sp.Expr]]:
-    """Those of P₁² and P₂² in H and in F of (8.11), for unspecified S₁ and S₂."""
+    """The coefficients of P₁² and P₂² in H and F of (8.11), for unspecified S₁ and S₂."""
     first, second = sp.Function("S_1")(s_1), sp.Function("S_2")(s_2)
     gap = s_1 - s_2
     return (first / gap, -second / gap), (s_2 * first / gap, -s_1 * second / gap)
@@ -204,7 +204,7 @@ def letters() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 
 
 def delta(alpha: sp.Expr) -> sp.Expr:
-    """Δ at x(u₁), with α given."""
+    """Δ at x(u₁), with a given α."""
     beta, gamma, epsilon = letters()
     d, z = chart.d, chart.variable(chart.u[0])
     middle = 4 * beta * gamma + d * beta**2 - 2 * d * alpha * epsilon + 4 * alpha * d**2
@@ -212,13 +212,13 @@ def delta(alpha: sp.Expr) -> sp.Expr:
 
 
 def printed_alpha() -> sp.Expr:
-    """(J₂ + J₁ − J₃)(−J₂ + J₂ − J₃)(−J₂ + J₂ + J₃), the last sign and index read so."""
+    """(J₂ + J₁ − J₃)(−J₂ + J₂ − J₃)(−J₂ + J₂ + J₃), with the last misprinted term read as J₃."""
     J_1, J_2, J_3 = chart.J.symbols
     return (J_2 + J_1 - J_3) * (-J_2 + J_2 - J_3) * (-J_2 + J_2 + J_3)
 
 
 def right_alpha() -> sp.Expr:
-    """With J₁ in the place of the second J₂ of the last two factors."""
+    """α with J₁ in place of the second J₂ in the last two factors."""
     J_1, J_2, J_3 = chart.J.symbols
     return (J_2 + J_1 - J_3) * (-J_2 + J_1 - J_3) * (-J_2 + J_1 + J_3)
 
@@ -230,13 +230,13 @@ def root() -> sp.Expr:
 
 
 def discriminant(alpha: sp.Expr) -> Case:
-    """Δ is the discriminant of ζL − xQ in ζ, times 16."""
+    """Δ is 16 times the discriminant of ζL − xQ in ζ."""
     law = Identity("discriminant", delta(alpha) - root() ** 2, "discriminant Δ")
     return chart.coordinates_around_sphere(), law
 
 
 def function(square: sp.Expr, factor: sp.Expr) -> Identity:
-    """(8.12) with a given value of 2ε²β and a factor, against Liouville's form."""
+    """(8.12) with a given value of 2ε²β and a factor, compared with Liouville's form."""
     beta, gamma, epsilon = letters()
     z, d = chart.variable(chart.u[0]), chart.d
     cubic = 8 * z**3 + 8 * (d - epsilon) * z**2 + (square - 4 * d * epsilon) * z
@@ -305,14 +305,14 @@ CLAIMS = (
         r"$\mathbf{m}$ is the printed one divided by $2i$: $m_1 = -\frac{i}{2}(p_1(x^2 - 1) + "
         r"p_2(y^2 - 1))$, and so on; or $\{x, p_1\} = \{y, p_2\} = -\frac{i}{2}$",
         "a factor 2i: the printed m obey {m_i, m_j} = 2iε_ijk m_k; read with {x, p₁} = {y, p₂} = 1 "
-        "and the right γ₂",
+        "and the correct γ₂",
     ),
     Claim(
         "(8.9)",
         r"Using (8.8), the pair $(H, F_2)$ has the form $H = a(x, y)p_1^2 + 2b(x, y)p_1p_2 + c(x, "
         r"y)p_2^2$, $F_2 = A(x, y)p_1^2 + 2B(x, y)p_1p_2 + C(x, y)p_2^2$.",
         quadratic_in_momenta,
-        note="for the (8.8) printed as well as for the right one; with the right δ and A",
+        note="for (8.8) as printed and as corrected; with the correct δ and A",
     ),
     Claim(
         "(8.10)",
@@ -350,7 +350,7 @@ CLAIMS = (
         r"$S(x) = \frac{2\Delta(8x^3 + 8(d - \epsilon)x^2 + (2\epsilon^2 - \beta - 4d\epsilon)x - "
         r"4\gamma - d\beta + \sqrt{\Delta})}{\gamma(2x - \epsilon + 2d)^2}$ with the branch "
         r"$\sqrt{\Delta} = -4Q\frac{dx}{d\zeta}$",
-        "the factor Δ is lost, and ε²β stands for ε² − β/2; the normalisation is that of the "
+        "the factor Δ is missing, and ε²β stands for ε² − β/2; the normalisation is that of the "
         "printed (8.8), with F = M²/γ and H = (M, ω)/γ: for canonical momenta and H = ½ (M, ω), "
         "F = ½ M² the function is −γ/8 times as large",
     ),

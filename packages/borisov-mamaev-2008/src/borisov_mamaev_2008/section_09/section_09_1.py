@@ -35,14 +35,14 @@ I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
 m, R, a, k = (real_symbol(name) for name in ("m", "R", "a", "k"))
 
 POTENTIAL = sp.Function("U")(*gamma.symbols)
-#: M_Q: the couple of the potential, with γ for n.
+#: M_Q: the couple of the potential, with γ in place of n.
 COUPLE = k * cross(gamma, gradient(POTENTIAL, gamma))
 OMEGA_RATE = constant([Rate(s) for s in omega.symbols])
 GAMMA_RATE = constant([Rate(s) for s in gamma.symbols])
 
 
 def rolled() -> System:
-    """The ball as it follows from mechanics, in an arbitrary potential of the normal."""
+    """The ball derived from mechanics, in an arbitrary potential of the normal."""
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
     return RollingBody(body, Sphere(2.0), "rubber", Forces(0.0, POTENTIAL)).system()
 
@@ -66,7 +66,7 @@ def tensor() -> Case:
 
 
 def spin_torque(weights: Diagonal) -> Case:
-    """Whether (ω, n) stays zero with λ in which M_Q is weighed by J or by J⁻¹."""
+    """The claim that (ω, n) stays zero with λ in which M_Q is weighted by J or by J⁻¹."""
     share = dot(A * n, cross(J * omega, omega)) + dot(ratio.torque, weights * n)
     system = ratio.rolling(ratio.any_couple(), -share / ratio.RHO_SQUARED)
     return system, ratio.CONSTRAINT
@@ -78,7 +78,7 @@ def measure_alone() -> Case:
 
 
 def measure_in_couple() -> Case:
-    """(9.3) in any couple M_Q(n)."""
+    """(9.3) with any couple M_Q(n)."""
     return ratio.rolling(ratio.any_couple()), ratio.MEASURE
 
 
@@ -124,7 +124,7 @@ def eq_9_4_integral() -> Case:
 
 
 def complete(extra: Integral, value: int) -> Verdict:
-    """Whether n², (ω, n), H and F are independent, so that their levels are two-dimensional."""
+    """The verdict that n², (ω, n), H and F are independent, so that levels have dimension two."""
     system = ratio.rolling()
     functions = (norm_squared(n), dot(omega, n), ratio.ENERGY.value, extra.value)
     state: dict[str, object] = {"n_1": "2/7", "n_2": "-3/7", "n_3": "6/7", "k": value}
@@ -139,7 +139,7 @@ CLAIMS = (
         r"\lambda\mathbf n + \mathbf M_Q$ under the constraint (9.1), "
         r"$(\boldsymbol\omega,\mathbf n) = 0$.",
         dynamics,
-        note="judged against Newton and Euler with $\\mathbf M_Q$ from an arbitrary potential of n",
+        note="checked with the Newton–Euler equations, $\\mathbf M_Q$ from any potential of n",
     ),
     Claim(
         "(9.2), second equation",
@@ -162,7 +162,7 @@ CLAIMS = (
         lambda: spin_torque(A),
         r"$\lambda = -\frac{(\mathbf J\boldsymbol\omega\times\boldsymbol\omega + \mathbf M_Q,"
         r"\mathbf J^{-1}\mathbf n)}{(\mathbf n,\mathbf J^{-1}\mathbf n)}$",
-        "the couple is weighed by J instead of its inverse, so that (ω, n) = 0 is not kept",
+        "the couple is weighted by J instead of its inverse, so that (ω, n) = 0 is not preserved",
     ),
     Claim(
         "(9.3)",

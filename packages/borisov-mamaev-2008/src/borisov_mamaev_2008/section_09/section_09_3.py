@@ -36,7 +36,7 @@ n_1, n_2, n_3 = n.symbols
 
 
 def with_point() -> System:
-    """(9.2) with a further number z."""
+    """(9.2) with an additional number z."""
     system = ratio.rolling()
     extra = Parameter(z, "argument of f", 0.7, "kg m^2")
     return replace(system, parameters=(*system.parameters, extra))
@@ -54,7 +54,7 @@ def conics() -> Case:
 
 
 def interlaced() -> Case:
-    """The signs of (Jᵢ − ξ)(Jᵢ − η), as squares times differences of the J."""
+    """The signs of (Jᵢ − ξ)(Jᵢ − η), as squares times differences of moments."""
     return in_coordinates(
         "order",
         (J_1 - xi) * (J_1 - eta) - n_1**2 * (J_2 - J_1) * (J_3 - J_1),
@@ -77,7 +77,7 @@ def kinetic(sign: int) -> Case:
 
 
 def chaplygin_form() -> Case:
-    """(9.8) with T = ½(ω, Jω): carried onto (9.2)."""
+    """(9.8) with T = ½(ω, Jω), mapped to (9.2)."""
     return conical.in_chaplygin_form(conical.kinetic(), conical.GYROSCOPIC), conical.to_ball()
 
 
@@ -114,7 +114,7 @@ def half() -> Case:
 
 
 def modified(power: int) -> Case:
-    """Ñ by N ρ^power against Ñ by (n, J⁻¹n)."""
+    """Ñ in terms of N ρ^power compared with Ñ in terms of (n, J⁻¹n)."""
     first = sp.sqrt(DET_J) * ratio.REDUCING * RHO_SQUARED ** sp.Rational(power, 2) / k
     return ratio.rolling(), Identity("factor", first - ratio.N_TILDE, "two expressions of Ñ")
 
@@ -131,7 +131,7 @@ def casimirs() -> Case:
 
 
 def _on_coordinates() -> tuple[list[sp.Expr], list[sp.Expr]]:
-    """M and γ of (9.11) in ξ, η, p_ξ, p_η, written out.
+    """M and γ of (9.11) in terms of ξ, η, p_ξ, p_η.
 
     In M = Ñ J^(1/2) ω, with ω from q̇ = N ∂H/∂p, the powers of ξη combine: N⁻² is the power in the
     Hamiltonian, and Ñ/N is √det J ρ²/k.
@@ -201,7 +201,7 @@ def energy_in_coordinates() -> Case:
 
 
 def equations_on_e3() -> Case:
-    """(9.2) carried onto the Hamiltonian system of (9.13), (9.14)."""
+    """The map from (9.2) to the Hamiltonian system of (9.13), (9.14)."""
     return ratio.rolling(), ratio.to_e3()
 
 
@@ -221,7 +221,7 @@ CLAIMS = (
         "§9.3, after (9.5)",
         r"$0 < J_1 < \xi < J_2 < \eta < J_3$.",
         interlaced,
-        note="shown is that (z − ξ)(z − η) is n₁²(J₂−J₁)(J₃−J₁) ≥ 0 at J₁, −n₂²(J₂−J₁)(J₃−J₂) "
+        note="it is shown that (z − ξ)(z − η) is n₁²(J₂−J₁)(J₃−J₁) ≥ 0 at J₁, −n₂²(J₂−J₁)(J₃−J₂) "
         "≤ 0 at J₂ and n₃²(J₃−J₁)(J₃−J₂) ≥ 0 at J₃; for J = diag(1, 2, 3) and "
         "n = (0, 3/5, 4/5) ξ is J₁",
         where=("n₁n₂n₃ ≠ 0", "J₁ < J₂ < J₃"),

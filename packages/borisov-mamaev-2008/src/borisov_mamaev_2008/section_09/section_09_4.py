@@ -52,7 +52,7 @@ REGULAR = ANY_F - h / ANY_G
 
 
 def on_level() -> System:
-    """The Hamiltonian system of H = GF, with h = GF as a name for the value of the energy."""
+    """The Hamiltonian system of H = GF, with the value of the energy called h."""
     return replace(e3.product(ANY_G, ANY_F), definitions={h: ANY_G * ANY_F})
 
 
@@ -81,7 +81,7 @@ def regular_momentum() -> Case:
 
 
 def regular_direction(as_printed: bool) -> Case:
-    """(9.16), the second equation; the printed ∂H̃/∂s is zero."""
+    """(9.16), the second equation; ∂H̃/∂s as printed is zero."""
     swing = zero if as_printed else cross(gamma, gradient(REGULAR, M, "H"))
     return on_level(), Identity("direction", GAMMA_RATE / ANY_G - swing, "rate of γ in the time s")
 
@@ -92,7 +92,7 @@ def zero_level() -> Case:
 
 
 def onto_point() -> Case:
-    """From (9.14), in the time G dt = ds, onto (9.17) with h = (det J / k²) 𝓗."""
+    """The map from (9.14), in the time G dt = ds, to (9.17) with h = (det J / k²) 𝓗."""
     energy = STIFFNESS * KINETIC
     law = Isomorphism(
         "regularisation",
@@ -106,7 +106,7 @@ def onto_point() -> Case:
 
 
 def from_ball() -> Case:
-    """From (9.2) itself onto (9.17)."""
+    """The map from (9.2) to (9.17)."""
     return ratio.rolling(), ratio.to_sphere()
 
 
@@ -184,7 +184,7 @@ def momenta() -> Case:
 
 
 def canonical() -> Case:
-    """The canonical equations of H, carried onto (9.2)."""
+    """The canonical equations of H, mapped to (9.2)."""
     return separated.canonical_form(), separated.to_ball()
 
 
@@ -203,7 +203,7 @@ HALVES = sp.Rational(3, 2)
 
 
 def integrable() -> Verdict:
-    """The statement that `no_second_integral` contradicts."""
+    """The statement refuted by `no_second_integral`."""
     return contrary(no_second_integral())
 
 
@@ -306,9 +306,9 @@ CLAIMS = (
         r"Not in all other cases: for $k = -\frac12$ and a $\mathbf J$ with three different "
         r"eigenvalues there is no second integral that is meromorphic in $\mathbf M$ and "
         r"$\boldsymbol\gamma$.",
-        "“not” is lost, as the next sentences show; by the theorem of Morales and Ramis, from the "
-        "variations of a motion along a great circle. In particular no integral is a polynomial in "
-        "M of any degree with coefficients rational in γ. Other k are not decided",
+        "“not” is missing, as the next sentences show; by the theorem of Morales and Ramis, from "
+        "the variations of a motion along a great circle. In particular no integral is a "
+        "polynomial in M of any degree with coefficients rational in γ. Other k are not decided",
     ),
     Claim(
         "§9.5, g(z)",

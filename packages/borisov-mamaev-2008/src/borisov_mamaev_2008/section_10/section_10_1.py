@@ -35,12 +35,12 @@ from ..methods.unbalanced_ball_symbols import (
 
 
 def marble() -> System:
-    """The unbalanced ball of the catalogue, as it follows from mechanics."""
+    """The unbalanced ball of the catalogue, derived from mechanics."""
     return from_catalogue("unbalanced-ball")
 
 
 def momentum() -> Case:
-    """The first and the third of (10.1)."""
+    """The first and third equations of (10.1)."""
     balance = M_RATE - cross(M, omega) - m * cross(R_RATE, cross(omega, r))
     system = marble()
     return (
@@ -50,7 +50,7 @@ def momentum() -> Case:
 
 
 def offset(vector: MatrixExpr) -> Case:
-    """r = −Rγ − a for a given meaning of a."""
+    """r = −Rγ − a for a given a."""
     return marble(), Identity("contact", r + R * gamma + vector, "place of the contact")
 
 
@@ -77,7 +77,7 @@ QUADRATIC = Integral(
 
 
 def balanced() -> Case:
-    """(10.3) for a = 0 is M² up to a multiple of the energy."""
+    """(10.3) for a = 0 is M² plus a multiple of the energy."""
     system = from_catalogue("chaplygin-ball")
     reach = -R * gamma + zero
     value = norm_squared(M) - m * norm_squared(reach) * dot(M, omega)
@@ -97,7 +97,7 @@ def on_sphere() -> Case:
 
 
 def rank_of_marble() -> Verdict:
-    """γ², H and F₂ are independent, so that their levels are three-dimensional."""
+    """γ², H and F₂ are independent, so that their levels have dimension three."""
     system = marble()
     state: dict[str, object] = {"M_1": 2, "M_2": "-1/3", "M_3": "5/4"}
     functions = (norm_squared(gamma), dot(M, omega), QUADRATIC.value)
@@ -105,7 +105,7 @@ def rank_of_marble() -> Verdict:
 
 
 def no_measure_for_marble() -> Verdict:
-    """None, unless the centre lies on an axis of dynamical symmetry: a theorem on all balls."""
+    """The verdict by a theorem on all balls: no measure unless the ball is symmetric."""
     ball = Ball(2.0, centre=(0.1, -0.2, 0.3))
     return has_no_measure(RollingBody(Body(1.3, (1.0, 1.5, 2.1), ball)), "unbalanced ball")
 
@@ -126,7 +126,7 @@ CLAIMS = (
         r"(\boldsymbol\omega\times\mathbf r)$, $\mathbf M = \mathbf I\boldsymbol\omega + "
         r"m\mathbf r\times(\boldsymbol\omega\times\mathbf r)$.",
         momentum,
-        note="judged against Newton and Euler",
+        note="checked with the Newton–Euler equations",
     ),
     Claim(
         "§10.1, a",
@@ -144,7 +144,7 @@ CLAIMS = (
         lambda: contact_rate(-OFFSET),
         lambda: contact_rate(OFFSET),
         r"$\dot{\mathbf r} = (\mathbf r + \mathbf a)\times\boldsymbol\omega$",
-        "the sign of a: r + a = −Rγ turns with the space; as printed it would be right with a "
+        "the sign of a: r + a = −Rγ is fixed in space; as printed it would be right with a "
         "towards the geometric centre, but then r = −Rγ + a",
     ),
     Claim(

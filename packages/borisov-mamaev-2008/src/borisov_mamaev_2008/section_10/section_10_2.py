@@ -45,12 +45,12 @@ FREE = cross(about_contact(omega), omega) - m * cross(r, cross(omega, R_RATE))
 
 
 def rubber() -> System:
-    """The unbalanced rubber ball of the catalogue, as it follows from mechanics."""
+    """The unbalanced rubber ball of the catalogue, derived from mechanics."""
     return from_catalogue("unbalanced-rubber-ball")
 
 
 def rubber_equations() -> Case:
-    """(10.4) but for λ₀: the balance across γ, and γ̇."""
+    """(10.4) apart from λ₀: the balance across γ, and γ̇."""
     excess = about_contact(OMEGA_RATE) - FREE
     system = rubber()
     return (
@@ -96,7 +96,7 @@ def quadratic() -> Case:
 
 
 def as_marble_integral() -> Case:
-    """(10.5) is |M×γ|² − m r²(M, ω) up to a multiple of the energy."""
+    """(10.5) is |M×γ|² − m r²(M, ω) plus a multiple of the energy."""
     same = norm_squared(cross(M, gamma)) - m * norm_squared(r) * dot(M, omega)
     shift = m * (R**2 + norm_squared(c)) * dot(M, omega)
     law = Identity("analogue", rubber_quadratic(OFFSET) - same - shift, "(10.5) and (10.3)")
@@ -104,14 +104,14 @@ def as_marble_integral() -> Case:
 
 
 def balanced_rubber() -> Case:
-    """(10.5) for a = 0 is |Jω×γ|², the integral of the Veselova system with J for I."""
+    """(10.5) for a = 0 is |Jω×γ|², the integral of the Veselova system with J in place of I."""
     system = from_catalogue("rubber-chaplygin-ball")
     excess = rubber_quadratic(zero) - norm_squared(cross(J * omega, gamma))
     return system, Identity("balanced", excess, "(10.5) for a = 0")
 
 
 def as_veselova() -> Case:
-    """a = 0: the Veselova system with I + mR² for I."""
+    """For a = 0: the Veselova system with I + mR² in place of I."""
     target = from_catalogue("veselova")
     moments = [i + m * R**2 for i in I.symbols]
     law = Isomorphism(
@@ -124,7 +124,7 @@ def as_veselova() -> Case:
 
 
 def rank_of_rubber() -> Verdict:
-    """γ², (ω, γ), H and F₂ are independent, so that their levels are two-dimensional."""
+    """γ², (ω, γ), H and F₂ are independent, so that their levels have dimension two."""
     system = rubber()
     state: dict[str, object] = {"omega_1": 9, "omega_2": -5, "omega_3": "-11/2"}
     functions = (norm_squared(gamma), dot(omega, gamma), dot(M, omega), rubber_quadratic(OFFSET))
@@ -134,11 +134,11 @@ def rank_of_rubber() -> Verdict:
 def tori() -> Verdict:
     """The levels of H and F₂ are tori for |κ| < J₁, κ = 2mRa, J₁ < F₂/2H ≠ J₂ < J₃, H > 0.
 
-    With ξ < η the roots of Σ γᵢ²/(Jᵢ − z) and s = (κ, γ) a level consists of the γ with ξ between
-    J₁ and λ = F₂/2H, η between J₂ and J₃ for λ < J₂, and of one velocity for each sign of ξ̇ and η̇:
-    their squares are given by ξ, η and s, and ξ − s, η − s are positive.  Angles α and β, mod 2π,
-    count these points once if α̇ and β̇ > 0, and once more if α̇ < 0 < β̇, and neither rate vanishes:
-    two tori.  For λ > J₂ the same with ξ and η, J₁ and J₃ exchanged.
+    With ξ < η the roots of Σ γᵢ²/(Jᵢ − z) and s = (κ, γ), a level consists of the γ with ξ between
+    J₁ and λ = F₂/2H, η between J₂ and J₃ for λ < J₂, and of one velocity for each sign of ξ̇ and
+    η̇: their squares are determined by ξ, η and s, and ξ − s, η − s are positive. Angles α and β,
+    modulo 2π, cover these points once with α̇, β̇ > 0, and once with α̇ < 0 < β̇, and neither rate
+    vanishes: two tori. For λ > J₂ the same holds with ξ and η, J₁ and J₃ exchanged.
     """
     system = centred.system_at_centre()
     return conclusion_verdict(
@@ -157,7 +157,7 @@ def tori() -> Verdict:
 
 
 def with_limit_cycle() -> Verdict:
-    """Limit cycles on a torus of a particular ball, with all that this rests on."""
+    """Limit cycles on a torus of a particular ball, with all premises."""
     dynamics = centred.system_at_centre()
     cases: tuple[tuple[System, Law], ...] = (
         centred.balance(),
@@ -170,7 +170,7 @@ def with_limit_cycle() -> Verdict:
 
 
 def refuted_by_limit_cycle() -> Verdict:
-    """The statements that limit cycles refute."""
+    """The statements refuted by limit cycles."""
     cycle = with_limit_cycle()
     return replace(
         cycle,
@@ -183,7 +183,7 @@ def refuted_by_limit_cycle() -> Verdict:
 
 
 def measure_decided() -> Verdict:
-    """No measure for a certain ball, and for all that are not symmetric."""
+    """No measure for a certain ball, and for all balls that are not symmetric."""
     cycle, symmetric = with_limit_cycle(), only_symmetric_balls()
     return replace(
         symmetric,

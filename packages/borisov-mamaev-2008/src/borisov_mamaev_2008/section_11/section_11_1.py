@@ -19,10 +19,11 @@ from ..methods.derived_verdicts import computed_verdict
 
 
 def force_and_couple() -> Verdict:
-    """𝓕 > 0 for every slip and 𝓜 > 0 for every spin, under Hertz' pressure.
+    """𝓕 > 0 for every slip and 𝓜 > 0 for every spin, under Hertzian pressure.
 
-    Within k ≤ 1 the force is 𝓕 = 𝓕′(0) k (1 − k²/4) and 𝓜 = 𝓜(0)(1 − k² + 3k⁴/8), a quadratic in k²
-    without real root; beyond, 𝓕 decreases in 1/k² to a positive number and 𝓜 has positive terms.
+    For k ≤ 1 the force is 𝓕 = 𝓕′(0) k (1 − k²/4), and 𝓜 = 𝓜(0)(1 − k² + 3k⁴/8) is a quadratic in
+    k² without real roots; for k > 1, 𝓕 decreases with 1/k² to a positive limit and 𝓜 has positive
+    terms.
     """
     k = sp.Symbol("k", positive=True)
     within = force_within(HERTZ)
@@ -69,7 +70,7 @@ REMARKS = (
         "§11.1",
         "To model a number of dynamical phenomena it is essential to use dynamical rather than "
         "static friction.",
-        "a judgement on modelling",
+        "an opinion about modelling",
     ),
     Remark(
         "§11.1",

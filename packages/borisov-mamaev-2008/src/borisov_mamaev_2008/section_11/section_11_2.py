@@ -23,7 +23,7 @@ m, spin_arm, spin_sign = real_symbol("m"), real_symbol("spin_arm"), real_symbol(
 
 
 def mobility_at_a_moment() -> System:
-    """Any impulse x at any point r of any body."""
+    """An arbitrary impulse x at an arbitrary point r of any body."""
     numbers = [Parameter(m, "mass", 1.3, "kg", (m > 0,))]
     numbers += [
         Parameter(s, "inverse of a moment of inertia", 1.0 + i / 4, "1/(kg m^2)", (s > 0,))
@@ -88,7 +88,7 @@ def rolling_with_spin() -> Case:
 
 
 def rolling_without_spin() -> Case:
-    """With the couple both end in finite times; a ball that rolls evenly needs no force."""
+    """With the couple both end in finite times; a ball that rolls uniformly needs no force."""
     slip, spin = _even_decrease()
     at_rest = ball.sliding_ball((sp.S.Zero, sp.S.Zero, ball.m * ball.g))
     steady = tuple(Rate(s) for s in (*ball.u.symbols, ball.omega.symbols[2]))
@@ -100,7 +100,7 @@ def rolling_without_spin() -> Case:
 
 
 def any_friction() -> tuple[tuple[System, Law], ...]:
-    """Slip and spin of a ball change by the force against the slip and the couple alone."""
+    """Slip and spin of a ball change only by the force against the slip and the couple."""
     system = ball.sliding_ball(ball.against_slip(), ball.ANY_COUPLE)
     phi = ball.ANY_COEFFICIENT * ball.slip_speed
     answer = 1 / ball.m + ball.R**2 / ball.inertia
@@ -112,12 +112,12 @@ def any_friction() -> tuple[tuple[System, Law], ...]:
 
 
 def simultaneous() -> Verdict:
-    """Neither s = |u| nor w = a|Ω| reaches zero alone, and both do in a finite time.
+    """Neither s = |u| nor w = a|Ω| reaches zero alone, and both vanish in a finite time.
 
-    ṡ = −μ g s₁ 𝓕(s/w) and ẇ = −μ g w₁ 𝓜(s/w) with positive s₁, w₁.  From 𝓕 ≤ C k and k𝓜 ≤ D follow
-    ṡ ≥ −μ g s₁ C s/w and ẇ ≥ −μ g w₁ D w/s: while the other stays above a positive number, neither
-    falls faster than exponentially.  The energy s²/2s₁ + w²/2w₁ falls at the rate
-    μ g (𝓕s + 𝓜w) ≥ μ g E max(s, w), so that both end.
+    ṡ = −μ g s₁ 𝓕(s/w) and ẇ = −μ g w₁ 𝓜(s/w) with positive s₁, w₁. The bounds 𝓕 ≤ C k and k𝓜 ≤ D
+    imply ṡ ≥ −μ g s₁ C s/w and ẇ ≥ −μ g w₁ D w/s: while the other stays above a positive number,
+    neither decreases faster than exponentially. The energy s²/2s₁ + w²/2w₁ decreases at the rate μ
+    g (𝓕s + 𝓜w) ≥ μ g E max(s, w), so that both end.
     """
     rests_on = conclusion_verdict("friction of a ball", "", any_friction())
     limits = [bounds(p) for p in (HERTZ, UNIFORM)]
@@ -188,7 +188,7 @@ REMARKS = (
         "§11.2, first paragraph",
         "Ways to realize constraints, Carathéodory, Routh and Painlevé; as a rule nonholonomic "
         "constraints are a realistic representation of the final stage of a motion.",
-        "history and judgement",
+        "history and opinion",
     ),
     Remark(
         "§11.2, first paragraph",

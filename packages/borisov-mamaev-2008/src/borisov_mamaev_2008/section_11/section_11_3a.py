@@ -26,7 +26,7 @@ SLOW, FAST = sp.Integer(20), sp.Integer(180)
 
 
 def derived() -> bool:
-    """The characteristic polynomial follows from the equations, and the minors from it."""
+    """Whether the characteristic polynomial follows from the equations, and the minors from it."""
     minors = zip(top.hermitian_minors(), top.expected_minors(), strict=True)
     equal = all(sp.expand(minor - product) == 0 for minor, product in minors)
     return equal and top.characteristic_difference(tippe_top()) == 0
@@ -48,7 +48,7 @@ def by_slowing_down() -> Verdict:
         shown,
         f"the rotation of Leine and Glocker's top with the centre of mass below is stable at "
         f"{SLOW} rad/s and unstable at {FAST} rad/s, for every viscosity",
-        "the minors are not as they should be",
+        "the minors do not have the expected form",
         decision="refuted",
         witness={"point": point | {"n": str(SLOW)}, "what": "T", "residual": str(slow)},
     )
@@ -71,12 +71,12 @@ def thresholds() -> Verdict:
         shown,
         "the Hermitian form of the characteristic polynomial has the minors 2κmI₁(I₁ + mb²), "
         "4κ²m³I₁[(I₁ + mb²)T + n²(I₁R − I₃b)²] and 8κ³m⁷I₁c²g²b²T",
-        "the minors are not as they should be",
+        "the minors do not have the expected form",
     )
 
 
 def at_a_point() -> Verdict:
-    """Friction at a single point makes the fast rotation unstable, and stable the inverted one."""
+    """Friction at a single point destabilises the fast rotation and stabilises the inverted one."""
     below, above = margin(FAST), margin(FAST * _inverted_share(), -1)
     shown = derived() and below < 0 < above
     return computed_verdict(
@@ -85,32 +85,32 @@ def at_a_point() -> Verdict:
         f"with friction at a single point, of any viscosity, the rotation of Leine and Glocker's "
         f"top at {FAST} rad/s is unstable with the centre of mass below, and that with the same "
         "Jellett integral stable with the centre of mass above",
-        "the minors are not as they should be",
+        "the minors do not have the expected form",
     )
 
 
 def _inverted_share() -> sp.Rational:
-    """Ratio of the angular velocities, inverted to upright, with the same Jellett integral."""
+    """Ratio of the inverted to the upright angular velocity with the same Jellett integral."""
     ratio: sp.Rational = (TOP[R] - TOP[c]) / (TOP[R] + TOP[c])
     return ratio
 
 
 def steady_under_dry_friction() -> tuple[bool, sp.Rational]:
-    """Whether a rotation that viscous friction makes unstable is stable under dry friction.
+    """Whether a rotation that is unstable under viscous friction is stable under dry friction.
 
-    Near it the slip ends soon, since friction is μN but the force that rolling needs is small.  The
-    rolling top has the oscillations η ~ e^{iwt} with
+    Near it the slip ends soon, since the friction is μN but the force needed for rolling is small.
+    The rolling top has the oscillations η ~ e^{iwt} with
 
         (I₁ + mb²)w² − n(I₃ + mRb)w − mgc = 0,
 
-    the limit of P(iw) for κ → ∞, whose two roots are real and different for c > 0; by the integrals
-    of Routh's sphere it stays near the vertical, and friction goes on to hold it.
+    the limit of P(iw) for κ → ∞, whose two roots are real and different for c > 0. By the
+    integrals of Routh's sphere it stays near the vertical, and friction continues to hold it.
 
     Returns
     -------
     stable : bool
     discriminant : sympy.Rational
-        Of the equation for w.
+        Discriminant of the equation for w.
     """
     b, w = R - c, sp.Symbol("w")
     rolling = (I_1 + m * b**2) * w**2 - top.n * (I_3 + m * R * b) * w - m * g * c
@@ -134,7 +134,7 @@ def by_any_friction() -> Verdict:
         "dry friction",
         stable,
         _DRY,
-        "the polynomial of rolling is not as it should be",
+        "the polynomial of rolling does not have the expected form",
         decision="refuted",
         witness={
             "point": point | {"n": str(FAST)},
@@ -145,7 +145,7 @@ def by_any_friction() -> Verdict:
 
 
 def by_viscous_friction() -> Verdict:
-    """Viscous friction makes the rotation unstable, and dry friction does not."""
+    """Viscous friction destabilises the rotation, dry friction does not."""
     dry = computed_verdict("dry friction", steady_under_dry_friction()[0], _DRY, "not shown")
     viscous = at_a_point()
     return conclusion_verdict("viscous friction", viscous.finding, (viscous, dry))
@@ -161,7 +161,7 @@ def sliding_without_spin() -> Verdict:
         "coulomb",
         shown,
         "for v ≫ ωa the force is μN (1 − (ωa/v)²/10 − …)",
-        "the series is not as it should be",
+        "the series does not have the expected form",
     )
 
 
@@ -221,19 +221,19 @@ REMARKS = (
     Remark(
         "§11.3",
         "Three categories of systems, and which model of friction each needs.",
-        "a judgement on modelling",
+        "an opinion about modelling",
     ),
     Remark(
         "§11.3, first paragraph",
         "Methods of nonholonomic mechanics are said to be unsuitable for rolling bodies, and the "
         "Contensou–Erismann theory the one to be used; the approach is excessively one-sided.",
-        "opinions of others, and a judgement of them",
+        "opinions of others, and comments on them",
     ),
     Remark(
         "§11.3, before Remark 23",
         "Most phenomena of friction are explained, qualitatively and sometimes quantitatively, by "
         "simpler models of friction.",
-        "a judgement on modelling",
+        "an opinion about modelling",
     ),
     Remark(
         "Remark 23",
@@ -261,19 +261,19 @@ REMARKS = (
         "Remark 24",
         "Most problems of rigid-body dynamics are solved within Hamiltonian mechanics, without "
         "friction; so are foundations of hydrodynamics.",
-        "judgement, a comparison",
+        "opinion, a comparison",
     ),
     Remark(
         "§11.3, after Remark 24",
         "Friction plays a crucial role for the tippe top; modern researches contributed very "
         "little in comparison to the classical works; finer models are justified by the accuracy "
         "required.",
-        "judgement and literature; what is stated of stability is judged in the claims",
+        "opinion and literature; the statements about stability are claims",
     ),
     Remark(
         "§11.3, end",
         "The choice of a friction model must be determined by the effect of interest, experimental "
         "data and the materials.",
-        "a judgement on modelling",
+        "an opinion about modelling",
     ),
 )

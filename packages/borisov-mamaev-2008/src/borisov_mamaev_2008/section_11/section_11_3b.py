@@ -14,7 +14,7 @@ from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named
 from ..methods.growth_vector import growth, holonomic_count_verdict
 
-#: Place of the contact point, cosine and sine of the heading, inclination, turn about the axis.
+#: Contact point, cosine and sine of the heading, inclination, angle about the axis.
 x, y, c, s, theta, phi = (real_symbol(name) for name in ("x", "y", "c", "s", "theta", "phi"))
 COORDINATES = (x, y, c, s, theta, phi)
 
@@ -22,7 +22,7 @@ COORDINATES = (x, y, c, s, theta, phi)
 def ice_growth() -> tuple[int, ...]:
     """Dimensions spanned by the motions of the disk on ice and their commutators.
 
-    The point of contact glides along the horizontal diameter; heading, inclination and turn about
+    The contact point moves along the horizontal diameter; heading, inclination and the angle about
     the axis are free.
     """
     fields: tuple[VectorField, ...] = (
@@ -52,7 +52,7 @@ def integrable_disk() -> Case:
 
 
 def held_by_the_edge() -> Case:
-    """A disk that may turn about its axis keeps that angular velocity."""
+    """A disk that may rotate about its axis keeps that angular velocity."""
     system = disk()
     return system, law_named(system, "spin")
 
@@ -61,10 +61,10 @@ def held_by_the_edge() -> Case:
 
 
 def sliding_share() -> sp.Expr:
-    """The force for slow sliding v with spin ω, divided by μN v/(ωa); Hertz' pressure on a disk.
+    """The force for slow sliding v with spin ω, over μN v/(ωa), under Hertzian pressure.
 
-    A point at r slides with v + ω×r; to first order in v its friction gains, on the average over
-    the angle, the share v/(2ωr) of the pressure.
+    A point at r slides with v + ω×r; to first order in v, averaged over the angle, its friction
+    contributes the fraction v/(2ωr) of the pressure.
     """
     r, a, angle = sp.symbols("r a angle", positive=True)
     pressure = sp.Rational(3, 2) / (sp.pi * a**2) * sp.sqrt(1 - r**2 / a**2)
@@ -75,7 +75,7 @@ def sliding_share() -> sp.Expr:
 
 
 def proportional_when_spinning_fast() -> Verdict:
-    """The coefficient of proportionality is finite and not zero; the force is odd in v."""
+    """The coefficient of proportionality is finite and non-zero; the force is odd in v."""
     share = sliding_share()
     holds = share == 3 * sp.pi / 8
     return Verdict(

@@ -16,7 +16,7 @@ from ..methods.derived_verdicts import computed_verdict
 
 
 def zero_force_presses() -> Verdict:
-    """A ball that rolls with zero normal force, and that would enter the plane without it."""
+    """A ball that rolls with zero normal force, and that would penetrate the plane without it."""
     ball = WITHOUT_FORCE
     force, rise = ball.normal_force, ball.free_rise
     shown = ball.gamma.dot(ball.gamma) == 1 and force == 0 and rise < 0
@@ -25,21 +25,21 @@ def zero_force_presses() -> Verdict:
         shown,
         f"a loaded ball that rolls with N = 0, whose contact point would be accelerated into the "
         f"plane, by {rise}, in free motion; all numbers rational",
-        "the state is not as it should be",
+        "the state does not have the expected properties",
     )
 
 
 def to_painleve() -> Case:
-    """B = −b_n/N for the friction that rolling needs."""
+    """B = −b_n/N for the friction needed for rolling."""
     return any_contact(), paradox()
 
 
 def whirling() -> Case:
-    """Steady motions of a heavy disk at every inclination α, its centre of mass at rest.
+    """Steady motions of a heavy disk at every inclination α, with its centre of mass at rest.
 
-    The angular velocity Ω(γ₁, γ₂, 0) is along the diameter through the point of contact, which runs
-    round at the rate Ω. The root √(γ, Bγ) is R sin α on this level, both being positive, and is
-    replaced by it.
+    The angular velocity Ω(γ₁, γ₂, 0) is along the diameter through the contact point, which moves
+    around at the rate Ω. On this level the root √(γ, Bγ) equals R sin α, since both are positive,
+    and is replaced by it.
     """
     disk = from_catalogue("heavy-disk")
     m, g, R, I_1, I_2, height, sine, turn = map(
@@ -113,7 +113,7 @@ REMARKS = (
         "§11.4",
         "Bounces invisible to the human eye were mentioned by Appell and Coriolis; loss of contact "
         "is very little studied in nonholonomic mechanics, and can lead to intriguing effects.",
-        "history and judgement; bodies that leave their support and land again are computed in "
+        "history and opinion; bodies that leave their support and land again are computed in "
         "nonholonomic/docs/friction.md",
     ),
 )

@@ -63,7 +63,7 @@ def in_bruns_field() -> tuple[tuple[System, Law], ...]:
 
 
 def around_a_sphere() -> Case:
-    """The problem of Borisov and Fedorov with a Bruns field keeps its integrals and measure."""
+    """The problem of Borisov and Fedorov with a Bruns field preserves its integrals and measure."""
     system = from_catalogue("ball-around-sphere-bruns")
     return laws_named(system, "energy", "momentum", "linear", "measure")
 
@@ -72,7 +72,7 @@ def around_a_sphere() -> Case:
 
 
 def _momentum_and_energy(rotors: MatrixExpr) -> tuple[sp.Expr, sp.Expr]:
-    """(M + k)² and H in θ, φ, θ̇, φ̇ and the area constant c, by ψ̇ of (7.11) and §7.4."""
+    """(M + k)² and H in θ, φ, θ̇, φ̇ and the area constant c, with ψ̇ of (7.11) and §7.4."""
     share = to_components(dot(constant([SIN * TURN, SIN * ACROSS, COS]), rotors))
     spin = SPIN.xreplace({psidot: PRECESSION - share / SPREAD})
     momentum = I * spin + D * cross(gamma, cross(spin, gamma))
@@ -86,9 +86,9 @@ def _linear(value: sp.Expr) -> sp.Expr:
 
 
 def in_velocities(rotors: MatrixExpr) -> tuple[tuple[System, Identity], ...]:
-    """The formulas are those of the ball, and the energy has no linear part.
+    """The formulas agree with those of the ball, and the energy has no linear part.
 
-    The integral of the Bruns field, M² less a function of γ, has the linear part of M².
+    The integral in Bruns' field is M² minus a function of γ and has the linear part of M².
     """
     system = ball_in_angles(rotors)
     square, energy = _momentum_and_energy(rotors)
@@ -97,13 +97,13 @@ def in_velocities(rotors: MatrixExpr) -> tuple[tuple[System, Identity], ...]:
 
 
 def linear_part(rotors: MatrixExpr, *level: sp.Expr) -> tuple[System, Identity]:
-    """That (M + k)² has no part linear in the velocities, on a level."""
+    """The law that (M + k)² has no part linear in the velocities, on a level."""
     law = Identity("linear part", _linear(_momentum_and_energy(rotors)[0]), level=level)
     return ball_in_angles(rotors), law
 
 
 def linear_terms() -> Verdict:
-    """Both integrals have linear parts, which no multiple of the energy takes away."""
+    """Both integrals have linear parts that no multiple of the energy can remove."""
     parts = [contrary(prove(*linear_part(rotors))) for rotors in (zero, k)]
     integrals = (law for case in (with_rotors(), in_bruns_field()) for law in case)
     return conclusion_verdict(
@@ -119,14 +119,14 @@ def without_area() -> Case:
 
 
 def around_sphere_linear() -> Verdict:
-    """k = −1, F₂ = (AM, n): the parts of (M, ω) and M² linear in ṅ are not zero unless F₂ is."""
+    """k = −1, F₂ = (AM, n): the parts of (M, ω) and M² linear in ṅ vanish only if F₂ does."""
     system = sphere.equations_on_sphere()
     tensor = (sp.Add(*sphere.I.symbols) + sphere.d) / 2 * identity - sphere.I
     drawn = sphere.contact_inertia(tensor * sphere.n)
     swing, area = cross(drawn, rate(sphere.n)), dot(tensor * sphere.M, sphere.n)
     shared, spun = sphere.contact_inertia(swing), sphere.contact_inertia(sphere.n)
     form = dot(sphere.n, drawn)
-    # ω = (Bn×ṅ + F₂n)/(n, Bn), and (8.4) is the case F₂ = 0
+    # ω = (Bn×ṅ + F₂n)/(n, Bn); (8.4) is the case F₂ = 0.
     parts = (2 * area * dot(spun, swing), 2 * area * dot(spun, shared))
     constant_parts = (
         dot(swing, shared) + area**2 * dot(sphere.n, spun),
@@ -180,7 +180,7 @@ def therefore_conformally_hamiltonian() -> Verdict:
 
 
 def hamiltonian_near_tori() -> Verdict:
-    """With two integrals or more (4.3) has a bracket of rank two."""
+    """(4.3) with two or more integrals has a bracket of rank two."""
     return conclusion_verdict(
         "near tori",
         "both systems have more than two integrals and a measure, and v∧∂/∂F₁ is a bracket",
@@ -215,7 +215,7 @@ CLAIMS = (
         "Kozlov's problem was explicitly solved only in the special case when the integral of "
         "areas is zero and therefore these linear summands vanish.",
         without_area,
-        note="decided is that they vanish in this case, in the Bruns field and without it; that "
+        note="it is decided that they vanish in this case, with and without Bruns' field; that "
         "only this case was solved is a statement about the literature, [106]. Here, too, the "
         "closed form in the field is for this case alone",
     ),
@@ -277,7 +277,7 @@ REMARKS = (
     Remark(
         "§12, problem 1",
         "No general methods exist for integrable systems on a sphere with such integrals.",
-        "a judgement on the state of the field",
+        "an opinion about the state of the field",
     ),
     Remark(
         "§12, problem 1",

@@ -1,4 +1,4 @@
-"""The claim of a certificate: a system and a law."""
+"""Claim of a certificate: a system and a law."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .parsing import parse, parse_alternatives
 
 _NAME = re.compile(r"[^\W\d]\w*")
 
-#: Names with another meaning in formulas, or that readers would misunderstand.
+#: Names with another meaning in formulas, or with a misleading one.
 _RESERVED_NAMES = {*CONSTANTS, *FUNCTIONS, "Derivative", "Subs", "Ne", "Eq", "oo", "zoo", "nan"}
 
 
@@ -36,7 +36,7 @@ class ClaimedSystem:
     admissible : tuple of (formula, sign)
         Conditions on parameters: the formula is > 0, >= 0, = 0 or != 0.
     either : tuple of tuple of tuple of (formula, sign)
-        Further ones: of each the conditions of one alternative hold.
+        Further conditions: alternatives, of which at least one holds.
     """
 
     state: tuple[str, ...]
@@ -50,13 +50,13 @@ class ClaimedSystem:
 
     @property
     def symbols(self) -> tuple[str, ...]:
-        """State and parameters."""
+        """State variables and parameters."""
         return (*self.state, *self.parameters)
 
     def reach(
         self, formulas: Iterable[Formula], more: Mapping[str, Formula] | None = None
     ) -> set[str]:
-        """All names on which formulas depend, through definitions."""
+        """All names on which formulas depend, directly or through definitions."""
         definitions = {**self.definitions, **(more or {})}
         reached: set[str] = set()
         waiting = names_in(formulas)
@@ -73,7 +73,7 @@ class ClaimedSystem:
         functions: Functions,
         parameter_formulas: Mapping[str, Formula] | None = None,
     ) -> Point:
-        """The system at a point."""
+        """Point with the given values, at which formulas of the system are evaluated."""
         rates = dict(zip(self.state, self.rates, strict=True))
         return Point(values, self.definitions, rates, functions, parameter_formulas)
 
@@ -86,9 +86,9 @@ class Law:
     ----------
     pairs : mapping of field name to tuple of (name or formula, formula)
     matrix : tuple of tuple of formulas
-        Of a bracket.
+        Matrix of a bracket.
     rank : int or None
-        Of a bracket.
+        Rank of a bracket.
     target : System or None
     """
 
@@ -102,7 +102,7 @@ class Law:
     target: ClaimedSystem | None = None
 
     def formulas(self) -> list[Formula]:
-        """All formulas about the system itself."""
+        """All formulas on the side of the system itself."""
         formulas = [*self.on, *self.single.values()]
         formulas += [f for name, group in self.several.items() if name != "onto" for f in group]
         for name, group in self.pairs.items():
@@ -113,7 +113,7 @@ class Law:
 
     @property
     def quantities(self) -> dict[str, Formula]:
-        """Names that the law itself defines."""
+        """Names that are defined in the law."""
         return dict(self.pairs.get("quantities", ()))
 
 
@@ -126,12 +126,12 @@ class Claim:
 
     @property
     def conditions(self) -> tuple[Formula, ...]:
-        """The formulas that vanish where the law is claimed."""
+        """Formulas that vanish where the law is claimed."""
         return (*self.system.relations, *self.law.on)
 
     @property
     def formulas(self) -> list[Formula]:
-        """All formulas of system, law and target."""
+        """All formulas of the system, the law and the target."""
         formulas = self.law.formulas()
         for system in (self.system, self.law.target):
             if system is not None:
@@ -140,7 +140,7 @@ class Claim:
 
     @cached_property
     def moving(self) -> tuple[Formula, ...]:
-        """The conditions that involve the state."""
+        """Conditions that depend on the state."""
         state = set(self.system.state)
         return tuple(c for c in self.conditions if self.system.reach([c]) & state)
 
@@ -152,7 +152,7 @@ def _formulas(data: object, what: str) -> tuple[Formula, ...]:
 def _name(data: object, what: str) -> str:
     word = text(data, what)
     if _NAME.fullmatch(word) is None:
-        raise CheckError(f"{what} is {word!r}, which is no name")
+        raise CheckError(f"{what} is {word!r}, which is not a name")
     if word in _RESERVED_NAMES:
         raise CheckError(f"{what} is {word!r}, a name that means something else in formulas")
     return word
@@ -175,7 +175,7 @@ def _distinct(words: Iterable[str], what: str) -> None:
     seen: set[str] = set()
     for word in words:
         if word in seen:
-            raise CheckError(f"{what}: {word} stands there twice")
+            raise CheckError(f"{what}: {word} occurs twice")
         seen.add(word)
 
 
@@ -186,7 +186,7 @@ def _require(formulas: Iterable[Formula], names: set[str], what: str) -> None:
 
 
 def read_system(data: object, what: str) -> ClaimedSystem:
-    """Read a system; raises CheckError if it is malformed."""
+    """System from its data; CheckError if they are malformed."""
     data = mapping(data, what)
     fields = ("name", "state", "rates", "definitions", "parameters", "relations", "guards")
     only(data, what, *fields, "admissible")
@@ -198,6 +198,7 @@ def read_system(data: object, what: str) -> ClaimedSystem:
     parameters = _names(field(data, "parameters", what), f"the parameters of {what}")
     definitions = _pairs(field(data, "definitions", what), f"the definitions of {what}")
     _distinct((*state, *parameters, *(word for word, _ in definitions)), what)
+    # A definition may use only earlier ones, so definitions cannot be circular.
     known = {*state, *parameters}
     for word, formula in definitions:
         _require([formula], known, f"the definition of {word} in {what}")
@@ -208,6 +209,7 @@ def read_system(data: object, what: str) -> ClaimedSystem:
         parse_alternatives(condition, f"what is admissible in {what}")
         for condition in as_list(data.get("admissible", []), what)
     ]
+    # A condition with one alternative holds; the others are kept as alternatives.
     admissible = tuple(part for options in conditions if len(options) == 1 for part in options[0])
     either = tuple(tuple(map(tuple, options)) for options in conditions if len(options) > 1)
     _require([*rates, *relations, *guards], known, what)
@@ -218,7 +220,7 @@ def read_system(data: object, what: str) -> ClaimedSystem:
     )
 
 
-#: Fields of every kind: single formulas, lists of formulas, pairs of name and formula.
+#: Fields of every kind of law: single formulas, lists of formulas, pairs of name and formula.
 _KINDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = {
     "Integral": (("value",), (), ()),
     "Measure": ((), (), ()),
@@ -236,7 +238,7 @@ _OPTIONAL = {("Identity", "quantities"), ("Isomorphism", "onto")}
 
 
 def read_claim(data: object, what: str) -> Claim:
-    """Read a claim; raises CheckError if it is malformed."""
+    """Claim from its data; CheckError if they are malformed."""
     data = mapping(data, what)
     only(data, what, "system", "law")
     system = read_system(field(data, "system", what), f"the system of {what}")
@@ -244,7 +246,7 @@ def read_claim(data: object, what: str) -> Claim:
     known = {*system.symbols, *system.definitions}
     for word, formula in law.pairs.get("quantities", ()):
         if word in known:
-            raise CheckError(f"the quantity {word} of {what} has a name that is taken")
+            raise CheckError(f"the quantity {word} of {what} has a name that is already used")
         _require([formula], known, f"the quantity {word} of {what}")
         known.add(word)
     _require(law.on, {*system.symbols, *system.definitions}, f"the level of {what}")
@@ -304,6 +306,7 @@ def _density(data: object, system: ClaimedSystem, what: str) -> tuple[tuple[Form
     for pair in as_list(data, what):
         base, exponent = items(pair, 2, f"the density of {what}")
         factor = parse(base, f"the density of {what}"), parse(exponent, f"the density of {what}")
+        # A constant exponent keeps the logarithmic derivative of the density rational.
         if system.reach([factor[1]]) & set(system.state):
             raise CheckError(f"the density of {what} has an exponent that depends on the state")
         factors.append(factor)
@@ -311,7 +314,7 @@ def _density(data: object, system: ClaimedSystem, what: str) -> tuple[tuple[Form
 
 
 def _with_bracket(law: Law, data: Mapping[str, object], system: ClaimedSystem, what: str) -> Law:
-    """A law with the matrix of its bracket, and its claimed rank."""
+    """Law with the matrix of its bracket and its stated rank."""
     size = len(system.state)
     rows = items(field(data, "matrix", what), size, f"the matrix of {what}")
     matrix = tuple(
@@ -320,6 +323,7 @@ def _with_bracket(law: Law, data: Mapping[str, object], system: ClaimedSystem, w
     )
     stated = field(data, "rank", what)
     rank = None if stated is None else integer(stated, f"the rank of {what}", 0, size)
+    # A skew matrix has an even rank.
     if rank is not None and rank % 2:
         raise CheckError(f"the rank of {what} is odd")
     return replace(law, matrix=matrix, rank=rank)
@@ -337,7 +341,7 @@ def _check_isomorphism(
     constants = {word for word, _ in pairs["constants"]}
     for word in target.state:
         if word not in images:
-            raise CheckError(f"{what} does not say what {word} of its target is")
+            raise CheckError(f"{what} does not define {word} of its target")
     for word in target.parameters:
         if word not in constants | set(system.parameters):
-            raise CheckError(f"{what} does not say what the parameter {word} of its target is")
+            raise CheckError(f"{what} does not define the parameter {word} of its target")

@@ -1,12 +1,11 @@
-"""The domain of a law: the divisors of its formulas, and their radicands.
+"""Domain of a law: the divisors of its formulas and their radicands.
 
-A law says nothing where a divisor vanishes, where the argument of an absolute value or a sign
-vanishes, or where a radicand, the base of a non-integer power or the argument of a logarithm is not
-positive.
+A law is claimed only where no divisor and no argument of an absolute value or a sign vanishes, and
+where radicands, bases of non-integer powers and arguments of logarithms are positive.
 
-A power b^a whose exponent is not written as a number is defined for positive b and, for integer a,
-also for negative b.  So only b ≠ 0 may be assumed; a proof that uses b > 0 holds where that is
-known or is a condition of the verdict.
+A power b^a, where a is not written as a number, is defined for positive b and, for integer a, also
+for negative b.  So only b ≠ 0 may be assumed; a proof that uses b > 0 is valid where that is known
+or is a condition of the verdict.
 """
 
 from __future__ import annotations
@@ -22,7 +21,7 @@ from .formulas import Formula, call, number, power, product, total, walk
 from .functions import HALF
 from .residuals import gram_determinants, target_point
 
-#: Represents the determinant that vanishes if the conditions define no volume.
+#: Label of the determinant that vanishes if the conditions define no volume.
 GRAM = "the volume of the conditions"
 
 
@@ -33,15 +32,15 @@ class Domain:
     Attributes
     ----------
     nonzero : tuple of (side, formula)
-        Do not vanish; the side is ``"own"`` or ``"target"``.
+        Nonzero formulas; the side is ``"own"`` or ``"target"``.
     positive : tuple of (side, formula, exponent)
-        Are positive; the exponent of the power that asks for it.
+        Positive formulas, each with the exponent of the power in which it occurs.
     bases : tuple of (side, formula)
-        Bases of powers whose exponents are no numbers; they do not vanish, but may be negative.
+        Bases of powers with symbolic exponents; nonzero, but possibly negative.
     logarithms : tuple of (side, formula)
-        Are positive, too.
+        Positive formulas, the arguments of logarithms.
     gram : bool
-        Whether the conditions must be independent.
+        True if the conditions must be independent.
     """
 
     claim: Claim
@@ -53,25 +52,25 @@ class Domain:
 
     @property
     def formulas(self) -> list[tuple[str, Formula]]:
-        """Everything: divisors, radicands, arguments of logarithms, bases of symbolic powers."""
+        """All formulas: divisors, radicands, arguments of logarithms, bases of symbolic powers."""
         positive = [(where, formula) for where, formula, _ in self.positive]
         return [*self.nonzero, *positive, *self.logarithms, *self.bases]
 
     def places(self, point: Point) -> dict[str, Point]:
-        """The point, and its image, at which formulas of either side are evaluated."""
+        """The point and its image, for formulas of either side."""
         places = {"own": point.with_definitions(self.claim.law.quantities)}
         if self.claim.law.target is not None:
             places["target"] = target_point(self.claim, point)
         return places
 
     def require(self, point: Point) -> None:
-        """Require that the law is defined at a point, in real balls.
+        """Raise an error unless the law is defined at a point, in real balls.
 
         Raises
         ------
         UndefinedError
-            If it is not certainly so, or has a power there of a base that is not positive and an
-            exponent that is no number.
+            If the law is not certainly defined there, or has a power with a symbolic exponent and
+            a base that is not positive.
         """
         places = self.places(point)
         values = [places[where](formula) for where, formula in self.formulas]
@@ -81,21 +80,21 @@ class Domain:
         if any(value.contains(0) for value in nonzero):
             raise UndefinedError("a divisor may vanish")
         if not all(value > 0 for value in values[len(self.nonzero) :]):
-            raise UndefinedError("what stands under a root may not be positive")
+            raise UndefinedError("a radicand or the argument of a logarithm may not be positive")
 
 
 def domain(claim: Claim, parameter_formulas: Mapping[str, Formula]) -> Domain:
-    """The formulas that determine where the law of a claim is defined.
+    """Formulas that determine where the law of a claim is defined.
 
     Parameters
     ----------
     parameter_formulas : mapping of name to formula
-        Parameters with a value on the level, which may make an exponent a whole number.
+        Parameters with a value on the level; with it an exponent may become an integer.
     """
     system, law = claim.system, claim.law
     collector = _Collector()
     known = {**system.definitions, **law.quantities}
-    # Where a guard is positive it has a value.
+    # A positive guard is defined, so its divisors are nonzero too.
     base = [*system.rates, *claim.conditions, *system.guards, *law.formulas()]
     needed = system.reach(base, law.quantities)
     formulas = [*base, *(f for word, f in known.items() if word in needed)]
@@ -123,7 +122,7 @@ def domain(claim: Claim, parameter_formulas: Mapping[str, Formula]) -> Domain:
 
 
 def constant_values(claim: Claim, definitions: Mapping[str, Formula]) -> dict[str, Formula]:
-    """Parameters of the target that are numbers."""
+    """Parameters of the target that have a constant value."""
     law, target = claim.law, claim.law.target
     assert target is not None
     formulas = dict(law.pairs["constants"])
@@ -137,7 +136,7 @@ def constant_values(claim: Claim, definitions: Mapping[str, Formula]) -> dict[st
 
 
 class _Collector:
-    """Formulas collected, each once."""
+    """Collected formulas without repetitions."""
 
     def __init__(self) -> None:
         self.nonzero: dict[tuple[str, Formula], None] = {}
@@ -158,6 +157,8 @@ class _Collector:
                 base, exponent = node.parts
                 value = exact_value(exponent, definitions)
                 if exact_value(exponent, own_definitions) is None:
+                    # An exponent that is a number only on the level may be another number next to
+                    # it, so derivatives divide by the base.
                     self.nonzero[where, base] = None
                 if value is None:
                     self.bases[where, base] = None
@@ -169,7 +170,7 @@ class _Collector:
                 self._add_call(where, node.word, node.parts)
 
     def nonzero_factors(self, where: str, base: Formula) -> None:
-        """Factors that are nonzero if `base` is."""
+        """Collect the factors that are nonzero if `base` is nonzero."""
         for part in _factors(base):
             self.nonzero[where, part] = None
 
@@ -178,10 +179,12 @@ class _Collector:
         if word == "sqrt":
             self.positive[where, first, HALF] = None
         elif word in ("Abs", "sign"):
+            # |a| is (a²)^1/2, which is differentiable only for a ≠ 0.
             self.positive[where, power(first, number(2)), HALF] = None
         elif word == "log":
             self.logarithms[where, first] = None
         elif word in ("asin", "acos"):
+            # The derivatives divide by the square root of 1 − a².
             square = total((number(1), product((number(-1), power(first, number(2))))))
             self.positive[where, square, HALF] = None
         elif word == "atan2":
@@ -194,7 +197,7 @@ _DIVISORS = {"tan": "cos", "sec": "cos", "cot": "sin", "csc": "sin", "tanh": "co
 
 
 def _factors(base: Formula) -> Iterator[Formula]:
-    """A formula and the factors of the product that it is."""
+    """A formula and, if it is a product, its factors."""
     if base.kind == "number":
         if not base.word:
             yield base

@@ -1,15 +1,15 @@
-"""Errors of a check; each message is one sentence for a reader."""
+"""Exceptions of a check; each message is one complete sentence."""
 
 from __future__ import annotations
 
 
 class CheckError(Exception):
-    """A certificate is not valid."""
+    """Raised if a certificate is not valid."""
 
 
 class BadInputError(Exception):
-    """The data are not a certificate."""
+    """Raised if the data are not a certificate."""
 
 
 class UndefinedError(Exception):
-    """A formula is not defined at a point, or not certainly so."""
+    """Raised if a formula is not defined at a point, or not certainly."""

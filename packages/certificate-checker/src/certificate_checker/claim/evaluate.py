@@ -1,4 +1,4 @@
-"""Evaluate formulas: names through a table and definitions, rates along a field."""
+"""Evaluation of formulas: names through a table and definitions, rates along a vector field."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from .jets import Jet, Number, add, integer_power, inverse, multiply, slopes_of
 
 
 class Point:
-    """A point at which formulas are evaluated, possibly with derivatives.
+    """Point at which formulas are evaluated, possibly with derivatives.
 
     Parameters
     ----------
     values : mapping of name to number
-        Known symbols.
+        Values of symbols.
     definitions : mapping of name to formula
-        Symbols given by formulas in known symbols and earlier ones.
+        Formulas of symbols in terms of known symbols and earlier definitions.
     rates : mapping of name to formula
-        Time derivatives of the symbols that move.
+        Time derivatives of the symbols that depend on time.
     functions : Functions
-        Values of functions, in numbers of one kind.
+        Functions for one kind of numbers.
     parameter_formulas : mapping of name to formula
-        Parameters that have a formula in others, which may make an exponent a number.
+        Formulas of parameters in terms of others; with them an exponent may be a number.
     level : int
-        The highest level of the values.
+        Highest level of derivatives in the values.
     """
 
     def __init__(
@@ -49,7 +49,7 @@ class Point:
         self._moving: Point | None = None
 
     def with_definitions(self, more: Mapping[str, Formula]) -> Point:
-        """The point with further definitions."""
+        """Copy of the point with further definitions."""
         return Point(
             self.values,
             {**self.definitions, **more},
@@ -60,7 +60,7 @@ class Point:
         )
 
     def moving(self) -> Point:
-        """The point as it moves: every value with its derivative in direction 0."""
+        """Point with the derivative of every value along the vector field, in direction 0."""
         if self._moving is None:
             values = dict(self.values)
             for word, rate in self.rates.items():
@@ -69,7 +69,7 @@ class Point:
         return self._moving
 
     def partial(self, words: Iterable[str]) -> Point:
-        """The point with partial derivatives with respect to numbered symbols."""
+        """Point with partial derivatives with respect to the symbols, numbered in their order."""
         values = dict(self.values)
         for i, word in enumerate(words):
             values[word] = Jet(
@@ -88,11 +88,11 @@ class Point:
         )
 
     def slopes(self, formula: Formula) -> Mapping[int, Number]:
-        """Derivatives of the highest level."""
+        """Derivatives of a formula at the highest level."""
         return slopes_of(self(formula), self.level)
 
     def __call__(self, formula: Formula) -> Number:
-        """The value of a formula."""
+        """Value of a formula."""
         value = self._memo.get(formula)
         if value is None:
             self._prepare(formula)
@@ -100,7 +100,7 @@ class Point:
         return value
 
     def _prepare(self, formula: Formula) -> None:
-        """Evaluate chains of definitions from below, so that recursion is not nested."""
+        """Evaluate definitions from the first to the last, which avoids deep recursion."""
         if formula.kind != "name" or not self._waits(formula.word):
             return
         needed: set[str] = set()
@@ -115,7 +115,7 @@ class Point:
                 self._memo[definition] = self._fresh_value(definition)
 
     def _waits(self, word: str) -> bool:
-        """Whether a symbol has a definition that has not been evaluated."""
+        """True if a symbol has a definition that has not been evaluated."""
         definition = None if word in self.values else self.definitions.get(word)
         return definition is not None and definition not in self._memo
 
@@ -152,7 +152,7 @@ class Point:
         raise CheckError(f"the symbol {word} is unknown")
 
     def exact(self, formula: Formula) -> Fraction | None:
-        """The rational number that a formula equals, through definitions and settled parameters."""
+        """Rational value of a formula by definitions and parameter formulas, or None."""
         return exact_value(formula, {**self.definitions, **self.parameter_formulas})
 
     def _power(self, base: Formula, exponent: Formula) -> Number:
@@ -192,7 +192,7 @@ _RATIOS: dict[str, tuple[str | None, str]] = {
 
 
 def exact_value(formula: Formula, definitions: Mapping[str, Formula]) -> Fraction | None:
-    """The rational number that a formula equals, if its symbols are numbers by definition."""
+    """Rational number that equals a formula whose symbols are numbers by definition, or None."""
     kind, parts = formula.kind, formula.parts
     if kind == "number":
         return Fraction(formula.word)

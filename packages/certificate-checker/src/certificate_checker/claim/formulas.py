@@ -2,7 +2,7 @@
 
 A formula is a number, a name, a sum, a product, a power, a call of a known function, ``Rate(f)``,
 or a value of an unspecified function or of one of its partial derivatives.  Numbers are exact:
-``0.1`` is one tenth.  Equal formulas are one object, so that they are compared by identity.
+``0.1`` is one tenth.  Equal formulas are the same object, so they are compared by identity.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ CONSTANTS = ("pi",)
 
 
 class Formula:
-    """A node: its kind, its name or value, and its operands."""
+    """Node of a tree: its kind, its name or value, and its operands."""
 
     __slots__ = ("__weakref__", "kind", "parts", "word")
 
@@ -42,6 +42,7 @@ _ALL: weakref.WeakValueDictionary[object, Formula] = weakref.WeakValueDictionary
 
 def _node(kind: str, word: Any, parts: Iterable[Formula] = ()) -> Formula:
     parts = tuple(parts)
+    # The dictionary holds weak references, so formulas that are no longer used are freed.
     key = (kind, word, parts)
     formula = _ALL.get(key)
     if formula is None:
@@ -51,39 +52,39 @@ def _node(kind: str, word: Any, parts: Iterable[Formula] = ()) -> Formula:
 
 
 def number(value: Fraction | int) -> Formula:
-    """A rational number."""
+    """Rational number as a formula."""
     return _node("number", Fraction(value))
 
 
 def name(word: str) -> Formula:
-    """A symbol."""
+    """Symbol as a formula."""
     return _node("name", word)
 
 
 def total(parts: Iterable[Formula]) -> Formula:
-    """A sum."""
+    """Sum of formulas."""
     parts = tuple(parts)
     return parts[0] if len(parts) == 1 else _node("sum", None, parts)
 
 
 def product(parts: Iterable[Formula]) -> Formula:
-    """A product."""
+    """Product of formulas."""
     parts = tuple(parts)
     return parts[0] if len(parts) == 1 else _node("product", None, parts)
 
 
 def power(base: Formula, exponent: Formula) -> Formula:
-    """A power."""
+    """Power of a formula."""
     return _node("power", None, (base, exponent))
 
 
 def call(word: str, parts: Iterable[Formula]) -> Formula:
-    """A value of a known function."""
+    """Value of a known function."""
     return _node("call", word, parts)
 
 
 def function(word: str, orders: Iterable[int], arguments: Iterable[Formula]) -> Formula:
-    """A value of a derivative of an unspecified function, with the order in each argument."""
+    """Value of a derivative of an unspecified function, with the order in each argument."""
     return _node("function", (word, tuple(orders)), arguments)
 
 
@@ -104,7 +105,7 @@ def names_in(formulas: Iterable[Formula]) -> set[str]:
 
 
 def substitution(formula: Formula, table: Mapping[str, Formula]) -> Formula:
-    """A formula with symbols replaced."""
+    """Formula with symbols replaced."""
     if formula.kind == "name":
         return table.get(formula.word, formula)
     if not formula.parts:

@@ -1,8 +1,9 @@
-"""Functions of numbers with derivatives: roots, known functions, unspecified ones.
+"""Functions of numbers with derivatives: roots, known functions, unspecified functions.
 
 The rules of differentiation are the same for all kinds of numbers; the values are not.  In real
 balls the value is that of the function (:class:`.real_functions.RealFunctions`).  Modulo a prime,
-where a root or a sine has no meaning, it is that of the generator that represents it in the proof.
+where a root or a sine has no meaning, it is the value of the generator that represents it in the
+proof.
 """
 
 from __future__ import annotations
@@ -29,11 +30,11 @@ HALF = Fraction(1, 2)
 
 
 class Functions(ABC):
-    """Functions at one point, in numbers of one kind."""
+    """Functions at one point, for numbers of one kind."""
 
     @abstractmethod
     def number(self, value: Fraction) -> Number:
-        """A rational number."""
+        """Rational number as a number of this kind."""
 
     @abstractmethod
     def constant(self, word: str) -> Number:
@@ -41,28 +42,28 @@ class Functions(ABC):
 
     @abstractmethod
     def is_nonzero(self, a: Number) -> bool:
-        """Whether a plain number is certainly nonzero."""
+        """True if a number without derivatives is certainly nonzero."""
 
     @abstractmethod
     def plain_root(self, a: Number, exponent: Fraction) -> Number:
-        """A power of a positive number with a fractional exponent."""
+        """Power of a positive number with a fractional exponent."""
 
     @abstractmethod
     def plain_power(self, a: Number, exponent: Number) -> Number:
-        """A power of a positive number."""
+        """Power of a positive number."""
 
     @abstractmethod
     def plain_value(self, word: str, arguments: tuple[Number, ...]) -> Number:
-        """The value of a known function; ``sign`` is one, too."""
+        """Value of a known function or of ``sign``."""
 
     @abstractmethod
     def plain_unspecified(
         self, word: str, orders: tuple[int, ...], arguments: tuple[Number, ...]
     ) -> Number:
-        """A value of a derivative of an unspecified function."""
+        """Value of a derivative of an unspecified function."""
 
     def rational_power(self, a: Number, exponent: Fraction) -> Number:
-        """A power of a positive number with a rational exponent."""
+        """Power of a positive number with a rational exponent."""
         if exponent.denominator == 1:
             return integer_power(a, int(exponent))
         if not isinstance(a, Jet):
@@ -71,7 +72,7 @@ class Functions(ABC):
         return through(a, self.rational_power(a.value, exponent), slope)
 
     def general_power(self, a: Number, exponent: Number) -> Number:
-        """A power of a positive number: (aⁿ)' = aⁿ (n a'/a + n' log a)."""
+        """Power of a positive number: (aⁿ)' = aⁿ (n a'/a + n' log a)."""
         level = max(level_of(a), level_of(exponent))
         if level == 0:
             return self.plain_power(a, exponent)
@@ -85,17 +86,18 @@ class Functions(ABC):
         return Jet(level, value, slopes)
 
     def value(self, word: str, a: Number) -> Number:
-        """A known function of one number."""
+        """Known function of one number."""
         if not isinstance(a, Jet):
             return self.plain_value(word, (a,))
         return through(a, self.value(word, a.value), _DERIVATIVES[word](self, a.value))
 
     def arctangent(self, y: Number, x: Number) -> Number:
-        """The angle of the point (x, y), away from the half-line where it jumps."""
+        """Angle of the point (x, y), away from the half-line where it jumps."""
         level = max(level_of(y), level_of(x))
         if level == 0:
             return self.plain_value("atan2", (y, x))
         upper, lower = value_of(y, level), value_of(x, level)
+        # d atan2(y, x) = (x dy − y dx)/(x² + y²)
         below = inverse(add(multiply(lower, lower), multiply(upper, upper)))
         slopes = multiples(slopes_of(y, level), multiply(lower, below))
         factor = multiply(-1, multiply(upper, below))
@@ -105,7 +107,7 @@ class Functions(ABC):
     def unspecified(
         self, word: str, orders: tuple[int, ...], arguments: Sequence[Number]
     ) -> Number:
-        """A value of an unspecified function, differentiated by the chain rule."""
+        """Value of an unspecified function, differentiated by the chain rule."""
         level = max((level_of(p) for p in arguments), default=0)
         if level == 0:
             return self.plain_unspecified(word, orders, tuple(arguments))

@@ -1,8 +1,9 @@
-"""Numbers with derivatives, nested as deep as needed: dual numbers over any kind of numbers.
+"""Numbers with nested derivatives: dual numbers over any kind of numbers.
 
-A jet has a level, a value and derivatives in numbered directions; value and derivatives are plain
-numbers or jets of lower levels, so that derivatives of derivatives do not mix.  Plain numbers are
-real balls, residues modulo a prime, or bounds of degrees (see :mod:`.functions`).
+A jet has a level, a value and derivatives in numbered directions.  Value and derivatives are plain
+numbers or jets of lower levels, so derivatives with respect to different symbols are not confused.
+Plain numbers are real balls, residues modulo a prime, or bounds of degrees (see
+:mod:`.functions`).
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ Number: TypeAlias = Any
 
 
 class Jet:
-    """A value and its derivatives in numbered directions; a missing one is zero."""
+    """A value and its derivatives in numbered directions; a missing derivative is zero."""
 
     __slots__ = ("level", "slopes", "value")
 
@@ -29,28 +30,28 @@ class Jet:
 
 
 def ball(value: Fraction | int) -> arb:
-    """A rational number as a ball."""
+    """Rational number as a ball."""
     value = Fraction(value)
     return arb(fmpq(value.numerator, value.denominator))
 
 
 def level_of(a: Number) -> int:
-    """The highest derivative level in a number."""
+    """Highest level of derivatives in a number."""
     return a.level if isinstance(a, Jet) else 0
 
 
 def value_of(a: Number, level: int) -> Number:
-    """The value of a number without its derivatives of a level."""
+    """Number without its derivatives of a level."""
     return a.value if isinstance(a, Jet) and a.level == level else a
 
 
 def slopes_of(a: Number, level: int) -> Mapping[int, Number]:
-    """The derivatives of a level."""
+    """Derivatives of a level."""
     return a.slopes if isinstance(a, Jet) and a.level == level else {}
 
 
 def add(a: Number, b: Number) -> Number:
-    """A sum."""
+    """Sum of two numbers."""
     first, second = level_of(a), level_of(b)
     if first == second == 0:
         return a + b
@@ -65,7 +66,7 @@ def add(a: Number, b: Number) -> Number:
 
 
 def multiply(a: Number, b: Number) -> Number:
-    """A product."""
+    """Product of two numbers, by (f g)' = f' g + f g'."""
     first, second = level_of(a), level_of(b)
     if first == second == 0:
         return a * b
@@ -81,17 +82,17 @@ def multiply(a: Number, b: Number) -> Number:
 
 
 def multiples(slopes: Mapping[int, Number], factor: Number) -> dict[int, Number]:
-    """Slopes times a factor."""
+    """Derivatives times a factor."""
     return {i: multiply(slope, factor) for i, slope in slopes.items()}
 
 
 def through(a: Jet, value: Number, derivative: Number) -> Jet:
-    """A function of a jet, from its value and derivative there."""
+    """Function of a jet, by the chain rule."""
     return Jet(a.level, value, multiples(a.slopes, derivative))
 
 
 def inverse(a: Number) -> Number:
-    """A reciprocal."""
+    """Reciprocal of a number, by (1/f)' = −f'/f²."""
     if not isinstance(a, Jet):
         if a == 0 or (isinstance(a, arb) and not (a.is_finite() and a != 0)):
             raise UndefinedError("a division by zero")
@@ -101,7 +102,7 @@ def inverse(a: Number) -> Number:
 
 
 def integer_power(a: Number, exponent: int) -> Number:
-    """A power with an integer exponent."""
+    """Power with an integer exponent, by (fⁿ)' = n fⁿ⁻¹ f'."""
     if exponent < 0:
         return inverse(integer_power(a, -exponent))
     if not isinstance(a, Jet):

@@ -1,4 +1,4 @@
-"""Data of a certificate, read with type checks."""
+"""Typed access to the data of a certificate."""
 
 from __future__ import annotations
 
@@ -15,35 +15,35 @@ _RATIONAL = re.compile(r"-?\d{1,40000}(/\d{1,40000})?")
 
 
 def mapping(data: object, what: str) -> Mapping[str, object]:
-    """A mapping with names as keys."""
+    """Data that must be a mapping with names as keys."""
     if not isinstance(data, Mapping) or not all(isinstance(key, str) for key in data):
-        raise CheckError(f"{what} is no mapping")
+        raise CheckError(f"{what} is not a mapping")
     return data
 
 
 def only(data: Mapping[str, object], what: str, *choices: str) -> None:
-    """Require that a mapping has only these fields."""
+    """Check that a mapping has no other fields."""
     strange = sorted(set(data) - set(choices))
     if strange:
-        raise CheckError(f"{what} has a field {strange[0]!r}, which means nothing here")
+        raise CheckError(f"{what} has a field {strange[0]!r}, which is not allowed here")
 
 
 def field(data: Mapping[str, object], key: str, what: str) -> object:
-    """A required field."""
+    """Value of a required field of a mapping."""
     if key not in data:
         raise CheckError(f"{what} lacks the field {key!r}")
     return data[key]
 
 
 def as_list(data: object, what: str) -> Sequence[object]:
-    """A list."""
+    """Data that must be a list."""
     if not isinstance(data, (list, tuple)):
-        raise CheckError(f"{what} is no list")
+        raise CheckError(f"{what} is not a list")
     return data
 
 
 def items(data: object, size: int, what: str) -> Sequence[object]:
-    """A list of given length."""
+    """Data that must be a list of given length."""
     parts = as_list(data, what)
     if len(parts) != size:
         raise CheckError(f"{what} has {len(parts)} parts instead of {size}")
@@ -51,25 +51,25 @@ def items(data: object, size: int, what: str) -> Sequence[object]:
 
 
 def text(data: object, what: str) -> str:
-    """A text."""
+    """Data that must be a text."""
     if not isinstance(data, str):
-        raise CheckError(f"{what} is no text")
+        raise CheckError(f"{what} is not a text")
     return data
 
 
 def integer(data: object, what: str, lowest: int, highest: int) -> int:
-    """An integer within bounds."""
+    """Data that must be an integer within bounds."""
     if isinstance(data, bool) or not isinstance(data, int) or not lowest <= data <= highest:
-        raise CheckError(f"{what} is no whole number from {lowest} to {highest}")
+        raise CheckError(f"{what} is not an integer from {lowest} to {highest}")
     return data
 
 
 def rational(data: object, what: str) -> Fraction:
-    """A rational number given as text such as ``-3/4``, or an integer."""
+    """Rational number from text such as ``-3/4``, or from an integer."""
     if isinstance(data, int) and not isinstance(data, bool):
         return Fraction(data)
     if not isinstance(data, str) or _RATIONAL.fullmatch(data) is None:
-        raise CheckError(f"{what} is no rational number")
+        raise CheckError(f"{what} is not a rational number")
     above, _, below = data.partition("/")
     bottom = _long_integer(below or "1")
     if bottom == 0:
@@ -78,7 +78,7 @@ def rational(data: object, what: str) -> Fraction:
 
 
 def _long_integer(digits: str) -> int:
-    """An integer of any length, which int() would reject."""
+    """Integer from any number of digits; int() limits their number."""
     if len(digits) < 4000:
         return int(digits)
     middle = len(digits) // 2
@@ -88,7 +88,7 @@ def _long_integer(digits: str) -> int:
 
 
 def choice(data: object, what: str, *choices: T) -> T:
-    """One of some values."""
+    """Data that must be one of several choices."""
     if isinstance(data, bool) or not isinstance(data, (str, int)) or data not in choices:
-        raise CheckError(f"{what} is none of {', '.join(map(str, choices))}")
+        raise CheckError(f"{what} is not one of {', '.join(map(str, choices))}")
     return next(value for value in choices if value == data)

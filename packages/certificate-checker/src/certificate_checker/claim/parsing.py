@@ -1,4 +1,4 @@
-"""Parse formulas and conditions from text in Python syntax; nothing is ever executed."""
+"""Parser of formulas and conditions in Python syntax; no text is executed."""
 
 from __future__ import annotations
 
@@ -33,32 +33,32 @@ _TOKEN = re.compile(
 
 
 def parse(text: object, what: str) -> Formula:
-    """Parse a formula.
+    """Formula from text.
 
     Raises
     ------
     CheckError
-        If the text is no formula.
+        If the text is not a formula.
     """
     return _Reader(text, what).whole()
 
 
 def parse_condition(text: object, what: str) -> list[tuple[Formula, str]]:
-    """Parse a condition on parameters: formulas with ``>``, ``>=``, ``=`` or ``!=`` (to zero)."""
+    """Formulas of a condition on parameters, with ``>``, ``>=``, ``=`` or ``!=`` (to zero)."""
     return _Reader(text, what).condition()
 
 
 def parse_alternatives(text: object, what: str) -> list[list[tuple[Formula, str]]]:
-    """Parse conditions joined by ``|``, one of which holds; each as :func:`parse_condition`."""
+    """Alternatives, joined by ``|``; each as in :func:`parse_condition`."""
     return _Reader(text, what).alternatives()
 
 
 class _Reader:
-    """Recursive descent through the tokens of one text."""
+    """Recursive-descent parser of one text."""
 
     def __init__(self, text: object, what: str) -> None:
         if not isinstance(text, str) or len(text) > LENGTH:
-            raise CheckError(f"{what} is no text of a formula")
+            raise CheckError(f"{what} is not the text of a formula")
         self.text, self.what = text, what
         self.tokens = list(self._tokens())
         self.at = 0
@@ -88,7 +88,7 @@ class _Reader:
 
     def _expect(self, sign: str) -> None:
         if self._take(sign) is None:
-            raise self._wrong(f"lacks a {sign!r}")
+            raise self._wrong(f"has no {sign!r} where one is required")
 
     def _end(self) -> None:
         if self.at < len(self.tokens):
@@ -132,6 +132,7 @@ class _Reader:
         try:
             return [self._comparison()]
         except CheckError:
+            # The bracket may begin a formula or a condition; only the attempt shows which.
             self.at = start
             if self._take("(") is None:
                 raise
@@ -143,7 +144,7 @@ class _Reader:
         first = self.sum()
         sign = self._take(">", ">=", "<", "<=", "==", "!=")
         if sign is None:
-            raise self._wrong("compares nothing")
+            raise self._wrong("contains no comparison")
         second = self.sum()
         if sign in ("<", "<="):
             first, second, sign = second, first, sign.replace("<", ">")
@@ -167,6 +168,7 @@ class _Reader:
         while (sign := self._take("*", "/")) is not None:
             part = self._unary()
             parts.append(part if sign == "*" else _inverse(part))
+        # A quotient of numbers becomes one number, so that 2/3 is recognized as an exponent.
         numbers = [part for part in parts if part.kind == "number"]
         if len(numbers) == len(parts):
             value = Fraction(1)
@@ -244,12 +246,14 @@ class _Reader:
                 if self._take(","):
                     times = self.sum()
                     if times.kind != "number" or times.word.denominator != 1 or times.word < 1:
-                        raise self._wrong("has a derivative of an order that is no number")
+                        raise self._wrong("has a derivative of an order that is not a number")
                     count = int(times.word)
                     self._take(",")
                 self._expect(")")
             if variable.kind != "name" or inner.parts.count(variable) != 1:
-                raise self._wrong("has a derivative that is not by one place of its function")
+                raise self._wrong(
+                    "has a derivative that is not with respect to one argument of its function"
+                )
             counts[inner.parts.index(variable)] += count
         self._expect(")")
         return function(word, counts, inner.parts)
@@ -274,18 +278,18 @@ class _Reader:
         self._take(",")
         self._expect(")")
         if any(v.kind != "name" for v in variables) or len(points) != len(variables):
-            raise self._wrong("substitutes for something that is no name")
+            raise self._wrong("substitutes for something that is not a name")
         return substitution(inner, {v.word: p for v, p in zip(variables, points, strict=True)})
 
     def _points(self, start: int, count: int) -> list[Formula]:
-        """The arguments after the variables; a bracketed list if the variables are bracketed."""
+        """Arguments after the variables; a bracketed list if the variables are in brackets."""
         if self.tokens[start] == ("sign", "("):
             return self._list()
         return [self.sum()]
 
 
 def _extreme(word: str, parts: list[Formula]) -> Formula:
-    """A maximum or minimum in terms of absolute values: max(a, b) = (a + b + |a - b|)/2."""
+    """Maximum or minimum through absolute values: max(a, b) = (a + b + |a - b|)/2."""
     result, sign = parts[0], Fraction(1 if word == "Max" else -1)
     for part in parts[1:]:
         size = call("Abs", [_difference(result, part)])

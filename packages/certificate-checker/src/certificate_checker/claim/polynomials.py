@@ -1,4 +1,4 @@
-"""Polynomials of a certificate: read, compared, evaluated.
+"""Polynomials of a certificate: reading, comparison, evaluation.
 
 A polynomial is a list of terms ``[coefficient, [generator, exponent, …]]``; a fraction has a
 polynomial as numerator and a list of ``[polynomial, power]`` as denominator.
@@ -36,21 +36,21 @@ class Ring:
         if len(names) > GENERATORS:
             raise CheckError(f"a ring has more than {GENERATORS} generators")
         self.names = tuple(names)
-        # A ring without generators gets one that never occurs.
+        # FLINT requires at least one generator.
         self.context = fmpq_mpoly_ctx.get(self.names or ("_",), Ordering.degrevlex)
         self.index = {name: i for i, name in enumerate(self.names)}
 
     def generator(self, name: str) -> Poly:
-        """A generator as a polynomial."""
+        """Generator as a polynomial."""
         return self.context.gens()[self.index[name]]
 
     def constant(self, value: Fraction | int) -> Poly:
-        """A number as a polynomial."""
+        """Number as a polynomial."""
         value = Fraction(value)
         return self.context.constant(fmpq(value.numerator, value.denominator))
 
     def read(self, data: object, what: str) -> Poly:
-        """A polynomial from its list of terms."""
+        """Polynomial from its list of terms."""
         terms: dict[tuple[int, ...], fmpq] = {}
         size = len(self.names)
         for term in as_list(data, what):
@@ -72,7 +72,7 @@ class Ring:
         return self.context.from_dict(terms)
 
     def powers(self, data: object, what: str, negative: bool = False) -> Powers:
-        """A list of polynomials with powers; none of the polynomials is zero."""
+        """List of nonzero polynomials with their powers."""
         powers = []
         for pair in as_list(data, what):
             poly, power = items(pair, 2, what)
@@ -87,7 +87,7 @@ class Ring:
         return powers
 
     def fraction(self, data: object, what: str) -> tuple[Poly, Powers]:
-        """A fraction: numerator and factors of the denominator."""
+        """Numerator of a fraction and factors of its denominator."""
         data = mapping(data, what)
         only(data, what, "numerator", "denominator", "what")
         above = self.read(field(data, "numerator", what), f"the numerator of {what}")
@@ -95,7 +95,7 @@ class Ring:
         return above, below
 
     def expanded_product(self, powers: Powers) -> Poly:
-        """The product of powers, expanded."""
+        """Expanded product of powers."""
         result = self.constant(1)
         for poly, power in powers:
             if len(poly) > 1 and len(poly) ** power * len(result) > TERMS:
@@ -104,17 +104,19 @@ class Ring:
         return result
 
     def value(self, poly: Poly, values: Sequence[Number], functions: Functions) -> Number:
-        """The value of a polynomial at numbers, one for each generator."""
+        """Value of a polynomial at numbers, one for each generator."""
         return self.values(poly, [(values, functions)])[0]
 
     def values(
         self, poly: Poly, points: Sequence[tuple[Sequence[Number], Functions]]
     ) -> list[Number]:
-        """The values of a polynomial at several points."""
+        """Values of a polynomial at several points."""
         terms = [
             (coefficient, [(i, int(n)) for i, n in enumerate(exponents) if n])
             for exponents, coefficient in poly.to_dict().items()
         ]
+        # With a common denominator all coefficients are integers, which are cheap to multiply
+        # with.
         below = math.lcm(1, *{int(coefficient.q) for coefficient, _ in terms})
         whole = [(int(c.p) * (below // int(c.q)), powers) for c, powers in terms]
         return [_value(whole, below, values, functions) for values, functions in points]
@@ -122,7 +124,7 @@ class Ring:
     def value_of_powers(
         self, powers: Powers, values: Sequence[Number], functions: Functions
     ) -> Number:
-        """The value of a product of powers."""
+        """Value of a product of powers."""
         result = functions.number(Fraction(1))
         for poly, power in powers:
             base = self.value(poly, values, functions)
@@ -136,7 +138,7 @@ def _value(
     values: Sequence[Number],
     functions: Functions,
 ) -> Number:
-    """Σ number · ∏ valueᵢ^power, divided by a number."""
+    """Sum of coefficient · ∏ valueᵢ^power over the terms, divided by a number."""
     known: dict[tuple[int, int], Number] = {}
     one = functions.number(Fraction(1))
     total = functions.number(Fraction(0))
@@ -151,6 +153,6 @@ def _value(
 
 
 def monic(poly: Poly) -> tuple[str, int]:
-    """A key that a polynomial shares with its multiples, and its leading sign."""
+    """Key that a polynomial shares with its multiples, and the sign of its leading coefficient."""
     lead = poly.leading_coefficient()
     return str(poly / lead), 1 if lead > 0 else -1

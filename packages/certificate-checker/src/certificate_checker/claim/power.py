@@ -1,18 +1,18 @@
-"""The theorem on energy: an integral of a system from the linear equations of its rates.
+"""Theorem on energy: a proof of an integral from the linear equations of the rates.
 
-For velocities u of the state, a certificate may give formulas A, h, C, b, λ for which two claims
-say, as identities in all their variables:
+For velocities u of the state, a certificate may state formulas A, h, C, b, λ with two claims,
+which are identities in all their variables:
 
-*power*: with free symbols a in place of the rates of u, F' = uᵀ(A a − h) for the integral F;
-C u = κ f and f' = C a − b for those relations f of the system that are numbered as constraints; and
-the rate of any other relation is a constraint or zero;
+*power*: with free symbols a instead of the rates of u, F' = uᵀ(A a − h) for the integral F; C u =
+κ f and f' = C a − b for the relations f of the system that are numbered as constraints; and the
+rate of any other relation is a constraint or zero;
 
 *solution*: for the rates of the system, A u̇ − h − Cᵀλ = 0 and C u̇ − b = 0, where names of
-definitions may be held as independent variables.
+definitions may be treated as independent variables.
 
-Together they say that Ḟ = uᵀ(A u̇ − h) = uᵀCᵀλ = Σ κ_μ λ_μ f_μ, which vanishes where the relations
-do, and that motions stay there.  They say so wherever they are defined: neither may divide by, or
-take a root of, what the claim itself does not.
+They imply Ḟ = uᵀ(A u̇ − h) = uᵀCᵀλ = Σ κ_μ λ_μ f_μ, which is zero where the relations hold, and
+the relations are preserved by the motion.  This is valid where both claims are defined; so they
+must not contain a divisor or a root that does not occur in the claim itself.
 """
 
 from __future__ import annotations
@@ -45,11 +45,11 @@ def claims_of_identities(
     Parameters
     ----------
     claim_data : mapping
-        The claim as it is written.
+        Data of the claim.
     claim : Claim
-        The same, read.
+        The claim.
     data : mapping
-        The linear equations of the rates, as a certificate gives them.
+        Linear equations of the rates from a certificate.
     """
     if claim.law.kind != "Integral" or claim.law.on:
         raise CheckError("linear equations of the rates prove integrals on the whole phase space")
@@ -63,7 +63,7 @@ def claims_of_identities(
 
 
 def _divisors(of: Domain) -> set[object]:
-    """What must be nonzero or positive, apart from products, whose factors are listed."""
+    """Formulas that must be nonzero or positive; of products only their factors."""
     nonzero = {
         (side, f)
         for side, f in of.nonzero
@@ -73,7 +73,7 @@ def _divisors(of: Domain) -> set[object]:
 
 
 class _LinearRates:
-    """The linear equations of a certificate, as formulas in text form."""
+    """Linear equations of a certificate, as formulas in text form."""
 
     def __init__(
         self, claim_data: Mapping[str, object], claim: Claim, data: Mapping[str, object]
@@ -128,7 +128,7 @@ class _LinearRates:
         return found
 
     def power(self) -> dict[str, object]:
-        """The claim F' = uᵀ(A a − h), C u = κ f, f' = C a − b."""
+        """Claim F' = uᵀ(A a − h), C u = κ f, f' = C a − b."""
         a, u = self.accelerations, self.velocities
         terms = [
             f"({velocity})*({_sum_of_products(row, a)} - ({force}))"
@@ -151,6 +151,8 @@ class _LinearRates:
             *self.claim.system.parameters,
             *(word for word, _ in self.definitions),
         }
+        # Free symbols are state variables with rate zero, so that they need no domain of their
+        # own.
         still = [*a, *self._free(values, self.definitions, names)]
         return self._identity(
             "power",
@@ -161,7 +163,7 @@ class _LinearRates:
         )
 
     def solution(self) -> dict[str, object]:
-        """The claim A u̇ = h + Cᵀλ and C u̇ = b, with held names as independent variables."""
+        """Claim A u̇ = h + Cᵀλ and C u̇ = b, with opaque names as independent variables."""
         rates = dict(zip(self.claim.system.state, map(str, self._list("rates")), strict=True))
         own = [rates[velocity] for velocity in self.velocities]
         values = []
@@ -179,7 +181,7 @@ class _LinearRates:
         return as_list(self.system.get(key, []), "the equations of the rates")
 
     def _definitions_below(self, values: Texts) -> list[tuple[str, str]]:
-        """The definitions that are not held and on which formulas depend."""
+        """Definitions on which formulas depend, without the opaque names."""
         wanted = names_in(parse(value, "a formula") for value in values)
         chosen = []
         for word, formula in reversed(self.definitions):
@@ -190,7 +192,7 @@ class _LinearRates:
 
     @staticmethod
     def _free(values: Texts, definitions: Iterable[tuple[str, str]], names: set[str]) -> list[str]:
-        """Names without definition: the identity holds for any value of them."""
+        """Names without a definition; the identity holds for any value of them."""
         texts = [*values, *(formula for _, formula in definitions)]
         return sorted(names_in(parse(t, "a formula") for t in texts) - names - {*CONSTANTS})
 
@@ -224,7 +226,7 @@ class _LinearRates:
 
 
 def _formula(data: object) -> str:
-    """A formula in text form that can be parsed."""
+    """Text of a formula, which must be possible to parse."""
     words = text(data, "a formula of the equations of the rates")
     parse(words, "a formula of the equations of the rates")
     return words

@@ -1,4 +1,4 @@
-"""Rational formulas as quotients of polynomials, exactly."""
+"""Exact quotients of polynomials from rational formulas."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ def quotient(
     Parameters
     ----------
     symbol_value : callable
-        The value of a symbol, or None if it is not known in the ring.
+        Value of a symbol, or None if it is not known in the ring.
     other_value : callable, optional
-        The value of a root or a function, for which it may ask for those of other formulas.
+        Value of a root or a function; the second argument gives values of formulas inside it.
 
     Raises
     ------

@@ -1,6 +1,6 @@
-"""Functions of real balls: a certain statement about a ball holds for every real number in it.
+"""Functions of real balls; a statement about a ball is valid for every real number in it.
 
-If a ball does not decide whether an operation is defined, the result counts as undefined.
+If a ball does not decide whether an operation is defined, the result is treated as undefined.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from .errors import UndefinedError
 from .functions import Functions
 from .jets import Number
 
-#: Limit on the numbers in an exponent, above which powers are computed by a logarithm.
+#: Limit on numerator and denominator of an exponent; powers beyond it use a logarithm.
 LARGEST = 10_000
 
 
 def ball(value: Fraction | int) -> arb:
-    """A rational number as a ball."""
+    """Rational number as a ball."""
     value = Fraction(value)
     return arb(fmpq(value.numerator, value.denominator))
 
@@ -29,12 +29,12 @@ class RealFunctions(Functions):
     """Functions at one real point.
 
     An unspecified smooth function may have any values and derivatives at finitely many different
-    arguments, so each is chosen freely, but equal where all arguments agree.
+    arguments.  So every value is chosen freely, but it is the same for equal arguments.
 
     Parameters
     ----------
     seed : str
-        The choice is the same for the same seed and the same order of questions.
+        The values are the same for the same seed and the same order of calls.
     """
 
     def __init__(self, seed: str) -> None:
@@ -44,11 +44,11 @@ class RealFunctions(Functions):
     def settle(
         self, word: str, orders: Sequence[int], arguments: Sequence[arb], value: arb
     ) -> None:
-        """Set a value that is determined by the others."""
+        """Set a value that is determined by others."""
         self._values.setdefault((word, tuple(orders)), []).append((tuple(arguments), value))
 
     def number(self, value: Fraction) -> Number:
-        """A rational number."""
+        """Rational number as a ball."""
         return ball(value)
 
     def constant(self, word: str) -> Number:
@@ -56,23 +56,23 @@ class RealFunctions(Functions):
         return arb.pi()
 
     def is_nonzero(self, a: Number) -> bool:
-        """Whether a ball does not contain zero."""
+        """True if a ball does not contain zero."""
         return not a.contains(0)
 
     def plain_root(self, a: Number, exponent: Fraction) -> Number:
-        """A power of a positive number with a fractional exponent."""
+        """Power of a positive number with a fractional exponent."""
         if not a > 0:
-            raise UndefinedError("a root of what is not positive")
+            raise UndefinedError("a root of a number that is not positive")
         if max(abs(exponent.numerator), exponent.denominator) > LARGEST:
             return self.plain_power(a, ball(exponent))
         return a.root(exponent.denominator) ** exponent.numerator
 
     def plain_power(self, a: Number, exponent: Number) -> Number:
-        """A power of a positive number."""
+        """Power of a positive number."""
         return (exponent * self.plain_value("log", (a,))).exp()
 
     def plain_value(self, word: str, arguments: tuple[Number, ...]) -> Number:
-        """The value of a known function."""
+        """Value of a known function."""
         if word == "atan2":
             y, x = arguments
             if not (x > 0 or y > 0 or y < 0):
@@ -80,7 +80,7 @@ class RealFunctions(Functions):
             return arb.atan2(y, x)
         (a,) = arguments
         if word == "log" and not a > 0:
-            raise UndefinedError("a logarithm of what is not positive")
+            raise UndefinedError("a logarithm of a number that is not positive")
         if word in ("asin", "acos") and not abs(a) < 1:
             raise UndefinedError(f"{word} outside -1 to 1")
         if word == "sign":
@@ -95,9 +95,11 @@ class RealFunctions(Functions):
     def plain_unspecified(
         self, word: str, orders: tuple[int, ...], arguments: tuple[Number, ...]
     ) -> Number:
-        """A value of a derivative of an unspecified function."""
+        """Value of a derivative of an unspecified function."""
         table = self._values.setdefault((word, orders), [])
         for known, value in table:
+            # Arguments that cannot be distinguished may be equal, and must have the same value
+            # then.
             if all(a.overlaps(b) for a, b in zip(known, arguments, strict=True)):
                 return value
         size = 2 ** self._generator.randint(16, 28)

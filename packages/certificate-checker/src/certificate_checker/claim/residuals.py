@@ -1,12 +1,12 @@
-"""Residuals of a law, which vanish where it holds, evaluated at a point.
+"""Residuals of a law, which vanish where it is valid, evaluated at a point.
 
-The definitions: an integral F has v(F) = 0; a density ρ has div(ρv) = 0 for the volume that the
-conditions cut out; a symmetry field commutes with v and keeps the conditions; a bracket is skew,
-has the conditions and its Casimir functions for Casimirs, satisfies the Jacobi identity and has no
-larger rank than it says; a conformally Hamiltonian field is N J dH; an isomorphism carries field
-and relations to those of its target; reductions, separations and identities are formulas that
-vanish; whether a separation separates is checked in :mod:`.separation`.  For every law the rates of
-the conditions come first.
+An integral F has v(F) = 0.  A density ρ has div(ρv) = 0 for the volume on the level of the
+conditions.  A symmetry field commutes with v and preserves the conditions.  A bracket is skew, has
+the conditions and its Casimir functions as Casimirs, satisfies the Jacobi identity and has at most
+the stated rank.  A conformally Hamiltonian field is N J dH.  An isomorphism maps field and
+relations to those of its target.  Reductions, separations and identities are formulas that vanish;
+the separation itself is checked in :mod:`.separation`.  For every law the rates of the conditions
+come first.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ MANY = 20_000
 
 
 def residuals(claim: Claim, point: Point) -> list[Number]:
-    """Everything that must vanish, in order."""
+    """All expressions that must vanish, in order."""
     values = []
     for value in each_residual(claim, point):
         values.append(value)
@@ -40,11 +40,11 @@ def residuals(claim: Claim, point: Point) -> list[Number]:
 
 
 def each_residual(claim: Claim, point: Point) -> Iterator[Number]:
-    """The residuals of a claim, computed one after the other."""
+    """Residuals of a claim, computed one after the other."""
     for condition in claim.moving:
         yield point(call("Rate", [condition]))
     for value in _KINDS[claim.law.kind](claim, point):
-        # An empty sum is a plain zero.
+        # An empty sum is the int 0, which becomes a number of the right kind here.
         yield add(value, point.functions.number(Fraction(0)))
 
 
@@ -82,6 +82,8 @@ def _measure(claim: Claim, point: Point) -> Iterator[Number]:
     system = claim.system
     partial = point.partial(system.state)
     rates = [point(rate) for rate in system.rates]
+    # div(ρ v)/ρ = div v + Σ n v(f)/f for ρ = ∏ f^n.  On the level F = 0 the volume changes by the
+    # trace of C in v(F) = C F, which is subtracted.
     total = _sum([partial.slopes(r).get(i, 0) for i, r in enumerate(system.rates)])
     for base, exponent in claim.law.pairs["density"]:
         along = _sum([multiply(s, rates[i]) for i, s in partial.slopes(base).items()])
@@ -93,7 +95,7 @@ def _measure(claim: Claim, point: Point) -> Iterator[Number]:
 def _transverse(claim: Claim, partial: Point) -> Number:
     """Trace of C, where v(F_i) = Σ C_ij F_j for the conditions F.
 
-    C is taken as the solution of ∇v(F_i) · ∇F_k = Σ C_ij ∇F_j · ∇F_k.
+    C is the solution of ∇v(F_i) · ∇F_k = Σ C_ij ∇F_j · ∇F_k.
     """
     normals = _normals(claim, partial)
     drifts = [partial.slopes(call("Rate", [c])) for c in claim.moving]
@@ -103,7 +105,7 @@ def _transverse(claim: Claim, partial: Point) -> Number:
     gram = [[_dot(a, b) for b in normals] for a in normals]
     right = [[_dot(drift, normal) for normal in normals] for drift in drifts]
     size = len(normals)
-    # The Gram matrix is symmetric: its columns times C^T are `right` transposed.
+    # The Gram matrix is symmetric, so its product with C^T is `right` transposed.
     columns = [[right[j][i] for j in range(size)] for i in range(size)]
     solution = _solution(gram, columns, functions)
     return _sum([solution[i][i] for i in range(size)])
@@ -118,9 +120,9 @@ def _dot(a: Mapping[int, Number], b: Mapping[int, Number]) -> Number:
 
 
 def gram_determinants(claim: Claim, point: Point) -> list[Number]:
-    """The leading minors of the Gram matrix of the conditions.
+    """Leading minors of the Gram matrix of the conditions.
 
-    If the last one is nonzero, the conditions are independent, and all minors are positive.
+    If the last one is nonzero, the conditions are independent and all minors are positive.
     """
     normals = _normals(claim, point.partial(claim.system.state))
     rows = [[_dot(a, b) for b in normals] for a in normals]
@@ -138,8 +140,9 @@ def gram_determinants(claim: Claim, point: Point) -> list[Number]:
 def _solution(
     matrix: Sequence[Sequence[Number]], right: Sequence[Sequence[Number]], functions: Functions
 ) -> list[list[Number]]:
-    """The solution of linear equations with a positive matrix, whose minors are nonzero."""
+    """Solution of linear equations with a positive matrix, whose leading minors are nonzero."""
     rows = [[*a, *b] for a, b in zip(matrix, right, strict=True)]
+    # Elimination without pivoting is possible, because all leading minors are nonzero.
     size = len(rows)
     for i in range(size):
         if not functions.is_nonzero(rows[i][i]):
@@ -167,6 +170,7 @@ def _symmetry(claim: Claim, point: Point) -> Iterator[Number]:
 
     for condition in claim.moving:
         yield along(partial.slopes(condition), push)
+    # [u, v]_k = u(v_k) − v(u_k) for every coordinate k.
     for word, rate in zip(system.state, system.rates, strict=True):
         shift = partial.slopes(components[word]) if word in components else {}
         yield _minus(along(partial.slopes(rate), push), along(shift, rates))
@@ -177,6 +181,8 @@ def _poisson(claim: Claim, point: Point) -> Iterator[Number]:
     partial = point.partial(claim.system.state)
     values = [[point(entry) for entry in row] for row in law.matrix]
     slopes = [[partial.slopes(entry) for entry in row] for row in law.matrix]
+    # Skew symmetry, Casimir functions and the Jacobi identity Σ J_an ∂_n J_bc = 0 over the cyclic
+    # permutations of every triple.
     for i in range(size):
         for j in range(i, size):
             yield add(values[i][j], values[j][i])
@@ -191,6 +197,7 @@ def _poisson(claim: Claim, point: Point) -> Iterator[Number]:
         yield _sum(parts)
     for casimir in law.several["casimirs"]:
         yield from _brackets(values, partial.slopes(casimir))
+    # A skew matrix has rank ≤ r exactly if all its Pfaffians of order r + 2 vanish.
     if law.rank is not None:
         for chosen in combinations(range(size), law.rank + 2):
             yield _pfaffian(values, chosen)
@@ -205,6 +212,7 @@ def _pfaffian(matrix: Sequence[Sequence[Number]], rows: tuple[int, ...]) -> Numb
     if not rows:
         return 1
     first, *others = rows
+    # Expansion along the first row.
     total: Number = 0
     for position, other in enumerate(others):
         remaining = tuple(n for n in others if n != other)
@@ -227,7 +235,7 @@ def _hamiltonian(claim: Claim, point: Point) -> Iterator[Number]:
 
 
 def target_point(claim: Claim, point: Point) -> Point:
-    """The image of a point in the target of an isomorphism."""
+    """Image of a point in the target of an isomorphism."""
     law, target = claim.law, claim.law.target
     assert target is not None
     values = {word: point(formula) for word, formula in law.pairs["constants"]}
@@ -278,19 +286,19 @@ _KINDS = {
 
 
 def is_on_rank(claim: Claim) -> bool:
-    """Whether a law states a lower bound of a rank."""
+    """True if a law states a lower bound of a rank."""
     return claim.law.kind in ("Isomorphism", "Separation") or claim.law.rank is not None
 
 
 def rank_at_least(claim: Claim, point: Point) -> bool:
-    """Whether at a point the ranks are certainly as large as the law says."""
+    """True if at a point the ranks are certainly as large as stated."""
     law, system = claim.law, claim.system
     if law.rank is not None:
         return _rank([[point(entry) for entry in row] for row in law.matrix]) >= law.rank
     size = len(system.state)
     formulas: list[Formula] = [*claim.moving]
     if law.kind == "Separation":
-        # The quantities are independent on a level of the constants.
+        # On a level of the constants the quantities must be independent.
         stated = parts(claim)
         formulas += [name(word) for word in (*stated.constants, *stated.quantities)]
         wanted = len(formulas)
@@ -303,12 +311,13 @@ def rank_at_least(claim: Claim, point: Point) -> bool:
 
 
 def _rank(rows: list[list[arb]]) -> int:
-    """A certain lower bound of the rank."""
+    """Lower bound of the rank that is certain."""
     rows = [list(row) for row in rows]
     rank = 0
     for column in range(len(rows[0]) if rows else 0):
         if rank == len(rows):
             break
+        # The pivot with the largest lower bound keeps the balls of the other rows narrow.
         best = max(range(rank, len(rows)), key=lambda i: rows[i][column].abs_lower())
         if rows[best][column].contains(0):
             continue

@@ -1,8 +1,8 @@
 """Check that the equations of a separation are separated.
 
-Every equation says that one quantity is constant, or gives its rate r or the square of it.  In
-lowest terms, numerator and denominator of r_i²/r_k² must then be products of polynomials in which,
-apart from parameters and constants, either only u_i or only u_k occurs.
+Every equation states that one quantity is constant, or gives its rate r or r².  Then, in lowest
+terms, numerator and denominator of r_i²/r_k² must be products of polynomials, each of which
+contains only u_i or only u_k apart from parameters and constants.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from .quotients import Quotient, quotient
 
 @dataclass(frozen=True)
 class Parts:
-    """The quantities and constants of a separation.
+    """Quantities and constants of a separation.
 
     Attributes
     ----------
     quantities : mapping of name to equation
-        What separates.
+        Separated quantities, each with its equation and rate.
     """
 
     quantities: Mapping[str, tuple[Formula, Formula]]
@@ -35,19 +35,22 @@ class Parts:
 
 
 def parts(claim: Claim) -> Parts:
-    """The quantities with their equations and rates, and the constants.
+    """Quantities with their equations and rates, and constants of a separation.
 
     Raises
     ------
     CheckError
-        If an equation holds no rate, several, or that of something without a name.
+        If an equation contains no rate, several rates, or the rate of an expression without a
+        name.
     """
     squares: dict[str, tuple[Formula, Formula]] = {}
     constants: list[str] = []
     for number, equation in enumerate(claim.law.several["equations"], 1):
         rates = {node for node in walk([equation]) if node.kind == "call" and node.word == "Rate"}
         if len(rates) != 1 or next(iter(rates)).parts[0].kind != "name":
-            raise CheckError(f"equation {number} of the separation holds no single rate")
+            raise CheckError(
+                f"equation {number} of the separation does not contain exactly one rate"
+            )
         (rate,) = rates
         word = rate.parts[0].word
         if equation is rate:
@@ -62,11 +65,11 @@ def parts(claim: Claim) -> Parts:
 
 
 def check_separation(claim: Claim) -> None:
-    """Check that the quantities of a separation separate."""
+    """Check that the quantities of a separation are separated."""
     stated = parts(claim)
     own = claim.law.quantities
     words = [*claim.system.symbols, *own]
-    # No symbol may have this name.
+    # The name is reserved, so no symbol has it.
     speed = "Rate"
     ring = Ring([*words, speed])
 
@@ -89,6 +92,7 @@ def check_separation(claim: Claim) -> None:
     for first, second in combinations(squares, 2):
         (p, q), (r, s) = squares[first], squares[second]
         above, below = p * s, q * r
+        # In lowest terms every factor of a product f(u_i) g(u_k) belongs to one variable.
         common = above.gcd(below)
         for poly in (above / common, below / common):
             for factor, _ in poly.factor()[1]:
@@ -97,7 +101,7 @@ def check_separation(claim: Claim) -> None:
 
 
 def _with_rate_symbol(symbol: Formula, rate: Formula, formula: Formula) -> Formula:
-    """A formula with a symbol in place of the rate; UndefinedError if it is not rational."""
+    """Formula with a symbol instead of the rate; UndefinedError if it is not rational."""
     if formula is rate:
         return symbol
     inner = [_with_rate_symbol(symbol, rate, part) for part in formula.parts]
@@ -113,7 +117,7 @@ def _with_rate_symbol(symbol: Formula, rate: Formula, formula: Formula) -> Formu
 
 
 def _square(ring: Ring, above: Poly, speed: str, word: str) -> Quotient:
-    """The square of the rate, from A r + C = 0 or A r² + C = 0."""
+    """Square of the rate, from A r + C = 0 or A r² + C = 0."""
     position = ring.index[speed]
     terms: dict[int, dict[tuple[int, ...], fmpq]] = {}
     for exponents, coefficient in above.to_dict().items():

@@ -1,4 +1,4 @@
-"""The basis of a proof: equations, divisors and signs, compared with the claim."""
+"""Basis of a proof: equations, divisors and signs, compared with the claim."""
 
 from __future__ import annotations
 
@@ -27,20 +27,20 @@ from .roots import check_functions, check_roots, is_radicand
 
 @dataclass(frozen=True)
 class Basis:
-    """The basis of a proof, verified against the claim.
+    """Basis of a proof, verified against the claim.
 
     Attributes
     ----------
     equations : tuple of Poly
-        Vanish on the level.
+        Polynomials that vanish on the level.
     nonzero : frozenset of str
-        Keys of polynomials that do not vanish where the law is defined.
+        Keys of polynomials that are nonzero where the law is defined.
     signs : Signs
-        Known signs, the assumed ones included.
+        Known signs, including the assumed ones.
     certain : Signs
-        Signs that are known without assuming any.
+        Signs that are known without assumptions.
     radicands : tuple of Entry
-        Are positive where the law is defined, whatever signs are assumed.
+        Products that are positive where the law is defined, independent of assumed signs.
     """
 
     generators: Generators
@@ -59,12 +59,12 @@ def read_basis(
     seed: str,
     what: str,
 ) -> Basis:
-    """Read equations, divisors and signs of a proof, and compare them with the claim.
+    """Equations, divisors and signs of a proof, compared with the claim.
 
     Parameters
     ----------
     formulas : iterable of formulas
-        Will be compared later.
+        Formulas that are compared later.
     """
     system = generators.claim.system
     entries = read_divisors(data, generators, what)
@@ -73,6 +73,8 @@ def read_basis(
         generators, seed, [(e.content, e.powers) for e in entries], [*formulas, *stated]
     )
     matches = Matches(generators, entries, comparisons)
+    # Signs are determined twice, without the assumed ones first, because assumed signs may not
+    # justify the claim that all cases are covered.
     certain = Signs()
     knowledge = _Knowledge(data, matches, what)
     knowledge.extend(certain)
@@ -98,10 +100,10 @@ def read_basis(
 
 
 class _Knowledge:
-    """Signs and divisors, each of which may reveal more of the other.
+    """Signs and divisors, each of which may determine more of the other.
 
-    A formula with a root is known once the signs of its radicand are; these may follow from other
-    positive quantities, such as another radicand.
+    A formula with a root has a known value once the signs in its radicand are known; these may
+    follow from other positive quantities, such as another radicand.
     """
 
     def __init__(self, data: Mapping[str, object], matches: Matches, what: str) -> None:
@@ -121,6 +123,7 @@ class _Knowledge:
         self.matches.comparisons.set_signs(signs)
         waiting = [*self.positives]
         changed = True
+        # Both sets only grow, so the loop ends when neither has changed.
         while changed:
             before = len(waiting), len(self._open), signs.count
             pairs = [
@@ -137,10 +140,10 @@ class _Knowledge:
             changed = found or before != (len(waiting), len(self._open), signs.count)
 
     def nonzero(self, signs: Signs) -> frozenset[str]:
-        """Keys of polynomials known to be nonzero."""
+        """Keys of polynomials that are known to be nonzero."""
         generators = self.matches.generators
         radicands = self.matches.radicands
-        # A formal root is that of a radicand of the law, divided by something nonzero.
+        # A formal root is the root of a radicand of the law, divided by a nonzero factor.
         names = [
             a.name
             for a in generators.roots
@@ -155,7 +158,7 @@ class _Knowledge:
     def _learn_symbols(self, signs: Signs) -> None:
         """Learn which roots, powers and exponentials are positive.
 
-        A root has a real value only where its radicand is positive.
+        A root is real only where its radicand is positive.
         """
         for auxiliary in self.matches.generators.auxiliary:
             rooted = auxiliary.kind in ("root", "power")
@@ -164,7 +167,7 @@ class _Knowledge:
                 signs.learn(self.matches.generators.ring.generator(auxiliary.name), 1)
 
     def require_all(self) -> None:
-        """Require that nothing is left open; CheckError otherwise."""
+        """Raise CheckError if a sign or a divisor is not determined."""
         for reason in self._reasons:
             raise reason
         self.matches.require_all()

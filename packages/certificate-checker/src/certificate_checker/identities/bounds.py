@@ -10,19 +10,19 @@ from ..claim.jets import Number
 from ..modular.small_relations import LARGEST
 from .generator_functions import Auxiliary, GeneratorFunctions
 
-#: The binary logarithm of the largest bound.
+#: Binary logarithm of the largest bound.
 MANY = 4000
 
 
 class Bound:
-    """A bound of a quotient of polynomials with integer coefficients.
+    """Bound of a quotient of polynomials with integer coefficients.
 
     Attributes
     ----------
     degree : int
-        Of numerator and denominator.
+        Degree of numerator and denominator.
     height : int
-        Binary logarithm of the sum of the absolute values of the coefficients, of both.
+        Binary logarithm of the sum of the absolute values of the coefficients, for both.
     """
 
     __slots__ = ("degree", "height")
@@ -33,6 +33,8 @@ class Bound:
     def __add__(self, other: Bound | int) -> Bound:
         if isinstance(other, int):
             return Bound(self.degree, self.height + other.bit_length() + 1)
+        # a/b + c/d = (a d + c b)/(b d): degrees add, and the sum of two terms doubles the height
+        # at most.
         return Bound(self.degree + other.degree, self.height + other.height + 1)
 
     def __mul__(self, other: Bound | int) -> Bound:
@@ -54,7 +56,7 @@ class Bound:
 
 
 class Bounds(GeneratorFunctions):
-    """Functions of bounds; every expression is bounded by the largest such product.
+    """Functions of bounds; every value is bounded by the largest possible product of powers.
 
     Parameters
     ----------
@@ -62,7 +64,7 @@ class Bounds(GeneratorFunctions):
         Number of generators.
     auxiliary : sequence of Auxiliary
     products : iterable of (number, powers)
-        What radicands are products of.
+        Products that are equal to radicands.
     """
 
     def __init__(
@@ -75,6 +77,8 @@ class Bounds(GeneratorFunctions):
         self.radicands: list[Bound] = []
         self.logarithms_of_numbers: list[Auxiliary] = []
         self.values: list[Number] = [Bound(1, 1)] * size
+        # No more than LARGEST multiples of each auxiliary symbol are combined (see
+        # :mod:`.modular.small_relations`).
         whole = Bound(2, 2) ** (2 * LARGEST * (len(auxiliary) + 4))
         for content, powers in products:
             value = self.number(content) * whole
@@ -96,49 +100,49 @@ class Bounds(GeneratorFunctions):
         return value
 
     def number(self, value: Fraction) -> Number:
-        """A rational number."""
+        """Bound of a rational number."""
         return Bound(0, max(value.numerator.bit_length(), value.denominator.bit_length()))
 
     def free(self, word: str) -> Number:
-        """A variable."""
+        """Bound of a variable."""
         return Bound(1, 1)
 
     def constant(self, word: str) -> Number:
-        """A variable."""
+        """Bound of a variable."""
         return Bound(1, 1)
 
     def is_nonzero(self, a: Number) -> bool:
-        """Nothing is known to be zero."""
+        """True, because no bound is known to be zero."""
         return True
 
     def settle(
         self, word: str, orders: Sequence[int], arguments: Sequence[Number], value: Number
     ) -> None:
-        """The value of an unspecified function is not larger than a variable."""
+        """Do nothing: the value of an unspecified function is not larger than a variable."""
 
     def new_root(self, symbol: Auxiliary, radicand: Number, whole: Number) -> Number:
-        """A variable."""
+        """Bound of a variable; the radicand is recorded."""
         self.radicands.append(radicand)
         return self._with_note((radicand, whole), Bound(1, 1))
 
     def new_power(self, symbol: Auxiliary, base: Number, exponent: Callable[[], Number]) -> Number:
-        """A variable."""
+        """Bound of a variable; base and exponent are recorded."""
         return self._with_note((base, exponent()), Bound(1, 1))
 
     def plain_root(self, a: Number, exponent: Fraction) -> Number:
-        """A product of roots."""
+        """Bound of a product of roots."""
         return self._with_note((a,), self._whole ** (abs(exponent.numerator) + 1))
 
     def plain_power(self, a: Number, exponent: Number) -> Number:
-        """A product of powers."""
+        """Bound of a product of powers."""
         return self._with_note((a, exponent), self._whole)
 
     def plain_value(self, word: str, arguments: tuple[Number, ...]) -> Number:
-        """A variable, or an expression in those of multiples of other arguments."""
+        """Bound of a variable, or of an expression in the values for other arguments."""
         return self._with_note(arguments, self._whole**2)
 
     def plain_unspecified(
         self, word: str, orders: tuple[int, ...], arguments: tuple[Number, ...]
     ) -> Number:
-        """A variable."""
+        """Bound of a variable."""
         return self._with_note(arguments, Bound(1, 1))

@@ -1,7 +1,7 @@
-"""The case tree by which the residuals vanish, or a level is split.
+"""Case tree that shows that residuals vanish, or divides a level into parts.
 
-A node represents the points at which some polynomials E vanish while those of a set H do not.
-Every step is a polynomial identity, which is verified.
+A node represents the points at which some polynomials E vanish and those of a set H do not.  Every
+step is a polynomial identity, which is verified.
 """
 
 from __future__ import annotations
@@ -18,20 +18,20 @@ from ..claim.polynomials import Poly, Ring, monic
 
 DEPTH = 200
 
-#: Handles a leaf that is left open, or a part with a proof: its node, data and label.
+#: Function for a leaf that is left open, or a part with a proof: its node, data and label.
 Leaf: TypeAlias = Callable[["Node", Mapping[str, object], str], None]
 
 
 class Signs:
-    """Polynomials whose sign is known, up to constant factors."""
+    """Polynomials with known signs, up to constant factors."""
 
     def __init__(self) -> None:
         self._signs: dict[str, tuple[int, bool]] = {}
-        #: Polynomials, by key and sign, that are nonnegative.
+        #: Nonnegative polynomials, by key and sign.
         self._not_negative: set[tuple[str, int]] = set()
 
     def copy(self) -> Signs:
-        """A copy, to be extended independently."""
+        """Independent copy."""
         signs = Signs()
         signs._signs = dict(self._signs)
         signs._not_negative = set(self._not_negative)
@@ -39,7 +39,7 @@ class Signs:
 
     @property
     def count(self) -> tuple[int, int]:
-        """The number of known signs, and of strict ones."""
+        """Number of known signs, and of strict ones."""
         return len(self._not_negative), sum(strict for _, strict in self._signs.values())
 
     def learn(self, poly: Poly, sign: int, strict: bool = True) -> None:
@@ -48,12 +48,14 @@ class Signs:
         self._not_negative.add((key, sign * lead))
         known = self._signs.get(key)
         if known is not None and known[0] != sign * lead and known[1] and strict:
-            raise CheckError(f"what is positive contradicts itself at {_short_text(poly)}")
+            raise CheckError(
+                f"the signs of positive quantities contradict each other at {_short_text(poly)}"
+            )
         if known is None or strict:
             self._signs[key] = (sign * lead, strict)
 
     def of(self, poly: Poly) -> int:
-        """The strict sign of a polynomial; 0 if unknown."""
+        """Strict sign of a polynomial; 0 if unknown."""
         if poly.is_constant():
             return 0 if poly.is_zero() else monic(poly)[1]
         key, lead = monic(poly)
@@ -61,13 +63,13 @@ class Signs:
         return sign * lead if strict else 0
 
     def is_not_negative(self, poly: Poly) -> bool:
-        """Whether a polynomial is known to be nonnegative."""
+        """True if a polynomial is known to be nonnegative."""
         if poly.is_constant():
             return poly.is_zero() or self.of(poly) > 0
         return monic(poly) in self._not_negative
 
     def weak(self, poly: Poly) -> int:
-        """The sign of a polynomial that may also be zero; 0 if unknown."""
+        """Sign of a polynomial that may also be zero; 0 if unknown."""
         if poly.is_constant():
             return self.of(poly)
         key, lead = monic(poly)
@@ -76,18 +78,18 @@ class Signs:
 
 @dataclass(frozen=True)
 class Node:
-    """The points of a case.
+    """Points of a case.
 
     Attributes
     ----------
     equations : tuple of Poly
-        Vanish.
+        Polynomials that vanish there.
     nonzero : frozenset of str
-        Keys of polynomials that do not vanish.
+        Keys of polynomials that are nonzero there.
     numerators : sequence of Poly, or None
-        Of the residuals; None where the tree shows nothing of them.
+        Numerators of the residuals; None if the tree does not concern residuals.
     leaf : callable
-        What is done at a leaf that is neither empty nor shown to be zero.
+        Function for a leaf that is neither empty nor shown to be zero.
     """
 
     ring: Ring
@@ -98,17 +100,17 @@ class Node:
     leaf: Leaf
 
     def with_equations(self, *more: Poly) -> Node:
-        """A case with further equations."""
+        """Case with further equations."""
         return replace(self, equations=(*self.equations, *more))
 
     def is_nonzero(self, poly: Poly) -> bool:
-        """Whether a polynomial is known to be nonzero."""
+        """True if a polynomial is known to be nonzero."""
         if poly.is_constant():
             return not poly.is_zero()
         return monic(poly)[0] in self.nonzero or bool(self.signs.of(poly))
 
     def strict_sign(self, poly: Poly) -> int:
-        """The sign of a polynomial where it is certain."""
+        """Sign of a polynomial where it is certain; otherwise 0."""
         sign = self.signs.of(poly)
         if sign or poly.is_zero():
             return sign
@@ -128,6 +130,8 @@ def check_tree(node: Node, data: object, where: str = "the tree", depth: int = 0
     case = field(data, "case", where)
     if case == "zero":
         _zero(node, data, where)
+    # A case is empty if 1 lies in the ideal of the equations, up to factors that are nonzero
+    # there.
     elif case == "empty":
         only(data, where, "case", "factors", "constant", "quotients")
         _check_membership(node, node.ring.constant(1), data, where)
@@ -159,7 +163,7 @@ def _multiplier(node: Node, data: object, where: str) -> Poly:
 
 
 def _combination(node: Node, data: object, where: str) -> Poly:
-    """The sum of quotients times equations."""
+    """Sum of quotients times equations."""
     quotients = items(data, len(node.equations), f"the quotients in {where}")
     total = node.ring.constant(0)
     for quotient, equation in zip(quotients, node.equations, strict=True):
@@ -168,7 +172,7 @@ def _combination(node: Node, data: object, where: str) -> Poly:
 
 
 def _check_membership(node: Node, poly: Poly, data: Mapping[str, object], where: str) -> None:
-    """constant · ∏ factors · poly = Σ quotient · equation."""
+    """Check constant · ∏ factors · poly = Σ quotient · equation."""
     constant = _constant(field(data, "constant", where), f"the constant in {where}")
     multiplier = _multiplier(node, field(data, "factors", where), where)
     combined = _combination(node, field(data, "quotients", where), where)
@@ -179,7 +183,7 @@ def _check_membership(node: Node, poly: Poly, data: Mapping[str, object], where:
 def _zero(node: Node, data: Mapping[str, object], where: str) -> None:
     only(data, where, "case", "identities")
     if node.numerators is None:
-        raise CheckError(f"{where} has a case 'zero', which has no place there")
+        raise CheckError(f"{where} has a case 'zero', which is not allowed there")
     numbers = set()
     for item in as_list(field(data, "identities", where), where):
         identity = mapping(item, where)
@@ -196,7 +200,7 @@ def _zero(node: Node, data: Mapping[str, object], where: str) -> None:
 
 
 def _membership(node: Node, data: Mapping[str, object], where: str) -> Poly:
-    """A polynomial that vanishes: ∏ by · P = Σ quotient · equation."""
+    """Polynomial P that vanishes by ∏ by · P = Σ quotient · equation."""
     poly = node.ring.read(field(data, "polynomial", where), f"the polynomial of {where}")
     by = _multiplier(node, field(data, "by", where), where)
     if by * poly != _combination(node, field(data, "quotients", where), where):
@@ -212,6 +216,7 @@ def _split(node: Node, data: Mapping[str, object], where: str, depth: int) -> No
     constant = _constant(field(data, "constant", where), f"the constant of {where}")
     if poly != constant * node.ring.expanded_product(factors):
         raise CheckError(f"{where}: the factors do not make the polynomial")
+    # A product is zero only where a factor is; the factors that cannot vanish need no case.
     vanishing = [factor for factor, _ in factors if not node.is_nonzero(factor)]
     children = items(field(data, "children", where), len(vanishing), f"the children of {where}")
     for number, (factor, child) in enumerate(zip(vanishing, children, strict=True), 1):
@@ -222,7 +227,7 @@ def _vanishing(node: Node, data: Mapping[str, object], where: str, depth: int) -
     only(data, where, "case", "polynomial", "nonzero", "zero")
     poly = node.ring.read(field(data, "polynomial", where), f"the polynomial of {where}")
     if poly.is_zero():
-        raise CheckError(f"{where} asks whether 0 vanishes")
+        raise CheckError(f"{where} has a case 'vanishing' for the polynomial 0")
     other = replace(node, nonzero=node.nonzero | {monic(poly)[0]})
     check_tree(other, field(data, "nonzero", where), f"{where}.nonzero", depth + 1)
     zero = node.with_equations(poly)
@@ -232,6 +237,8 @@ def _vanishing(node: Node, data: Mapping[str, object], where: str, depth: int) -
 def _squares(node: Node, data: Mapping[str, object], where: str, depth: int) -> None:
     only(data, where, "case", "polynomial", "by", "quotients", "terms", "child")
     poly = _membership(node, data, where)
+    # A sum of squares with positive weights is zero only where every base is zero, so the bases
+    # become equations.
     total = node.ring.constant(0)
     bases = []
     for term in as_list(field(data, "terms", where), f"the terms of {where}"):

@@ -1,4 +1,4 @@
-"""Compare formulas and polynomials by their values at random points modulo a prime."""
+"""Comparisons of formulas and polynomials at random points modulo a prime."""
 
 from __future__ import annotations
 
@@ -18,28 +18,28 @@ from .error_bound import of_polynomial, prime_bits
 from .generators import Generators, Sample
 from .residues import Residues
 
-#: Number of random points: equality is compared at one; a constant ratio needs another.
+#: Number of random points: equality is tested at one point, a constant ratio at two.
 POINTS = 2
 
-#: Number of primes tried, from 2^8 points modulo the first to 2^19 modulo the last.
+#: Number of primes to be tried, with 2^8 points modulo the first and 2^19 modulo the last.
 ROUNDS = 12
 
-#: Bits of a prime in excess of a ratio, so that another fraction is congruent to it only by
-#: accident.
+#: Bits of the prime beyond those of a ratio, which make it improbable that another fraction with
+#: small numbers is congruent to it.
 SPARE = 164
 
 
 class Comparisons:
-    """Values of formulas and polynomials of a proof, at the same points.
+    """Values of formulas and polynomials of a proof at common points.
 
     Parameters
     ----------
     seed : str
-        Decides prime and points: a digest of what is compared.
+        Digest of the compared data, from which prime and points are derived.
     products : sequence of (number, powers)
-        The products that the proof states.
+        Products stated in the proof.
     formulas : iterable of formulas
-        All that will be compared, besides those of the law.
+        All formulas that are compared, besides those of the law.
     """
 
     def __init__(
@@ -58,7 +58,7 @@ class Comparisons:
             _symbols(generators),
         )
         for number in range(ROUNDS):
-            # A root of a number requires another prime, any other root another point.
+            # A root of a number may not exist modulo this prime, any other root at this point.
             self.field = PrimeField(f"{seed} {number}", bits, degrees)
             draws = generators.samples(self.field, POINTS, 2 ** (8 + number))
             if draws is not None:
@@ -89,7 +89,7 @@ class Comparisons:
         Raises
         ------
         UnknownRootError
-            If roots of it are not known, or not yet.
+            If its roots are not known, or not yet known.
         """
         key = where, formula
         if key not in self._memo:
@@ -121,12 +121,12 @@ class Comparisons:
         return [upper * inverse(lower) for upper, lower in values]
 
     def ratio(self, poly: Poly, formula: Formula) -> Fraction | None:
-        """The constant by which a polynomial differs from a formula, or None.
+        """Constant ratio of a polynomial and a formula, or None.
 
         Raises
         ------
         UnknownRootError
-            As for `formula`.
+            As in `formula`.
         """
         try:
             second = [s.solver(formula) for s in self.samples]
@@ -139,9 +139,11 @@ class Comparisons:
         return self._small_fraction(int(ratios.pop())) if len(ratios) == 1 else None
 
     def _small_fraction(self, residue: int) -> Fraction | None:
-        """The fraction a/b ≡ residue with small a and b, by Euclid's algorithm."""
+        """Fraction a/b ≡ residue with small a and b, or None, by Euclid's algorithm."""
         modulus = self.field.modulus
         limit = 2 ** ((modulus.bit_length() - SPARE) // 2)
+        # Every remainder is factor · residue modulo p, and remainders decrease while factors grow;
+        # the first small remainder gives the fraction.
         before, here, factor_before, factor = modulus, residue, 0, 1
         while here > limit:
             times = before // here
@@ -163,7 +165,7 @@ def _bounds(
     formulas: Iterable[Formula],
     with_residuals: bool,
 ) -> Bounds:
-    """Bounds of everything in a claim that is compared."""
+    """Bounds of all compared expressions of a claim."""
     claim, domain = generators.claim, generators.domain
     stated = [(c, [(of_polynomial(p), n) for p, n in powers]) for c, powers in products]
     bounds = Bounds(len(generators.ring.names), generators.auxiliary, stated)

@@ -22,14 +22,14 @@ from .residues import UnknownRootError
 
 @dataclass(frozen=True)
 class Entry:
-    """A formula as a product: content · ∏ factor^power.
+    """Formula as a product: content · ∏ factor^power.
 
     Attributes
     ----------
     formula : Formula or None
         None for the volume of the conditions.
     where : str
-        On which side of an isomorphism it stands.
+        Side of an isomorphism to which it belongs.
     """
 
     label: str
@@ -42,7 +42,7 @@ class Entry:
 def read_divisors(
     data: Mapping[str, object], generators: Generators, what: str
 ) -> tuple[Entry, ...]:
-    """The divisors and radicands that a proof states as products."""
+    """Divisors and radicands that a proof states as products."""
     entries = []
     ring = generators.ring
     for number, data_of_one in enumerate(as_list(field(data, "divisors", what), what)):
@@ -56,14 +56,14 @@ def read_divisors(
         shown = text(field(item, "formula", label), label)
         where = choice(item.get("where", "own"), label, "own", "target")
         if where == "target" and generators.claim.law.target is None:
-            raise CheckError(f"{label} is one of a target that there is not")
+            raise CheckError(f"{label} belongs to a target, but the law has none")
         formula = None if shown == GRAM else parse(shown, label)
         entries.append(Entry(label, content, powers, formula, where))
     return tuple(entries)
 
 
 class Matches:
-    """Matches divisors and radicands of the law with products that a proof states.
+    """Divisors and radicands of the law, matched with products stated in a proof.
 
     Formulas with roots can be compared once the signs of the factors of these roots are known;
     earlier matches remain valid.
@@ -83,7 +83,7 @@ class Matches:
 
     @property
     def radicands(self) -> list[Entry]:
-        """The entries that are radicands or arguments of logarithms, and therefore positive."""
+        """Entries that are radicands or arguments of logarithms, and therefore positive."""
         domain = self.generators.domain
         first, count = len(domain.nonzero), len(domain.positive) + len(domain.logarithms)
         places = range(first, first + count)
@@ -92,7 +92,7 @@ class Matches:
         return [entry for entry, values in pairs if entry in self.of_law and values in positive]
 
     def extend(self) -> bool:
-        """Find more matches; return whether any was found."""
+        """Find more matches; True if there are any."""
         before = len(self._left), len(self._of_domain)
         for i, (where, formula) in enumerate(self.generators.domain.formulas):
             if i not in self._of_domain:
@@ -107,7 +107,7 @@ class Matches:
         return (len(self._left), len(self._of_domain)) != before
 
     def require_all(self) -> None:
-        """Require that every entry was found; CheckError otherwise."""
+        """Raise CheckError unless every entry was matched."""
         for number in self._left:
             self._match(self.entries[number], self._values[number])
 
@@ -138,9 +138,11 @@ def nonzero_factors(
     """Keys of nonzero factors, given that symbols and factors of denominators are nonzero."""
     keys = {monic(generators.ring.generator(name))[0] for name in symbols}
     for names, _ in generators.inverses:
-        # The inverse matrix is itself invertible.
+        # The inverse of a matrix is invertible, so its determinant is nonzero.
         a, b, c, d, e, f = (generators.ring.generator(word) for word in names)
         keys.add(monic(a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d))[0])
+    # A nonzero product with nonzero denominators has only nonzero factors; each result may
+    # complete the denominators of other entries.
     changed = True
     while changed:
         changed = False

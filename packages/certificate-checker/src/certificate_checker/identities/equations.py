@@ -1,4 +1,4 @@
-"""The equations of a proof: each comes from a condition, a root, a circle or equal values."""
+"""Equations of a proof: each comes from a condition, a root, a circle or equal values."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ONE_TO_ONE = ("exp", "log", "asin", "acos", "atan")
 
 
 class Equations:
-    """The polynomials that vanish on the level, each with its origin."""
+    """Polynomials that vanish on the level, each with its origin."""
 
     def __init__(self, data: Mapping[str, object], comparisons: Comparisons, what: str) -> None:
         self.comparisons = comparisons
@@ -35,7 +35,7 @@ class Equations:
             self._items.append((item, source, source.split(" "), label))
 
     def usable(self, signs: Signs) -> set[int]:
-        """The indices of equations that hold unconditionally, whatever else a proof assumes."""
+        """Indices of equations that hold independent of all assumptions of a proof."""
         ring = self.comparisons.generators.ring
         numbers = set()
         for number, (_, source, words, label) in enumerate(self._items):
@@ -58,7 +58,7 @@ class Equations:
             return False
 
     def verify(self, nonzero: frozenset[str], signs: Signs) -> tuple[Poly, ...]:
-        """The polynomials; CheckError if one does not have its stated origin."""
+        """Polynomials of the equations; CheckError if one does not have its stated origin."""
         generators = self.comparisons.generators
         ring = generators.ring
         for number, (item, source, words, label) in enumerate(self._items):
@@ -113,11 +113,11 @@ def _check_equal_values(
     generators: Generators,
     label: str,
 ) -> None:
-    """A value is that of another symbol, or 1, because their arguments are equal on the level."""
+    """Check that two values, or a value and 1, are equal because their arguments are."""
     ring = generators.ring
     known = {a.name: a for a in generators.auxiliary}
     if not set(words) <= set(known):
-        raise CheckError(f"{label} is one of an unknown symbol")
+        raise CheckError(f"{label} refers to an unknown symbol")
     first = known[words[0]]
     value = ring.generator(first.name)
     one: tuple[Poly, Powers] = (ring.constant(1), [])
@@ -151,7 +151,7 @@ def _check_equal_arguments(
     generators: Generators,
     label: str,
 ) -> None:
-    """Where q · (f(a) − f(b)) is zero, so is q · (a − b), as f is injective; or exp a is 1."""
+    """Check q · (a − b) = 0 from q · (f(a) − f(b)) = 0 with injective f, or from exp a = 1."""
     ring = generators.ring
     known = {a.name: a for a in generators.auxiliary if a.word in ONE_TO_ONE}
     if not set(words) <= set(known):
@@ -177,7 +177,7 @@ def _check_equal_arguments(
 
 
 def _function(auxiliary: Auxiliary) -> tuple[object, ...]:
-    """The function whose value an auxiliary symbol is, without its arguments."""
+    """Kind, name, degree, orders and exponent of an auxiliary symbol, without its arguments."""
     return (auxiliary.kind, auxiliary.word, auxiliary.number, auxiliary.orders, auxiliary.exponent)
 
 

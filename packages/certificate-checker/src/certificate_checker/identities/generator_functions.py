@@ -14,10 +14,10 @@ from ..claim.polynomials import Poly, Powers
 
 @dataclass(frozen=True)
 class Auxiliary:
-    """The meaning of an auxiliary symbol.
+    """Meaning of an auxiliary symbol.
 
     A *formal root* is the root of inner · ∏ whole^(power · degree), divided by ∏ whole^power.  Its
-    power is `inner`, which holds whatever signs the factors have; its own sign is not said.
+    power is `inner` for any signs of the factors; its own sign is not determined.
     """
 
     name: str
@@ -31,22 +31,22 @@ class Auxiliary:
 
     @property
     def positive(self) -> bool:
-        """Whether it is positive wherever it is defined."""
+        """True if the symbol is positive wherever it is defined."""
         return self.kind in ("root", "power", "pi") or self.word == "exp"
 
     @property
     def radicand(self) -> tuple[Poly, Powers]:
-        """The radicand in the law; for a formal root, including the factors taken out."""
+        """Radicand in the law; for a formal root, including the factors outside the root."""
         return self.of[0][0], [(poly, power * self.number) for poly, power in self.whole]
 
 
 class GeneratorFunctions(Functions):
-    """Functions whose values are those of generators.
+    """Functions whose values are given by generators.
 
     Attributes
     ----------
     values : list of numbers
-        Of the generators of a ring.
+        Values of the generators of a ring.
     logarithms_of_numbers : list of Auxiliary
     """
 
@@ -55,7 +55,7 @@ class GeneratorFunctions(Functions):
 
     @abstractmethod
     def free(self, word: str) -> Number:
-        """An unspecified value."""
+        """Value that is not determined by others."""
 
     @abstractmethod
     def settle(
@@ -65,8 +65,8 @@ class GeneratorFunctions(Functions):
 
     @abstractmethod
     def new_root(self, symbol: Auxiliary, radicand: Number, whole: Number) -> Number:
-        """The value of a root or a formal root, from which `whole` is taken out."""
+        """Value of a root, or of a formal root with the factor `whole` outside."""
 
     @abstractmethod
     def new_power(self, symbol: Auxiliary, base: Number, exponent: Callable[[], Number]) -> Number:
-        """The value of a symbolic power."""
+        """Value of a symbolic power."""

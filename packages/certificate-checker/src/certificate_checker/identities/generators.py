@@ -1,6 +1,6 @@
-"""Generators and auxiliary symbols of a proof, and points of both.
+"""Generators and auxiliary symbols of a proof, and their values at points.
 
-Generators are state variables, parameters and definitions that replace a parameter; auxiliary
+Generators are state variables, parameters, and definitions that replace a parameter; auxiliary
 symbols are roots, powers and function values of them.  At a random point of the generators
 everything else has a value, so formulas and polynomials can be compared (see :mod:`.residues`).
 """
@@ -25,13 +25,13 @@ from ..modular.prime_field import PrimeField
 from .generator_functions import Auxiliary, GeneratorFunctions
 from .residues import Residues
 
-#: Maximum number of ways to choose all roots.
+#: Maximum number of combinations of choices of the roots.
 CHOICES = 4096
 
 
 @dataclass(frozen=True)
 class Exchange:
-    """A definition ``name = factor · parameter + rest`` that is a generator."""
+    """Definition ``name = factor · parameter + rest`` that is a generator."""
 
     name: str
     factor: Fraction
@@ -40,7 +40,7 @@ class Exchange:
 
 @dataclass(frozen=True)
 class Generators:
-    """The generators of a proof and their meanings."""
+    """Generators of a proof and their meanings."""
 
     claim: Claim
     domain: Domain
@@ -54,22 +54,22 @@ class Generators:
 
     @property
     def plain(self) -> tuple[str, ...]:
-        """The generators that are not auxiliary symbols."""
+        """Generators that are not auxiliary symbols."""
         gone = {a.name for a in self.auxiliary}
         return tuple(n for n in self.ring.names if n not in gone)
 
     @property
     def roots(self) -> tuple[Auxiliary, ...]:
-        """The auxiliary symbols that are roots."""
+        """Auxiliary symbols that are roots."""
         return tuple(a for a in self.auxiliary if a.kind in ("root", "formal root"))
 
     def samples(self, field: PrimeField, count: int, attempts: int) -> list[list[Sample]] | None:
-        """Random points, each with all relevant choices of the roots; None if too few are found.
+        """Random points, each with all relevant choices of the roots; None if there are too few.
 
         Raises
         ------
         CheckError
-            If the roots may be chosen in too many ways.
+            If there are too many choices of the roots.
         """
         choices = [range(root.number) for root in self.roots]
         if self._has_independent_roots(field):
@@ -92,11 +92,12 @@ class Generators:
         return None
 
     def _has_independent_roots(self, field: PrimeField) -> bool:
-        """Whether the roots are square roots that certainly generate a field extension.
+        """True if the roots are square roots that certainly generate a field extension.
 
-        This holds if no product of some radicands is a square (Kummer theory).  A product that is a
-        square would be a square at every point modulo every prime.  The products that are squares
-        at all sampled points form a space over 𝔽₂; if it is zero, the roots are independent.
+        This holds if no product of some radicands is a square (Kummer theory).  A product that is
+        a square would be a square at every point modulo every prime.  The products that are
+        squares at all sampled points form a space over 𝔽₂; if it is zero, the roots are
+        independent.
         """
         names = {root.name for root in self.roots}
         plain = [
@@ -115,6 +116,8 @@ class Generators:
                 self.sample(functions)
             except UndefinedError:
                 continue
+            # Each row records which radicands are nonsquares at one point; full rank over 𝔽₂
+            # leaves no product that is always a square.
             row = sum(1 << i for i, square in enumerate(functions.characters) if not square)
             while row and (top := row.bit_length()) in rows:
                 row ^= rows[top]
@@ -123,7 +126,7 @@ class Generators:
         return len(rows) == len(names)
 
     def sample(self, functions: GeneratorFunctions) -> Sample:
-        """The point at which the generators have the values given by functions."""
+        """Point at which the generators have the values given by functions."""
         drawn = {word: functions.free(f"generator {word}") for word in self.plain}
         solver = _Solver(self, drawn, functions)
         values = functions.values
@@ -168,12 +171,12 @@ class Generators:
 
 @dataclass(frozen=True)
 class Sample:
-    """A point: the values of the generators, and of formulas.
+    """Values of the generators and of formulas at a point.
 
     Attributes
     ----------
     solver : Point
-        Gives the value of every symbol that the generators determine.
+        Values of all symbols that are determined by the generators.
     """
 
     generators: Generators
@@ -183,12 +186,12 @@ class Sample:
 
     @cached_property
     def point(self) -> Point:
-        """The point in state and parameters, at which formulas have derivatives.
+        """Point in state and parameters, at which formulas have derivatives.
 
         Raises
         ------
         UnknownRootError
-            If a parameter is given by a root of which the factors have no signs yet.
+            If a parameter depends on a root with factors whose signs are not yet known.
         """
         system = self.generators.claim.system
         known = {word: self.solver(name(word)) for word in system.symbols}
@@ -196,11 +199,11 @@ class Sample:
 
     @cached_property
     def places(self) -> Mapping[str, Point]:
-        """The point and its image, as :meth:`..claim.domain.Domain.places`."""
+        """The point and its image, as in :meth:`..claim.domain.Domain.places`."""
         return self.generators.domain.places(self.point)
 
     def require_definitions(self) -> None:
-        """Require that generators that are definitions have the values of these definitions."""
+        """Raise CheckError unless each generator agrees with its definition, if it has one."""
         for word in self.generators.plain:
             defined = word in self.generators.claim.system.definitions
             value = self.values[self.generators.ring.index[word]]
@@ -209,7 +212,7 @@ class Sample:
 
 
 class _Solver(Point):
-    """A point given by its generators: state and parameters there."""
+    """Point whose state and parameters are determined by its generators."""
 
     def __init__(
         self, generators: Generators, sample: Mapping[str, Number], functions: GeneratorFunctions
@@ -223,13 +226,13 @@ class _Solver(Point):
         self._places = {word: (a, i) for a, j in generators.inverses for i, word in enumerate(j)}
 
     def _prepare(self, formula: Formula) -> None:
-        """Follow definitions in their order."""
+        """Do nothing: definitions are followed in their order."""
 
     def _symbol_value(self, word: str) -> Number:
         if word in self.values:
             return self.values[word]
         if word in self._open:
-            raise CheckError(f"the generators do not say what {word} is")
+            raise CheckError(f"the generators do not determine {word}")
         self._open.add(word)
         value = self._value_of(word)
         self._open.discard(word)
@@ -249,11 +252,11 @@ class _Solver(Point):
             return self(self.definitions[word])
         if word in CONSTANTS:
             return super()._symbol_value(word)
-        raise CheckError(f"the generators do not say what {word} is")
+        raise CheckError(f"the generators do not determine {word}")
 
 
 def _inverse_entry(six: Sequence[Number], number: int) -> Number:
-    """An entry of the inverse of a symmetric matrix 11, 12, 13, 22, 23, 33."""
+    """Entry of the inverse of a symmetric matrix 11, 12, 13, 22, 23, 33."""
     a, b, c, d, e, f = six
     minors = (
         d * f - e * e,

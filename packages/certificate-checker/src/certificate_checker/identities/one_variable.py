@@ -1,8 +1,8 @@
-"""Polynomials in one variable: whether positivity of some implies that of another.
+"""Polynomials in one variable: whether the positivity of some implies that of another.
 
-Signs change only at real roots.  Roots of irreducible factors are isolated in disjoint balls; the
-signs are then determined at every root and at a rational point of every gap, exactly or, at a root
-that a polynomial does not have, by a ball that does not contain zero.
+Signs change only at real roots.  Roots of irreducible factors are isolated in disjoint balls.  The
+signs are then determined at every root and at a rational point of every gap: exactly, or at a root
+of another factor with a ball that does not contain zero.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ DEGREE = 200
 
 
 def is_positive_where(poly: Poly, facts: Sequence[tuple[Poly, bool]]) -> bool:
-    """Whether a polynomial is positive where others are positive or nonnegative.
+    """True if a polynomial is positive where others are positive or nonnegative.
 
-    All of them must be polynomials in one generator, the same; False where it is not certain.
+    All polynomials must depend on one generator, the same for all; False if it is not certain.
     """
     places = {i for p in (poly, *(f for f, _ in facts)) for i, n in enumerate(p.degrees()) if n}
     if len(places) != 1:
@@ -47,7 +47,7 @@ def _univariate(poly: Poly, place: int) -> fmpq_poly:
 
 
 def _factors(polys: Sequence[fmpq_poly]) -> list[fmpz_poly]:
-    """The irreducible factors of polynomials, each once."""
+    """Irreducible factors of polynomials, without repetitions."""
     factors: list[fmpz_poly] = []
     for poly in polys:
         factors += [part for part, _ in poly.numer().factor()[1] if part not in factors]
@@ -57,7 +57,7 @@ def _factors(polys: Sequence[fmpq_poly]) -> list[fmpz_poly]:
 def _at_all_points(
     own: fmpq_poly, others: Sequence[tuple[fmpq_poly, bool]], factors: Sequence[fmpz_poly]
 ) -> bool | None:
-    """Whether the first is positive at all points where the others are; None if undecided."""
+    """True if the first is positive at all points where the others are; None if undecided."""
     roots: list[tuple[arb, fmpq_poly]] = []
     for factor in factors:
         found: list[tuple[acb, int]] = factor.complex_roots()  # type: ignore[assignment]
@@ -67,6 +67,7 @@ def _at_all_points(
     ends = [(_number(ball.mid()), _number(ball.rad())) for ball, _ in roots]
     points, last = [], None
     for middle, radius in ends:
+        # Overlapping balls may hide a gap between two roots, so a higher precision is needed.
         if last is not None and not last < middle - radius:
             return None
         points.append(middle - radius - 1 if last is None else (last + middle - radius) / 2)
@@ -89,7 +90,7 @@ def _at_all_points(
 
 
 def _sign(poly: fmpq_poly, factor: fmpq_poly, root: arb) -> int | None:
-    """The sign of a polynomial at a root of an irreducible one; None if a ball is too wide."""
+    """Sign of a polynomial at a root of an irreducible one; None if the ball is too wide."""
     if (poly % factor).degree() < 0:
         return 0
     value = arb(0)
@@ -99,6 +100,6 @@ def _sign(poly: fmpq_poly, factor: fmpq_poly, root: arb) -> int | None:
 
 
 def _number(exact: arb) -> fmpq:
-    """The number that a ball of radius zero represents."""
+    """Number represented by a ball of radius zero."""
     mantissa, exponent = map(int, exact.man_exp())
     return fmpq(mantissa << max(exponent, 0), 1 << max(-exponent, 0))

@@ -29,7 +29,7 @@ def learn_positive(
 ) -> CheckError | None:
     """Learn a positive quantity from a guard or a condition on parameters.
 
-    Returns the reason if it does not follow, which may only be because signs are still unknown.
+    Returns an error if it does not follow, which may change when more signs are known.
     """
     label = f"what is positive in {what}"
     item = mapping(item, label)
@@ -57,7 +57,7 @@ def learn_positive(
 
 
 def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Formula, str]]:
-    """The positive formulas of a guard or a condition on parameters, given as text."""
+    """Positive formulas of a guard or a condition on parameters, given as text."""
     system = claim.system
     if any(sign in source for sign in "<>=&"):
         stated = parse_condition(source, label)
@@ -71,7 +71,7 @@ def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Form
 def check_radicand_positive(
     item: Mapping[str, object], generators: Generators, signs: Signs, what: str
 ) -> None:
-    """Check a quantity claimed to be positive as a radicand."""
+    """Check a quantity that is positive as a radicand."""
     source = text(item["from"], what)
     if not source.startswith("radicand "):
         return
@@ -88,7 +88,7 @@ def check_radicand_positive(
 
 
 def _force(signs: Signs, radicands: Sequence[Entry]) -> None:
-    """The sign of the only factor of unknown sign in a positive product."""
+    """Learn the sign of the only factor of unknown sign in a positive product."""
     changed = True
     while changed:
         changed = False
@@ -105,12 +105,11 @@ def _force(signs: Signs, radicands: Sequence[Entry]) -> None:
 
 
 class PositiveSum:
-    """A polynomial that is a sum of nonnegative terms, up to multiples of equations.
+    """Polynomial that is a sum of nonnegative terms, up to multiples of equations.
 
-    The terms are constant · ∏ weight^power · base² with a positive constant, and with weights that
-    are nonnegative if their power is odd.  One of them must be positive if the sum is claimed
-    positive, unless the sum is known to be nonzero: its base is a number, and its weights are
-    nonzero.
+    The terms are constant · ∏ weight^power · base² with a positive constant; weights with odd
+    powers are nonnegative.  If the sum is stated to be positive, it must be known to be nonzero,
+    or one term must be positive: its base is a number, and its weights are nonzero.
     """
 
     def __init__(self, data: Mapping[str, object], generators: Generators, what: str) -> None:
@@ -135,16 +134,16 @@ class PositiveSum:
     def holds(
         self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly], usable: Set[int]
     ) -> bool:
-        """Whether the signs of the terms are known.
+        """True if the signs of the terms are known.
 
-        CheckError if the sum is a different polynomial.
-
-        Only the equations with indices in `usable` are known to hold.
+        CheckError if the sum is a different polynomial.  Only equations with indices in `usable`
+        are known to hold.
         """
         if len(self.quotients) != len(equations):
             raise CheckError(
-                f"{self.label}: a sum has not as many quotients as there are equations"
+                f"{self.label}: the numbers of quotients and equations of a sum differ"
             )
+        # The identity poly = Σ quotient · equation + Σ terms is verified exactly.
         total = self.ring.constant(0)
         for quotient, equation in zip(self.quotients, equations, strict=True):
             total = total + quotient * equation
@@ -160,12 +159,12 @@ class PositiveSum:
             fraction = fmpq(number.numerator, number.denominator)
             total = total + fraction * self.ring.expanded_product(weights) * base**2
         if total != self.poly:
-            raise CheckError(f"{self.label}: a sum is another polynomial")
+            raise CheckError(f"{self.label}: a sum is a different polynomial")
         return certain and strict
 
 
 class PositiveInOneVariable:
-    """A polynomial that is positive where others in the same variable are."""
+    """Polynomial that is positive where others in the same variable are."""
 
     strict = True
 
@@ -180,7 +179,7 @@ class PositiveInOneVariable:
     def holds(
         self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly], usable: Set[int]
     ) -> bool:
-        """Whether the others are known to be positive, and imply that it is positive."""
+        """True if the others are known to be positive, and imply that this one is positive."""
         if not all(map(signs.is_not_negative, self.facts)):
             return False
         return is_positive_where(self.poly, [(fact, signs.of(fact) > 0) for fact in self.facts])
@@ -216,7 +215,7 @@ def settle(
     equations: Sequence[Poly],
     usable: Set[int],
 ) -> list[Derived]:
-    """Learn signs from sums and radicands; return the sums whose terms are not yet known."""
+    """Learn signs from sums and radicands; the sums that are not yet decided are returned."""
     _force(signs, radicands)
     left = list(sums)
     changed = True

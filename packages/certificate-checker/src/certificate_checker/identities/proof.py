@@ -1,8 +1,8 @@
-"""Check one proof: the residuals of a claim vanish wherever certain signs are as assumed.
+"""Check of one proof: the residuals of a claim vanish wherever certain signs are as assumed.
 
-The polynomials of a proof are compared with the claim modulo a random prime at a random point, see
-:mod:`.residues`; the error probability is below 2^−100 (see :mod:`.error_bound`).  Everything that
-follows from the polynomials is computed exactly.
+The polynomials of a proof are compared with the claim modulo a random prime at a random point (see
+:mod:`.residues`); the error probability is below 2^−100 (see :mod:`.error_bound`).  All
+conclusions from the polynomials are computed exactly.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .read_generators import FIELDS, read_generators
 
 @dataclass(frozen=True)
 class Condition:
-    """A condition of a verdict: a formula is positive, or is nonzero."""
+    """Condition of a verdict: a formula is positive, or is nonzero."""
 
     text: str
     formula: Formula
@@ -42,7 +42,7 @@ def check_proof(
     Parameters
     ----------
     seed : str
-        Decides the points of comparison: a digest of the whole certificate.
+        Digest of the whole certificate, from which the points of comparison are derived.
     """
     only(data, what, *FIELDS, "residuals", "tree")
     generators = read_generators(data, claim, what)
@@ -59,11 +59,11 @@ def check_proof(
 
 
 def _checked_residuals(data: Mapping[str, object], basis: Basis, what: str) -> list[Poly]:
-    """The numerators of the residuals, verified against those of the law."""
+    """Numerators of the residuals, verified against the residuals of the law."""
     ring, claim = basis.generators.ring, basis.generators.claim
     stated = as_list(field(data, "residuals", what), f"the residuals of {what}")
     fractions = [ring.fraction(item, f"a residual of {what}") for item in stated]
-    # One point suffices to test an identity.
+    # An identity needs only one point; a second one is for constant ratios.
     draw = basis.comparisons.draws[0]
     points = [(s.values, s.functions) for s in draw]
     upper = [ring.values(above, points) for above, _ in fractions]
@@ -93,9 +93,9 @@ def _check_left(
     basis: Basis,
     conditions: Sequence[Condition],
 ) -> None:
-    """A case may remain unproven if a condition of the verdict excludes it."""
+    """Check that a condition of the verdict excludes a case that is left unproven."""
     if data["case"] != "unproven":
-        raise CheckError(f"{where} has a case {data['case']!r}, which has no place there")
+        raise CheckError(f"{where} has a case {data['case']!r}, which is not allowed there")
     only(data, where, "case", "condition")
     said = text(field(data, "condition", where), f"the condition of {where}")
     for condition in conditions:
@@ -107,7 +107,7 @@ def _check_left(
 
 
 def same(basis: Basis, poly: Poly, formula: Formula) -> int:
-    """The sign of the constant by which a polynomial and a formula differ; 0 if there is none."""
+    """Sign of the constant ratio of a polynomial and a formula; 0 if there is none."""
     ratio = basis.comparisons.ratio(poly, formula)
     return 0 if ratio is None else 1 if ratio > 0 else -1
 

@@ -1,4 +1,4 @@
-"""Read the generators and auxiliary symbols of a proof from a certificate."""
+"""Generators and auxiliary symbols of a proof, from a certificate."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ ONE = {"exp", "log", "asin", "acos", "atan"}
 
 
 def read_generators(data: Mapping[str, object], claim: Claim, what: str) -> Generators:
-    """Read ring, auxiliary symbols and generators of a proof."""
+    """Ring, auxiliary symbols and generators of a proof."""
     names = [text(n, f"the ring of {what}") for n in as_list(field(data, "ring", what), what)]
     if len(set(names)) < len(names):
         raise CheckError(f"the ring of {what} has a generator twice")
@@ -72,14 +72,15 @@ def _auxiliaries(data: object, ring: Ring, what: str) -> tuple[Auxiliary, ...]:
             raise CheckError(f"the auxiliary symbol {word!r} of {what} is not in its ring, once")
         meanings[word] = meaning
     later = set(meanings)
+    # An auxiliary symbol may use only earlier ones; `later` holds it and those after it.
     for word, meaning in meanings.items():
         auxiliary = _auxiliary(word, mapping(meaning, word), ring)
         for above, below in auxiliary.of:
             for poly in (above, *(factor for factor, _ in below)):
                 if later & _generators(poly, ring):
-                    raise CheckError(f"{word} is explained by what comes later")
+                    raise CheckError(f"{word} is defined by a later symbol")
         if any(later & _generators(poly, ring) for poly, _ in auxiliary.whole):
-            raise CheckError(f"{word} is explained by what comes later")
+            raise CheckError(f"{word} is defined by a later symbol")
         later.discard(word)
         auxiliaries.append(auxiliary)
     return tuple(auxiliaries)
@@ -132,14 +133,16 @@ def _read_settled(data: object, claim: Claim, what: str) -> dict[str, Formula]:
     for pair in as_list(data, f"what is settled in {what}"):
         word, formula = (text(t, what) for t in items(pair, 2, f"what is settled in {what}"))
         if word not in claim.system.parameters or word in settled:
-            raise CheckError(f"{what} settles {word!r}, which is no parameter, or twice")
+            raise CheckError(
+                f"{what} settles {word!r}, which is not a parameter, or is settled twice"
+            )
         settled[word] = parse(formula, f"what {word} is settled to in {what}")
     _check_settled(claim, settled, what)
     return settled
 
 
 def _check_settled(claim: Claim, parameter_formulas: Mapping[str, Formula], what: str) -> None:
-    """Check that conditions on parameters alone determine the settled ones, by elimination."""
+    """Check by elimination that the conditions determine the settled parameters as stated."""
     if not parameter_formulas:
         return
     system = claim.system
@@ -152,6 +155,7 @@ def _check_settled(claim: Claim, parameter_formulas: Mapping[str, Formula], what
         return solution.get(word, ring.generator(word)), ring.constant(1)
 
     for condition in claim.conditions:
+        # A condition that is not rational in the parameters alone determines no parameter.
         try:
             poly, _ = quotient(condition, ring, value_of, system.definitions)
         except UndefinedError:
@@ -175,7 +179,7 @@ def _check_settled(claim: Claim, parameter_formulas: Mapping[str, Formula], what
 
 
 def _linear_solution(poly: Poly, word: str, ring: Ring) -> Poly | None:
-    """The value of a symbol in which a polynomial is linear with a constant coefficient."""
+    """Value of a symbol in which a polynomial is linear with a constant coefficient, or None."""
     slope = poly.derivative(ring.index[word])
     if slope.is_zero() or not slope.is_constant():
         return None
@@ -209,7 +213,7 @@ def _read_inverted(
         )
         for word in (*names, *of):
             if word not in claim.system.definitions:
-                raise CheckError(f"{what} inverts {word!r}, which is no definition")
+                raise CheckError(f"{what} inverts {word!r}, which is not a definition")
         inverted.append((names, of))
     return tuple(inverted)
 
@@ -219,7 +223,7 @@ def _read_zeros(data: object, claim: Claim, what: str) -> tuple[Formula, ...]:
     for formula in as_list(data, f"the zeros of {what}"):
         zero = parse(formula, f"a zero of {what}")
         if zero.kind != "function" or zero not in claim.conditions:
-            raise CheckError(f"{what} takes {formula} for zero, which no condition says")
+            raise CheckError(f"{what} sets {formula} to zero, which is not a condition")
         zeros.append(zero)
     return tuple(zeros)
 

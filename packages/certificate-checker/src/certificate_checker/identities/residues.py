@@ -1,9 +1,9 @@
-r"""r"Formulas evaluated modulo a prime, with generators of a proof for roots and functions.
+r"""Formulas evaluated modulo a prime, with generators of a proof for roots and functions.
 
-Let x be the symbols of a claim and all that is free: values of functions, symbolic powers, and
-one parameter t for every sine and cosine, (2t, 1 − t²)/(1 + t²).  The roots of a proof make the
-algebra A = ℚ(x)[r₁, …, r_k]/(rᵢ^nᵢ − uᵢ), a free module over ℚ(x) with the monomials r^e, e < n, as
-its basis.  Every formula of the claim has a value in A by the rules
+Let x be the symbols of a claim and all free values: values of functions, symbolic powers, and one
+parameter t for every sine and cosine, (2t, 1 − t²)/(1 + t²).  The roots of a proof generate the
+algebra A = ℚ(x)[r₁, …, r_k]/(rᵢ^nᵢ − uᵢ), a free module over ℚ(x) with the monomials r^e, e < n,
+as its basis.  Every formula of the claim has a value in A by these rules:
 
 - √U = ∏ |f|^p/2 where U = ∏ f^p is an identity in A, with |f|^1/2 a root of the proof whose
   radicand is ±f, and |f| = ±f only where the sign of f is known; so for other exponents, (f²)^a is
@@ -12,12 +12,12 @@ its basis.  Every formula of the claim has a value in A by the rules
   cosine of a sum of whole multiples of angles follow from those of the angles, exponentials alike;
 - derivatives follow the rules of :mod:`..claim.functions`.
 
-All of them hold for real numbers wherever the law is defined, whatever else may relate these
-functions; so an identity in A is one of real functions.  It is tested at one random x modulo one
-random prime p ≡ 1 modulo the degrees, such that all uᵢ have roots there: then A becomes a product
-of fields 𝔽_p, one for each choice of the roots, and two elements are equal only if they are so for
-all choices.  Where A is a field, one choice suffices.  The error of this test is bounded in
-:mod:`.error_bound`.
+All of them are valid for real numbers wherever the law is defined, whatever other relations exist
+between these functions; so an identity in A is an identity of real functions.  It is tested at one
+random x modulo one random prime p ≡ 1 modulo the degrees, such that all uᵢ have roots there: then
+A becomes a product of fields 𝔽_p, one for each choice of the roots, and two elements are equal
+only if they are equal for all choices.  Where A is a field, one choice suffices.  The error
+probability of this test is bounded in :mod:`.error_bound`.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ Product = tuple[Fraction, Powers]
 
 
 class UnknownRootError(CheckError):
-    """A root or a power of the law that the generators of a proof do not express."""
+    """Raised if a root or a power of the law cannot be expressed by the generators of a proof."""
 
 
 class Residues(GeneratorFunctions):
@@ -51,24 +51,24 @@ class Residues(GeneratorFunctions):
     ----------
     field : PrimeField
     ring : Ring
-        Of the proof.
+        Ring of the proof.
     draw : str
-        The point is the same for the same text.
+        Name of the point; the same name gives the same point.
     choice : sequence of int
-        Which of its values each root takes, in their order.
+        Index of the chosen value of each root, in their order.
     """
 
     def __init__(self, field: PrimeField, ring: Ring, draw: str, choice: Sequence[int]) -> None:
         self.field, self.ring = field, ring
         #: Values of the generators.
         self.values: list[fmpz_mod] = [field.number(Fraction(0))] * len(ring.names)
-        #: Known signs of polynomials; those of the proof once it has found some.
+        #: Known signs of polynomials, replaced by those of the proof when they are known.
         self.signs = Signs()
         #: Products of powers, by their values.
         self.products: dict[fmpz_mod, list[Product]] = {}
         #: Symbols that are logarithms of numbers.
         self.logarithms_of_numbers: list[Auxiliary] = []
-        #: Whether radicands are squares, if no roots of them are needed.
+        #: True for radicands that are squares, if no roots of them are needed.
         self.characters: list[bool] | None = None
         self._draw, self._choice = draw, iter(choice)
         self._symbols: dict[tuple[object, ...], fmpz_mod] = {}
@@ -81,19 +81,19 @@ class Residues(GeneratorFunctions):
     # --- numbers and generators -----------------------------------------------------------------
 
     def number(self, value: Fraction) -> Number:
-        """A rational number; UndefinedError if the prime divides its denominator."""
+        """Rational number as a residue; UndefinedError if the prime divides its denominator."""
         return self.field.number(value)
 
     def free(self, word: str) -> Number:
-        """A random value."""
+        """Random value."""
         return self.field.random(f"{self._draw} {word}")
 
     def constant(self, word: str) -> Number:
-        """The number π, represented by a random value."""
+        """Random value that represents the number π."""
         return self._fixed((word,))
 
     def is_nonzero(self, a: Number) -> bool:
-        """Whether a residue is nonzero."""
+        """True if a residue is nonzero."""
         return bool(a != 0)
 
     def settle(
@@ -103,7 +103,7 @@ class Residues(GeneratorFunctions):
         self._symbols["unspecified", word, tuple(orders), tuple(arguments)] = value
 
     def new_root(self, symbol: Auxiliary, radicand: Number, whole: Number) -> Number:
-        """A root of an element that is a power; UndefinedError otherwise."""
+        """Root of an element that is a power; otherwise UndefinedError."""
         if self.characters is not None:
             self.characters.append(self.field.is_square(radicand))
             return self.free(f"root {symbol.name}")
@@ -115,13 +115,13 @@ class Residues(GeneratorFunctions):
         return root
 
     def new_power(self, symbol: Auxiliary, base: Number, exponent: Callable[[], Number]) -> Number:
-        """A symbolic power, represented by a random value."""
+        """Random value that represents a symbolic power."""
         value = self.free(f"power {symbol.name}")
         self._powers.append((symbol, base, exponent, value))
         return value
 
     def _fixed(self, key: tuple[object, ...]) -> Number:
-        """A random value that is the same for the same key."""
+        """Random value, the same for the same key."""
         if key not in self._symbols:
             self._symbols[key] = self.free(f"value {len(self._symbols)}")
         return self._symbols[key]
@@ -131,11 +131,11 @@ class Residues(GeneratorFunctions):
     def plain_unspecified(
         self, word: str, orders: tuple[int, ...], arguments: tuple[Number, ...]
     ) -> Number:
-        """A value of a derivative of an unspecified function."""
+        """Value of a derivative of an unspecified function."""
         return self._fixed(("unspecified", word, orders, arguments))
 
     def plain_value(self, word: str, arguments: tuple[Number, ...]) -> Number:
-        """The value of a known function."""
+        """Value of a known function."""
         a = arguments[0]
         if word in ("sin", "cos"):
             return self._circle(a)[word == "cos"]
@@ -144,6 +144,7 @@ class Residues(GeneratorFunctions):
         if word == "log":
             return self._logarithm(a)
         if word == "acos":
+            # asin a + acos a = π/2, so both share one symbol.
             return self.constant("pi") / 2 - self._fixed(("asin", arguments))
         if word in ("sinh", "cosh"):
             value = self._exponential(a)
@@ -156,11 +157,12 @@ class Residues(GeneratorFunctions):
         return self._fixed((word, arguments))
 
     def _circle(self, angle: Number) -> tuple[Number, Number]:
-        """Sine and cosine of an angle: of a sum of multiples of known ones, or a new one."""
+        """Sine and cosine of an angle: of a sum of multiples of known angles, or new ones."""
         zero, one = self.number(Fraction(0)), self.number(Fraction(1))
         angles = [*self._angles, (self.constant("pi") / 2, one, zero)]
         multiples = relation(angle, [a for a, _, _ in angles], self.field.modulus)
         if multiples is None:
+            # A rational point of the circle satisfies s² + c² = 1 without an equation.
             t = self.free(f"angle {len(self._angles)}")
             below = inverse(1 + t * t)
             self._angles.append((angle, 2 * t * below, (1 - t * t) * below))
@@ -238,7 +240,7 @@ class Residues(GeneratorFunctions):
         return self.ring.value(poly, self.values, self)
 
     def plain_root(self, a: Number, exponent: Fraction) -> Number:
-        """A power of a positive number, from the roots of the proof."""
+        """Power of a positive number, from the roots of the proof."""
         for radicand, degree, root in self._formal:
             if radicand == a and degree % exponent.denominator == 0:
                 return root ** int(degree * exponent)
@@ -253,7 +255,7 @@ class Residues(GeneratorFunctions):
         raise UnknownRootError("a root of the law is none of factors with known signs and roots")
 
     def _factor_power(self, poly: Poly, exponent: Fraction) -> Number:
-        """|f|^exponent."""
+        """|f|^exponent as a residue."""
         if poly.is_constant():
             return self._constant_power(_constant(poly), exponent)
         if exponent.denominator == 1:
@@ -295,7 +297,7 @@ class Residues(GeneratorFunctions):
         return result * self.number(Fraction(above, below))
 
     def plain_power(self, a: Number, exponent: Number) -> Number:
-        """A power of a positive number with a symbolic exponent."""
+        """Power of a positive number with a symbolic exponent."""
         for symbol, base, _, _ in self._powers:
             if base == a:
                 return self._symbolic_power(symbol.of[0][0], exponent)
@@ -312,7 +314,7 @@ class Residues(GeneratorFunctions):
         raise UnknownRootError("a power of the law is none of factors with known signs")
 
     def _sign(self, content: Fraction, powers: Powers) -> int:
-        """The sign of a product, also if a factor is ±that of a root or a power of the proof."""
+        """Sign of a product; factors may be ±those under a root or a power of the proof."""
         sign = 1 if content > 0 else -1
         for poly, power in powers:
             sign *= self._sign_of_factor(poly) ** (power % 2)
@@ -326,7 +328,7 @@ class Residues(GeneratorFunctions):
         return self.signs.of(poly)
 
     def _symbolic_power(self, poly: Poly, exponent: Number) -> Number:
-        """|f|^exponent as a product of powers of |f| that the proof has."""
+        """|f|^exponent as a product of powers of |f| that occur in the proof."""
         if poly.is_constant():
             return self._symbolic_power_of_number(abs(_constant(poly)), exponent)
         return self._from_basis(poly, exponent)
@@ -343,6 +345,8 @@ class Residues(GeneratorFunctions):
         return result
 
     def _from_basis(self, poly: Poly, exponent: Number) -> Number:
+        # The powers |f|^e of the proof, including |f| itself; `exponent` must be an integer
+        # combination of their exponents.
         basis = []
         for symbol, base, raised, value in self._powers:
             if _ratio(symbol.of[0][0], poly) in (1, -1):
@@ -371,7 +375,7 @@ def _constant(poly: Poly) -> Fraction:
 
 
 def _ratio(first: Poly, second: Poly) -> Fraction | None:
-    """The constant by which a polynomial differs from another."""
+    """Constant ratio of two polynomials, or None."""
     if first.is_zero() or second.is_zero() or monic(first)[0] != monic(second)[0]:
         return None
     ratio = first.leading_coefficient() / second.leading_coefficient()
@@ -379,7 +383,7 @@ def _ratio(first: Poly, second: Poly) -> Fraction | None:
 
 
 def _valuation(value: Fraction, base: Fraction) -> int:
-    """The multiplicity of a divisor in an integer greater than one."""
+    """Multiplicity of an integer greater than one as a divisor."""
     if base.denominator != 1 or base <= 1 or not value:
         return 0
     times = 0

@@ -1,4 +1,4 @@
-"""Roots and function values in a proof: that they are those of the law, and real."""
+"""Roots and function values in a proof: whether they belong to the law and are real."""
 
 from __future__ import annotations
 
@@ -73,21 +73,21 @@ def _sign_of_fraction(above: Poly, below: Powers, signs: Signs) -> int:
 
 
 def is_radicand(auxiliary: Auxiliary, radicands: Sequence[Entry]) -> bool:
-    """Whether the radicand of a formal root has the sign of a radicand of the law."""
+    """True if the radicand of a formal root has the sign of a radicand of the law."""
     inner, whole = auxiliary.radicand
     mine = _odd(_factors(inner) + [(p, n) for p, n in whole])
     return any(_odd([*entry.powers], 1 if entry.content > 0 else -1) == mine for entry in radicands)
 
 
 def _factors(poly: Poly) -> Powers:
-    """The irreducible factors of a polynomial, with its content."""
+    """Irreducible factors of a polynomial, with its content."""
     content, parts = poly.factor()
     constant = poly.context().constant(content)
     return [(constant, 1), *((part, int(power)) for part, power in parts)]
 
 
 def _odd(powers: Powers, content: int = 1) -> tuple[int, frozenset[str]]:
-    """The sign of a product and its factors with odd powers, which determine its sign."""
+    """Sign of the constant factor of a product, and its factors with odd powers."""
     odd: set[str] = set()
     for poly, power in powers:
         if power % 2 == 0:

@@ -1,4 +1,4 @@
-"""Proofs with assumed signs: check that together they cover all signs."""
+"""Check that proofs with assumed signs together cover all signs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .basis import Basis
 from .generators import Generators
 from .proof import Condition, same
 
-#: A polynomial by its terms, independent of the ring.
+#: Polynomial by its terms, independent of the ring.
 Key: TypeAlias = tuple[object, ...]
 
 #: Maximum number of polynomials whose signs may be assumed together.
@@ -22,9 +22,9 @@ MANY = 14
 
 
 def covers(proofs: Sequence[Basis], conditions: Sequence[Condition]) -> bool:
-    """Whether at every point where the law is defined one of the proofs applies.
+    """True if at every point where the law is defined one of the proofs applies.
 
-    The claims must be identical; only points where `conditions` hold are considered.
+    The claims must be identical; only points with `conditions` are considered.
     """
     assumed = [dict(_assumed_signs(basis)) for basis in proofs]
     keys = sorted({key for signs in assumed for key in signs}, key=repr)
@@ -32,6 +32,7 @@ def covers(proofs: Sequence[Basis], conditions: Sequence[Condition]) -> bool:
         raise CheckError(f"the proofs assume the signs of more than {MANY} polynomials")
     known, products = _certain_signs(proofs, conditions, set(keys))
     excluded = _contradictions(keys)
+    # Every combination of signs must be impossible or covered by a proof.
     for pattern in product((1, -1), repeat=len(keys)):
         signs = dict(zip(keys, pattern, strict=True))
         if any(signs[key] != sign for key, sign in known):
@@ -54,8 +55,8 @@ def _sign(content: int, factors: Sequence[Key], signs: Mapping[Key, int]) -> int
 def _contradictions(keys: Sequence[Key]) -> list[tuple[Key, int, Key, int]]:
     """Pairs of mutually exclusive signs.
 
-    The sum of the two polynomials with these signs and a positive factor then has only terms that
-    are even powers with negative coefficients.
+    They are found where the sum of the two signed polynomials, one of them with a positive factor,
+    has only even powers with negative coefficients.
     """
     terms = [dict(_terms_of(key)) for key in keys]
     pairs = []
@@ -75,6 +76,7 @@ def _terms_of(key: Any) -> Iterator[tuple[object, fmpq]]:
 def _contradict(
     first: Mapping[object, fmpq], s: int, second: Mapping[object, fmpq], t: int
 ) -> bool:
+    # A factor is tried only if it cancels a common term.
     for powers in first.keys() & second.keys():
         ratio = -s * first[powers] / (t * second[powers])
         if not ratio > 0:
@@ -134,7 +136,7 @@ def _certain_signs(
 
 
 def _key(generators: Generators, poly: Poly) -> tuple[Key, int]:
-    """A key independent of the ring, and the sign by which the polynomial is divided."""
+    """Key independent of the ring, and the sign of the leading coefficient."""
     names: dict[str, Key] = {name: (name,) for name in generators.plain}
     for auxiliary in generators.auxiliary:
         names[auxiliary.name] = (

@@ -8,15 +8,15 @@ from flint import fmpz_mat
 
 from ..claim.jets import Number
 
-#: The largest coefficient.
+#: Largest coefficient.
 LARGEST = 64
 
 
 def relation(target: Number, basis: Sequence[Number], modulus: int) -> list[int] | None:
     """Small integers k with target = Σ k · basis, or None if none are found.
 
-    Short vectors of the lattice of all relations are found by the algorithm of Lenstra, Lenstra and
-    Lovász; the result is verified.
+    Short vectors of the lattice of all relations are found by the algorithm of Lenstra, Lenstra
+    and Lovász; the result is verified.
     """
     size = len(basis)
     for sign in (1, -1):
@@ -27,6 +27,7 @@ def relation(target: Number, basis: Sequence[Number], modulus: int) -> list[int]
         return [0] * size
     if not size:
         return None
+    # Large weights on the last column force short vectors to satisfy the relation modulo p.
     weight = 2**20
     column = [*(int(b) for b in basis), int(target), modulus]
     rows = [

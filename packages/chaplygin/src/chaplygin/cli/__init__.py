@@ -1,4 +1,4 @@
-"""The command line: one module per command, imported when it is needed."""
+"""Command line: one module per command, imported on first use."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def main() -> None:
                 _leave(0)
             raise
         except typer.TyperException as error:
-            # If nothing at all was given, Typer has printed the help.
+            # Without any argument Typer has already printed the help.
             if len(sys.argv) > 1:
                 complain(sentence(error))
             sys.exit(2)
@@ -135,6 +135,6 @@ def main() -> None:
 
 
 def _leave(code: int) -> None:
-    """End quietly if standard output is closed."""
+    """End without a message if standard output is closed."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     sys.exit(code)

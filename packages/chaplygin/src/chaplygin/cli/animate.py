@@ -80,7 +80,7 @@ def command(
 
 
 def _require_something_to_show(study: Study, suffix: str) -> None:
-    """Raise an error for a motion without body and drawing before it is integrated."""
+    """Raise an error for a motion without body and drawing, before the integration."""
     from flowlanes.errors import InputError
 
     from ..report.film.frames import require_scene
@@ -96,7 +96,7 @@ def _require_something_to_show(study: Study, suffix: str) -> None:
 
 
 def _with_frames(study: Study, steps: int) -> Study:
-    """The study with one sample per frame."""
+    """Study with one sample per frame."""
     from dataclasses import replace
 
     run = study.experiment.run.model_copy(update={"samples": steps + 1})

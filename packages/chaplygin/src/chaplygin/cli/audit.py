@@ -32,11 +32,11 @@ def command(
     force: bool = False,
     json: bool = False,
 ) -> None:
-    """Judge every claim of Borisov and Mamaev (2008); exit 1 if a corrected one is refuted."""
+    """Check every claim of Borisov and Mamaev (2008); exit 1 if a corrected one is refuted."""
     from flowlanes.errors import InputError
 
     if remarks_alone and (output is not None or workers is not None):
-        raise InputError("--remarks judges no claims: leave out --output and --workers")
+        raise InputError("--remarks checks no claims: leave out --output and --workers")
     if workers is not None:
         require_processes(workers)
     if output is not None:
@@ -60,7 +60,7 @@ def command(
         return
 
     with results_on_interrupt("the verdicts reached so far are about to be printed"):
-        with progress("judging the claims of the paper") as report:
+        with progress("checking the claims of the paper") as report:
             done = audit.audit(section, workers, report)
         judgements, left = done.judgements, done.unjudged
         with beside(output):
@@ -78,7 +78,7 @@ def command(
     if left:
         page_too = "" if output is None else " and no page was written"
         print_interruption(
-            f"{left} claims were not judged{page_too}; verdicts are saved, and the same command "
+            f"{left} claims were not checked{page_too}; verdicts are saved, and the same command "
             "resumes"
         )
         raise typer.Exit(EXIT_CODE)
@@ -107,7 +107,7 @@ def _print_number_of_remarks(remarks: Mapping[int, Sequence[Remark]], section: i
     chosen = "" if section is None else f" --section {section}"
     if number:
         console().print(
-            f"{number} further statements, of literature or judgement, were not computed: "
+            f"{number} further statements, of literature or opinion, were not computed: "
             f"chaplygin audit{chosen} --remarks"
         )
 
@@ -153,7 +153,7 @@ def _remark_records(audit: Audit, remarks: Mapping[int, Sequence[Remark]]) -> li
 
 
 def _claim_block(judgement: Judgement, wide: bool) -> RenderableType:
-    """The location of a claim, its judgement, and the remarks below it.
+    """Location of a claim, its verdicts, and the remarks below it.
 
     With `wide`, verdicts are right-aligned in the terminal.
     """
@@ -185,7 +185,7 @@ def _claim_block(judgement: Judgement, wide: bool) -> RenderableType:
 
 
 def _remarks(judgement: Judgement) -> Iterator[tuple[str, str]]:
-    """Remarks on a claim with their labels; both forms if the printed one fails."""
+    """Labels and texts of the remarks on a claim; both forms if the printed one fails."""
     from flowlanes.printing.plain_text import plain_words
 
     claim = judgement.claim

@@ -24,7 +24,7 @@ PLANES = ("chaplygin-ball-area", "bruns")
 
 
 class _Answer(NamedTuple):
-    """The facts of a diagram, their text, and its figure."""
+    """Facts of a diagram, their text, and its figure."""
 
     facts: dict[str, Any]
     lines: list[str]
@@ -61,7 +61,7 @@ def command(
 
 
 def _answer(what: str, overrides: list[str] | None) -> _Answer:
-    """The diagram of an experiment with its motion in it, or that of a plane."""
+    """Diagram of an experiment with its motion, or diagram of a plane."""
     from flowlanes.errors import InputError
 
     task = f"computing the diagram of {what}"

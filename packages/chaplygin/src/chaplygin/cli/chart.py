@@ -99,7 +99,7 @@ def _assignment(text: str) -> tuple[str, str]:
 
 
 def _summary(dataset: xr.Dataset) -> dict[str, Any]:
-    """The facts of a chart: file, number, range and outcomes."""
+    """Facts of a chart: file, number, range and outcomes."""
     import numpy as np
 
     name = str(dataset.attrs["number"])

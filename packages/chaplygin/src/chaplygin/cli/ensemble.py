@@ -110,7 +110,7 @@ def _task(
     numerics: tuple[float, Device],
     workers: str | None,
 ) -> Task:
-    """The ensemble of a system whose equations do not change at events."""
+    """Ensemble of a system whose equations do not change at events."""
     from dataclasses import replace
 
     from flowlanes.errors import InputError
@@ -138,7 +138,7 @@ def _task(
 def _numbers(
     starts: int, level: str | None, draw: list[str], seed: int, over: list[str]
 ) -> Members:
-    """The members of an ensemble with friction: numbers of its file."""
+    """Members of an ensemble with friction: numbers of its file."""
     import numpy as np
 
     from flowlanes.errors import InputError
@@ -170,7 +170,7 @@ def _numbers(
 
 
 def _range(text: str) -> tuple[str, tuple[float, float] | None]:
-    """A number to be drawn, and its range; None for a direction."""
+    """Number with a range; None for a direction."""
     from flowlanes.errors import InputError
 
     name, equals, span = (part.strip() for part in text.partition("="))
@@ -187,7 +187,7 @@ def _range(text: str) -> tuple[str, tuple[float, float] | None]:
 
 
 def _members(study: Study, starts: int, level: str | None, seed: int, over: list[str]) -> Members:
-    """The members of the ensemble."""
+    """Members of the ensemble."""
     import numpy as np
 
     from flowlanes.errors import InputError
@@ -209,7 +209,7 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
 
 
 def given_start(study: Study) -> dict[str, Any]:
-    """The start of the experiment: ω and γ, or the whole state."""
+    """Start of the experiment: ω and γ, or the whole state."""
     if study.subject.starts_by_velocity and set(study.start_values) == {"omega", "gamma"}:
         return dict(study.start_values)
     size = len(study.system.symbols)

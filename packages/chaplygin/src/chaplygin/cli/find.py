@@ -29,7 +29,7 @@ _TITLES = {
     "measure": "Invariant measures",
     "symmetries": "Symmetry fields",
 }
-#: Phrases for no result, and for results that were found.
+#: Texts for no result, and for results that were found.
 _NOTHING = "none of this form"
 _NOTHING_ELSE = {
     "integrals": "Everything else of this form is a function of these and of the parameters.",
@@ -122,7 +122,7 @@ def special(system: System) -> tuple[str, ...]:
 
 
 def _results(kind: str, question: SearchSpace) -> tuple[list[SearchResult], bool]:
-    """The results, and whether the search was completed."""
+    """Results, and True if the search was completed."""
     from lawproof.search import integrals, measures, symmetries
 
     search = {"integrals": integrals, "measure": measures, "symmetries": symmetries}[kind]
@@ -142,7 +142,7 @@ def _results(kind: str, question: SearchSpace) -> tuple[list[SearchResult], bool
 
 
 def _existence(study: Study) -> MeasureExistence | None:
-    """Whether a density on the configuration exists, if the mechanical model is known."""
+    """Result on a density on the configuration space, if the mechanical model is known."""
     from flowlanes.errors import InputError
     from flowlanes.formulas.errors import OutOfReachError
     from nonholonomic.invariant_measures.existence import invariant_measure
@@ -159,7 +159,7 @@ def _existence(study: Study) -> MeasureExistence | None:
 
 
 def _obstruction(system: System) -> EquilibriumObstruction | None:
-    """An equilibrium that excludes a measure, if only the equations are known."""
+    """Equilibrium that excludes a measure, if only the equations are known."""
     from nonholonomic.invariant_measures.equilibria import equilibrium_obstruction
 
     return equilibrium_obstruction(system)
@@ -230,7 +230,7 @@ def _result_lines(finding: SearchResult) -> list[str]:
 
 
 def _factors(kind: str, question: SearchSpace) -> tuple[Any, ...]:
-    """The divisors of integrals, or the factors of densities, that are tried."""
+    """Divisors of integrals, or factors of densities, that are tried."""
     return {"integrals": question.divisors, "measure": question.bases}.get(kind, ())
 
 

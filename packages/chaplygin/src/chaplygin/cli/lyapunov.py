@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from flowlanes.lyapunov.averages import Average
     from flowlanes.lyapunov.report import Spectrum
 
-#: Default length of the motion, in units of that of the experiment.
+#: Default duration of the motion, in units of that of the experiment.
 TIMES_LONGER = 10.0
 
 

@@ -89,7 +89,7 @@ def command(
 
 
 def _varied_quantity(text: str) -> tuple[str, float]:
-    """The quantity that varies along a branch, and its last value."""
+    """Quantity that varies along a branch, and its last value."""
     from flowlanes.errors import InputError
 
     name, equals, number = (part.strip() for part in text.partition("="))
@@ -104,7 +104,7 @@ def _varied_quantity(text: str) -> tuple[str, float]:
 
 
 def _one_period(study: Study, orbit: Orbit) -> Any:
-    """The orbit as a trajectory, from its first point on the section."""
+    """Orbit as a trajectory, from its first point on the section."""
     import numpy as np
 
     from flowlanes.flow.integrator import integrate

@@ -100,7 +100,7 @@ def _end(verdicts: list[LawVerdict]) -> None:
 
 
 class _Attempt(NamedTuple):
-    """A law with its verdict, and the verdict on its printed form if that differs."""
+    """Law with its verdict, and the verdict on its printed form if that is different."""
 
     system: System
     law: Law
@@ -109,7 +109,7 @@ class _Attempt(NamedTuple):
 
 
 def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool) -> list[_Attempt]:
-    """The verdicts, or those obtained until an interruption."""
+    """Verdicts, or those obtained before an interruption."""
     from lawproof.proof.certificates.certificate import prove_with_certificate
     from lawproof.proof.prover import judgement_of, prove
 
@@ -142,7 +142,7 @@ def _selected(names: list[str], only: list[str], what: str) -> list[int]:
 
 
 def coloured_decision(decision: str) -> str:
-    """A verdict in its terminal colour."""
+    """Verdict in its terminal colour."""
     return f"[{COLOURS[decision]}]{decision}[/]"
 
 
@@ -213,7 +213,7 @@ def _write(path: Path, verdicts: list[Verdict]) -> None:
     own = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
     by_theorem = [verdict for verdict in verdicts if verdict.identities]
     identities = [part for verdict in by_theorem for part in verdict.identities]
-    # One identity may serve several laws.
+    # One identity may be used for several laws.
     further = [part for i, part in enumerate(identities) if part not in identities[:i]]
     with output_file(path) as place:
         place.write_text(json.dumps([*own, *further], ensure_ascii=False), encoding="utf-8")

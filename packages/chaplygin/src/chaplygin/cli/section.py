@@ -116,7 +116,7 @@ def command(
     result = {"file": str(store), "figure": str(picture), **_summary(dataset)}
     if not result["points"]:
         dataset.close()
-        # Another section may be requested under the same name.
+        # Another section may be requested with the same name.
         rmtree(store)
         reasons = ", ".join(result["outcomes"])
         raise RunError(f"no motion passes {surface}: {reasons}", result["longest"])
@@ -128,7 +128,7 @@ def command(
 
 
 def _store(output: Path) -> Path:
-    """The store: the given path itself, or a store in a folder."""
+    """Store: the given path itself, or a store in a folder."""
     from flowlanes.errors import InputError
 
     if output.suffix == ".zarr":
@@ -146,7 +146,7 @@ def _store(output: Path) -> Path:
 
 
 def _slab(text: str) -> tuple[str, float]:
-    """A quantity, and its largest distance from zero."""
+    """Quantity, and its largest distance from zero."""
     from flowlanes.errors import InputError
 
     quantity, less, width = (part.strip() for part in text.rpartition("<"))
@@ -161,7 +161,7 @@ def _slab(text: str) -> tuple[str, float]:
 
 
 def _summary(dataset: xr.Dataset) -> dict[str, Any]:
-    """The facts of a section: file, points, drift and outcomes."""
+    """Facts of a section: file, points, drift and outcomes."""
     drifts = {
         str(name).removeprefix("law_"): _drift(dataset[name])
         for name in dataset.data_vars
@@ -180,7 +180,7 @@ def _summary(dataset: xr.Dataset) -> dict[str, Any]:
 
 
 def _drift(values: xr.DataArray) -> float:
-    """The largest change of an integral along a run, relative to its size."""
+    """Largest change of an integral along a run, relative to its size."""
     import numpy as np
 
     change = size = 0.0

@@ -102,7 +102,7 @@ def _require_no_terminal(what: str) -> None:
 
     if sys.stdout.isatty():
         raise InputError(
-            "--as wasm: machine code is no text to be shown; write it to a file, as with "
+            "--as wasm: machine code cannot be shown as text; write it to a file, as with "
             f"chaplygin show {what} --as wasm > {Path(what).stem}.wasm"
         )
 

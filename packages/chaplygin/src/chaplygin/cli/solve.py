@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from ..experiment.study import Study
 
-#: Maximum number of printed times, and number of shown times of a longer list.
+#: Maximum number of printed times, and number of printed times of a longer list.
 MANY, FEW = 12, 5
 #: Largest value of `--digits`.
 MOST_DIGITS = 1000
@@ -63,7 +63,7 @@ def command(
     try:
         with waiting("solving"):
             solution = solution_of_study(study)
-            # The constants of the form are computed on demand.
+            # The constants of the form are computed on first use.
             _ = solution.form
     except NoClosedFormError as refused:
         complain(str(refused))
@@ -80,7 +80,7 @@ def command(
 
 
 def _times(text: str) -> list[Fraction]:
-    """Times exactly as the user wrote them.
+    """Exact times from the text of the user.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
 
     form = solution.form
     shown = _moments_shown(moments)
-    # Errors are raised before anything is printed.
+    # Errors must be raised before anything is printed.
     rows = list(_rows(study, solution, shown, digits))
     titles = dict.fromkeys((study.system.title, form.title))
     typer.echo(f"{': '.join(titles)}, {form.source}".rstrip(", "))
@@ -158,7 +158,7 @@ def _moments_shown(moments: list[Fraction]) -> list[Fraction]:
 
 
 def _blocks(moments: Sequence[Fraction], rows: Sequence[Row], width: int) -> Iterator[range]:
-    """The times in blocks that fit a terminal."""
+    """Blocks of times that fit a terminal."""
     head = sum(max(len(row[column]) for row in rows) + 2 for column in (0, 1))
     cells = [len(text) for _, _, values in rows for text in values]
     heads = [len(f"t = {_plain(time)}") for time in moments]
@@ -169,14 +169,14 @@ def _blocks(moments: Sequence[Fraction], rows: Sequence[Row], width: int) -> Ite
 
 
 def _plain(time: Fraction) -> str:
-    """A time in plain notation."""
+    """Time in plain notation."""
     return f"{float(time):.15g}"
 
 
 def _rows(
     study: Study, solution: Solution, moments: Sequence[Fraction], digits: int | None
 ) -> Iterator[Row]:
-    """The quantities at the given times, one row per component."""
+    """Quantities at the given times, one row per component."""
     if digits is not None:
         yield from _balls(study, solution, moments, digits)
         return
@@ -214,7 +214,7 @@ def _doubles(moments: Sequence[Fraction]) -> list[float]:
 def _balls(
     study: Study, solution: Solution, moments: Sequence[Fraction], digits: int
 ) -> Iterator[Row]:
-    """The state with error bounds."""
+    """State with error bounds."""
     from ..experiment.closed_form import ball, units
 
     states = list(_rigorous_states(solution, moments, digits))
@@ -237,7 +237,7 @@ def _with_error(middle: str, radius: str) -> str:
 def _rigorous_states(
     solution: Solution, moments: Sequence[Fraction], digits: int
 ) -> Iterator[tuple[arb, ...]]:
-    """The states with error bounds, with a progress bar, as this takes longest."""
+    """States with error bounds, with a progress bar, because this takes longest."""
     with progress(f"computing bounds to {digits} digits") as report:
         for count, time in enumerate(moments):
             if count:
@@ -281,7 +281,7 @@ def _record(
 def _states(
     study: Study, solution: Solution, moments: list[Fraction], digits: int | None
 ) -> Iterator[dict[str, object]]:
-    """One object for each time: the variables by name."""
+    """Objects for all times, with the variables by name."""
     if digits is not None:
         from ..experiment.closed_form import ball
 

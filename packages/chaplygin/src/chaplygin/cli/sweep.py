@@ -114,12 +114,12 @@ def command(
 
 
 def values_of(text: str) -> tuple[str, list[float]]:
-    """A parameter and its values, ``m=1,1.5,2`` or ``m=1:2:5``.
+    """Parameter and its values, from ``m=1,1.5,2`` or ``m=1:2:5``.
 
     Raises
     ------
     InputError
-        If it is not written so.
+        If the text has a different form.
     """
     from flowlanes.errors import InputError
 

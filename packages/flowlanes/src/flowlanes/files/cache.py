@@ -1,8 +1,8 @@
-"""The cache on disk: one folder, and entries named after everything that they depend on.
+"""Cache on disk: one folder, with entries named after all data on which they depend.
 
-Whatever changes a result changes the name of its entry, so that nothing stale is ever read: what
-the result is computed from, the program text, the versions of Python and of the libraries.  Files
-are read and written by :mod:`flowlanes.files.private_files` alone.
+The name of an entry depends on all input of the computation, the program text, and the versions of
+Python and of the libraries.  A change of any of them gives another name, so outdated entries are
+never read.  Files are read and written only by :mod:`flowlanes.files.private_files`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import platformdirs
 
 from .source_digest import computation_digest
 
-#: Libraries that take part in a proof or in the generation of machine code.
+#: Libraries that affect proofs or the generated machine code.
 LIBRARIES = (
     "llvmlite",
     "mpmath",
@@ -30,26 +30,26 @@ LIBRARIES = (
 
 
 def folder() -> Path:
-    """The folder of the cache; the variable FLOWLANES_CACHE replaces the user's own one."""
+    """Folder of the cache: FLOWLANES_CACHE, or otherwise a folder of the user."""
     chosen = os.environ.get("FLOWLANES_CACHE")
     return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("flowlanes"))
 
 
 @cache
 def _versions() -> tuple[str, ...]:
-    """The versions of Python and of the libraries."""
+    """Versions of Python and of the libraries."""
     return platform.python_version(), *(f"{name} {version(name)}" for name in LIBRARIES)
 
 
 def entry_name(*parts: str) -> str:
-    """The name of an entry that depends on texts, on the program and on the libraries.
+    """Name of an entry that depends on texts, on the program and on the libraries.
 
     Parameters
     ----------
     *parts : str
-        All that the entry is computed from; machine code needs the processor among them.
+        All input of the computation; for machine code this must include the processor.
     """
     texts = (*parts, computation_digest(), *_versions())
-    # lengths keep texts apart whatever characters they have
+    # with the lengths, different lists of texts have different names
     encoded = (text.encode() for text in texts)
     return hashlib.sha256(b"".join(b"%d:%b" % (len(e), e) for e in encoded)).hexdigest()

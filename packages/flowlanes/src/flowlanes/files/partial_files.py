@@ -28,7 +28,7 @@ _LOG = logging.getLogger(__name__)
 #: Suffix of a lock file.
 _LOCK = ".chaplygin.lock"
 
-#: Seconds to wait for a lock: another process may just be testing whether anybody holds it.
+#: Seconds to wait for a lock: another process may hold it for a moment to test it.
 _PATIENCE = 0.5
 
 #: Seconds after which an unmodified partial file counts as abandoned, even from another machine.
@@ -51,7 +51,7 @@ def _own(path: Path) -> Iterator[None]:
 
 
 def remove_own() -> None:
-    """Remove the partial files of this process, which is about to end."""
+    """Remove the partial files of this process before it ends."""
     for path in list(_OWN):
         with suppress(OSError):
             _remove(path)
@@ -66,7 +66,7 @@ def _remove(path: Path) -> None:
 
 @cache
 def _machine() -> str:
-    """The machine and the container, within which process ids are meaningful."""
+    """Machine and container; process ids are unique within both."""
     space = ""
     with suppress(OSError):
         space = os.readlink("/proc/self/ns/pid")  # noqa: PTH115
@@ -79,7 +79,7 @@ def _beginning() -> str:
 
 @contextmanager
 def partial_file(folder: Path) -> Iterator[Path]:
-    """A new file in a folder, removed at the end of the block unless it was renamed."""
+    """New file in a folder, removed at the end of the block unless it was renamed."""
     remove_leftovers(folder)
     handle, name = tempfile.mkstemp(dir=folder, prefix=_beginning(), suffix=".partial")
     os.close(handle)
@@ -93,7 +93,7 @@ def partial_file(folder: Path) -> Iterator[Path]:
 
 @contextmanager
 def partial_folder(folder: Path) -> Iterator[Path]:
-    """A new folder in another, removed at the end of the block unless it was renamed."""
+    """New folder in another folder, removed at the end of the block unless it was renamed."""
     remove_leftovers(folder)
     temporary = Path(tempfile.mkdtemp(dir=folder, prefix=_beginning(), suffix=".partial"))
     with _own(temporary):
@@ -105,7 +105,7 @@ def partial_folder(folder: Path) -> Iterator[Path]:
 
 
 def umask() -> int:
-    """The permission bits that new files must not have."""
+    """Permission bits that are removed from new files."""
     current = os.umask(0)
     os.umask(current)
     return current
@@ -113,7 +113,7 @@ def umask() -> int:
 
 @contextmanager
 def write_lock(target: Path, inside: bool = False) -> Iterator[None]:
-    """A context in which no other process writes to a folder; the lock ends with the process.
+    """Context in which no other process writes to a folder; the lock ends with the process.
 
     The lock is a file, which is deleted while it is still locked: a process that waits for a
     deleted file starts over with a new one.
@@ -121,9 +121,9 @@ def write_lock(target: Path, inside: bool = False) -> Iterator[None]:
     Parameters
     ----------
     target : Path
-        The folder that is written.
+        Folder that is written.
     inside : bool
-        Whether the lock is in the folder, which then must be there, and not beside it.
+        True for a lock in the folder, which must exist; False for a lock beside it.
 
     Raises
     ------
@@ -135,14 +135,14 @@ def write_lock(target: Path, inside: bool = False) -> Iterator[None]:
     place = target.resolve()
     place = place / _LOCK if inside else place.with_name(f".{place.name}{_LOCK}")
     remove_leftovers(place.parent)
-    # filelock would wait if nothing can be written; this reports the reason.
+    # filelock would wait if the folder is not writable; this raises the error at once.
     place.touch()
     try:
         with filelock.FileLock(place, timeout=_PATIENCE), _own(place):
             try:
                 yield
             finally:
-                # Windows does not delete an open file.
+                # Windows cannot delete an open file.
                 with suppress(OSError):
                     place.unlink()
     except filelock.Timeout as problem:
@@ -152,7 +152,7 @@ def write_lock(target: Path, inside: bool = False) -> Iterator[None]:
 
 
 def remove_leftovers(folder: Path) -> None:
-    """Remove what killed processes have left in a folder, and report it."""
+    """Remove partial files of killed processes from a folder, and log it."""
     found = []
     with suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
@@ -164,7 +164,7 @@ def remove_leftovers(folder: Path) -> None:
 
 
 def _is_abandoned(entry: os.DirEntry[str]) -> bool:
-    """Whether a partial file is ours and its process no longer runs."""
+    """True if a partial file is from this program and its process no longer runs."""
     if entry.name.endswith(_LOCK):
         return _is_free(Path(entry.path))
     name = _NAME.fullmatch(entry.name)
@@ -176,7 +176,7 @@ def _is_abandoned(entry: os.DirEntry[str]) -> bool:
     import psutil
 
     try:
-        # The id of a process that has ended may have been reused.
+        # The id may belong to a new process by now.
         return psutil.Process(int(name["process"])).create_time() > written + 1.0
     except psutil.NoSuchProcess:
         return True
@@ -185,7 +185,7 @@ def _is_abandoned(entry: os.DirEntry[str]) -> bool:
 
 
 def _is_free(lock: Path) -> bool:
-    """Whether nobody holds a lock; it is removed while it is held here."""
+    """True if nobody holds a lock; it is then removed while it is held here."""
     import filelock
 
     try:
@@ -196,7 +196,7 @@ def _is_free(lock: Path) -> bool:
     return True
 
 
-#: Whether the system reserves file names for devices, and these names.
+#: True if the operating system reserves file names for devices, and these names.
 WINDOWS = sys.platform == "win32"
 _DEVICES = {"CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"} | {
     f"{port}{i}" for port in ("COM", "LPT") for i in "123456789¹²³"
@@ -204,6 +204,6 @@ _DEVICES = {"CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"} | {
 
 
 def require_file_name(path: Path) -> None:
-    """Raise InputError if a file name is that of a device, with or without an ending."""
+    """Raise InputError if a file name is that of a device, with or without a suffix."""
     if WINDOWS and path.name.partition(".")[0].rstrip().upper() in _DEVICES:
         raise InputError(f"{path} is the name of a device on Windows: choose another name")

@@ -1,4 +1,4 @@
-"""Files that outlive a process, trusted only where nobody but this user can write.
+"""Files that are kept between processes, and are read only if no other user can have written them.
 
 They hold machine code and verdicts, so a file is read only if
 
@@ -28,7 +28,7 @@ from pathlib import Path
 from .partial_files import partial_file
 
 _OTHERS = stat.S_IWGRP | stat.S_IWOTH
-#: Flags with which a link is not followed and a pipe is not waited for.
+#: Flags for opening a file without following a link or waiting for a pipe.
 if sys.platform == "win32":
     _OPEN_FLAGS = os.O_RDONLY | os.O_BINARY | os.O_NOINHERIT
 else:
@@ -36,7 +36,7 @@ else:
 
 
 def _distrust(folder: Path) -> str:
-    """The reason why files in a folder are not read, to end a sentence; empty if they are."""
+    """Reason why files in a folder are not read, to end a sentence; empty if they are read."""
     if sys.platform == "win32":
         home = Path.home().resolve()
         return "" if folder.is_relative_to(home) else f"{folder} is not inside {home}"
@@ -53,7 +53,7 @@ def _distrust(folder: Path) -> str:
 
 
 def _is_ours(status: os.stat_result) -> bool:
-    """Whether a file is a regular one of this user's, to which nobody else can write."""
+    """True for a regular file of this user to which no other user can write."""
     regular = stat.S_ISREG(status.st_mode)
     if sys.platform == "win32":
         return regular
@@ -62,7 +62,7 @@ def _is_ours(status: os.stat_result) -> bool:
 
 
 def read_private(path: Path) -> bytes | None:
-    """The content of a file, or None if there is none that can be trusted."""
+    """Content of a file, or None if there is no trusted file."""
     try:
         folder = _trusted_folder(path.parent)
         if folder is None:
@@ -79,7 +79,7 @@ def read_private(path: Path) -> bytes | None:
 
 
 def write_private(path: Path, content: bytes) -> bool:
-    """Write a file, which appears complete or not at all; return whether that was possible."""
+    """Write a file as a whole; True if this was possible."""
     try:
         _create(path.parent)
         folder = _trusted_folder(path.parent)
@@ -94,7 +94,7 @@ def write_private(path: Path, content: bytes) -> bool:
 
 
 def _create(folder: Path) -> None:
-    """Create a folder and those above it, for this user alone whatever the umask."""
+    """Create a folder and those above it, accessible only to this user for any umask."""
     if not folder.is_dir():
         _create(folder.parent)
         folder.mkdir(mode=0o700, exist_ok=True)
@@ -105,8 +105,8 @@ def _seal(path: Path, content: bytes) -> bytes:
 
 
 def _trusted_folder(folder: Path) -> Path | None:
-    """A folder, links resolved, if its files can be trusted; otherwise one warning says why not."""
-    # resolved once, so that nobody can redirect a link after the check of its target
+    """Folder with links resolved if it can be trusted; otherwise None, with one warning."""
+    # resolved first, so that a link cannot be changed after its target has been checked
     resolved = folder.resolve(strict=True)
     why = _distrust(resolved)
     if why:

@@ -1,7 +1,7 @@
 """Many motions of a System at once: machine code with one motion per vector lane.
 
-The result of a motion depends only on its own start and parameters, bit for bit: not on the number
-of threads, the width of the processor's vectors, or the other motions computed with it.
+The result for a motion depends, bit for bit, only on its own start and parameters: not on the
+number of threads, the vector width of the processor, or other motions computed with it.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ MOST_NUMBERS = 1 << 32
 
 @dataclass(frozen=True)
 class BatchIntegrator:
-    """The flow of a System as vectorised machine code.
+    """Flow of a System as vectorized machine code.
 
     Attributes
     ----------
@@ -45,13 +45,13 @@ class BatchIntegrator:
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
     deviations : int
-        Tangent vectors carried by the variational equations.
+        Number of tangent vectors in the variational equations.
     section : Section or None
     backward : bool
-        Whether time runs backward; times are negative then.
+        True if time runs backward; then times are negative.
     precision : ``"double"`` or ``"quad"``
     loop : BatchLoop
-        The code, on the device that was asked for.
+        Code for the chosen device.
     """
 
     system: System
@@ -64,12 +64,12 @@ class BatchIntegrator:
 
     @property
     def size(self) -> int:
-        """State variables of the system."""
+        """Number of state variables of the system."""
         return len(self.system.symbols)
 
     @arguments_checked
     def status_message(self, code: int) -> str:
-        """Why a motion ended; empty for code 0."""
+        """Reason for which a motion ended; empty for code 0."""
         return outcome_message(self.system, code)
 
     @arguments_checked
@@ -82,26 +82,26 @@ class BatchIntegrator:
         deviations: npt.ArrayLike | None = None,
         threads: int | None = None,
     ) -> BatchTrajectories:
-        """Follow motions from time 0 through given times.
+        """Motions from time 0 through given times.
 
         Parameters
         ----------
         starts : array (motions, size)
             In flat order of ``system.symbols``; in quad precision numbers of many digits (mpmath)
-            count with 32 of them, here and in `parameters`.
+            are used with 32 digits, here and in `parameters`.
         times : array (times,)
             Increasing from 0 or later; decreasing for backward lanes.
         parameters : mapping of Symbol or name to number or array (motions,), optional
-            Values that replace the defaults, one for all or one for each.
+            Values that replace the defaults, one for all motions or one for each motion.
         deviations : array (motions, deviations, size), optional
-            Needed if the lanes carry deviations.
+            Required if the integrator has deviations.
         threads : int, optional
-            All processors that this process may use, unless given.
+            Number of threads; by default all processors available to this process.
 
         Raises
         ------
         InputError
-            If starts, times or parameters cannot be used.
+            If starts, times or parameters are not valid.
         """
         if self.section is not None:
             raise InputError(
@@ -124,24 +124,24 @@ class BatchIntegrator:
         deviations: npt.ArrayLike | None = None,
         threads: int | None = None,
     ) -> BatchCrossings:
-        """Follow motions to their crossings of the section; a start on the section is not counted.
+        """Motions up to their crossings of the section; a start on the section is not counted.
 
-        Two crossings within one step are detected if the cubic interpolant of the step shows them
-        within its error, that is down to a separation of about 1e-5 turns.
+        Two crossings within one step are detected if the cubic interpolant of the step indicates
+        them within its error, that is down to a separation of about 1e-5 turns.
 
         Parameters
         ----------
         starts, parameters, deviations, threads
             As in :meth:`propagate`.
         count : int
-            Crossings of each motion.
+            Number of crossings for each motion.
         t_end : float
-            Time after which to give up; negative for backward lanes.
+            Time after which a motion ends in any case; negative for backward integration.
 
         Raises
         ------
         InputError
-            If starts, count or parameters cannot be used.
+            If starts, count or parameters are not valid.
         """
         if self.section is None:
             raise InputError(
@@ -160,7 +160,7 @@ class BatchIntegrator:
     def require_reach(
         self, start: npt.ArrayLike, t_end: float, parameters: Parameters = None
     ) -> None:
-        """Raise an error for a time that needs more than the maximum number of steps.
+        """Raise an error if a time needs more than the maximum number of steps.
 
         Parameters
         ----------
@@ -220,7 +220,7 @@ class BatchIntegrator:
         return 1 if self.precision == "double" else 2
 
     def _as_doubles(self, name: str, numbers: npt.ArrayLike) -> FloatArray:
-        """Add a last axis that holds the doubles of each number."""
+        """Numbers with a last axis for the doubles of each number."""
         if self.precision == "double":
             words: FloatArray = as_float_array(name, numbers)[..., None]
             return words
@@ -229,7 +229,7 @@ class BatchIntegrator:
     def _split(
         self, numbers: FloatArray
     ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-        """Split results into states, deviations and low words of the states."""
+        """States, deviations and low words of the states, from the result of the loop."""
         states = numbers[:, :, : self.size, 0]
         low = numbers[:, :, : self.size, 1] if self.words == 2 else None
         if self.deviations == 0:
@@ -246,7 +246,7 @@ class BatchIntegrator:
         threads: int | None,
         most: int | None = None,
     ) -> tuple[FloatArray, FloatArray, IntArray, tuple[IntArray, FloatArray, IntArray]]:
-        """Run the loop; return its samples, sample counts, outcomes, end times and step counts."""
+        """Samples, sample counts, outcomes, end times and step counts from one call of the loop."""
         motions, width, words = rows.shape
         if motions * samples * width * words > MOST_NUMBERS:
             size = motions * samples * width * words * 8 / 2**30
@@ -278,22 +278,23 @@ def batch_integrator(
     Parameters
     ----------
     system : System
-        As it is to be integrated; ``system.lifted()`` carries its motion in space along.
+        The system to integrate; ``system.lifted()`` includes its motion in space.
     tolerance : float
-        See :mod:`flowlanes.system.tolerance`; the size is that of each vector of the state.  Below
-        1e-15 the method is another of the same order, in which rounding counts for less.
+        See :mod:`flowlanes.system.tolerance`; the error is relative to the size of each vector of
+        the state.  Below 1e-15 another method of the same order is used, which is less sensitive
+        to rounding.
     deviations : int
-        Tangent vectors to carry by the variational equations.
+        Number of tangent vectors in the variational equations.
     section : Section, optional
-        Recorded are the crossings of this section, instead of states at given times.
+        Section whose crossings are recorded, instead of states at given times.
     backward : bool
         Whether time runs backward.
     precision : ``"double"`` or ``"quad"``
-        Of the numbers that the lanes compute with: 16 or, as pairs of doubles, 30 digits.  With 30
-        a step costs some twenty times as much, and a method of order 8 needs very many steps to
-        make use of them all: for single motions see :mod:`flowlanes.flow.gauss`.
+        Precision of the computation: 16 digits, or 30 digits with pairs of doubles.  With 30
+        digits a step takes about twenty times as long, and a method of order 8 needs very many
+        steps to use all of them; for single motions see :mod:`flowlanes.flow.gauss`.
     device : "cpu" or "gpu"
-        Where motions are computed.
+        Device for the computation.
 
     Returns
     -------
@@ -305,9 +306,9 @@ def batch_integrator(
     Raises
     ------
     InputError
-        If a section is asked for in quad precision, the tolerance is not between 1e-16 (1e-30 in
-        quad precision) and 0.1, a formula has a function that machine code does not know, the
-        number of deviations is negative, or there is no such device.
+        If there is a section in quad precision, the tolerance is not between 1e-16 (1e-30 in quad
+        precision) and 0.1, a formula contains a function without machine code, the number of
+        deviations is negative, or the device does not exist.
 
     Examples
     --------

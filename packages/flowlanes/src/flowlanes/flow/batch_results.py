@@ -15,16 +15,16 @@ class BatchTrajectories(WithShortRepr):
     Attributes
     ----------
     states : array (motions, times, size)
-        In flat order; not-a-number after the end of a motion.
+        In flat order; NaN after the end of a motion.
     deviations : array (motions, times, deviations, size) or None
     outcome : array (motions,) of int
         0 if the last time was reached; see ``BatchIntegrator.status_message`` for other codes.
     end_times : array (motions,)
-        The time that was reached.
+        Last time reached.
     steps : array (motions,) of int
-        Steps that were tried.
+        Number of attempted steps.
     rest : array (motions, times, size) or None
-        With 30 digits the next 16 digits of the states, to be added to them.
+        With 30 digits: the next 16 digits of the states, to be added to them.
     """
 
     states: FloatArray
@@ -42,12 +42,12 @@ class BatchCrossings(WithShortRepr):
     Attributes
     ----------
     states : array (motions, count, size)
-        Not-a-number beyond `counts`.
+        NaN after the last crossing of each motion.
     times : array (motions, count)
     deviations : array (motions, count, deviations, size) or None
-        At the time of crossing; not yet projected along the flow.
+        At the time of crossing, without projection along the flow.
     counts : array (motions,) of int
-        Crossings of each motion.
+        Number of crossings for each motion.
     outcome, ended, steps, rest
         As in `BatchTrajectories`; the outcome is 0 if there are `count` crossings.
     """

@@ -1,6 +1,6 @@
 """Linear algebra for many small vectors and matrices, bit for bit independent of their number.
 
-Sums are evaluated in a fixed order, which NumPy's reductions do not guarantee.
+Sums are evaluated in a fixed order, which is not guaranteed by the reductions of NumPy.
 """
 
 from __future__ import annotations

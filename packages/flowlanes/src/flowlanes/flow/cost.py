@@ -1,4 +1,4 @@
-"""Reject computations that would take years, or more memory or disk space than is available."""
+"""Limits on computations that would take years, or more memory or disk space than available."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ _KIBI = 1024.0
 
 
 class TooMuchError(InputError):
-    """A computation would take too long or too much space."""
+    """Computation that would take too long or too much space."""
 
 
 @dataclass(frozen=True)
 class Pace:
-    """Estimates the duration of a computation, starting when this object is created."""
+    """Estimate of the duration of a computation that starts when this object is created."""
 
     began: float = field(default_factory=time.perf_counter)
 
@@ -37,14 +37,14 @@ class Pace:
         Parameters
         ----------
         fraction : float
-            The share that is done by now, of 1.
+            Completed fraction.
         what : str
-            The computation, with its size: the beginning of the sentence.
+            Name of the computation with its size, to begin a sentence.
 
         Raises
         ------
         TooMuchError
-            With the estimate.
+            With the estimated duration.
         """
         elapsed = time.perf_counter() - self.began
         if elapsed < _WARM_UP or elapsed <= YEAR * fraction:
@@ -62,16 +62,16 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
     Parameters
     ----------
     size : float
-        In bytes.
+        Size in bytes.
     folder : Path or None
-        The result is to be written there; in memory if None.
+        Folder of the result; None for memory.
     what : str
-        The computation: the beginning of the sentence.
+        Name of the computation, to begin a sentence.
 
     Raises
     ------
     InputError
-        With both sizes.
+        If the result is larger than the available space.
     """
     if folder is None:
         import psutil
@@ -80,7 +80,7 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
     else:
         there = next((p for p in (folder, *folder.absolute().parents) if p.is_dir()), Path("/"))
         usage = shutil.disk_usage(there)
-        # A file system without free space of its own gives no information.
+        # A file system without free space of its own, such as /proc, gives no information.
         room, place = float(usage.free) if usage.total else math.inf, "disk"
     if size > room:
         raise TooMuchError(
@@ -89,19 +89,19 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
 
 
 def require_steps(t_end: float, outcome: int, end_time: float, steps: int) -> None:
-    """Raise an error if a time needs more steps than allowed, judged by the first few steps.
+    """Raise an error if a time needs too many steps, as estimated from the first few steps.
 
     Parameters
     ----------
     t_end : float
-        The time.
+        Final time.
     outcome, ended, steps
-        Of a motion that was allowed few steps.
+        Result for a motion with a small limit on its steps.
 
     Raises
     ------
     TooMuchError
-        With the estimate.
+        With the estimated number of steps.
     """
     if outcome != STEPS:
         return
@@ -114,7 +114,7 @@ def require_steps(t_end: float, outcome: int, end_time: float, steps: int) -> No
 
 
 def in_words(size: float) -> str:
-    """A number of bytes as text with two or three digits."""
+    """Number of bytes as text with two or three digits."""
     steps = 0
     while size >= _KIBI and steps < len(_UNITS) - 1:
         size, steps = size / _KIBI, steps + 1

@@ -1,7 +1,7 @@
-"""Single motions to the last digit of a double, or to 30 digits.
+"""Single motions with all digits of a double, or with 30 digits.
 
-The state is projected onto the level of the integrals of a System, if there are any.  Otherwise the
-rounding errors of any method in doubles add up to about a hundred times more.
+The state is projected onto the level of the integrals of a System, if it has integrals.  Otherwise
+the rounding errors of any method in doubles accumulate to about a hundred times more.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ from .machine_code.double_double_conversion import as_pairs, parameter_pairs
 from .sign_branches import sign_branches
 from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
-#: Number of stages, and largest allowed highest Legendre coefficient of the rates over a step,
-#: relative to the state.
+#: Number of stages, and largest allowed value of the highest Legendre coefficient of the rates
+#: over a step, relative to the state.
 _METHODS: dict[Precision, tuple[int, float]] = {"double": (8, 1e-7), "quad": (16, 3e-15)}
 
 _I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
@@ -55,10 +55,10 @@ class GaussTrajectories(WithShortRepr):
     Attributes
     ----------
     states : array (motions, times, size)
-        In flat order; not-a-number after the end of a motion.
+        In flat order; NaN after the end of a motion.
     rest : array (motions, times, size)
-        The next 16 digits of the states, to be added to them; 14 are right with 30 digits, and
-        with 16 digits they only give the rounding error of the last one.
+        Next 16 digits of the states, to be added to them.  With 30 digits 14 of them are correct;
+        with 16 digits they only give the rounding error of the last digit.
     outcome, end_times, steps : arrays (motions,)
         As in :class:`flowlanes.flow.batch.BatchTrajectories`.
     """
@@ -72,16 +72,16 @@ class GaussTrajectories(WithShortRepr):
 
 @dataclass(frozen=True)
 class GaussIntegrator:
-    """The flow of a System by Gauss–Legendre collocation, a lane for each stage.
+    """Flow of a System by Gauss–Legendre collocation, with one lane for each stage.
 
     Attributes
     ----------
     system : System
     precision : ``"double"`` or ``"quad"``
     backward : bool
-        Whether time runs backward; times are negative then.
+        True if time runs backward; then times are negative.
     held_names : tuple of str
-        Integrals and relations on whose level the state is held.
+        Integrals and relations whose values are conserved by projection.
     code : Native
     """
 
@@ -97,7 +97,7 @@ class GaussIntegrator:
 
     @arguments_checked
     def status_message(self, code: int) -> str:
-        """Why a motion ended; empty for code 0."""
+        """Reason for which a motion ended; empty for code 0."""
         return outcome_message(self.system, code)
 
     @arguments_checked
@@ -109,23 +109,24 @@ class GaussIntegrator:
         *,
         threads: int | None = None,
     ) -> GaussTrajectories:
-        """Follow motions from time 0 through given times.
+        """Motions from time 0 through given times.
 
         Parameters
         ----------
         starts : array (motions, size)
-            In flat order; numbers of many digits (mpmath) count with 32 of them.
+            In flat order; numbers of many digits (mpmath) are used with 32 digits.
         times : array (times,)
             Increasing from 0 or later; decreasing backward.
         parameters : mapping of Symbol or name to number or array (motions,), optional
-            Values that replace the defaults; numbers of many digits count with 32 of them.
+            Values that replace the defaults; numbers of many digits are used with 32 digits.
         threads : int, optional
-            All processors that this process may use, unless given; each takes whole motions.
+            Number of threads, each for whole motions; by default all processors available to this
+            process.
 
         Raises
         ------
         InputError
-            If starts, times or parameters cannot be used.
+            If starts, times or parameters are not valid.
         """
         moments = read_moments(times, self.backward)
         return self._call(starts, moments, parameters, threads, MOST_STEPS)
@@ -187,21 +188,20 @@ def gauss_integrator(
     *,
     backward: bool = False,
 ) -> GaussIntegrator:
-    """Compile the flow of a system for Gauss–Legendre collocation, or fetch it from the cache.
+    """Compile the flow of a system for Gauss–Legendre collocation, or read it from the cache.
 
     Parameters
     ----------
     system : System
-        As it is to be integrated; ``system.lifted()`` carries its motion in space along.
+        The system to integrate; ``system.lifted()`` includes its motion in space.
     start : array (size,)
-        A state near which the motions begin: integrals that are claimed of the system but are not
-        constant there are not held.
+        State near which the motions begin.  A stated integral that is not constant near it is not
+        conserved.
     parameters : mapping of Symbol or name to number, optional
     precision : ``"double"`` or ``"quad"``
-        16 or 30 digits.  In quad precision the state is not moved onto any level: it begins where
-        the start is.
+        16 or 30 digits.  In quad precision the initial state is not projected onto a level.
     backward : bool
-        Whether time runs backward.
+        True if time runs backward.
 
     Returns
     -------
@@ -212,8 +212,8 @@ def gauss_integrator(
     Raises
     ------
     InputError
-        If the precision is neither, if a rate has an absolute value or a sign of what moves, or a
-        function that machine code does not know.
+        If the precision is not one of these, or a rate contains an absolute value or a sign of a
+        variable expression, or a function without machine code.
 
     Examples
     --------
@@ -265,7 +265,7 @@ def _compiled_integrator(
             [terms[name] for name in names if not name.startswith("=")],
             [terms[name[1:]] for name in names if name.startswith("=")],
             equations.groups,
-            # stored after the state
+            # the integrals are stored after the state
             [reader.graph.state(len(system.symbols) + k) for k in range(len(names))],
         )
     stages, _ = _METHODS[precision]

@@ -1,4 +1,4 @@
-"""One motion with everything that a System records, by Gauss–Legendre collocation."""
+"""One motion with all recorded quantities of a System, by Gauss–Legendre collocation."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ from .trajectory import Event, Statistics, Trajectory
 
 
 class Collocation(IntegrationMethod):
-    """Gauss–Legendre collocation to the last digit; it has no options of its own."""
+    """Gauss–Legendre collocation with all digits; the method has no options of its own."""
 
     name = "gauss"
 
     def motion(self, request: MotionRequest) -> Trajectory:
-        """The motion with 16 digits, or 30 at precision "quad"."""
+        """Motion with 16 digits, or with 30 digits at precision "quad"."""
         return collocate(
             request.system,
             request.start,
@@ -54,28 +54,28 @@ def collocate(
     """Integrate a system to full double (or 30-digit) accuracy by collocation.
 
     See :func:`flowlanes.flow.integrator.integrate`.
-    The state is held on the level of its relations and integrals.  In quad precision the states are
-    numbers of mpmath and what is recorded has 16.
+    The state is kept on the level of its relations and integrals.  In quad precision the states
+    are numbers of mpmath, and recorded quantities have 16 digits.
 
     Parameters
     ----------
     system : System
-        If it has a motion in space, that is integrated with it.
+        If it has a motion in space, this is integrated too.
     start : sequence of numbers
-        State at ``times[0]``, reduced and (where there is one) lifted, in flat order.
+        State at ``times[0]``, with the motion in space if there is one, in flat order.
     times : sequence of numbers
-        At least two, all increasing or all decreasing.
+        At least two times, increasing or decreasing.
     parameters : mapping of Symbol or name to number, optional
     precision : ``"double"`` or ``"quad"``
     on_liftoff : ``"stop"`` or ``"warn"``
-        Whether the run ends when the normal force changes sign, or passes over it.
+        Whether a change of sign of the normal force ends the motion or only gives a warning.
 
     Raises
     ------
     InputError
-        If times, parameters or start cannot be used.
+        If times, parameters or start are not valid.
     RunError
-        If the integration fails; it carries the last good time and the trajectory so far.
+        If the integration fails; the error holds the last valid time and the trajectory up to it.
     """
     lifted = system.lifted() if system.reconstruction else system
     moments = np.asarray(times, dtype=float)
@@ -123,13 +123,13 @@ def collocate(
 
 
 def _states(flow: GaussIntegrator, motion: GaussTrajectories, good: BoolArray) -> WorkingArray:
-    """The states (times, size) of one motion, with all digits."""
+    """States (times, size) of one motion, with all digits."""
     states: FloatArray = motion.states[0, good]
     return states if flow.precision == "double" else from_pairs(states, motion.rest[0, good])
 
 
 def _decimal(number: WorkingNumber) -> mpmath.mpf:
-    """A number with all its digits; a float counts as the decimal that is printed for it."""
+    """Number with all its digits; a float is taken as its shortest decimal representation."""
     with mpmath.workdps(50):
         if isinstance(number, (int, float, np.number)):
             return mpmath.mpf(repr(float(number)))

@@ -1,8 +1,8 @@
-"""What an integration method is: the request of a motion, and the class that meets it.
+"""Integration methods: the request of a motion, and the base class of methods.
 
-A new method is one class: it says which options it has, and makes a `Trajectory` whose `Statistics`
-say how, which is what files and reports repeat.  :func:`flowlanes.flow.methods.register` makes it
-known under its name.
+A new method is one class.  It declares its options and returns a `Trajectory` with `Statistics`,
+which are also written to files and reports.  :func:`flowlanes.flow.methods.register` makes it
+available under its name.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from .trajectory import Trajectory
 
 @dataclass(frozen=True)
 class MotionRequest:
-    """One motion that is wanted; see :func:`flowlanes.flow.integrator.integrate`.
+    """Request for one motion; see :func:`flowlanes.flow.integrator.integrate`.
 
     Attributes
     ----------
     start : sequence of numbers
-        The state at ``times[0]``, with the motion in space where there is one, in flat order.
+        State at ``times[0]``, with the motion in space if there is one, in flat order.
     tolerance, time_limit : float or None
-        None where none is asked for.
+        None if not given.
     """
 
     system: System
@@ -45,14 +45,14 @@ class MotionRequest:
 
 
 class IntegrationMethod(ABC):
-    """A method of integrating one motion.
+    """Method of integration for one motion.
 
     Attributes
     ----------
     name : str
-        The word by which it is asked for.
+        Value of the argument `method` for this method.
     options : frozenset of str
-        Those of ``tolerance``, ``time_limit`` and ``dense`` that it has.
+        Supported options out of ``tolerance``, ``time_limit`` and ``dense``.
     """
 
     name: ClassVar[str]
@@ -60,4 +60,4 @@ class IntegrationMethod(ABC):
 
     @abstractmethod
     def motion(self, request: MotionRequest) -> Trajectory:
-        """The motion; a RunError carries the last good time and the trajectory so far."""
+        """The motion; a RunError holds the last valid time and the trajectory up to it."""

@@ -1,4 +1,4 @@
-"""Integrate a System from one start through given times, with everything it records."""
+"""Integration of a System from one start through given times, with all recorded quantities."""
 
 from __future__ import annotations
 
@@ -36,49 +36,50 @@ def integrate(
     Parameters
     ----------
     system : System
-        If it has a motion in space, that is integrated with it.
+        If it has a motion in space, this is integrated too.
     start : sequence of numbers, or mapping of str to number or numbers
         State at ``times[0]`` in flat order, with the motion in space behind it or without; or by
         name (ω and γ, or the variables of the state).  The motion in space begins at zero where it
         is left out, with γ pointing upward.
     times : sequence of numbers
-        At least two, all increasing or all decreasing (backward integration), in s.
+        At least two times in s, increasing or decreasing (backward integration).
     parameters : mapping of Symbol or name to number, optional
-        Values that replace the system's defaults.
+        Values that replace the defaults of the system.
     tolerance, precision
-        See :mod:`flowlanes.system.tolerance`; 1e-15 unless another one is given, and 1e-30 with the
-        34 digits of precision "quad".
+        See :mod:`flowlanes.system.tolerance`; the default is 1e-15, and 1e-30 with the 34 digits
+        of precision "quad".
     on_liftoff : ``"stop"`` or ``"warn"``
-        Whether the run ends or goes on when the normal force changes sign.  Leaving the domain
-        of the equations (a body lying flat, a contact on a non-convex part) always ends it.
+        Whether the motion ends or continues when the normal force changes sign.  It always ends
+        where the equations are no longer valid (a body lying flat, a contact on a non-convex
+        part).
     keep_integrals : bool
-        Restore the integrals to their initial values after every step, besides the relations.
+        Restore the integrals, besides the relations, to their initial values after every step.
     time_limit : float, optional
-        Seconds of computing after which to give up.
+        Maximum computing time in seconds.
     dense : bool
         Keep the continuous trajectory.
     progress : callable, optional
-        Called with the fraction done.
+        Function that is called with the completed fraction.
     method : str
-        One of :func:`flowlanes.flow.methods.methods`: ``"taylor"`` or ``"gauss"``.
-        Taylor series of any tolerance, with steps that end where the argument of an absolute value
-        or a sign is zero; or Gauss–Legendre collocation with all digits of a double
-        (30 digits at precision "quad"), some ten times faster; see
-        :func:`flowlanes.flow.gauss_trajectory.collocate`.  The second always holds the integrals
-        and has no tolerance, time limit or continuous trajectory.
+        One of :func:`flowlanes.flow.methods.methods`: ``"taylor"`` or ``"gauss"``.  Taylor series
+        work for any tolerance, with steps that end where the argument of an absolute value or a
+        sign is zero.  Gauss–Legendre collocation gives all digits of a double (30 digits at
+        precision "quad") and is about ten times faster; see
+        :func:`flowlanes.flow.gauss_trajectory.collocate`.  It always conserves the integrals and
+        has no tolerance, time limit or continuous trajectory.
 
     Returns
     -------
     Trajectory
-        Up to the last of `times`, or to where a guard ended it (that moment is its last sample).
+        Up to the last of `times`, or up to the moment at which a guard ended it.
 
     Raises
     ------
     InputError
-        If times, parameters or start cannot be used.
+        If times, parameters or start are not valid.
     RunError
-        If the integration fails; it carries the last good time and the trajectory so far.  An
-        InterruptionError if it is interrupted.
+        If the integration fails; the error holds the last valid time and the trajectory up to it.
+        An InterruptionError if it is interrupted.
 
     Examples
     --------

@@ -1,6 +1,6 @@
 """Projection of states onto levels of formulas, for many states at once.
 
-Each state is moved independently; its result does not depend on its neighbours.
+Each state is moved independently of the others.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ..system.arrays import BoolArray, FloatArray
 STEPS = 60
 #: Relative tolerance for being on the level.
 LEVEL_TOLERANCE = 1e-12
-#: Relative size below which a singular value counts as zero: redundant conditions.
+#: Relative size below which a singular value is taken as zero: redundant conditions.
 REDUNDANT = 1e-9
 
 
@@ -39,23 +39,23 @@ def project_to_level(
     states : (n, size) array
         In flat order.
     targets : number, (formulas,) or (n, formulas) array
-        The values wanted.
+        Required values.
     parameters : mapping of Symbol or name to number or (n,) array, optional
         Values that replace the defaults.
     movable : (size,) array of bool, optional
-        Which state variables may be moved; all of them if left out.
+        True for state variables that may be changed; by default all.
 
     Returns
     -------
     states : (n, size) array
-        The best that was found.
+        Best states that were found.
     met : (n,) array of bool
-        Whether the values are met there.
+        True where the values are attained.
 
     Raises
     ------
     InputError
-        If targets or movable variables have the wrong shape.
+        If `targets` or `movable` has the wrong shape.
 
     Examples
     --------
@@ -86,7 +86,7 @@ def project_to_level(
         better = size < missed[pending]
         best[pending[better]] = moving[pending[better]]
         missed[pending[better]] = size[better]
-        # A state on its level is refined until nothing improves any more.
+        # A state on its level is refined until the residual no longer decreases.
         going = np.isfinite(size) & (size > 0.0) & (better | (size > LEVEL_TOLERANCE))
         pending, defects = pending[going], defects[going]
         if not len(pending) or not len(free):
@@ -105,7 +105,7 @@ def _inverse(slopes: FloatArray) -> FloatArray:
     """Moore–Penrose inverses of gradients (n, formulas, size)."""
     if slopes.shape[1] > 1:
         return np.asarray(np.linalg.pinv(slopes, rcond=REDUNDANT), dtype=np.float64)
-    # Computed directly for a single row, without a decomposition.
+    # For a single row the inverse is g/|g|², without a decomposition.
     squares = (slopes**2).sum(axis=2, keepdims=True)
     return np.swapaxes(
         np.divide(slopes, squares, out=np.zeros_like(slopes), where=squares > 0), 1, 2
@@ -115,6 +115,6 @@ def _inverse(slopes: FloatArray) -> FloatArray:
 def select_parameters(
     parameters: Parameters, selection: npt.NDArray[np.integer] | BoolArray
 ) -> dict[sp.Symbol | str, ParameterValue]:
-    """The parameters of some of the motions: arrays are indexed, numbers are kept."""
+    """Parameters of some of the motions: arrays are indexed, numbers are kept."""
     arrays = {name: np.asarray(value) for name, value in (parameters or {}).items()}
     return {name: value[selection] if value.ndim else value[()] for name, value in arrays.items()}

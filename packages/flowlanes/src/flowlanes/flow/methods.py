@@ -1,4 +1,4 @@
-"""The integration methods by their names, for :func:`flowlanes.flow.integrator.integrate`."""
+"""Integration methods by name, for :func:`flowlanes.flow.integrator.integrate`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _METHODS: dict[str, IntegrationMethod] = {
 
 
 def register(method: IntegrationMethod) -> None:
-    """Make a method known under its name.
+    """Make a method available under its name.
 
     Raises
     ------
@@ -33,12 +33,12 @@ def methods() -> Mapping[str, IntegrationMethod]:
 
 
 def method_named(name: str) -> IntegrationMethod:
-    """A method by its name.
+    """Method with a given name.
 
     Raises
     ------
     InputError
-        If there is none.
+        If there is no such method.
     """
     if name not in _METHODS:
         raise InputError(f"method {name!r}: it must be {' or '.join(map(repr, _METHODS))}")
@@ -46,7 +46,7 @@ def method_named(name: str) -> IntegrationMethod:
 
 
 def require_options(method: IntegrationMethod, request: MotionRequest) -> None:
-    """Refuse a request with an option that a method does not have."""
+    """Raise InputError if a request has an option that a method does not support."""
     asked = {
         "tolerance": request.tolerance is not None,
         "time_limit": request.time_limit is not None,

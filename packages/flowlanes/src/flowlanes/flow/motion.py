@@ -1,4 +1,4 @@
-"""Motions: what all of them have in common, whoever computed them."""
+"""Common interface of all motions."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ Number = TypeVar("Number", bound=np.generic)
 
 
 class UnknownVariableError(InputError, KeyError):
-    """A name that matches no quantity of a motion; also a KeyError, as for any mapping."""
+    """Name that is not a quantity of a motion; also a KeyError, as for any mapping."""
 
 
 def read_only(array: npt.NDArray[Number]) -> npt.NDArray[Number]:
-    """A read-only view of an array."""
+    """Read-only view of an array."""
     view = array.view()
     view.flags.writeable = False
     return view
 
 
 def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArray[Number]:
-    """A variable of states (n, size) by name: (n, components), or (n,) for a scalar.
+    """Variable of states (n, size) by name: (n, components), or (n,) for a scalar.
 
     Raises
     ------
@@ -49,7 +49,7 @@ def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArr
 
 
 def unknown_variable(owner: str, name: object, known: Iterable[str]) -> UnknownVariableError:
-    """The error for a quantity that is neither in the state nor recorded."""
+    """Error for a quantity that is neither in the state nor recorded."""
     if not isinstance(name, str):
         return UnknownVariableError(
             f"{owner}: a quantity is asked for by its name in quotes, not by {name!r}"
@@ -58,7 +58,7 @@ def unknown_variable(owner: str, name: object, known: Iterable[str]) -> UnknownV
 
 
 def _frozen(value: object) -> object:
-    """Arrays, alone or in a mapping, that cannot be written into; other values as they are."""
+    """Read-only arrays, alone or in a mapping; other values unchanged."""
     if isinstance(value, np.ndarray):
         return read_only(value)
     if isinstance(value, dict):
@@ -69,13 +69,13 @@ def _frozen(value: object) -> object:
 class Motion(ABC):
     """One motion: states at times, quantities by name; its arrays are read-only.
 
-    Every integrator, every closed form and every plan gives one.  ``motion["omega"]`` is a
-    quantity by its name, (n,) or (n, components); iterating over a motion gives these names.
+    Every integrator, closed form and plan returns a motion.  ``motion["omega"]`` is a quantity by
+    its name, (n,) or (n, components); the iteration over a motion gives these names.
 
     Attributes
     ----------
     times : array (n,)
-        In s.
+        Times in s.
     states : array (n, size)
 
     Examples
@@ -96,50 +96,50 @@ class Motion(ABC):
 
     @abstractmethod
     def __getitem__(self, name: str) -> WorkingArray:
-        """A quantity by name, (n,) or (n, components).
+        """Quantity by name, (n,) or (n, components).
 
         Raises
         ------
         UnknownVariableError
-            An InputError and a KeyError, if the motion has no such quantity.
+            If the motion has no such quantity; also an InputError and a KeyError.
         """
 
     @abstractmethod
     def __iter__(self) -> Iterator[str]:
-        """The names of all quantities."""
+        """Names of all quantities."""
 
     @abstractmethod
     def to_dataset(self) -> xr.Dataset:
-        """The motion as an ``xarray.Dataset`` with the dimension ``time``."""
+        """Motion as an ``xarray.Dataset`` with the dimension ``time``."""
 
     def __contains__(self, name: object) -> bool:
         return name in tuple(self)
 
     def __call__(self, times: npt.ArrayLike) -> Motion:
-        """The motion at other times, which must lie within it.
+        """Motion at other times within its interval.
 
         Raises
         ------
         InputError
-            If the motion is known at its samples alone, or a time lies outside it.
+            If the motion is known only at its samples, or a time lies outside its interval.
         """
         raise InputError(f"{type(self).__name__}: it is known at its samples alone")
 
     def __setstate__(self, state: Mapping[str, object]) -> None:
-        """Restore a pickled motion: its arrays are read-only again."""
+        """Restore a pickled motion with read-only arrays."""
         for name, value in state.items():
             self.__dict__[name] = _frozen(value)
 
 
 class SystemMotion(Motion):
-    """A motion of a System.
+    """Motion of a System.
 
     Attributes
     ----------
     system : System
     parameters : mapping of Symbol to number
     records : mapping of str to array
-        Quantities beside the state by name, (n,) or (n, components).
+        Quantities besides the state, by name, (n,) or (n, components).
     """
 
     system: System
@@ -152,7 +152,7 @@ class SystemMotion(Motion):
         return self.variable(name)
 
     def variable(self, name: str) -> WorkingArray:
-        """A variable of the state, (n,) or (n, components).
+        """Variable of the state, (n,) or (n, components).
 
         Raises
         ------
@@ -168,7 +168,7 @@ class SystemMotion(Motion):
         return iter(dict.fromkeys([*names, *self.records]))
 
     def facts(self) -> dict[str, object]:
-        """How the motion was computed, for the attributes of its dataset."""
+        """Method and options of the computation, for the attributes of the dataset."""
         return {}
 
     @arguments_checked
@@ -177,7 +177,7 @@ class SystemMotion(Motion):
         attributes: Mapping[str, object] | None = None,
         meanings: Mapping[str, tuple[str, str]] | None = None,
     ) -> xr.Dataset:
-        """The motion as a dataset.
+        """Motion as a dataset.
 
         Parameters
         ----------
@@ -189,10 +189,10 @@ class SystemMotion(Motion):
         Returns
         -------
         xarray.Dataset
-            Dimension ``time``; vectors have ``axis`` (body), ``space`` or ``quaternion``, and
-            vectors of the state in no known frame a dimension ``<name>_component``.  Every
-            variable has ``long_name``, ``units`` and ``source``.  Numbers of 34 digits are split:
-            the sum of ``<name>`` and ``<name>_low`` has all of them.
+            Dimension ``time``.  Vectors have the dimension ``axis`` (body), ``space`` or
+            ``quaternion``, and vectors of the state without a known frame ``<name>_component``.
+            Every variable has ``long_name``, ``units`` and ``source``.  Numbers of 34 digits are
+            split: the sum of ``<name>`` and ``<name>_low`` has all digits.
 
         Examples
         --------

@@ -1,8 +1,8 @@
-"""Observables of motions: one number of each, computed for many motions at once.
+"""Observables of motions: one number for each motion, computed for many motions at once.
 
-An observable is a pair of functions: `run` follows the motions and keeps what is needed of them,
-`reduce` makes the number of it.  An `Observation` is the observable of one system until a time.  A
-motion that ends early has no value, and does not disturb the others.
+An observable is a pair of functions: `run` integrates the motions and keeps the data that are
+needed, and `reduce` computes the number from these data.  An `Observation` is the observable for
+one system and duration.  A motion that ends early has no value, and does not affect the others.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from .devices.graphics import Device
 
 
 class Run(Protocol):
-    """What motions leave: how they ended, besides what an observable keeps of them."""
+    """Result of motions: how they ended, and the data kept for an observable."""
 
     @property
     def outcome(self) -> IntArray:
-        """0, or why a motion ended, (n,)."""
+        """0, or the code of the reason for the end of a motion, (n,)."""
         ...
 
     @property
     def end_times(self) -> FloatArray:
-        """The times reached, (n,)."""
+        """Last times reached, (n,)."""
         ...
 
 
@@ -41,30 +41,30 @@ AnyRun = TypeVar("AnyRun", bound=Run)
 
 @dataclass(frozen=True)
 class MotionObservable(Generic[AnyRun]):
-    """A number of a motion, for scans and ensembles.
+    """Number that characterizes a motion, for scans and ensembles.
 
-    Called with a system and a time it gives an `Observation`.
+    A call with a system and a time gives an `Observation`.
 
     Attributes
     ----------
     name : str
-        The word by which a user asks for it.
+        Name for the user.
     title, unit : str
-        Its meaning in words, and its unit; ``{}`` stands for the formula and for its unit.
+        Description and unit; ``{}`` stands for the formula or for its unit.
     run : callable
-        (observation, starts (n, size), parameters) ↦ what is kept of the motions.
+        (observation, starts (n, size), parameters) ↦ data kept from the motions.
     reduce : callable
         (observation, run) ↦ arrays (n,) by name: the number ``"value"``, and further ones.
     of_formula : bool
-        Whether it is a number of a formula in state, definitions and parameters.
+        True if it depends on a formula in state, definitions and parameters.
     samples : int
-        Equidistant samples, or intervals, of each motion by default; 0 where there are none.
+        Default number of equidistant samples, or intervals, of each motion; 0 if there are none.
     least_samples : int
-        The fewest of them.
+        Smallest number of samples.
     extra_columns : mapping of str to str
-        Meanings of further numbers by name, such as an error.
+        Descriptions of further numbers by name, such as an error.
     require : callable, optional
-        (system, text, formula, unit) ↦ None; refuses a formula that has no such number.
+        (system, text, formula, unit) ↦ None; raises an error for a formula without such a number.
 
     Examples
     --------
@@ -98,7 +98,7 @@ class MotionObservable(Generic[AnyRun]):
         tolerance: float = ENSEMBLE_TOLERANCE,
         device: Device = "cpu",
     ) -> Observation:
-        """The observable of motions of a system; see `Observation`."""
+        """Observable of motions of a system; see `Observation`."""
         count = self.samples if samples is None else samples
         return Observation(self, system, t_end, formula, count, tolerance, device)
 
@@ -109,27 +109,27 @@ class MotionObservable(Generic[AnyRun]):
 @arguments_checked
 @dataclass(frozen=True)
 class Observation:
-    """An observable of the motions of a system.
+    """Observable of the motions of a system.
 
     Attributes
     ----------
     observable : MotionObservable
     system : System
     t_end : float
-        Length of the motions.
+        Duration of the motions.
     formula : sympy.Expr, optional
-        In state, definitions and parameters; None where it is no number of a formula.
+        Formula in state, definitions and parameters; None if the observable has no formula.
     samples : int
-        Equidistant samples, or intervals, of each motion.
+        Number of equidistant samples, or intervals, of each motion.
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
-        Where motions are computed; see :func:`flowlanes.flow.batch.batch_integrator`.
+        Device for the computation; see :func:`flowlanes.flow.batch.batch_integrator`.
 
     Raises
     ------
     InputError
-        If a formula is missing or is one too many, or there are too few samples.
+        If a formula is missing or not allowed, or there are too few samples.
 
     Examples
     --------
@@ -163,14 +163,14 @@ class Observation:
 
     @property
     def extra_columns(self) -> Mapping[str, str]:
-        """Names and meanings of further numbers, such as an error."""
+        """Names and descriptions of further numbers, such as an error."""
         return self.observable.extra_columns
 
     @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
-        """Values, further numbers, outcomes and times reached, (n,) each."""
+        """Values, further numbers, outcomes and last times reached, (n,) each."""
         run = self.observable.run(self, starts, parameters)
         numbers = self.observable.reduce(self, run)
         return {**numbers, "outcome": run.outcome, "ended": run.end_times}

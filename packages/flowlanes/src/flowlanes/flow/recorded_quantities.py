@@ -18,7 +18,7 @@ from .motion import Number
 
 @dataclass(frozen=True)
 class RecordedQuantity:
-    """A quantity recorded along motions.
+    """Quantity recorded along motions.
 
     Attributes
     ----------
@@ -27,7 +27,7 @@ class RecordedQuantity:
         Its components; one for a scalar.
     is_vector : bool
     frame : str
-        ``"body"`` or ``"space"`` for a vector given in these axes.
+        ``"body"`` or ``"space"`` for a vector in these axes.
     meaning, unit, source : str
     """
 
@@ -42,7 +42,7 @@ class RecordedQuantity:
 
 @lru_cache(maxsize=32)
 def recorded_quantities(system: System) -> tuple[RecordedQuantity, ...]:
-    """The observables of a system, and its integrals as ``law_<name>``."""
+    """Observables of a system, and its integrals as ``law_<name>``."""
     quantities = [_quantity(item.name, item.frame, item) for item in system.scalar.observables]
     quantities += [_quantity(f"law_{law.name}", "", law) for law in system.scalar.integrals]
     return tuple(quantities)
@@ -57,13 +57,13 @@ def _quantity(name: str, frame: str, item: Observable | Integral) -> RecordedQua
 
 
 def columns_by_name(system: System, columns: npt.NDArray[Number]) -> dict[str, npt.NDArray[Number]]:
-    """Group columns into the recorded quantities, by name.
+    """Columns grouped into the recorded quantities, by name.
 
     Parameters
     ----------
     system : System
     columns : array (components, n)
-        Of all quantities, in order; what follows them is ignored.
+        Columns of all quantities, in order; further columns are ignored.
 
     Returns
     -------

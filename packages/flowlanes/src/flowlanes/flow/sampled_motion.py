@@ -1,4 +1,4 @@
-"""Continuous motions at chosen times: of closed forms, and between the samples of a run."""
+"""Continuous motions at given times: of closed forms, and between the samples of a motion."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from .taylor.working_numbers import WorkingArray, WorkingNumber
 
 @dataclass(frozen=True, repr=False, eq=False)
 class SampledMotion(SystemMotion, WithOverview):
-    """A continuous motion at chosen times.
+    """Continuous motion at given times.
 
     Attributes
     ----------
     system, parameters, times, states
         See :class:`flowlanes.flow.motion.SystemMotion`.
     continuous : callable
-        The motion itself: states (n, size) at times (n,).
+        Function for the motion: states (n, size) at times (n,).
 
     Examples
     --------
@@ -58,7 +58,7 @@ class SampledMotion(SystemMotion, WithOverview):
 
     @cached_property
     def records(self) -> Mapping[str, WorkingArray]:  # type: ignore[override]
-        """Observables and laws by name, computed in doubles when the first is asked for."""
+        """Observables and laws by name, computed in doubles on first use."""
         numbers = {symbol: float(value) for symbol, value in self.parameters.items()}
         recorded = recorded_values(self.system, self.states.astype(float), numbers)
         return {name: read_only(record) for name, record in recorded.items()}
@@ -69,7 +69,7 @@ class SampledMotion(SystemMotion, WithOverview):
         return self.variable(name)
 
     def __call__(self, times: npt.ArrayLike) -> SampledMotion:
-        """The motion at other times."""
+        """Motion at other times."""
         return sampled(self.system, self.parameters, times, self.continuous)
 
     def overview(self) -> Overview:
@@ -86,6 +86,6 @@ def sampled(
     times: npt.ArrayLike,
     continuous: Callable[[WorkingArray], WorkingArray],
 ) -> SampledMotion:
-    """A continuous motion at times (n,) or at one time."""
+    """Continuous motion at times (n,) or at one time."""
     moments = np.atleast_1d(as_float_array("times", times))
     return SampledMotion(system, parameters, moments, continuous(moments), continuous)

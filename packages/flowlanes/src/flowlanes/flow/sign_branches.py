@@ -1,8 +1,8 @@
-"""Replace absolute values and signs in equations by smooth branches between their zeros.
+"""Smooth branches of equations with absolute values and signs, between the zeros of arguments.
 
-A Taylor series does not see that |u| has a corner at u = 0.  With |u| = σu and sign u = σ the
-equations are smooth while σ = ±1 is constant.  Where σu falls to zero the step ends, and σ changes
-its sign.
+A Taylor series is not valid across the corner of |u| at u = 0.  With |u| = σu and sign u = σ the
+equations are smooth while σ = ±1 is constant.  The step ends where σu decreases to zero, and σ
+changes its sign.
 """
 
 from __future__ import annotations
@@ -20,22 +20,22 @@ from ..system.vectors import real_symbol
 from .taylor.compiled_system import SignedOutputs
 from .taylor.working_numbers import WorkingArray
 
-#: A negative value larger than this, relative to the state, is not rounding.
+#: Relative to the state; a negative value that is larger than this is not a rounding error.
 ROUNDING = 1e-9
 KINDS = (sp.Abs, sp.sign, sp.Max, sp.Min)
 
 
 @dataclass(frozen=True)
 class SignBranches:
-    """A system with signs as parameters.
+    """System with signs as parameters.
 
     Attributes
     ----------
     system : System
-        The system with a parameter σ for each argument u after its own parameters, and with the
-        guard σu for each after its own guards.
+        System with a parameter σ for each argument u after its own parameters, and a guard σu for
+        each after its own guards.
     arguments : tuple of sympy.Expr
-        The arguments u, for a reader.
+        Arguments u, for messages.
     """
 
     system: System
@@ -44,7 +44,7 @@ class SignBranches:
 
 @lru_cache(maxsize=32)
 def sign_branches(system: System) -> SignBranches | None:
-    """The smooth system between zeros of the arguments, or None if there are no corners."""
+    """Smooth system between zeros of the arguments, or None if there are no corners."""
     watched = [guard.value for guard in system.scalar.guards]
     formulas = [*system.rates, *watched]
     steps = system.required_definitions(formulas)
@@ -82,16 +82,16 @@ def sign_branches(system: System) -> SignBranches | None:
 
 
 class RunningSigns:
-    """The signs of a motion, which are parameters of its series.
+    """Signs of a motion, which are parameters of its series.
 
     Parameters
     ----------
     signed : SignedOutputs, optional
-        None where nothing has a corner.
+        None if there are no corners.
     parameters : array (parameters,)
-        Values of the system's own parameters.
+        Values of the parameters of the original system.
     numbers : array
-        The parameters of the series, which begin with these and the signs; changed in place.
+        Parameters of the series, which begin with these values and the signs; changed in place.
     """
 
     def __init__(
@@ -119,12 +119,12 @@ class RunningSigns:
         self._signs[number] *= -1
 
     def wrong(self, state: WorkingArray, changing: int | None) -> str:
-        """Describe a sign that disagrees with its argument, which may only have touched zero.
+        """Description of a sign that disagrees with its argument, which may only have touched zero.
 
         Parameters
         ----------
         changing : int, optional
-            The sign that has just been turned around, of which the argument is zero.
+            Sign that was reversed last, and whose argument is zero.
         """
         if self._signed is None:
             return ""
@@ -136,7 +136,7 @@ class RunningSigns:
 
 
 class _Branches:
-    """Formulas with a symbol for the sign of each argument that varies."""
+    """Formulas with a symbol for the sign of each argument that is not constant."""
 
     def __init__(self, system: System) -> None:
         self.signs: dict[sp.Expr, sp.Symbol] = {}
@@ -145,7 +145,7 @@ class _Branches:
         self._names |= {str(p.symbol) for p in system.parameters}
 
     def note(self, symbol: sp.Symbol, formula: sp.Expr) -> None:
-        """Record that a definition varies if its formula does."""
+        """Record that a definition is not constant if its formula is not."""
         if self._moves([formula]):
             self._moving.add(symbol)
 
@@ -153,7 +153,7 @@ class _Branches:
         return any(formula.free_symbols & self._moving for formula in formulas)
 
     def smooth(self, formula: sp.Expr) -> sp.Expr:
-        """A formula with signs as symbols."""
+        """Formula with signs as symbols."""
         if not formula.args or not formula.has(*KINDS):
             return formula
         if isinstance(formula, sp.Max | sp.Min):

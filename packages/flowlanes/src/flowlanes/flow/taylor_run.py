@@ -1,4 +1,4 @@
-"""One integration by Taylor series, step by step: events, projections, samples."""
+"""One integration by Taylor series, step by step, with events, projections and samples."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ from .validation import extremes_in_words
 #: Residuals of the relations below which a state is not projected, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
 
-#: Fraction of its initial value below which a guard counts as zero at a singularity.
+#: Fraction of its initial value below which a guard is taken as zero at a singularity.
 VANISHING = 1e-5
 
 
 @dataclass
 class RunLog:
-    """Samples, events and polynomials of a run so far."""
+    """Samples, events and polynomials of a motion up to the current time."""
 
     times: list[WorkingNumber] = field(default_factory=list)
     states: list[WorkingArray] = field(default_factory=list)
@@ -51,11 +51,11 @@ NO_VALUE = (
 
 
 class StoppedError(Exception):
-    """The integration cannot continue."""
+    """Raised if the integration cannot continue."""
 
 
 def decimal_text(number: float | mpmath.mpf) -> str:
-    """A number as decimal text, so that 0.1 means one tenth at any precision."""
+    """Number as decimal text, so that 0.1 is one tenth at any precision."""
     if isinstance(number, mpmath.mpf):
         # str would round to the current mpmath precision.
         return str(mpmath.nstr(number, 40))
@@ -78,7 +78,7 @@ class TaylorRun:
         self.values = values
         self.kind = kind
         self.code = code
-        # A copy, since stepping changes it and the code is shared.
+        # A copy, because steps change it and the code is shared.
         self.stepper = code.series.copy()
         numbers = [kind(decimal_text(v)) for v in values.values()]
         self.parameters = np.array(numbers, dtype=kind)
@@ -97,7 +97,7 @@ class TaylorRun:
     def begin(
         self, start: Sequence[WorkingNumber], moment: WorkingNumber, keep_integrals: bool
     ) -> None:
-        """Set the integrator to a start; raise an error if the start is invalid."""
+        """Set the integrator to a start; InputError if the start is not valid."""
         state = np.array([self.kind(decimal_text(x)) for x in start], dtype=self.kind)
         if not all(math.isfinite(float(x)) for x in state):
             raise InputError("start: all of its numbers must be finite")
@@ -123,13 +123,13 @@ class TaylorRun:
         self.good = (moment, self._with_quadratures(self.stepper.state))
 
     def _scale_events(self, state: WorkingArray) -> None:
-        """Set the scale factors of the events: powers of two that scale large guards down."""
+        """Set the scale factors of the events: powers of two that reduce large guards."""
         if not self.code.variable_guards:
             return
         first = np.array([float(x) for x in self._guards(state)])
         sizes = np.abs(first)
-        # A guard may be small exactly at the start: increase each variable by an eighth to find its
-        # scale.
+        # A guard may be small exactly at the start, so its size is taken where each variable is
+        # larger by an eighth.
         for i, value in enumerate(state):
             varied = np.array(state)
             varied[i] = value * 9 / 8
@@ -162,7 +162,7 @@ class TaylorRun:
     def _extreme_numbers(
         self, state: WorkingArray, possible: Callable[[WorkingArray, WorkingArray], bool]
     ) -> str:
-        """Name the numbers of state and parameters that make something impossible."""
+        """Names of the numbers of state and parameters that make a value impossible."""
         names = [str(s) for s in (*self.system.symbols, *self.values)]
         numbers = [float(x) for x in (*state, *self.parameters)]
 
@@ -173,12 +173,12 @@ class TaylorRun:
         return extremes_in_words(names, numbers, finite)
 
     def _has_values(self, state: WorkingArray, parameters: WorkingArray) -> bool:
-        """Whether all recorded quantities are finite there."""
+        """True if all recorded quantities are finite there."""
         values = self.code.outputs(state, parameters)
         return all(math.isfinite(float(value)) for value in values)
 
     def _has_step(self, state: WorkingArray, parameters: WorkingArray) -> bool:
-        """Whether a step can be made from there."""
+        """True if a step is possible from there."""
         stepper = self.stepper.copy()
         stepper.time = self.kind(0)
         stepper.state[:] = state
@@ -197,7 +197,7 @@ class TaylorRun:
                 )
 
     def _with_integrals(self, state: WorkingArray) -> Projector:
-        """A projector onto both the relations and the current values of the integrals."""
+        """Projection onto the relations and the current values of the integrals."""
         blocks = (*self.code.core, *self.code.laws())
         relations = sum(block.count for block in self.code.core)
         free = Projector(blocks, slice(0, self.core), self.parameters, self.left_alone)
@@ -207,7 +207,7 @@ class TaylorRun:
         return replace(free, threshold=self.left_alone * scale, target=target)
 
     def project(self, state: WorkingArray) -> bool:
-        """Project a state in place; return whether it was changed."""
+        """Project a state in place; True if it was changed."""
         return any([projector(state) for projector in self.projectors])
 
     def _guards(self, state: WorkingArray) -> WorkingArray:
@@ -223,9 +223,9 @@ class TaylorRun:
         began: float,
         time_limit: float | None,
     ) -> Iterator[float]:
-        """Step through `moments`, filling `log`.
+        """Integrate through `moments` and fill `log`.
 
-        Yields the completed fraction from time to time.
+        The completed fraction is yielded repeatedly.
         """
         stepper, last = self.stepper, moments[-1]
         forward = bool(last > moments[0])
@@ -278,12 +278,12 @@ class TaylorRun:
                 yield float(now - moments[0]) / length
 
     def _sign_of(self, event: int | None) -> int | None:
-        """The index of the sign that an event reverses, or None."""
+        """Index of the sign that is reversed by an event, or None."""
         own = -1 if event is None else self.code.variable_guards[event] - len(self.first_guards)
         return own if own >= 0 else None
 
     def _is_pressed(self, now: WorkingNumber, log: RunLog, on_liftoff: str) -> bool:
-        """Record a negative normal force at the start; return whether to continue."""
+        """Record a negative normal force at the start; True if the motion continues."""
         go_on = True
         for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if guard.lift_off and not float(value) > 0:
@@ -293,7 +293,7 @@ class TaylorRun:
         return go_on
 
     def _record_event(self, event: int, now: WorkingNumber, log: RunLog, on_liftoff: str) -> bool:
-        """Record a violated guard; return whether to continue."""
+        """Record a violated guard; True if the motion continues."""
         guard = self.system.guards[self.code.variable_guards[event]]
         go_on = guard.lift_off and on_liftoff == "warn"
         log.events.append(Event(float(now), guard, not go_on))
@@ -302,7 +302,7 @@ class TaylorRun:
         return go_on
 
     def _break_down(self, log: RunLog, reason: str) -> None:
-        """End at a singularity: as a failure, unless a guard explains it.
+        """End at a singularity: as a failure, unless it is explained by a guard.
 
         At a flat point of a shape the contact point diverges like the square root of the remaining
         time, so no step reaches the guard that vanishes there.
@@ -317,13 +317,13 @@ class TaylorRun:
         raise StoppedError(reason)
 
     def keep_last(self, log: RunLog) -> None:
-        """Make the last good state the last sample."""
+        """Record the last valid state as the last sample."""
         now, state = self.good
         if now != log.times[-1]:
             self._append(log, now, np.array(state))
 
     def _with_quadratures(self, state: WorkingArray) -> WorkingArray:
-        """A copy of the integrator's state together with its quadratures."""
+        """Copy of the state of the integrator together with its quadratures."""
         complete = np.array(state)
         complete[self.quadratures] += self.sums
         return complete
@@ -337,7 +337,7 @@ class TaylorRun:
         log.states.append(sample)
 
     def _extract_quadratures(self) -> None:
-        """Move the quadratures out of the state, summing them without loss.
+        """Move the quadratures out of the state, and sum them without loss.
 
         The step size depends on the largest component of the state, so a position far from the
         origin would reduce the accuracy of the dynamics.
@@ -350,7 +350,7 @@ class TaylorRun:
             self.stepper.state[self.quadratures] = self.kind(0)
 
     def finish(self, log: RunLog, statistics: Statistics) -> Trajectory:
-        """Build the trajectory from the log."""
+        """Trajectory built from the log."""
         states = np.array(log.states, dtype=self.kind)
         recorded = columns_by_name(self.system, self.code.outputs(states.T, self.parameters))
         return Trajectory(

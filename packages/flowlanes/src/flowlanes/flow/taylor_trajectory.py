@@ -1,4 +1,4 @@
-"""One motion with everything that a System records, by Taylor series."""
+"""One motion with all recorded quantities of a System, by Taylor series."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ from .trajectory import Statistics, Trajectory
 
 
 class TaylorSeries(IntegrationMethod):
-    """Taylor series of any tolerance."""
+    """Taylor series for any tolerance."""
 
     name = "taylor"
     options = frozenset({"tolerance", "time_limit", "dense"})
 
     def motion(self, request: MotionRequest) -> Trajectory:
-        """The motion, in steps that end where an argument of an absolute value vanishes."""
+        """Motion in steps that end where an argument of an absolute value vanishes."""
         return taylor_motion(request)
 
 
 def taylor_motion(request: MotionRequest) -> Trajectory:
-    """Integrate a system by Taylor series.
+    """Motion of a system by Taylor series.
 
     See :func:`flowlanes.flow.integrator.integrate`.
     """
@@ -103,7 +103,7 @@ def _values(system: System, parameters: Parameters) -> dict[sp.Symbol, WorkingNu
 
 
 def _moments(times: Numbers, kind: type[WorkingNumber]) -> list[WorkingNumber]:
-    """Times in the working precision, all increasing or all decreasing."""
+    """Times in the working precision, increasing or decreasing."""
     moments = [kind(decimal_text(t)) for t in times]
     if len(moments) < 2:
         raise InputError(f"{len(moments)} time(s) given: at least a first and a last are needed")

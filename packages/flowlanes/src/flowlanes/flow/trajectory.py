@@ -26,7 +26,7 @@ from .taylor.working_numbers import WorkingArray, WorkingNumber
 #: Drift of a quantity that is undefined along the motion, such as 0/0 at rest.
 NO_VALUE = "undefined along this motion"
 
-#: Drift of a quantity that double precision cannot represent.
+#: Drift of a quantity that is too large for double precision.
 TOO_LARGE = "too large for double precision"
 
 
@@ -38,15 +38,15 @@ def _doubles(array: WorkingArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class Event:
-    """A violated guard: what happened, and when.
+    """Violated guard, with its time.
 
     Parameters
     ----------
     time : float
-        In s.
+        Time in s.
     guard : Guard
     is_terminal : bool
-        Whether the run ends there.
+        True if the motion ends there.
 
     Examples
     --------
@@ -76,19 +76,19 @@ class Statistics:
     Attributes
     ----------
     method : str
-        The method in words, such as ``"Taylor series"``; whoever computes the motion names it.
+        Name of the method, such as ``"Taylor series"``, as given by the integrator.
     steps, order : int
-        0 for a closed form, which takes no steps.
+        Zero for a closed form, which has no steps.
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
     precision : str
         ``"double"`` or ``"quad"``.
     corrections : int
-        Projections onto the phase space.
+        Number of projections onto the phase space.
     seconds : float
-        Of computing.
+        Computing time.
     from_cache : bool
-        Whether the machine code was compiled before.
+        True if the machine code was read from the cache.
     """
 
     method: str
@@ -102,7 +102,7 @@ class Statistics:
 
     @property
     def integrator(self) -> str:
-        """The method with its order and number of steps."""
+        """Method with its order and number of steps."""
         if not self.steps:
             return self.method
         return f"{self.method} of order {self.order}, {self.steps} steps"
@@ -110,16 +110,16 @@ class Statistics:
 
 @dataclass(frozen=True)
 class DenseOutput:
-    """A continuous trajectory: the Taylor polynomials of all steps.
+    """Continuous trajectory: the Taylor polynomials of all steps.
 
-    Calling it with times inside `span` gives states, shape (times, state).
+    A call with times inside `span` gives states of the shape (times, state).
 
     Attributes
     ----------
     begins, ends : array (steps,)
-        Times at which each step begins and ends.
+        Start and end times of the steps.
     coefficients : array (steps, state, order + 1)
-        Of the powers of the time since the step began.
+        Coefficients of the powers of the time since the start of the step.
     """
 
     begins: WorkingArray
@@ -128,7 +128,7 @@ class DenseOutput:
 
     @property
     def span(self) -> tuple[float, float]:
-        """The two ends of the covered interval of time, in the direction of integration."""
+        """Both ends of the interval of time, in the direction of integration."""
         return float(self.begins[0]), float(self.ends[-1])
 
     def __call__(self, times: npt.ArrayLike) -> WorkingArray:
@@ -157,26 +157,26 @@ def require_pieces(pieces: int) -> None:
 class Trajectory(SystemMotion, WithOverview):
     """States and observables of a system along one motion; its arrays are read-only.
 
-    Called with times, if the continuous trajectory was kept, it gives the states there.
+    If the continuous trajectory was kept, a call with times gives the states there.
 
     Attributes
     ----------
     system : System
-        Lifted to space where it has a motion.
+        Lifted to space if it has a motion in space.
     parameters : mapping of Symbol to number
     times : array (n,)
-        In s.
+        Times in s.
     states : array (n, size)
         In the flat order of ``system.symbols``; 34-digit numbers at precision "quad".
     records : mapping of str to array
         Observables by name, (n,) or (n, components), and ``law_<name>`` for every integral.
     events : tuple of Event
-        Guards passed on the way, in order.
+        Violated guards in the order of time.
     statistics : Statistics
     dense : DenseOutput or None
-        The continuous trajectory, when it was asked for.
+        Continuous trajectory, if it was kept.
     warnings : tuple of str
-        A sentence for every quantity that is too large to be recorded at some samples.
+        One sentence for every recorded quantity that is too large at some samples.
 
     Examples
     --------
@@ -206,7 +206,7 @@ class Trajectory(SystemMotion, WithOverview):
         object.__setattr__(self, "records", records)
 
     def __call__(self, times: npt.ArrayLike) -> SampledMotion:
-        """The states at other times; see :meth:`Motion.__call__`."""
+        """States at other times; see :meth:`Motion.__call__`."""
         if self.dense is None:
             raise InputError(
                 f"{self.system.name}: this trajectory is known at its samples alone; integrate "
@@ -215,7 +215,7 @@ class Trajectory(SystemMotion, WithOverview):
         return sampled(self.system, self.parameters, times, self.dense)
 
     def facts(self) -> dict[str, object]:
-        """Events, warnings, and how the motion was computed."""
+        """Events, warnings, and information on the computation."""
         done = self.statistics
         return {
             "events": "\n".join(map(str, self.events)),
@@ -267,7 +267,7 @@ class Trajectory(SystemMotion, WithOverview):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """A sentence for each quantity that is too large to be recorded at some samples."""
+        """One sentence for each recorded quantity that is too large at some samples."""
         return tuple(
             f"{name.removeprefix('law_')} is recorded as inf or nan at {places.sum():,} of "
             f"{len(places):,} samples, first at t = {float(self.times[places][0]):.9g}: a number "

@@ -20,7 +20,7 @@ SLACK, LEAST = 1e-9, 1e-13
 #: Number of starts examined at a time.
 ROWS = 2048
 
-#: Numbers within this many powers of ten of one are not called too large or too small.
+#: Numbers within this many powers of ten of one are not regarded as too large or too small.
 _USUAL_POWERS = 10
 
 
@@ -30,7 +30,7 @@ def moments(times: npt.ArrayLike, backward: bool = False) -> FloatArray:
     Raises
     ------
     InputError
-        If there are none, or they do not go on from 0 in that direction.
+        If there are no times, or they do not continue from 0 in that direction.
     """
     row = np.atleast_1d(as_float_array("times", times))
     if row.ndim != 1 or not row.size or not np.all(np.isfinite(row)):
@@ -43,7 +43,7 @@ def moments(times: npt.ArrayLike, backward: bool = False) -> FloatArray:
 
 
 def check_state_shape(system: System, points: FloatArray) -> None:
-    """Raise an error for starts that are not rows of one state each."""
+    """Raise an error for starts that are not rows with one state each."""
     size = len(system.symbols)
     if points.ndim != 2 or points.shape[1] != size:
         names = ", ".join(map(str, system.symbols))
@@ -70,12 +70,12 @@ def require_on_phase_space(
         return
 
     def excess(rows: slice) -> tuple[FloatArray, FloatArray]:
-        """Residuals of the relations, and their ratio to the allowed ones."""
+        """Residuals of the relations, and their ratios to the allowed ones."""
         varied = parameters[rows] if len(parameters) > 1 else parameters
         missed, sizes = np.split(np.abs(numbers(relations, points[rows], varied)), 2, axis=1)
         return missed, missed / (SLACK * sizes + LEAST)
 
-    # Piece by piece: intermediate results stay in the processor's cache.
+    # In parts, so that intermediate results stay in the cache of the processor.
     parts = (slice(first, first + ROWS) for first in range(0, len(points), ROWS))
     # NaN is not within the bounds.
     if all((excess(rows)[1] <= 1).all() for rows in parts):
@@ -96,19 +96,19 @@ def require_on_phase_space(
 def extremes_in_words(
     names: Sequence[str], numbers: Sequence[float], finite: Callable[[Sequence[float]], bool]
 ) -> str:
-    """Name the numbers whose sizes make a value infinite or undefined, in a sentence.
+    """Sentence with the numbers whose sizes make a value infinite or undefined.
 
     Parameters
     ----------
     names : sequence of str
     numbers : sequence of float
     finite : callable
-        Whether there is a finite value with such numbers.
+        Function that is True if the value is finite with given numbers.
 
     Returns
     -------
     str
-        Names as few as suffice; empty if the sizes of the numbers are not the reason.
+        The smallest sufficient set of names; empty if the sizes of the numbers are not the reason.
     """
     with np.errstate(all="ignore"):
         blamed = too_extreme(numbers, finite)
@@ -122,7 +122,7 @@ def extremes_in_words(
 def too_extreme(numbers: Sequence[float], finite: Callable[[Sequence[float]], bool]) -> list[int]:
     """Indices of the numbers whose sizes make a value infinite or undefined.
 
-    As few as suffice; empty if the sizes of the numbers are not the cause.
+    The smallest sufficient set; empty if the sizes of the numbers are not the reason.
     """
     sizes = {i: abs(math.log10(abs(x))) for i, x in enumerate(numbers) if x}
     blamed = [i for i in sorted(sizes, key=sizes.__getitem__) if sizes[i] > _USUAL_POWERS]

@@ -52,7 +52,7 @@ NUMPY: Mapping[str, Callable[..., FloatArray]] = {
 
 
 def relation_terms(system: System) -> tuple[Term, ...]:
-    """The relations of a system as terms, followed by the sizes of their summands.
+    """Relations of a system as terms, followed by the sizes of their summands.
 
     The size of f is Σ |xᵢ ∂f/∂xᵢ|.
     """
@@ -71,8 +71,8 @@ def relation_terms(system: System) -> tuple[Term, ...]:
 
 @lru_cache(maxsize=64)
 def read_formulas(system: System) -> tuple[Reader, tuple[Term, ...]]:
-    """A reader of a system's formulas and the rates of its state, cached."""
-    # Use the form that a worker receives, so that bits are the same everywhere.
+    """Reader of the formulas of a system, and the rates of its state, from a cache."""
+    # This form is the one that a worker receives, so that bits are the same everywhere.
     reader, rates = of_system(canonical(system))
     return reader, tuple(rates)
 
@@ -83,7 +83,7 @@ def as_float_array(name: str, numbers: object) -> FloatArray:
     Raises
     ------
     InputError
-        If they are not real numbers; the message calls them by `name`.
+        If they are not real numbers; `name` is used in the message.
     """
     try:
         return np.asarray(numbers, dtype=float)
@@ -92,7 +92,7 @@ def as_float_array(name: str, numbers: object) -> FloatArray:
 
 
 def formula(system: System, quantity: sp.Expr | float | str, where: str = "") -> sp.Expr:
-    """A scalar formula of a system, given as an expression or as text.
+    """Scalar formula of a system, given as an expression or as text.
 
     Parameters
     ----------
@@ -101,12 +101,12 @@ def formula(system: System, quantity: sp.Expr | float | str, where: str = "") ->
         A text is the name of a scalar observable or of an integral (``"energy"``), or a formula in
         the state, the definitions and the parameters (``"dot(M, gamma) - 0.3"``, ``"gamma_3"``).
     where : str
-        Put before the message of an error; the name of the system where it is empty.
+        Beginning of an error message; by default the name of the system.
 
     Raises
     ------
     InputError
-        If the text cannot be read, or is not a scalar.
+        If the text cannot be parsed, or is not a scalar.
     """
     expression = quantity
     if isinstance(quantity, str):
@@ -141,12 +141,12 @@ def parameter_rows(system: System, parameters: Parameters | None, count: int) ->
     parameters : mapping of Symbol or name to number or array (count,), optional
         Values that replace the defaults.
     count : int
-        Motions for which they are.
+        Number of motions.
 
     Raises
     ------
     InputError
-        If a name is unknown, a value is not finite or not admissible, or an array has another
+        If a name is unknown, a value is not finite or not admissible, or an array has a different
         length.
     """
     if not parameters:
@@ -187,7 +187,7 @@ def values(
         See :func:`formula`.
     states : array (..., size)
     parameters : mapping of Symbol or name to number or array (n,), optional
-        Arrays give a value for each row of `states`, its first axis.
+        Arrays have a value for each row of `states` (first axis).
 
     Returns
     -------
@@ -196,7 +196,7 @@ def values(
     Raises
     ------
     InputError
-        If a formula or a parameter cannot be used.
+        If a formula or a parameter is not valid.
 
     Examples
     --------
@@ -217,9 +217,10 @@ def overflows(
     states: npt.ArrayLike,
     parameters: Parameters | None = None,
 ) -> BoolArray:
-    """Whether an intermediate result of formulas overflows double precision, at states (n, size).
+    """True where an intermediate result of formulas overflows, at states (n, size).
 
-    A quotient by zero and a logarithm of zero do not count: they have no value at any precision.
+    A quotient by zero and a logarithm of zero are not included: they have no value at any
+    precision.
 
     Returns
     -------
@@ -270,9 +271,9 @@ def _at_states(
 
 @lru_cache(maxsize=64)
 def _in_order(terms: tuple[Term, ...]) -> tuple[Term, ...]:
-    """The terms on which others depend, operands first.
+    """Terms on which others depend, operands first.
 
-    Cached for terms that are evaluated often.
+    They are cached for terms that are evaluated often.
     """
     return tuple(topological_order(terms))
 
@@ -289,7 +290,7 @@ def numbers(terms: Sequence[Term], states: FloatArray, parameters: FloatArray) -
 def _values_by_term(
     order: tuple[Term, ...], states: FloatArray, parameters: FloatArray
 ) -> dict[int, FloatArray | np.float64]:
-    """The values of terms in order, by their identity."""
+    """Values of terms in order, by their identity."""
 
     def leaf(node: Term) -> FloatArray | np.float64:
         if node.number is not None:

@@ -32,7 +32,7 @@ class Formulas:
     Raises
     ------
     InputError
-        When a formula is first evaluated that has a name of neither kind, or an unknown function.
+        On the first evaluation of a formula with an unknown name or function.
 
     Examples
     --------
@@ -48,20 +48,20 @@ class Formulas:
 
     @arguments_checked
     def __call__(self, states: npt.ArrayLike, parameters: Parameters | None = None) -> FloatArray:
-        """The formulas at states.
+        """Values of the formulas at states.
 
         Parameters
         ----------
         states : array (..., size)
             In flat order.
         parameters : mapping of Symbol or name to number or array (n,), optional
-            Values that replace the defaults; an array has one for each row of `states`, its
-            first axis.
+            Values that replace the defaults; an array has a value for each row of `states` (first
+            axis).
 
         Returns
         -------
         array (..., formulas)
-            Infinite or not a number where a formula has no value.
+            Infinite or NaN where a formula has no value.
         """
         return self._values(self._terms, states, parameters)
 
@@ -100,11 +100,11 @@ class Formulas:
         return numbers(terms, points, rows.reshape(count, *(1,) * (points.ndim - 2), -1))
 
     def __getstate__(self) -> dict[str, object]:
-        # Terms are identified by object identity, which another process does not preserve.
+        # Terms are identified by object identity, which is not the same in another process.
         return {"system": self.system, "formulas": self.formulas}
 
 
-# Cached for all instances: code for many motions creates one for each block.
+# Cached for all instances, because code for many motions creates one for each block.
 @lru_cache(maxsize=256)
 def _read(system: System, formulas: tuple[sp.Expr, ...]) -> tuple[Term, ...]:
     known = {*system.symbols, *system.defaults, *dict(system.scalar_definitions)}

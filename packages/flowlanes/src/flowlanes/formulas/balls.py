@@ -22,7 +22,7 @@ Values: TypeAlias = Mapping[sp.Symbol, Any]
 
 
 def ball(value: Any) -> Any:
-    """A number as a ball: doubles as the decimals that they are written as, the rest exactly.
+    """Number as a ball: doubles as the decimals that represent them, other numbers exactly.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ def ball(value: Any) -> Any:
     if isinstance(value, int | np.integer):
         return arb(int(value))
     if isinstance(value, mpmath.mpf):
-        # Any arithmetic would round to mpmath's own precision.
+        # Any arithmetic operation would round to the precision of mpmath.
         sign, mantissa, exponent, _ = value._mpf_
         return (-1) ** int(sign) * arb(int(mantissa)) * arb(2) ** int(exponent)
     try:
@@ -63,7 +63,7 @@ def ball(value: Any) -> Any:
 
 
 def exact(value: Any) -> Fraction:
-    """A number as a fraction: the written decimal for a double, the midpoint for a ball."""
+    """Number as a fraction: the shortest decimal for a double, the midpoint for a ball."""
     if isinstance(value, arb):
         mantissa, exponent = value.mid().man_exp()
         return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
@@ -76,12 +76,12 @@ def exact(value: Any) -> Fraction:
 
 
 def number(value: SupportsFloat | str) -> float:
-    """The double nearest to the midpoint of a ball."""
+    """Double nearest to the midpoint of a ball."""
     return float(value.mid()) if isinstance(value, arb) else float(value)
 
 
 def components(formula: sp.Expr) -> tuple[sp.Expr, ...]:
-    """A scalar or vector formula as scalar formulas."""
+    """Scalar or vector formula as scalar formulas."""
     return tuple(scalars(formula))
 
 
@@ -129,15 +129,15 @@ def ball_function(
     Parameters
     ----------
     names : tuple of Symbol
-        The arguments.
+        Arguments of the function.
     formulas : tuple of sympy.Expr
     steps : tuple of (Symbol, sympy.Expr), optional
-        Intermediate quantities that the formulas use, in order.
+        Intermediate quantities used in the formulas, in order.
 
     Returns
     -------
     callable
-        Of as many balls as there are names; it gives a tuple of balls.
+        Function of one ball for each name, which returns a tuple of balls.
 
     Examples
     --------
@@ -168,10 +168,10 @@ def array_function(
     Parameters
     ----------
     names : sequence of Symbol
-        The arguments.
+        Arguments of the function.
     formulas : sequence of sympy.Expr
     steps : tuple of (Symbol, sympy.Expr), optional
-        Intermediate quantities that the formulas use, in order; common parts where there are none.
+        Intermediate quantities used in the formulas, in order; by default their common parts.
     """
     shared = (lambda e: (list(steps), list(e))) if steps else (lambda e: sp.cse(e, list=False))
     function = sp.lambdify(tuple(names), tuple(formulas), "numpy", cse=shared)

@@ -1,4 +1,4 @@
-"""Small rational formulas in lowest terms, with common factors taken out."""
+"""Small rational formulas in lowest terms, with common factors extracted."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from sympy.polys.rings import PolyElement, sring
 
 
 def in_lowest_terms(formula: sp.Expr) -> sp.Expr:
-    """The result of `factor_terms(cancel(formula))`, computed faster in simple cases.
+    """Result of `factor_terms(cancel(formula))`, computed faster in simple cases.
 
-    Simple cases are quotients of polynomials with integer coefficients in symbols, and in sines and
-    cosines of symbols, their sums and differences.
+    Simple cases are quotients of polynomials with integer coefficients in symbols, and in sines
+    and cosines of symbols, their sums and differences.
 
     Examples
     --------
@@ -57,7 +57,7 @@ def _is_plain(generator: sp.Expr) -> bool:
 
 
 def _taken_out(p: PolyElement) -> tuple[int, list[int], sp.Expr]:
-    """The number and the powers of symbols that divide all terms, and the quotient."""
+    """Number and powers of symbols that divide all terms, and the quotient."""
     numbers = [int(c) for c in p.values()]
     number = reduce(gcd, numbers)
     if all(c < 0 for c in numbers):

@@ -1,6 +1,6 @@
-"""Formulas of a System as one NumPy function each, for loops that call them repeatedly.
+"""Formulas of a System as one NumPy function each, for loops with repeated calls.
 
-For a formula that is evaluated only once use :mod:`flowlanes.formulas.array_formulas`.
+For a single evaluation use :mod:`flowlanes.formulas.array_formulas`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from ..system.system import System
 from .array_evaluation import NUMPY
 from .graph import Graph, Reader, Term, topological_order
 
-#: Number of states evaluated at a time, so that intermediate results stay in the processor's cache.
+#: Number of states evaluated at a time, so that intermediate results stay in the processor cache.
 _STATES = 2048
 
 
@@ -48,7 +48,7 @@ class CompiledTerms:
     def __call__(self, states: FloatArray, parameters: FloatArray) -> FloatArray:
         """Values (terms, k) at states (size, k), each variable in a row, and parameters (p,).
 
-        Not-a-number where a formula has no real value.
+        NaN where a formula has no real value.
         """
         values = np.empty((self._size, states.shape[1]))
         with np.errstate(all="ignore"):
@@ -59,15 +59,15 @@ class CompiledTerms:
 
 
 class SystemFormulas:
-    """The formulas of one System as terms, with derivatives with respect to the state.
+    """Formulas of one System as terms, with derivatives with respect to the state.
 
     Attributes
     ----------
     graph : Graph
     term_of : Reader
-        From a formula to its term.
+        Reader that converts a formula to its term.
     state : tuple of Term
-        The state variables in flat order.
+        State variables in flat order.
     """
 
     def __init__(self, system: System) -> None:
@@ -76,9 +76,9 @@ class SystemFormulas:
         self.state = tuple(self.graph.state(i) for i in range(len(system.symbols)))
 
     def slopes(self, terms: Sequence[Term]) -> list[list[Term]]:
-        """The derivatives of terms: one row per term, one column per variable."""
+        """Derivatives of terms: one row per term, one column per variable."""
         return self.graph.jacobian(terms, self.state)
 
     def depends(self, terms: Sequence[Term]) -> set[int]:
-        """The indices of the state variables that occur in terms."""
+        """Indices of the state variables that occur in terms."""
         return {node.args[0] for node in topological_order(terms) if node.kind == "state"}

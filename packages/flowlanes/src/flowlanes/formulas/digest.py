@@ -1,4 +1,4 @@
-"""A digest of everything that determines a computation, the same in every process."""
+"""Digest of everything that determines a computation, the same in every process."""
 
 from __future__ import annotations
 
@@ -17,39 +17,40 @@ from ..errors import InputError
 from ..system.formula_text import exact_text
 from ..system.system import System
 
-#: The attributes of a System that determine its motions.
+#: Attributes of a System that determine its motions.
 _OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "start")
 
 
 def digest(value: object) -> str:
-    """A short name for `value`: equal values have equal names, on every machine.
+    """Short name for `value`: equal values have equal names, on every machine.
 
     Parameters
     ----------
     value
         Numbers, texts, arrays, formulas, Systems, dataclasses, containers of these, functions of a
-        module, and :func:`functools.partial` of them.
+        module, and :func:`functools.partial` of such functions.
 
     Raises
     ------
     InputError
-        If something in it has no name of its own, such as a lambda.
+        If a part of it has no name of its own, such as a lambda.
     """
     return hashlib.sha256(_text(value)).hexdigest()[:32]
 
 
 def field_digests(work: object) -> dict[str, str]:
-    """Digests of a piece of work by the names of its parts.
+    """Digests of the parts of a work, by name.
 
     Parameters
     ----------
     work : callable
-        A function of a module, a partial of one, or a frozen dataclass that can be called.
+        Function of a module, a partial of such a function, or a frozen dataclass with
+        ``__call__``.
 
     Returns
     -------
     dict of str to str
-        ``"function"`` and every argument or field; so that what differs can be named.
+        ``"function"`` and every argument or field, so that a difference can be reported by name.
     """
     if isinstance(work, functools.partial):
         digests = {"function": digest(work.func)}
@@ -64,17 +65,17 @@ def field_digests(work: object) -> dict[str, str]:
 
 @lru_cache(maxsize=64)
 def canonical(system: System) -> System:
-    """An equal system whose formulas do not change when it is sent to a worker.
+    """Equal system whose formulas do not change when it is sent to a worker.
 
-    SymPy writes some of its own products, such as −(a + b), differently after unpickling; identical
-    bits everywhere require identical formulas everywhere.
+    SymPy writes some of its own products, such as −(a + b), differently after unpickling;
+    identical bits require identical formulas in all processes.
     """
     copy: System = pickle.loads(pickle.dumps(system))
     return copy
 
 
 def _text(value: object) -> bytes:
-    """Type and content of a value, unambiguously."""
+    """Unambiguous text of type and content of a value."""
     kind, content = _content(value)
     return f"{kind}:{len(content)}:".encode() + content
 
@@ -114,7 +115,7 @@ def _content(value: object) -> tuple[str, bytes]:
 
 
 def _of_a_system(system: System) -> list[Any]:
-    """Everything in a System that determines its motions and recorded quantities; texts do not."""
+    """Everything in a System that determines its motions and recorded quantities, without texts."""
     seen = [(item.name, item.value) for item in system.observables]
     laws = [(law.name, law.level, formula) for law in system.laws for formula in law.computed]
     return [*(getattr(system, name) for name in _OF_A_SYSTEM), seen, laws]
@@ -126,7 +127,7 @@ def _plain(value: Any) -> tuple[str, bytes]:
 
 
 def _instance_or_name(value: Any) -> tuple[str, bytes]:
-    """A dataclass by its type and fields; a function or a type by its qualified name."""
+    """Type and fields of a dataclass, or qualified name of a function or a type."""
     if is_dataclass(value) and not isinstance(value, type):
         contents: Iterable[Any] = (getattr(value, item.name) for item in fields(value))
         return "instance", _concatenated_digests([_text(type(value)), *map(_text, contents)])

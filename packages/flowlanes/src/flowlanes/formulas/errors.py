@@ -1,35 +1,35 @@
-"""Reasons why a proof attempt stops; users never see them as a traceback."""
+"""Reasons for the end of a proof attempt; they are caught and not shown to users."""
 
 from __future__ import annotations
 
 
 class OutOfReachError(Exception):
-    """The computation would be too large, or meets an unsupported formula."""
+    """Raised if a computation would be too large, or finds an unsupported formula."""
 
 
 class EffortSpentError(OutOfReachError):
-    """The computation takes more operations than allowed."""
+    """Raised if a computation needs more operations than allowed."""
 
 
 class NotExactError(Exception):
-    """A value has no exact rational form."""
+    """Raised if a value has no exact rational form."""
 
 
 class NoRealValueError(OutOfReachError):
-    """The radicand is negative at all points considered."""
+    """Raised if a radicand is negative at all points that were tried."""
 
 
 class NoVolumeError(ZeroDivisionError):
-    """The gradients of the conditions are dependent, so they define no volume."""
+    """Raised if the gradients of the conditions are dependent, so they define no volume."""
 
 
 class NeedMoreGeneratorsError(Exception):
-    """More auxiliary symbols are needed than were provided."""
+    """Raised if more auxiliary symbols are needed than were provided."""
 
 
 class EmptyLevelError(Exception):
-    """The conditions of a level contradict each other."""
+    """Raised if the conditions of a level contradict each other."""
 
 
 class UnknownSymbolError(Exception):
-    """A formula uses a symbol that the system does not have."""
+    """Raised if a formula contains a symbol that is not in the system."""

@@ -1,4 +1,4 @@
-"""Evaluate formulas in an algebra: numbers, terms of a graph, power series, jets."""
+"""Evaluation of formulas in an algebra: numbers, terms of a graph, power series, jets."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ N = TypeVar("N")
 class Evaluation(ABC, Generic[N]):
     """Scalar formulas as elements of an algebra; every subexpression is computed once.
 
-    An algebra is a subclass: it defines constants, powers and functions, and also sums and products
-    unless these are + and * of the elements.
+    An algebra is a subclass, which defines constants, powers and functions, and also sums and
+    products unless these are + and * of the elements.
 
     Parameters
     ----------
     values : mapping of Symbol to element
-        Of the symbols that formulas may contain.
+        Values of the symbols in formulas.
     definitions : mapping of Symbol to formula, optional
-        Further symbols, each evaluated when a formula first needs it.
+        Formulas of further symbols, each evaluated on first use.
     """
 
     def __init__(
@@ -36,7 +36,7 @@ class Evaluation(ABC, Generic[N]):
         self._definitions = dict(definitions or {})
 
     def __call__(self, formula: sp.Expr) -> N:
-        """The element for a scalar formula."""
+        """Element for a scalar formula."""
         return self._visit(formula)
 
     def define(self, steps: Iterable[tuple[sp.Symbol, sp.Expr]]) -> None:
@@ -53,9 +53,9 @@ class Evaluation(ABC, Generic[N]):
         return element
 
     def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], N]:
-        """The method for a kind of formula.
+        """Method for a kind of formula.
 
-        Returned, not called, to save one level of recursion.
+        It is returned and not called, which saves one level of recursion.
         """
         if formula.is_Rational or formula.is_Float:
             return self._constant
@@ -68,36 +68,36 @@ class Evaluation(ABC, Generic[N]):
         return self._power if formula.is_Pow else self._function
 
     def _parts(self, formula: sp.Expr) -> list[N]:
-        """The elements of the arguments of a formula."""
+        """Elements of the arguments of a formula."""
         return list(map(self._visit, formula.args))
 
     @abstractmethod
     def _constant(self, number: sp.Expr) -> N:
-        """A rational or decimal number."""
+        """Element of a rational or decimal number."""
 
     def _symbol(self, symbol: sp.Symbol) -> N:
-        """The element of a symbol without value or definition; by default an error."""
+        """Element of a symbol without value or definition; by default an error."""
         raise KeyError(symbol)
 
     def _sum(self, formula: sp.Add) -> N:
-        """The element of a sum, by + of the elements."""
+        """Element of a sum, by + of the elements."""
         return reduce(operator.add, map(self._visit, formula.args))
 
     def _product(self, formula: sp.Mul) -> N:
-        """The element of a product, by * of the elements."""
+        """Element of a product, by * of the elements."""
         return reduce(operator.mul, map(self._visit, formula.args))
 
     @abstractmethod
     def _power(self, formula: sp.Pow) -> N:
-        """The element of a power."""
+        """Element of a power."""
 
     @abstractmethod
     def _function(self, formula: sp.Expr) -> N:
-        """The element of any other formula, such as sin x or π."""
+        """Element of any other formula, such as sin x or π."""
 
 
 def numerator_and_denominator(product: sp.Mul) -> tuple[list[sp.Expr], list[sp.Expr]]:
-    """The factors of the numerator and of the denominator of a product."""
+    """Factors of the numerator and of the denominator of a product."""
     divided = [
         bool(factor.is_Pow and factor.exp.is_number and factor.exp.is_negative)
         for factor in product.args
@@ -107,7 +107,7 @@ def numerator_and_denominator(product: sp.Mul) -> tuple[list[sp.Expr], list[sp.E
 
 
 def with_absolute_values(formula: sp.Max | sp.Min) -> sp.Expr:
-    """A maximum or minimum in terms of absolute values: max(a, b) = (a + b + |a - b|)/2."""
+    """Maximum or minimum through absolute values: max(a, b) = (a + b + |a - b|)/2."""
     sign = 1 if isinstance(formula, sp.Max) else -1
     arguments = sorted(formula.args, key=sp.default_sort_key)
     return reduce(lambda a, b: (a + b + sign * sp.Abs(a - b)) / 2, arguments)

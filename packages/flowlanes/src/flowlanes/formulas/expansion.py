@@ -1,9 +1,9 @@
 """Exact Taylor series of formulas about a point.
 
-Angles enter through sine and cosine, for which rational numbers are chosen; e^x is represented by a
+Angles occur in sines and cosines, for which rational numbers are chosen; e^x is represented by a
 separate number.  At an angle that is a nonzero rational number, its sine is transcendental, and a
 polynomial relation with rational coefficients that holds there holds everywhere
-(Lindemann–Weierstrass theorem): any point of the circle can represent it.
+(Lindemann–Weierstrass theorem).  So any point of the circle can represent it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .evaluation import Evaluation
 from .taylor import Number, Numbers, Series
 
 Steps = Mapping[sp.Symbol, sp.Expr]
-#: Angles α whose sines and cosines are taken, with n if those of α/n are needed.
+#: Angles α whose sines and cosines are used, with n if those of α/n are needed.
 Angles = Mapping[sp.Expr, int]
 
 _CIRCULAR = (sp.sin, sp.cos, sp.tan)
@@ -32,7 +32,7 @@ _OPAQUE = (sp.log, sp.atan, sp.asin, sp.acos)
 
 
 def combination(argument: sp.Expr, steps: Steps) -> dict[sp.Expr, sp.Rational]:
-    """An argument as a sum of rational multiples of angles; sp.pi stands for a half turn."""
+    """Argument as a sum of rational multiples of angles; sp.pi stands for a half turn."""
     multiples = sp.expand(expand(argument, steps)).as_coefficients_dict()
     return {core: sp.Rational(factor) for core, factor in multiples.items()}
 
@@ -40,7 +40,7 @@ def combination(argument: sp.Expr, steps: Steps) -> dict[sp.Expr, sp.Rational]:
 def angles(
     formulas: Iterable[sp.Expr], steps: Steps, kinds: Sequence[type[sp.Expr]] = _CIRCULAR
 ) -> Angles:
-    """The angles in formulas; with ``kinds=(sp.exp,)`` the exponents."""
+    """Angles in formulas; with ``kinds=(sp.exp,)`` the exponents."""
     divisors: dict[sp.Expr, int] = {}
     for formula in (*formulas, *steps.values()):
         for node in formula.atoms(*kinds):
@@ -56,19 +56,19 @@ class TaylorExpansion(Evaluation[Series]):
     ----------
     numbers : Numbers
     variables : sequence of Symbol
-        In which the series are taken.
+        Variables of the series.
     values : mapping of Symbol to number
-        Of the variables and of everything else that is constant.
+        Values of the variables and of all other constants.
     circles : mapping of formula to (number, number)
-        Sine and cosine of every angle divided by its n of `angles`.
+        Sine and cosine of every angle divided by its n from `angles`.
     units : Angles
-        The n.
+        Value of n for each angle.
     steps : mapping of Symbol to formula
         Definitions.
     order : int
-        Up to which the series are known.
+        Order up to which the series are known.
     seed : int
-        Of the numbers taken for transcendental values; one for each point.
+        Seed of the numbers that represent transcendental values; one seed for each point.
     """
 
     def __init__(
@@ -91,20 +91,20 @@ class TaylorExpansion(Evaluation[Series]):
         self._seed = seed
 
     def constant(self, value: Number) -> Series:
-        """A number."""
+        """Series of a number."""
         return Series.constant(self.numbers, self.ring, value, self.order)
 
     def series(self, formula: sp.Expr) -> Series:
-        """A formula.
+        """Series of a formula.
 
         Raises
         ------
         ZeroDivisionError
             If it is singular at the point.
         IrrationalError
-            If the numbers in use do not contain a root that occurs.
+            If a root that occurs is not in the number field.
         InputError
-            If a function occurs that is not known here.
+            If an unknown function occurs.
         """
         return self(formula)
 
@@ -165,7 +165,7 @@ class TaylorExpansion(Evaluation[Series]):
         return self(formula.args[0]).exponential(value)
 
     def _formal_value(self, formula: sp.Expr) -> Number:
-        """The separate number that represents a transcendental value."""
+        """Separate number that represents a transcendental value."""
         if formula not in self._formal:
             self._formal[formula] = self.numbers.random_number(
                 random.Random(f"{self._seed} {formula}")
@@ -173,7 +173,7 @@ class TaylorExpansion(Evaluation[Series]):
         return self._formal[formula]
 
     def _unspecified_function(self, formula: sp.Expr) -> Series:
-        """An unspecified function of some variables, or a derivative of it."""
+        """Unspecified function of some variables, or a derivative of it."""
         function = formula.expr if isinstance(formula, sp.Derivative) else formula
         orders = dict(formula.variable_count) if isinstance(formula, sp.Derivative) else {}
         indices = [self.variables.index(s) for s in function.args if s in self.variables]

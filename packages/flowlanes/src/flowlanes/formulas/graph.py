@@ -18,7 +18,7 @@ from ..system.named_formulas import scalars
 from ..system.system import System
 from .evaluation import Evaluation, N, numerator_and_denominator, with_absolute_values
 
-#: Functions of one variable supported by the machine code, by SymPy's name.
+#: Functions of one variable supported by the machine code, by their SymPy names.
 FUNCTIONS: Mapping[Any, str] = {
     sp.sin: "sin",
     sp.cos: "cos",
@@ -37,7 +37,7 @@ FUNCTIONS: Mapping[Any, str] = {
 
 
 class Term:
-    """A node of a graph: an operation and its operands; created only by `Graph`.
+    """Node of a graph: an operation and its operands; created only by `Graph`.
 
     Attributes
     ----------
@@ -71,17 +71,17 @@ class Term:
 
     @property
     def number(self) -> Fraction | None:
-        """The value of a constant, None for anything else."""
+        """Value of a constant; None for any other term."""
         return self.args[0] if self.kind == "number" else None
 
     @property
     def operands(self) -> tuple[Term, ...]:
-        """The terms it acts on."""
+        """Terms that are operands of this one."""
         return () if self.kind in ("state", "parameter", "number") else self.args
 
 
 class Graph:
-    """A collection of terms, each created once."""
+    """Collection of terms, each created once."""
 
     def __init__(self) -> None:
         self._terms: dict[tuple[Any, ...], Term] = {}
@@ -94,15 +94,15 @@ class Graph:
         return term
 
     def state(self, index: int) -> Term:
-        """A state variable, by its index in flat order."""
+        """State variable, by its index in flat order."""
         return self._term("state", index)
 
     def parameter(self, index: int) -> Term:
-        """A parameter, by its index."""
+        """Parameter, by its index."""
         return self._term("parameter", index)
 
     def number(self, value: Fraction | int) -> Term:
-        """A constant."""
+        """Constant."""
         return self._term("number", Fraction(value))
 
     def add(self, a: Term, b: Term) -> Term:
@@ -177,7 +177,7 @@ class Graph:
         return self._term("recip", a)
 
     def power(self, a: Term, exponent: int) -> Term:
-        """a to an integer power, by squaring."""
+        """Integer power of a, by squaring."""
         if exponent < 0:
             return self.power(self.recip(a), -exponent)
         if exponent == 0:
@@ -187,7 +187,7 @@ class Graph:
         return self.mul(square, a) if exponent % 2 else square
 
     def call(self, name: str, *args: Term) -> Term:
-        """A function of terms."""
+        """Function of terms."""
         return self._term(name, *args)
 
     def where_positive(self, test: Term, yes: Term, no: Term) -> Term:
@@ -199,7 +199,7 @@ class Graph:
     def directional_derivative(
         self, terms: Sequence[Term], direction: Mapping[Term, Term]
     ) -> list[Term]:
-        """The derivatives of terms when leaves change at the rates given by `direction`."""
+        """Derivatives of terms when leaves change at the rates given by `direction`."""
         zero, known = self.number(0), {}
         for leaf, rate in direction.items():
             known[id(leaf)] = rate
@@ -210,7 +210,7 @@ class Graph:
         return [known[id(term)] for term in terms]
 
     def jacobian(self, terms: Sequence[Term], variables: Sequence[Term]) -> list[list[Term]]:
-        """The partial derivatives: one row per term, one column per variable."""
+        """Partial derivatives: one row per term, one column per variable."""
         zero, one = self.number(0), self.number(1)
         columns = [
             self.directional_derivative(terms, {v: one if v is x else zero for v in variables})
@@ -239,7 +239,7 @@ class Graph:
         return self.slope(node) * changes[0]
 
     def slope(self, node: Term) -> Term:
-        """The derivative of a function of one variable."""
+        """Derivative of a function of one variable."""
         one, (a,) = self.number(1), node.args
         slopes: dict[str, Callable[[], Term]] = {
             "recip": lambda: -(node * node),
@@ -264,10 +264,10 @@ class Graph:
 def topological_order(
     terms: Iterable[Term], is_needed: Callable[[Term], bool] = lambda _: True
 ) -> list[Term]:
-    """All terms on which the given ones depend, and these, operands first.
+    """Given terms and all terms on which they depend, operands first.
 
-    A term that is not `is_needed` is omitted, with those on which only it depends; each is tested
-    once.
+    A term that is not `is_needed` is omitted, with those on which only it depends; each term is
+    tested once.
     """
     seen: set[int] = set()
     order: list[Term] = []
@@ -290,16 +290,16 @@ def term_values(
     leaf: Callable[[Term], N],
     operations: Mapping[str, Callable[..., N]],
 ) -> dict[int, N]:
-    """The values of terms, by their identity, in numbers of any kind.
+    """Values of terms, by their identity, in numbers of any kind.
 
     Parameters
     ----------
     order : iterable of Term
-        Operands first.
+        Terms, operands first.
     leaf : callable
-        The value of a state variable, a parameter or a number.
+        Function for the value of a state variable, a parameter or a number.
     operations : mapping of str to callable
-        What the other kinds of terms do.
+        Functions for the other kinds of terms.
     """
     values: dict[int, N] = {}
     for node in order:
@@ -311,10 +311,9 @@ def term_values(
 
 
 class Reader(Evaluation[Term]):
-    """Converts formulas of one System to terms.
+    """Conversion of formulas of one System to terms.
 
-    State variables are numbered in flat order, parameters in the order of
-    ``system.parameters``.
+    State variables are numbered in flat order, parameters in the order of ``system.parameters``.
     """
 
     def __init__(self, system: System, graph: Graph) -> None:
@@ -324,11 +323,11 @@ class Reader(Evaluation[Term]):
         self.graph = graph
 
     def __call__(self, formula: sp.Expr | float) -> Term:
-        """The term of a scalar formula."""
+        """Term of a scalar formula."""
         return self._visit(*scalars(formula))
 
     def components(self, formulas: Iterable[sp.Expr]) -> list[Term]:
-        """The terms of several formulas, of a vector those of its components."""
+        """Terms of several formulas; for a vector, the terms of its components."""
         return list(map(self._visit, scalars(tuple(formulas))))
 
     def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], Term]:
@@ -386,6 +385,6 @@ class Reader(Evaluation[Term]):
 
 
 def of_system(system: System) -> tuple[Reader, list[Term]]:
-    """A reader of a system's formulas, and the rates of its state as terms."""
+    """Reader of the formulas of a system, and the rates of its state as terms."""
     reader = Reader(system, Graph())
     return reader, [reader(rate) for rate in system.rates]

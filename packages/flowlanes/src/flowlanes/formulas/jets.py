@@ -1,7 +1,7 @@
 """Formulas evaluated with their derivatives, in any field of numbers or functions.
 
-A jet is a value with some directional derivatives.  Seeding the state with unit vectors gives
-partial derivatives, seeding it with the field gives time derivatives.
+A jet is a value with some directional derivatives.  If the seeds of the state are unit vectors,
+these are partial derivatives; if they are the vector field, these are time derivatives.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from .number_fields import Element
 #: Multiples of an angle whose sine is expanded in the sine and cosine of the angle.
 MOST_MULTIPLES = 24
 
-#: Direction index of the field of the system.
+#: Index of the direction of the vector field of the system.
 ALONG = -1
 
 
 @dataclass(frozen=True)
 class Jet:
-    """A value and its derivatives in numbered directions; a missing one is zero."""
+    """A value and its derivatives in numbered directions; a missing derivative is zero."""
 
     value: Element
     slopes: Mapping[int, Element]
@@ -49,16 +49,16 @@ class Jet:
         return Jet(self.value * other.value, slopes)
 
     def through(self, value: Element, derivative: Element) -> Jet:
-        """A function of this jet, from its value and derivative here."""
+        """Function of this jet, by the chain rule."""
         return Jet(value, {i: derivative * slope for i, slope in self.slopes.items()})
 
 
 @dataclass(frozen=True)
 class GeneratorSwap:
-    """A definition ``name = factor·parameter + rest`` solved for the parameter.
+    """Definition ``name = factor·parameter + rest`` solved for the parameter.
 
-    The name becomes a generator, which keeps denominators short: with J = I + m r² one computes
-    with J, not with I.
+    The name becomes a generator, which keeps denominators short: with J = I + m r² the computation
+    uses J instead of I.
     """
 
     name: sp.Symbol
@@ -69,9 +69,9 @@ class GeneratorSwap:
 
 @dataclass(frozen=True)
 class Inversion:
-    """A symmetric tensor A = J⁻¹ read as J = A⁻¹ when J is exchanged: A is the generator.
+    """Symmetric tensor A = J⁻¹ used as J = A⁻¹, where A is the generator.
 
-    Both as six symbols 11, 12, 13, 22, 23, 33.
+    Both are given as six symbols 11, 12, 13, 22, 23, 33.
     """
 
     name: tuple[sp.Symbol, ...]
@@ -90,17 +90,17 @@ class Evaluator(Evaluation[Jet]):
     field
         A field of :mod:`flowlanes.formulas.number_fields`, or the function field of the prover.
     seed : callable
-        The jet of a generator (state, parameters); None for any other symbol.
+        Function for the jet of a generator (state, parameters); None for any other symbol.
     steps : mapping of Symbol to formula
-        Definitions, evaluated when first needed.
+        Definitions, evaluated on first use.
     swaps : sequence of GeneratorSwap
-        Definitions that are generators in place of a parameter.
+        Definitions that are generators instead of a parameter.
     zeros : collection of formulas
-        Values of unspecified functions that the conditions say are zero.
+        Values of unspecified functions that are zero by the conditions.
     inversions : sequence of Inversion
-        Inverses of tensors that are generators in place of the tensors.
+        Inverses of tensors that are generators instead of the tensors.
     moving : bool
-        Whether the seeds carry time derivatives, so that `Rate` can be evaluated.
+        True if the seeds have time derivatives, so that `Rate` can be evaluated.
     """
 
     def __init__(
@@ -127,7 +127,7 @@ class Evaluator(Evaluation[Jet]):
         self.seed = seed
 
     def with_steps(self, steps: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
-        """An evaluator with further definitions."""
+        """Evaluator with further definitions."""
         return Evaluator(
             self.field,
             self.seed,
@@ -139,15 +139,15 @@ class Evaluator(Evaluation[Jet]):
         )
 
     def value(self, formula: sp.Expr) -> Element:
-        """Value alone."""
+        """Value of a formula without derivatives."""
         return self(formula).value
 
     def slope(self, formula: sp.Expr, direction: int = ALONG) -> Element:
-        """One derivative."""
+        """One derivative of a formula."""
         return self(formula).slopes.get(direction, self.field.zero)
 
     def __call__(self, formula: sp.Expr) -> Jet:
-        """The jet of a formula."""
+        """Jet of a formula."""
         return self._visit(sp.sympify(formula))
 
     def _constant(self, number: sp.Expr) -> Jet:
@@ -189,7 +189,7 @@ class Evaluator(Evaluation[Jet]):
         return self._elementary(formula)
 
     def _of_inverse(self, inversion: Inversion, number: int) -> Jet:
-        """An entry of A: a generator, with the derivatives −A J̇ A."""
+        """Entry of A: a generator, with the derivatives −A J̇ A."""
         A = [self.field.generator(str(s)) for s in inversion.name]
         remainders = [self(self._by_name[s].rest) for s in inversion.of]
         row, column = next((i, j) for i in range(3) for j in range(3) if _SIX[i][j] == number)
@@ -205,7 +205,7 @@ class Evaluator(Evaluation[Jet]):
         return Jet(A[number], slopes)
 
     def _of_inverted(self, inversion: Inversion, number: int) -> Jet:
-        """An entry of J = A⁻¹."""
+        """Entry of J = A⁻¹."""
         a, b, c, d, e, f = (self.field.generator(str(s)) for s in inversion.name)
         minors = (
             d * f - e * e,
@@ -240,7 +240,7 @@ class Evaluator(Evaluation[Jet]):
         return inner.through(raised, outer.value * raised / inner.value)
 
     def _root_power(self, base: Element, exponent: sp.Expr, value: Element) -> Element:
-        """A power whose exponent is rational, becomes rational on the level, or is symbolic."""
+        """Power whose exponent is rational, becomes rational on the level, or is symbolic."""
         number = exponent if exponent.is_Rational else self.field.as_rational(value)
         if number is not None:
             return self.field.root(base, int(number.q)) ** int(number.p)
@@ -256,7 +256,7 @@ class Evaluator(Evaluation[Jet]):
         return inner.through(value, value)
 
     def _unspecified_function(self, formula: sp.Expr) -> Jet:
-        """A value of an unspecified function, or of one of its derivatives."""
+        """Value of an unspecified function, or of one of its derivatives."""
         function, orders, arguments = _function_and_orders(formula)
         inner = [self(argument) for argument in arguments]
         values = [jet.value for jet in inner]
@@ -277,7 +277,7 @@ class Evaluator(Evaluation[Jet]):
         return Jet(partial_derivative(orders), slopes)
 
     def _is_zero(self, function: str, orders: tuple[int, ...], values: Sequence[Element]) -> bool:
-        """Whether the conditions say that a value of an unspecified function is zero."""
+        """True if a value of an unspecified function is zero by the conditions."""
         for zero in self.zeros:
             other, counts, arguments = _function_and_orders(zero)
             if (other, counts) == (function, orders):
@@ -337,12 +337,12 @@ class Evaluator(Evaluation[Jet]):
 
 
 def angle_terms(formula: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
-    """The terms of the angle of a sine or cosine: coefficients and the base angles."""
+    """Terms of the angle of a sine or cosine: coefficients and base angles."""
     return [term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(formula.args[0]))]
 
 
 def _in_parts(formula: sp.Expr, angle_parts: Mapping[sp.Expr, int]) -> sp.Expr:
-    """A sine or cosine as a polynomial in those of parts of its angle, if that is short."""
+    """Sine or cosine as a polynomial in those of parts of its angle, if that is short."""
     terms = [(number * angle_parts.get(t, 1), t) for number, t in angle_terms(formula)]
     if any(abs(number) > MOST_MULTIPLES for number, _ in terms):
         return formula

@@ -1,4 +1,4 @@
-"""Formulas of a System and their derivatives to any precision."""
+"""Formulas of a System and their derivatives with any precision."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from .evaluation import Evaluation
 
 
 def number(value: object, where: str) -> mpmath.mpf:
-    """A user's number with all its digits; a float means the decimal that it displays.
+    """Number from a user with all its digits; a float is taken as its shortest decimal.
 
     Parameters
     ----------
     value : number of Python, NumPy, mpmath or SymPy, or a formula without names as text
     where : str
-        A name of the number, for the message.
+        Name of the number in the message.
 
     Raises
     ------
     InputError
-        If it is no finite real number.
+        If it is not a finite real number.
     """
     if isinstance(value, mpmath.mpf):
         digits = +value
@@ -46,7 +46,7 @@ def number(value: object, where: str) -> mpmath.mpf:
 
 
 class Multiprecision(Evaluation[mpmath.mpf]):
-    """Formulas as mpmath numbers at the working precision; complex where a root is."""
+    """Formulas as mpmath numbers at the working precision; complex where a root is complex."""
 
     def _constant(self, number: sp.Expr) -> mpmath.mpf:
         if number.is_Float:
@@ -70,7 +70,7 @@ class Multiprecision(Evaluation[mpmath.mpf]):
 
 @lru_cache(maxsize=256)
 def mpmath_function(of: Callable[..., sp.Expr], count: int) -> Callable[..., mpmath.mpf]:
-    """A SymPy function of `count` arguments as an mpmath function; a constant for none."""
+    """SymPy function of `count` arguments as an mpmath function; a constant for zero arguments."""
     names = sp.symbols(f"x:{count}")
     function: Callable[..., mpmath.mpf] = sp.lambdify(names, of(*names), "mpmath")
     return function
@@ -88,8 +88,8 @@ def slopes(
 ) -> tuple[mpmath.matrix, mpmath.matrix]:
     """Formulas of a system at a point, and their partial derivatives.
 
-    Derivatives are propagated with the values, by the differentiation rules of every operation and
-    through the definitions: they are exact, and nothing is expanded.
+    Derivatives are propagated together with the values, by the differentiation rules of every
+    operation and through the definitions.  They are exact, and nothing is expanded.
 
     Parameters
     ----------
@@ -97,9 +97,9 @@ def slopes(
     formulas : sequence of Expr
         Scalars in state, definitions and parameters.
     variables : sequence of Symbol
-        State variables by which to differentiate.
+        State variables of the derivatives.
     values : mapping of Symbol to mpf
-        Every state variable that takes part and every parameter.
+        Values of every parameter and of every state variable in use.
 
     Returns
     -------
@@ -143,7 +143,7 @@ class _Jets(Evaluation[Pair]):
         return self._function(formula)
 
     def _function(self, formula: sp.Expr) -> Pair:
-        """A power or function; a constant exponent is part of the function."""
+        """Power or function; a constant exponent is part of the function."""
         exponent = formula.exp if formula.is_Pow and formula.exp.is_number else None
         parts = self._parts(formula)
         function = _with_partial_derivatives(formula.func, len(parts), exponent)
@@ -152,7 +152,7 @@ class _Jets(Evaluation[Pair]):
 
 
 def _weighted_sum(weights: Sequence[mpmath.mpf], parts: Sequence[Pair]) -> dict[int, mpmath.mpf]:
-    """Σ weight · derivative."""
+    """Sum of weight · derivative."""
     total: dict[int, mpmath.mpf] = {}
     for weight, (_, row) in zip(weights, parts, strict=True):
         for j, slope in row.items():
@@ -164,7 +164,7 @@ def _weighted_sum(weights: Sequence[mpmath.mpf], parts: Sequence[Pair]) -> dict[
 def _with_partial_derivatives(
     of: Callable[..., sp.Expr], count: int, exponent: sp.Expr | None
 ) -> Callable[..., Sequence[mpmath.mpf]]:
-    """A SymPy function with its partial derivatives, as mpmath functions."""
+    """SymPy function with its partial derivatives, as mpmath functions."""
     names = sp.symbols(f"x:{count}", real=True)
     if exponent is not None:
         formula = names[0] ** exponent

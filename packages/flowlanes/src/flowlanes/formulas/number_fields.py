@@ -1,7 +1,7 @@
 """Number fields in which laws are tested at a point: exact rationals, and balls.
 
-Both have the operations of a field of rational functions, so that one evaluation of a law serves
-its proof and its refutation.
+Both have the operations of a field of rational functions, so the same evaluation of a law is used
+for its proof and its refutation.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from flint import arb, ctx, fmpq
 
 from .errors import NotExactError
 
-#: An element of the field in use; no static type covers the arithmetic of all of them.
+#: Element of the field in use; no static type covers the arithmetic of all fields.
 Element: TypeAlias = Any
 
 #: Largest numerator or denominator of the exponent of a rational number.
@@ -28,19 +28,19 @@ PRECISION = 320
 
 
 def ball_precision() -> AbstractContextManager[None]:
-    """A context with the precision of balls."""
+    """Context with the precision of balls."""
     context: AbstractContextManager[None] = ctx.workprec(PRECISION)
     return context
 
 
 def _arbitrary_number(seed: str) -> fmpq:
-    """A rational number determined by its seed: the value of an unspecified function."""
+    """Rational number determined by its seed: the value of an unspecified function."""
     generator = random.Random(seed)
     return fmpq(generator.choice((-1, 1)) * generator.randint(20, 60), generator.randint(20, 60))
 
 
 def exact_root(value: fmpq, degree: int) -> fmpq:
-    """The exact root of a rational number; NotExactError if it has none.
+    """Exact root of a rational number; NotExactError if it is irrational.
 
     Raises
     ------
@@ -57,18 +57,18 @@ def exact_root(value: fmpq, degree: int) -> fmpq:
 
 
 class Rationals:
-    """The rational numbers; irrational values raise NotExactError."""
+    """Rational numbers; irrational values raise NotExactError."""
 
     exact = True
     one, zero = fmpq(1), fmpq(0)
-    #: Number of parts into which angles are divided; at a point nothing is gained by it.
+    #: Number of parts into which angles are divided; at a point a division has no advantage.
     angle_parts: Mapping[sp.Expr, int] = MappingProxyType({})
 
     def __init__(self, values: Mapping[str, Element]) -> None:
         self.values: dict[str, fmpq] = dict(values)
 
     def rational(self, value: sp.Rational) -> fmpq:
-        """A rational number."""
+        """Rational number as an element."""
         number = sp.Rational(value)
         return fmpq(int(number.p), int(number.q))
 
@@ -77,11 +77,11 @@ class Rationals:
         return self.values[name]
 
     def vanishes(self, element: Element) -> bool:
-        """Whether a number is zero."""
+        """True if a number is zero."""
         return bool(element == 0)
 
     def root(self, element: fmpq, degree: int) -> fmpq:
-        """The positive root."""
+        """Positive root."""
         if degree > 1 and element <= 0:
             raise ZeroDivisionError
         return exact_root(element, degree)
@@ -89,7 +89,7 @@ class Rationals:
     def power(
         self, element: fmpq, exponents: Iterable[tuple[sp.Expr, sp.Rational]], value: fmpq
     ) -> NoReturn:
-        """A power with a symbolic exponent."""
+        """Power with a symbolic exponent."""
         raise NotExactError
 
     def as_rational(self, element: fmpq) -> fmpq:
@@ -121,18 +121,18 @@ class Rationals:
     def unspecified_value(
         self, function: str, orders: Sequence[int], arguments: Sequence[fmpq]
     ) -> fmpq:
-        """A value of an unspecified function, or of one of its partial derivatives."""
+        """Value of an unspecified function, or of one of its partial derivatives."""
         return _arbitrary_number(f"{function}{tuple(orders)}{arguments}")
 
     def same(self, first: Sequence[fmpq], second: Sequence[fmpq]) -> bool:
-        """Whether the arguments of a function coincide at two points."""
+        """True if the arguments of a function coincide at two points."""
         return list(first) == list(second)
 
 
 class Balls:
-    """Real balls (midpoint and radius); a statement about a ball holds for every number in it.
+    """Real balls (midpoint and radius); a statement about a ball is valid for every number in it.
 
-    To be used inside :func:`ball_precision`.
+    They are used inside :func:`ball_precision`.
     """
 
     exact = False
@@ -153,11 +153,11 @@ class Balls:
         return self.values[name]
 
     def vanishes(self, element: Element) -> bool:
-        """Whether a ball contains zero, so that it refutes nothing."""
+        """True if a ball contains zero, so that it refutes nothing."""
         return 0 in element
 
     def root(self, element: arb, degree: int) -> arb:
-        """The positive root."""
+        """Positive root."""
         if degree == 1:
             return element
         if not element > 0:
@@ -167,13 +167,13 @@ class Balls:
     def power(
         self, element: arb, exponents: Iterable[tuple[sp.Expr, sp.Rational]], value: arb
     ) -> arb:
-        """A power whose exponent has the given value."""
+        """Power whose exponent has the given value."""
         if not element > 0:
             raise ZeroDivisionError
         return element**value
 
     def as_rational(self, element: arb) -> None:
-        """Unknown for a ball."""
+        """None, because a ball may contain several rational numbers."""
         return None
 
     def circle(self, angle: arb) -> tuple[arb, arb]:
@@ -185,7 +185,7 @@ class Balls:
         return element.exp()
 
     def logarithm(self, element: arb) -> arb:
-        """The logarithm; ZeroDivisionError if it is undefined."""
+        """Logarithm; ZeroDivisionError if it is undefined."""
         return self.function_value("log", [element])
 
     def pi(self) -> arb:
@@ -193,7 +193,7 @@ class Balls:
         return arb.pi()
 
     def function_value(self, name: str, arguments: Sequence[arb]) -> arb:
-        """A value of a function such as the logarithm; ZeroDivisionError if it is undefined."""
+        """Value of a function such as the arctangent; ZeroDivisionError if it is undefined."""
         value: arb = getattr(arb, name)(*arguments)
         if not value.is_finite():
             raise ZeroDivisionError
@@ -202,7 +202,7 @@ class Balls:
     def unspecified_value(
         self, function: str, orders: Sequence[int], arguments: Sequence[arb]
     ) -> arb:
-        """A value of an unspecified function, or of one of its partial derivatives."""
+        """Value of an unspecified function, or of one of its partial derivatives."""
         key = (function, tuple(orders))
         for other, points, value in self._values:
             if other == key and self.same(points, arguments):
@@ -212,7 +212,7 @@ class Balls:
         return self._values[-1][2]
 
     def same(self, first: Sequence[arb], second: Sequence[arb]) -> bool:
-        """Whether the arguments of a function may coincide at two points.
+        """True if the arguments of a function may coincide at two points.
 
         If the balls of the arguments overlap, they may coincide; otherwise the values are
         independent.

@@ -1,12 +1,12 @@
-"""Decide whether a number is zero relative to the size of its summands.
+"""Test whether a number is zero relative to the size of its summands.
 
 A number with a unit is small or large only relative to another one: 10⁻¹³ kg m² is an ordinary
-moment of inertia for a ball of a millimetre.  So a sum is zero if it is small compared with its
-summands, and a start is on a level if its residual is small compared with those terms.  Everything
-here is independent of the system of units.
+moment of inertia for a ball of one millimetre.  So a sum is taken as zero if it is small compared
+with its summands, and a start is on a level if its residual is small compared with the terms of
+the residual.  All these tests are independent of the system of units.
 
-Every formula has a value and a size, the value it would have without cancellation.  Rational
-operations are exact, on fractions, and a decimal number means exactly the decimal.
+Every formula has a value and a size, which is its value without cancellation.  Rational operations
+are exact, on fractions, and a decimal number is taken exactly.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from ..system.vectors import Vector
 from .evaluation import Evaluation
 from .multiprecision import mpmath_function
 
-#: Relative size below which a number counts as zero: starts are read to fifty digits.
+#: Relative size below which a number is taken as zero: starts are read with fifty digits.
 RESOLUTION = fmpq(1, 10**40)
 #: Relative size that rounding of doubles may leave in a vanishing sum.
 ROUNDING = fmpq(1, 10**12)
@@ -37,13 +37,13 @@ _DIGITS = 60
 
 
 def vanishes(ball: arb, size: arb, part: fmpq = RESOLUTION) -> bool:
-    """Whether a ball cannot be distinguished from zero, compared with `size`.
+    """True if a ball cannot be distinguished from zero, compared with `size`.
 
     Parameters
     ----------
     ball, size : arb
     part : fmpq
-        The largest ratio to the size that counts as zero.
+        Largest ratio to the size that is taken as zero.
     """
     return bool(abs(ball).lower() <= arb(part) * abs(size).upper())
 
@@ -53,27 +53,27 @@ Real: TypeAlias = Fraction | mpmath.mpf
 
 @dataclass(frozen=True)
 class SizedNumber:
-    """A number and the size of its summands.
+    """Number and the size of its summands.
 
     Attributes
     ----------
     value : Fraction or mpf
     size : Fraction or mpf
-        Not negative, and zero only where all terms are.
+        Nonnegative, and zero only where all terms are zero.
     """
 
     value: Real
     size: Real
 
     def vanishes(self, part: fmpq = RESOLUTION) -> bool:
-        """Whether the value is at most a fraction `part` of the size."""
+        """True if the value is at most a fraction `part` of the size."""
         share = Fraction(int(part.p), int(part.q))
         value, limit = _alike(abs(self.value), _times(share, self.size))
         return bool(value <= limit)
 
     @property
     def share(self) -> float:
-        """The absolute value divided by the size."""
+        """Absolute value divided by the size."""
         if self.size == 0:
             return 0.0
         value, size = _alike(abs(self.value), self.size)
@@ -87,16 +87,16 @@ class SizedNumber:
 def state_sizes(
     state: Iterable[Quantity], symbols: Sequence[sp.Symbol], numbers: Sequence[Fraction]
 ) -> dict[sp.Symbol, SizedNumber]:
-    """The numbers of a state with their sizes: the size of a component is that of its vector.
+    """Numbers of a state with their sizes: the size of a component is that of its vector.
 
-    A component that is only the rounding error of the others is then recognised as such.
+    A component that is only the rounding error of the others is then recognized as such.
 
     Parameters
     ----------
     state : iterable of Vector or Symbol
-        The names of the state.
+        Names of the state.
     symbols : sequence of Symbol
-        Their components in flat order; those beyond `numbers` are left out.
+        Components in flat order; those without an entry in `numbers` are omitted.
     numbers : sequence of Fraction
     """
     known = dict(zip(symbols, numbers, strict=False))
@@ -126,9 +126,9 @@ def values_with_sizes(
     Raises
     ------
     ZeroDivisionError
-        If one of them has no value.
+        If a formula has no value.
     KeyError
-        If a symbol has none.
+        If a symbol has no value.
     """
     with mpmath.workdps(_DIGITS):
         sizes = _Sizes(values)
@@ -146,7 +146,7 @@ def _mpf(number: Real) -> mpmath.mpf:
 
 
 def _alike(*numbers: Real) -> tuple[Real, ...]:
-    """Convert to fractions only if all of them are."""
+    """Numbers of one type: fractions only if all of them are fractions."""
     if all(isinstance(number, Fraction) for number in numbers):
         return numbers
     return tuple(_mpf(number) for number in numbers)

@@ -1,7 +1,7 @@
-"""Formulas as straight-line programs that run with numbers of any kind.
+"""Formulas as straight-line programs for numbers of any kind.
 
 With balls, a program encloses the exact value: its constants are exact and are rounded to balls of
-the working precision when it runs, and the result is not finite where there is no value.
+the working precision during the computation, and the result is not finite where there is no value.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Steps = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
 #: Entire functions: analytic at every complex number.
 ENTIRE = ("sin", "cos", "exp")
-#: Functions of real balls, by SymPy's name.
+#: Functions of real balls, by their SymPy names.
 REAL = (
     *ENTIRE,
     "tan",
@@ -52,9 +52,9 @@ class Operation(NamedTuple):
         ``"constant"``, ``"sum"``, ``"product"``, ``"root"`` (the square root), ``"inverse"`` or
         the name of a function.
     operands : tuple of int
-        The indices of what it acts on, in the list of arguments and then results.
+        Indices of the operands in the list of arguments and then results.
     number : fmpq
-        The value of a constant.
+        Value of a constant.
     """
 
     kind: str
@@ -69,7 +69,7 @@ class BallArithmetic:
     """
 
     def constant(self, number: fmpq) -> Any:
-        """A rational number."""
+        """Rational number as a ball."""
         return arb(number)
 
     def root(self, x: Any) -> Any:
@@ -77,7 +77,7 @@ class BallArithmetic:
         return x.sqrt()
 
     def inverse(self, x: Any, index: int) -> Any:
-        """The reciprocal of x, the result with this index in the program."""
+        """Reciprocal of x, the result with this index in the program."""
         return 1 / x
 
     def function(self, name: str, arguments: Sequence[Any]) -> Any:
@@ -97,12 +97,12 @@ class AnalyticArithmetic(BallArithmetic):
     """Arithmetic of complex balls in which a root is not finite if it may meet its branch cut."""
 
     def root(self, x: Any) -> Any:
-        """The square root, where it is analytic."""
+        """Square root, where it is analytic."""
         return x.sqrt(analytic=True) if isinstance(x, acb) else x.sqrt()
 
 
 class FieldArithmetic(BallArithmetic):
-    """Arithmetic of the field to which the number `one` belongs; it has no roots."""
+    """Arithmetic of the field of the number `one`; it has no roots."""
 
     def __init__(self, one: Any) -> None:
         self.one = one
@@ -122,13 +122,13 @@ class StraightLineProgram(Evaluation[int]):
     Parameters
     ----------
     names : sequence of Symbol
-        The arguments.
+        Arguments of the program.
     formulas : sequence of sympy.Expr
         Sums, products, powers and the functions below.
     steps : tuple of (Symbol, sympy.Expr), optional
-        Intermediate quantities that the formulas use, in order.
+        Intermediate quantities used in the formulas, in order.
     functions : sequence of str, optional
-        Functions that may occur, by SymPy's names for them.
+        Allowed functions, by their SymPy names.
 
     Raises
     ------
@@ -151,14 +151,14 @@ class StraightLineProgram(Evaluation[int]):
         self.results = [self(sp.sympify(formula)) for formula in formulas]
 
     def run(self, arguments: Sequence[Any], arithmetic: BallArithmetic = BALLS) -> list[Any]:
-        """The values of the formulas.
+        """Values of the formulas.
 
         Parameters
         ----------
         arguments : sequence of numbers
-            One for each name.
+            One number for each name.
         arithmetic : BallArithmetic
-            Gives constants, roots, reciprocals and functions; sums and products are those of the
+            Constants, roots, reciprocals and functions; sums and products are those of the
             numbers.
         """
         values = list(arguments)
@@ -185,7 +185,7 @@ class StraightLineProgram(Evaluation[int]):
     # --- from formulas to operations -----------------------------------------------------------
 
     def _operation(self, kind: str, *operands: int, number: fmpq = ZERO) -> int:
-        """Append an operation; return the index of its result."""
+        """Append an operation; the index of its result is returned."""
         self.operations.append(Operation(kind, operands, number))
         return self._arguments + len(self.operations) - 1
 
@@ -208,7 +208,7 @@ class StraightLineProgram(Evaluation[int]):
             base = self(formula.base)
             if exponent.q == 2:
                 base = self._operation("root", base)
-            # python-flint has no power of a ball around zero, but has a product.
+            # python-flint has no power of a ball around zero, but it has products.
             count = abs(int(exponent.p))
             power = self._operation("product", *[base] * count) if count > 1 else base
             return power if exponent > 0 else self._operation("inverse", power)

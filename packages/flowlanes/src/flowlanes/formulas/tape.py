@@ -1,8 +1,8 @@
-"""Derivatives through named definitions: every intermediate result is named, none is expanded.
+"""Derivatives through named definitions: intermediate results have names and are not expanded.
 
 A formula of mechanics is a short expression in named quantities, which are short expressions in
-others.  A derivation (∂/∂w_i, a vector field, the rate of change along a motion) acts on it by the
-chain rule, and its result on a named quantity is named, once.
+others.  A derivation (∂/∂w_i, a vector field, the rate along a motion) is applied by the chain
+rule, and its result for a named quantity gets one name of its own.
 """
 
 from __future__ import annotations
@@ -35,16 +35,16 @@ _operations = lru_cache(maxsize=4096)(sp.count_ops)
 
 @dataclass(frozen=True)
 class Derivation:
-    """A first-order differential operator, by its action on the symbols that it changes.
+    """First-order differential operator, given by its action on symbols.
 
-    Other symbols are constant if they have no definition, and otherwise follow from it.
+    Other symbols are constant if they have no definition; otherwise the action follows from it.
     """
 
     rates: tuple[Step, ...]
 
     @cached_property
     def table(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """The rates by symbol."""
+        """Rates by symbol."""
         return dict(self.rates)
 
 
@@ -54,9 +54,9 @@ class Tape:
     Parameters
     ----------
     steps : iterable of (Symbol, Expr)
-        The definitions to begin with.
+        Initial definitions.
     reserved_names : iterable of Symbol
-        Names that are not to be given again.
+        Names that must not be used for new definitions.
     """
 
     def __init__(self, steps: Iterable[Step], reserved_names: Iterable[sp.Symbol]) -> None:
@@ -72,17 +72,17 @@ class Tape:
         self._reserved_names.add(str(symbol))
 
     def value(self, symbol: sp.Symbol) -> sp.Expr:
-        """The value of a name."""
+        """Value of a name."""
         return self._values[symbol]
 
     def fresh(self, label: str) -> sp.Symbol:
-        """An unused name: `label` if it is free and ends in a digit."""
+        """Unused name: `label` if it is free and ends in a digit."""
         symbol = real_symbol(self._free(label))
         self._reserved_names.add(str(symbol))
         return symbol
 
     def name(self, value: sp.Expr, label: str = "z") -> sp.Expr:
-        """A name for a value, made from `label`, or the value itself if it is short."""
+        """Name for a value, made from `label`, or the value itself if it is short."""
         if _operations(value) <= SHORT:
             return value
         if value not in self._names:
@@ -117,9 +117,9 @@ class Tape:
         return self._memo[key]
 
     def short(self, value: sp.Expr, hold: Collection[sp.Symbol] = ()) -> sp.Expr:
-        """A formula with names substituted and simplified, if that is small.
+        """Formula with names substituted and simplified, if that is small.
 
-        The initial definitions of the tape and the names to `hold` remain in it.
+        The initial definitions of the tape and the names in `hold` are not substituted.
         """
         if value.is_Atom:
             return value
@@ -140,7 +140,7 @@ class Tape:
         return shortened if _operations(shortened) <= limit else value
 
     def steps(self, formulas: Iterable[sp.Expr]) -> tuple[Step, ...]:
-        """The definitions on which formulas depend, in an order in which they can be computed."""
+        """Definitions on which formulas depend, in an order in which they can be computed."""
         graph: dict[sp.Symbol, set[sp.Symbol]] = {}
         waiting = [s for value in formulas for s in value.free_symbols]
         while waiting:
@@ -161,7 +161,7 @@ class Tape:
 
 @lru_cache(maxsize=4096)
 def simplify_small(value: sp.Expr) -> sp.Expr:
-    """Simplify a small formula by cancelling and sin² + cos² = 1; a large one is unchanged."""
+    """Small formula simplified by cancellation and sin² + cos² = 1; a large one is unchanged."""
     if value.is_Atom or _operations(value) > LARGEST or _expanded_size(value) > SPREAD:
         return value
     candidates = [value]
@@ -174,7 +174,7 @@ def simplify_small(value: sp.Expr) -> sp.Expr:
 
 
 def _expanded_size(value: sp.Expr) -> int:
-    """A bound of the number of terms of an expanded formula."""
+    """Bound of the number of terms of an expanded formula."""
     match value:
         case sp.Add():
             return sum(_expanded_size(part) for part in value.args)
@@ -194,7 +194,7 @@ def _on_circles(value: sp.Expr, angles: Iterable[sp.Expr]) -> sp.Expr:
 
 
 def _on_circle(value: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
-    """An expanded formula without squares of the sine or without those of the cosine."""
+    """Expanded formula without squares of the sine or without those of the cosine."""
     squares = {p for p in value.atoms(sp.Pow) if p.base in (sine, cosine) and _is_power(p.exp)}
     candidates = [value]
     for one, other in ((sine, cosine), (cosine, sine)):

@@ -3,8 +3,8 @@
 A series is stored by its homogeneous parts.  Euler's operator multiplies a part by its degree, so
 quotients, roots and elementary functions follow from recurrences between the parts.
 
-Modulo a prime one computes at a generic point even if roots are irrational at all rational points:
-a minor that does not vanish there does not vanish identically.
+Modulo a prime a generic point can be used even if roots are irrational at all rational points: a
+minor that is nonzero there is not identically zero.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ from flint import (
 PRIMES = (4611686018427376319, 4611686018427375743, 4611686018427369527)
 #: A rational number (fmpq) or a residue (nmod); no static type covers both.
 Number: TypeAlias = Any
-#: A polynomial with such coefficients.
+#: Polynomial with such coefficients.
 Polynomial: TypeAlias = Any
-#: A matrix of such numbers.
+#: Matrix of such numbers.
 Matrix: TypeAlias = Any
 Fractional: TypeAlias = int | Fraction | fmpq | sp.Rational
 
@@ -44,25 +44,25 @@ HEIGHT = 5
 
 
 class IrrationalError(ArithmeticError):
-    """The numbers in use do not contain a required root."""
+    """Raised if the numbers in use do not contain a required root."""
 
 
 class Rational:
-    """The rational numbers."""
+    """Field of the rational numbers."""
 
     exact = True
 
     def number(self, value: Fractional) -> Number:
-        """An integer or fraction as a number of this kind."""
+        """Integer or fraction as a number of this kind."""
         fraction = _fraction(value)
         return fmpq(fraction.numerator, fraction.denominator)
 
     def random_number(self, rng: random.Random) -> Number:
-        """A small nonzero random number."""
+        """Small nonzero random number."""
         return fmpq(rng.choice((-1, 1)) * rng.randint(1, HEIGHT), rng.randint(1, HEIGHT))
 
     def root(self, value: Number, degree: int) -> Number:
-        """The positive root.
+        """Positive root.
 
         Raises
         ------
@@ -73,26 +73,26 @@ class Rational:
         return fmpq(top, bottom)
 
     def zero_of(self, coefficients: Sequence[Number]) -> Number:
-        """A zero of the polynomial with these coefficients, the constant one first.
+        """Zero of the polynomial with these coefficients, constant first.
 
         Raises
         ------
         IrrationalError
-            If none is of this kind.
+            If no zero is of this kind.
         """
         return _linear_zero(fmpq_poly(list(coefficients)))
 
     def ring(self, names: Sequence[str]) -> fmpq_mpoly_ctx:
-        """Polynomials in the variables given."""
+        """Ring of polynomials in given variables."""
         return fmpq_mpoly_ctx.get(list(names), Ordering.lex)
 
     def matrix(self, rows: Sequence[Sequence[Number]], width: int) -> Matrix:
-        """A matrix with exact elimination."""
+        """Matrix with exact elimination."""
         return fmpq_mat(len(rows), width, [entry for row in rows for entry in row])
 
 
 class Modular:
-    """The integers modulo a prime."""
+    """Field of the integers modulo a prime."""
 
     exact = False
 
@@ -100,7 +100,7 @@ class Modular:
         self.prime = prime
 
     def number(self, value: Fractional) -> Number:
-        """An integer or fraction as a number of this kind."""
+        """Integer or fraction as a number of this kind."""
         if isinstance(value, int):
             return nmod(value, self.prime)
         fraction = _fraction(value)
@@ -108,16 +108,16 @@ class Modular:
         return above / nmod(fraction.denominator, self.prime)
 
     def random_number(self, rng: random.Random) -> Number:
-        """A nonzero random number."""
+        """Nonzero random number."""
         return nmod(rng.randrange(1, self.prime), self.prime)
 
     def root(self, value: Number, degree: int) -> Number:
-        """A root; for a fraction with a rational root, the positive one.
+        """Root; for a fraction with a rational root, the positive one.
 
         Raises
         ------
         IrrationalError
-            If there is none modulo this prime.
+            If there is no root modulo this prime.
         """
         fraction = self.fraction(value)
         if fraction is not None and fraction > 0:
@@ -139,7 +139,7 @@ class Modular:
         return nmod(pow(whole, pow(degree, -1, self.prime - 1), self.prime), self.prime)
 
     def fraction(self, value: nmod) -> Fraction | None:
-        """The fraction with small numerator and denominator that a residue represents, if any."""
+        """Fraction with small numerator and denominator that represents a residue, or None."""
         bound = isqrt(self.prime // 2)
         before, last = (self.prime, 0), (int(value), 1)
         while last[0] > bound:
@@ -150,21 +150,21 @@ class Modular:
         return Fraction(last[0], last[1])
 
     def zero_of(self, coefficients: Sequence[Number]) -> Number:
-        """A zero of the polynomial with these coefficients, the constant one first.
+        """Zero of the polynomial with these coefficients, constant first.
 
         Raises
         ------
         IrrationalError
-            If none is of this kind.
+            If no zero is of this kind.
         """
         return _linear_zero(nmod_poly([int(c) for c in coefficients], self.prime))
 
     def ring(self, names: Sequence[str]) -> nmod_mpoly_ctx:
-        """Polynomials in the variables given."""
+        """Ring of polynomials in given variables."""
         return nmod_mpoly_ctx.get(list(names), modulus=self.prime, ordering=Ordering.lex)
 
     def matrix(self, rows: Sequence[Sequence[Number]], width: int) -> Matrix:
-        """A matrix with exact elimination."""
+        """Matrix with exact elimination."""
         return nmod_mat(len(rows), width, [int(e) for row in rows for e in row], self.prime)
 
 
@@ -173,7 +173,7 @@ Ring: TypeAlias = fmpq_mpoly_ctx | nmod_mpoly_ctx
 
 
 def _linear_zero(polynomial: Polynomial) -> Number:
-    """The zero of a linear factor; the last one, which for a root is positive."""
+    """Zero of a linear factor; the last one, which is positive for a root."""
     for factor, _ in reversed(polynomial.factor()[1]):
         if factor.degree() == 1:
             return -factor[0] / factor[1]
@@ -197,7 +197,7 @@ def _whole_root(value: int, degree: int) -> int:
 
 
 class Series:
-    """A power series about the origin, known up to an order.
+    """Power series about the origin, known up to an order.
 
     Parameters
     ----------
@@ -205,7 +205,7 @@ class Series:
     ring
         Polynomials in the variables, as from ``numbers.ring``.
     parts : list of polynomial
-        The homogeneous parts of degree 0, 1, …; their number says what is known.
+        Homogeneous parts of degree 0, 1, …; the series is known up to the last of them.
     """
 
     __slots__ = ("numbers", "parts", "ring")
@@ -215,19 +215,19 @@ class Series:
 
     @classmethod
     def constant(cls, numbers: Numbers, ring: Ring, value: Number, order: int) -> Series:
-        """A number."""
+        """Constant series."""
         none = ring.constant(0)
         whole = int(value) if isinstance(value, nmod) else value
         return cls(numbers, ring, [ring.constant(whole), *[none] * order])
 
     @property
     def order(self) -> int:
-        """The degree up to which it is known."""
+        """Degree up to which the series is known."""
         return len(self.parts) - 1
 
     @property
     def value(self) -> Number:
-        """The number at the origin."""
+        """Value at the origin."""
         first = self.parts[0]
         if first.is_zero():
             return self.numbers.number(0)
@@ -236,12 +236,12 @@ class Series:
 
     @property
     def is_zero(self) -> bool:
-        """Whether all known parts are zero."""
+        """True if all known parts are zero."""
         return all(part.is_zero() for part in self.parts)
 
     @property
     def is_constant(self) -> bool:
-        """Whether all known parts except the value are zero."""
+        """True if all known parts except the value are zero."""
         return all(part.is_zero() for part in self.parts[1:])
 
     def _with_parts(self, parts: list[Polynomial]) -> Series:
@@ -275,27 +275,27 @@ class Series:
         return self * other.power(-1, 1)
 
     def multiple(self, factor: Number) -> Series:
-        """The series times a number."""
+        """Series times a number."""
         whole = factor if self.numbers.exact else int(factor)
         return self._with_parts([part * whole for part in self.parts])
 
     def truncation(self, order: int) -> Series:
-        """The series truncated at a lower order."""
+        """Series truncated at a lower order."""
         return self._with_parts(self.parts[: order + 1])
 
     def derivative(self, variable: int) -> Series:
-        """The partial derivative, known to one order less."""
+        """Partial derivative, known to one order less."""
         return self._with_parts([part.derivative(variable) for part in self.parts[1:]])
 
     def power(self, top: int, bottom: int) -> Series:
-        """The power with exponent top/bottom.
+        """Power with exponent top/bottom.
 
         Raises
         ------
         ZeroDivisionError
             If the value is zero and the exponent is not a natural number.
         IrrationalError
-            If there is no such root of the value.
+            If the value has no such root.
         """
         if bottom == 1 and top >= 0:
             product, base = self._like(1), self
@@ -323,7 +323,7 @@ class Series:
         return part * (inverse if self.numbers.exact else int(inverse))
 
     def primitive(self, value: Number, slope: Series) -> Series:
-        """A function of this series, from its value at the origin and its derivative."""
+        """Function of this series, from its value at the origin and its derivative."""
         parts = [self._like(value).parts[0]]
         for k in range(1, self.order + 1):
             total = self.ring.constant(0)
@@ -333,7 +333,7 @@ class Series:
         return self._with_parts(parts)
 
     def exponential(self, value: Number) -> Series:
-        """The exponential, by its value at the origin."""
+        """Exponential, from its value at the origin."""
         series = self._like(value).truncation(0)
         for k in range(1, self.order + 1):
             slope = self._with_parts([*series.parts, self.ring.constant(0)])
@@ -341,7 +341,7 @@ class Series:
         return series
 
     def circle(self, sine: Number, cosine: Number) -> tuple[Series, Series]:
-        """Sine and cosine, by their values at the origin."""
+        """Sine and cosine, from their values at the origin."""
         zero = self.ring.constant(0)
         s, c = self._like(sine).truncation(0), self._like(cosine).truncation(0)
         for k in range(1, self.order + 1):

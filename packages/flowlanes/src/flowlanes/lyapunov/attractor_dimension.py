@@ -41,6 +41,7 @@ def kaplan_yorke(exponents: Sequence[float] | FloatArray) -> float:
     """
     ordered = np.sort(np.asarray(exponents, dtype=np.float64))[::-1]
     sums = np.cumsum(ordered)
+    # argmax gives the first index with a negative sum, that is, j.
     count = int(np.argmax(sums < 0)) if (sums < 0).any() else len(ordered)
     if count == len(ordered):
         return float(count)

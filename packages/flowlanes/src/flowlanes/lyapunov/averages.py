@@ -1,4 +1,4 @@
-"""Averages over a long motion, with error estimates and a convergence check."""
+"""Averages over a long motion with error estimates and a convergence check."""
 
 from __future__ import annotations
 
@@ -21,19 +21,20 @@ POWER = 2
 
 @dataclass(frozen=True)
 class Average:
-    """The mean rate of a quantity that accumulates along a motion.
+    """The mean rate of growth of a quantity along a motion.
 
     Attributes
     ----------
     value : float
     statistical : float
-        Half the 95 % confidence interval from the means of 16 batches, by Student's t: the error
-        if the batches are independent, as they are on a chaotic motion that is long enough.
+        Half width of the 95 % confidence interval from the means of 16 batches, by Student's t
+        distribution: the error if the batches are independent, as on a sufficiently long chaotic
+        motion.
     wandering : float
-        Deviation of the sum from even growth, divided by the time: the error of a regular
-        motion, where what comes back and forth stays bounded.
+        Range of the deviation from uniform growth, divided by the time: the error for a regular
+        motion, whose oscillations are bounded.
     resolution : float
-        The rate that growth like the square of the time would show.
+        The apparent rate of a quantity that grows like the square of the time.
     halves : tuple of two floats
         The means over the first and the second half.
     """
@@ -57,14 +58,14 @@ class Average:
 
     @property
     def zero(self) -> bool:
-        """Whether it is zero within its error."""
+        """Whether the mean rate is zero within its error."""
         return bool(abs(self.value) <= self.error)
 
 
 def batch_means(series: FloatArray, batches: int = BATCHES) -> FloatArray:
     """Means (batches, ...) of equal batches of a series (m, ...).
 
-    If the length is not divisible, the first few members are omitted.
+    If the length is not divisible by `batches`, the first few members are omitted.
 
     Raises
     ------
@@ -84,20 +85,21 @@ def batch_means(series: FloatArray, batches: int = BATCHES) -> FloatArray:
 
 def resolution(span: float, began: float) -> float:
     """The apparent rate of quadratic growth over a time `span` from `began`."""
+    # ln t² grows from `began` to began + span by 2 ln(1 + span/began).
     return POWER * float(np.log1p(span / began)) / span
 
 
 def average(growth: FloatArray, interval: float, began: float) -> Average:
-    """The mean rate of a quantity that grows by `growth` in each of a sequence of intervals.
+    """The mean rate of a quantity that grows by `growth` in each of consecutive intervals.
 
     Parameters
     ----------
     growth : (m,) array
-        The increment of each interval.
+        The increments.
     interval : float
-        Its length.
+        Length of an interval.
     began : float
-        When the first interval began; the motion itself began at time 0.
+        Start of the first interval, if the motion begins at time 0.
 
     Returns
     -------
@@ -114,6 +116,7 @@ def average(growth: FloatArray, interval: float, began: float) -> Average:
     span = len(growth) * interval
     value = float(growth.sum() / span)
     student = float(stdtrit(BATCHES - 1, (1 + CONFIDENCE) / 2))
+    # Deviation of the accumulated growth from a straight line; its range bounds oscillations.
     strayed = np.cumsum(growth) - value * interval * np.arange(1, len(growth) + 1)
     half = len(growth) // 2
     return Average(

@@ -1,4 +1,4 @@
-"""Growth of volumes along a motion: the divergence, its checks, and measures."""
+"""Growth of volumes along a motion: divergence, checks and invariant measures."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ class Volume:
     Attributes
     ----------
     divergence : Average
-        The mean of the divergence on the phase space, from exact derivatives by Gauss's rule.
+        The mean of the divergence on the phase space, from exact derivatives by Gauss quadrature.
     balance : float
-        By how much the sum of all exponents, forced ones and boundary terms included, differs
-        from it: an error of the computation.
+        Sum of all exponents, including trivial ones and boundary terms, minus the mean divergence:
+        an error of the computation.
     measures : dict of str to float
-        For each invariant measure of the system, by how much the change of its density along the
-        motion differs from the mean of the divergence.
+        For each invariant measure of the system, the difference between the change of its density
+        along the motion and the mean divergence.
     """
 
     divergence: Average
@@ -61,7 +61,7 @@ def divergence_average(
     transient: int,
     parameters: Parameters,
 ) -> Volume:
-    """The divergence along the motion, and the quantities it must agree with."""
+    """The mean divergence along the motion, and the quantities that must agree with it."""
     relations = system.scalar.relations
     _, weights = np.polynomial.legendre.leggauss(NODES)
     nodes = run.nodes[transient:]
@@ -72,11 +72,14 @@ def divergence_average(
             some.reshape(-1, some.shape[-1]), parameters, relations, directions.sizes
         )
         growth[first : first + PIECE] = rates.reshape(some.shape[:2]) @ weights
+    # Gauss weights on [−1, 1] are scaled to the length of the interval.
     growth *= run.interval / 2
     span = len(growth) * run.interval
     # Of the removed directions, all but the relations belong to volumes on the phase space.
     inside = [item.kind != "relation" for item in directions.trivial]
     change = float((run.sizes[-1] - run.sizes[transient])[inside].sum())
+    # Liouville's formula: the logarithm of the volume of all deviations grows by ∫ div v dt. The
+    # lengths of the genuine deviations and the changes of the removed ones add up to it.
     balance = float(run.lengths[transient:].sum() + change - growth.sum()) / span
     ends = run.states[[transient, -1]]
     measures = {
@@ -89,7 +92,7 @@ def divergence_average(
 def _densities(
     system: System, ends: FloatArray, sizes: FloatArray, parameters: Parameters
 ) -> Iterator[tuple[str, float]]:
-    """For each invariant measure, its growth of volumes between two states."""
+    """For each invariant measure, its prediction for the growth of volumes between two states."""
     moving = set(system.symbols) | {symbol for symbol, _ in system.scalar_definitions}
     relations = system.scalar.relations
     gradients = Formulas(system, relations).slopes(ends, parameters) * sizes
@@ -100,6 +103,7 @@ def _densities(
         if not vanishes_to_rounding(system, law.level, ends[0], parameters, sizes):
             continue
         density = Formulas(system, [law.value])(ends, parameters)[:, 0]
-        # volumes are those of the surface: the form of the law times the size of the gradients
+        # ρ dV is invariant, so that volumes on the surface grow like |grad|/ρ, where |grad| is the
+        # product of the Gram–Schmidt lengths of the gradients of the relations.
         logarithm = np.log(lengths).sum(axis=1) - np.log(np.abs(density))
         yield law.name, float(logarithm[1] - logarithm[0])

@@ -1,12 +1,12 @@
 """Chaos indicators of many motions, for scans.
 
-One deviation, or several, is carried along each motion and made of length one after each interval.
-The logarithms of the lengths lost add up to L(t): the largest exponent is the slope of L, the fast
-Lyapunov indicator its greatest value (Froeschlé, Lega, Gonczi 1997), and MEGNO compares it with its
-mean (Cincotta, Simó 2000).  Lengths are measured with each vector of the state divided by its size
-along the motion, so that the numbers are the same in all units.  Exponents are taken of what
-integrals and the flow do not force to be zero; indicators of all deviations that the relations
-allow, among which those of a regular motion part evenly with time.
+One or several deviations are integrated along each motion and normalised after each interval. The
+logarithms of the normalising factors add up to L(t). The largest exponent is the slope of L, the
+fast Lyapunov indicator is its maximum (Froeschlé, Lega, Gonczi 1997), and MEGNO compares L with
+its mean (Cincotta, Simó 2000). Lengths are measured with each vector of the state divided by its
+size along the motion, so that the results do not depend on the units. Exponents are computed
+without the directions that integrals and the flow force to be zero; indicators use all deviations
+allowed by the relations, since some of those grow linearly in time on a regular motion.
 
 Examples
 --------
@@ -47,30 +47,30 @@ from ..system.arrays import BoolArray, FloatArray, IntArray
 from ..system.parameters import Parameters
 from ..system.system import System
 
-#: Intervals of a motion, after each of which deviations are made of length one.
+#: Number of intervals of a motion; deviations are normalised after each.
 INTERVALS = 200
-#: Part of a motion left out at the beginning, where a deviation finds its direction.
+#: Initial fraction of a motion that is omitted while a deviation finds its direction.
 TRANSIENT = 0.2
-#: Batches whose means give the error, and Student's factor for 95 % of them.
+#: Number of batches whose means give the error, and Student's factor for 95 % confidence.
 BATCHES, STUDENT = 16, 2.131
-#: Logarithm of the share of others to which a deviation may shrink in an interval before it is
-#: lost in the error of these; the interval is parted then, into so many pieces at most.
+#: Logarithm of the ratio of lengths at which the shorter deviation is lost in the errors of the
+#: longer one; the interval is then divided, into at most the second number of pieces.
 APART, PARTED = 16.0, 64
 
 
 @dataclass(frozen=True)
 class TangentGrowth:
-    """Deviations along motions.
+    """Growth of deviations along motions.
 
     Attributes
     ----------
     logarithms : (n, intervals, d) array
-        Of the lengths lost in each interval; not numbers after the end of a motion, and all of
-        them if deviations part too fast to be resolved.
+        Logarithms of the normalising factors of each interval; NaN after the end of a motion, and
+        NaN throughout if deviations separate too fast to be resolved.
     records : (n, numbers) array
-        Further numbers at the end.
+        Further numbers at the final time.
     outcome : (n,) array of int
-        0, or why a motion ended.
+        0, or the reason why a motion ended.
     end_times : (n,) array
         The times reached.
     """
@@ -82,13 +82,13 @@ class TangentGrowth:
 
 
 def tangent(system: System) -> TangentSpace:
-    """Deviations tangent to the relations: all that are possible."""
+    """Deviations tangent to the relations."""
     relations = system.scalar.relations
     return _some(TangentSpace(system, relations, (), np.zeros((0, 0))))
 
 
 def transverse_space(system: System) -> TangentSpace:
-    """Those tangent to the integrals that hold everywhere as well, modulo the flow.
+    """Deviations tangent to the relations and unconditional integrals, modulo the flow.
 
     The omitted directions have the exponent zero in any case.
     """
@@ -113,12 +113,12 @@ def one_deviation(space: TangentSpace) -> int:
 
 
 def two_deviations(space: TangentSpace) -> int:
-    """A pair."""
+    """Two deviations."""
     return 2
 
 
 def all_deviations(space: TangentSpace) -> int:
-    """As many deviations as there are."""
+    """As many deviations as the space has dimensions."""
     return space.dimension
 
 
@@ -129,19 +129,18 @@ def no_records(graph: Graph, frames: Sequence[Vector]) -> list[Term]:
 
 @dataclass(frozen=True)
 class Deviations:
-    """The deviations that an indicator carries along motions.
+    """The deviations carried along motions for an indicator.
 
     Attributes
     ----------
     space : callable
-        System ↦ the deviations that count.
+        System ↦ space of deviations.
     number : callable
-        Of deviations carried along a motion, in that space.
+        Number of deviations, for a given space.
     unit_terms : callable
-        (graph, deviations, basis) ↦ deviations of length one and the lengths lost, without the
-        span of a basis.
+        (graph, deviations, basis) ↦ normalised deviations and the factors, orthogonal to a basis.
     record_terms : callable
-        (graph, deviations of length one) ↦ further numbers of each interval.
+        (graph, normalised deviations) ↦ further numbers of each interval.
     """
 
     space: Callable[[System], TangentSpace] = tangent
@@ -152,16 +151,16 @@ class Deviations:
     def __call__(
         self, observation: Observation, starts: FloatArray, parameters: Parameters
     ) -> TangentGrowth:
-        """Deviations along many motions.
+        """Integrate deviations along many motions.
 
-        Where they part too fast, an interval is parted.
+        Intervals in which they separate too fast are divided.
 
         Parameters
         ----------
         observation : Observation
-            The system, the length of the motions, and the number of intervals.
+            The system, the length of the motions and the number of intervals.
         starts : (n, size) array
-            In flat order, on the phase space.
+            States on the phase space in flat order.
         parameters : mapping of Symbol or name to number or (n,) array
         """
         states = np.array(starts, dtype=np.float64)
@@ -171,6 +170,7 @@ class Deviations:
         )
         growth, shrunk = _growth(self, observation, 1, states, sizes, parameters)
         pieces = 2
+        # Only motions with lost deviations are repeated, each time with twice as many pieces.
         while pieces <= PARTED and len(
             lost := np.flatnonzero(_has_short_deviations(growth, shrunk))
         ):
@@ -186,7 +186,7 @@ class Deviations:
 
 
 def _has_short_deviations(growth: TangentGrowth, shrunk: FloatArray) -> BoolArray:
-    """Complete motions with deviations too short beside others."""
+    """Mask of completed motions on which a deviation became too short relative to another."""
     result: BoolArray = (growth.outcome == 0) & ~(shrunk <= APART)
     return result
 
@@ -214,14 +214,14 @@ def _growth(
     sizes: FloatArray,
     parameters: Parameters,
 ) -> tuple[TangentGrowth, FloatArray]:
-    """Deviations along motions, and by what share the shortest of an interval have shrunk.
+    """Deviations along motions, and the largest logarithmic ratio of their lengths, (n,).
 
     Parameters
     ----------
     pieces : int
-        Of each interval; deviations are made of length one after each.
+        Number of pieces of each interval; deviations are normalised after each.
     states, sizes : (n, size) arrays
-        The starts, and by what deviations are measured.
+        The starts, and the units of deviations.
     """
     intervals = observation.samples
     times = np.linspace(0.0, observation.t_end, intervals * pieces + 1)[1:]
@@ -229,7 +229,8 @@ def _growth(
     run = code.run(states, sizes, times, parameters)
     with np.errstate(divide="ignore"):
         logarithms = np.log(run.lengths, out=run.lengths)
-    # of two at a time: there are few deviations and pieces, and many motions
+    # Reduce over short axes two arrays at a time: there are few deviations and pieces, many
+    # motions.
     columns = np.moveaxis(logarithms, 2, 0)
     shrunk = np.maximum(reduce(np.maximum, columns), 0.0) - reduce(np.minimum, columns)
     parted = logarithms.reshape(len(states), intervals, pieces, len(columns))
@@ -239,10 +240,10 @@ def _growth(
 
 
 def _rate(logarithms: FloatArray, t_end: float) -> tuple[FloatArray, FloatArray]:
-    """The mean rate of growth without the beginning, and its error, (n,) each.
+    """The mean rate of growth after the transient, and its error, (n,) each.
 
-    The error is the larger of the 95 % interval from the means of 16 batches, and of what growth
-    with the square of the time would show.
+    The error is the larger of the 95 % confidence interval from the means of 16 batches and the
+    apparent rate of quadratic growth.
     """
     intervals = logarithms.shape[1]
     each = (intervals - round(TRANSIENT * intervals)) // BATCHES
@@ -250,6 +251,7 @@ def _rate(logarithms: FloatArray, t_end: float) -> tuple[FloatArray, FloatArray]
     batches = last.reshape(len(last), BATCHES, each).mean(axis=2) * (intervals / t_end)
     span = t_end * each * BATCHES / intervals
     spread = STUDENT * batches.std(axis=1, ddof=1) / np.sqrt(BATCHES)
+    # ln t² grows by 2 ln(t_end/(t_end − span)) over the last `span`.
     unseen = 2.0 * np.log(t_end / (t_end - span)) / span
     return batches.mean(axis=1), np.maximum(spread, unseen)
 
@@ -269,13 +271,14 @@ def _greatest(observation: Observation, growth: TangentGrowth) -> dict[str, Floa
 
 
 def _mean_megno(observation: Observation, growth: TangentGrowth) -> dict[str, FloatArray]:
-    """The mean of Y at the ends of the intervals.
+    """The mean of Y over the ends of the intervals.
 
-    Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
-    over the intervals.  With ln|ξ| = l₁ + … + lₖ after k of them, Y = (2/k) Σ (i − 1/2) lᵢ over
+    Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − mean of L up to t), by the trapezoidal rule
+    on the intervals: with ln|ξ| = l₁ + … + l_k after k intervals, Y = (2/k) Σ (i − 1/2) l_i over
     i ≤ k.
     """
     intervals = observation.samples
+    # Averaging Y over k = 1 … n gives l_i the weight (2/n) (i − 1/2) Σ_{k ≥ i} 1/k.
     count = np.arange(1, intervals + 1)
     harmonic = np.cumsum(1.0 / count[::-1])[::-1]
     weights = (2.0 / intervals) * (count - 0.5) * harmonic
@@ -290,7 +293,7 @@ def _alignment(observation: Observation, growth: TangentGrowth) -> dict[str, Flo
 def _each_for_itself(
     graph: Graph, deviations: Sequence[Vector], basis: Sequence[Vector]
 ) -> tuple[list[list[Term]], list[Term]]:
-    """Deviations of length one that can become parallel."""
+    """Deviations normalised separately, so that they can become parallel."""
     frames, lengths = zip(
         *(orthonormal_terms(graph, [deviation], basis) for deviation in deviations), strict=True
     )
@@ -298,15 +301,15 @@ def _each_for_itself(
 
 
 def _sum_and_difference(graph: Graph, frames: Sequence[Vector]) -> list[Term]:
-    """The squares of |u + v| and |u − v|."""
+    """The squares |u + v|² and |u − v|²."""
     u, v = frames
     sums = [x + y for x, y in zip(u, v, strict=True)]
     differences = [x - y for x, y in zip(u, v, strict=True)]
     return [dot(graph, sums, sums), dot(graph, differences, differences)]
 
 
-#: The largest Lyapunov exponent but for that of the flow, and its error.  The first fifth of the
-#: motion is left out: there the deviation finds its direction.
+#: The largest Lyapunov exponent apart from that of the flow, and its error. The first fifth of the
+#: motion is omitted while the deviation finds its direction.
 maximal_exponent = MotionObservable(
     "lyapunov",
     "largest Lyapunov exponent",
@@ -318,8 +321,8 @@ maximal_exponent = MotionObservable(
     extra_columns={"error": "error of the largest exponent"},
 )
 
-#: The sum of all exponents that relations, integrals and the flow leave.  It is zero if a measure
-#: is preserved; if it is negative, the motion is attracted.
+#: The sum of all exponents apart from those of relations, integrals and the flow. It is zero if a
+#: measure is preserved; if it is negative, the motion is attracted.
 exponent_sum = MotionObservable(
     "sum",
     "sum of Lyapunov exponents",
@@ -331,7 +334,7 @@ exponent_sum = MotionObservable(
     extra_columns={"error": "error of the sum of exponents"},
 )
 
-#: The fast Lyapunov indicator: the greatest logarithm of the growth so far.
+#: The fast Lyapunov indicator: the maximum of the logarithmic growth so far.
 fast_lyapunov_indicator = MotionObservable(
     "fli",
     "fast Lyapunov indicator",
@@ -341,14 +344,14 @@ fast_lyapunov_indicator = MotionObservable(
     least_samples=2 * BATCHES,
 )
 
-#: The mean of MEGNO: up to about 2 on a regular motion, λ/2 times the time on a chaotic one.  It
-#: tends to 2, often from below, where neighbours part in proportion to the time, and stays 0 if
+#: The mean of MEGNO: up to about 2 on a regular motion, λ/2 times the time on a chaotic one. It
+#: tends to 2, often from below, if neighbouring motions separate linearly in time, and stays 0 if
 #: they keep their distance (equal frequencies, a stable equilibrium).
 megno = replace(fast_lyapunov_indicator, name="megno", title="MEGNO", reduce=_mean_megno)
 
-#: SALI: how far two deviations are from being parallel at the end, as the logarithm (base 10) of
-#: the smaller of |u + v| and |u − v| of two deviations of length one (Skokos 2001).  It falls
-#: evenly on chaotic motions, to −16 where rounding ends it.
+#: SALI: the distance of two deviations from being parallel at the final time, as the logarithm
+#: (base 10) of the smaller of |u + v| and |u − v| for unit vectors (Skokos 2001). It decreases
+#: linearly on chaotic motions, down to −16, the level of rounding.
 smaller_alignment_index = MotionObservable(
     "sali",
     "logarithm of SALI",

@@ -1,4 +1,4 @@
-"""A Lyapunov spectrum in sentences, and as plain data."""
+"""Description of a Lyapunov spectrum in sentences, and its plain data."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from .report import CAREFUL, Spectrum, sign_word, significant_digits
 
 
 def remarks(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str]:
-    """Sentences on what a spectrum shows; all are observed unless they say proven.
+    """Sentences about the results of a spectrum; observed unless they say proven.
 
     Parameters
     ----------
     spectrum : Spectrum
     reversors : sequence of Reversor
-        Those of the system; the ones that hold with these parameters are used.
+        Reversing symmetries of the system; those that hold for these parameters are used.
     """
     yield from _convergence(spectrum)
     for name in spectrum.fading:

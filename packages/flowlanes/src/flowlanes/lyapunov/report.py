@@ -1,4 +1,4 @@
-"""A Lyapunov spectrum, and its dataset."""
+"""The Lyapunov spectrum of a motion, and its dataset."""
 
 from __future__ import annotations
 
@@ -36,24 +36,24 @@ class Spectrum(WithOverview):
     parameters : dict of str to float
     start : (size,) array
     t_end, interval : float
-        Length of the motion, and of the intervals after which deviations are made orthonormal.
+        Length of the motion, and of the intervals after which deviations are orthonormalised.
     began : float
-        Before this time nothing is counted.
+        End of the transient, which is not counted.
     exponents : tuple of Average
-        The genuine ones, the largest first.
+        The genuine exponents, largest first.
     trivial : tuple of (TrivialExponent, float or None)
-        Removed directions, with the observed rate of growth, which is to vanish; None for
+        Removed directions with their observed rate of growth, which should vanish; None for
         relations.
     dependent : tuple of str
-        Integrals and symmetries that force nothing at this start.
+        Integrals and symmetries that are dependent at this start and force no further zero.
     fading : tuple of str
-        Directions that would force a zero if they kept their size: the flow of a motion that comes
-        to rest.  It is not removed.
+        Directions that would force a zero if their size did not vanish or diverge, such as the
+        flow of a motion that comes to rest. They are not removed.
     total : Average
         The sum of the genuine exponents.
     volume : Volume
     growth : (intervals, exponents) array
-        Logarithms of the growth in each interval, from the start on.
+        Logarithmic growth in each interval, from the start on.
     tolerance : float
 
     Examples
@@ -94,12 +94,12 @@ class Spectrum(WithOverview):
 
     @property
     def errors(self) -> FloatArray:
-        """Their errors."""
+        """The errors of the genuine exponents."""
         return np.array([item.error for item in self.exponents])
 
     @property
     def in_order(self) -> tuple[Average | TrivialExponent, ...]:
-        """All exponents, the largest first, including the exact zeros.
+        """All exponents, largest first, including the exact zeros.
 
         Relations are not directions of the phase space and have no exponent.
         """
@@ -125,7 +125,7 @@ class Spectrum(WithOverview):
 
     @property
     def within(self) -> int:
-        """Zeros that belong to directions within the levels of the integrals."""
+        """Number of zero exponents of directions within the levels of the integrals."""
         return sum(r.kind in ("flow", "symmetry", "quadrature") for r, _ in self.trivial)
 
     @cached_property
@@ -138,6 +138,7 @@ class Spectrum(WithOverview):
         means = batch_means(self.growth[began:]) / self.interval
         draws = np.random.default_rng(SEED).integers(len(means), size=(DRAWS, len(means)))
         zeros = np.zeros(self.within)
+        # A bootstrap sample draws batches with replacement; the exact zeros have no error.
         dimensions = [kaplan_yorke(np.append(means[draw].mean(axis=0), zeros)) for draw in draws]
         return kaplan_yorke(np.append(self.values, zeros)), float(np.std(dimensions))
 
@@ -166,7 +167,7 @@ class Spectrum(WithOverview):
         return averages
 
     def overview(self) -> Overview:
-        """The exponents with their errors, and the zeros that are forced."""
+        """The exponents with their errors, and the trivial ones."""
         shown = [
             " ± ".join(significant_digits(one.value, one.error)) + f", {sign_word(one)}"
             if isinstance(one, Average)
@@ -193,7 +194,7 @@ def _origin(item: TrivialExponent) -> str:
 
 
 def sign_word(item: Average) -> str:
-    """Describe the sign of an exponent."""
+    """The sign of an exponent, in words."""
     if not item.halves_agree:
         return "not converged"
     if item.zero:
@@ -202,14 +203,14 @@ def sign_word(item: Average) -> str:
 
 
 def significant_digits(value: float, error: float) -> tuple[str, str]:
-    """A number and its error, to two digits of the error."""
+    """A number and its error, rounded to two significant digits of the error."""
     places = max(0, 1 - floor(log10(error))) if error > 0 else 12
-    # Zero has no sign.
+    # Adding 0.0 turns −0.0 into 0.0.
     return f"{round(value, places) + 0.0:.{places}f}", f"{error:.{places}f}"
 
 
 def dataset(spectrum: Spectrum) -> xr.Dataset:
-    """Convert a spectrum with its running averages to a dataset.
+    """The spectrum with its running averages as a dataset.
 
     Returns
     -------

@@ -1,9 +1,9 @@
-"""The Lyapunov spectrum of a motion: exponents, errors, and the exponents that must be zero.
+"""The Lyapunov spectrum of a motion: exponents, errors, and exponents that must be zero.
 
-After Benettin, Galgani, Giorgilli and Strelcyn (1980), with deviations that stay tangent to
-relations and integrals and are counted modulo the flow and the symmetries.  So zeros that exist in
-any case are neither computed nor mistaken for a result.  An exponent is a mean over a motion of
-finite length and has an error; it is *observed*, never proven.
+The method is that of Benettin, Galgani, Giorgilli and Strelcyn (1980), with deviations tangent to
+relations and integrals, modulo the flow and the symmetries. Zeros that exist in any case are
+therefore neither computed nor mistaken for a result. An exponent is a mean over a motion of finite
+length and has an error; it is *observed*, never proven.
 """
 
 from __future__ import annotations
@@ -36,9 +36,10 @@ if TYPE_CHECKING:
 TRANSIENT = 0.2
 #: Number of intervals of a motion, unless deviations separate too fast.
 INTERVALS = 400
-#: Smallest and largest number of intervals.
+#: Minimum and maximum number of intervals.
 LEAST, MOST = 100, 2_000_000
-#: Largest logarithm of the ratio of lengths of deviations within an interval: at first, and later.
+#: Largest logarithm of the ratio of lengths of deviations within an interval: for the first
+#: `FIRST` intervals, in which deviations find their directions, and for the others.
 APART = (12.0, 28.0)
 FIRST = 8
 
@@ -61,36 +62,35 @@ def lyapunov_spectrum(
     ----------
     system : System
     start : sequence of float, or mapping of str to number or numbers
-        State on the phase space, as of :func:`flowlanes.flow.integrator.integrate`; what belongs
-        to the motion in space is left out.
+        State on the phase space, as for :func:`flowlanes.flow.integrator.integrate`; the motion in
+        space is omitted.
     parameters : mapping of Symbol or name to number, optional
         Parameters that replace the defaults.
     t_end : float
-        Length of the motion (s); the first fifth is not counted.
+        Length of the motion (s); the first fifth is omitted from the averages.
     intervals : int
-        Into how many intervals to divide it, at least; their number is doubled as long as
-        deviations grow too far apart within one.
+        Minimum number of intervals; it is doubled while deviations separate too far within one.
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
-        Where the motion is computed; a single motion uses one thread of a graphics processor.
+        Where the motion is computed; a single motion uses one thread of a GPU.
     progress : callable, optional
-        Called with the fraction done.
+        Called with the completed fraction.
 
     Returns
     -------
     Spectrum
-        The exponents (1/s) with their errors, the largest first.
+        The exponents (1/s) with their errors, largest first.
 
     Raises
     ------
     InputError
-        If the start is not on the phase space, or `t_end` or `intervals` cannot be used.
+        If the start is not on the phase space, or `t_end` or `intervals` is invalid.
     RunError
-        If the motion ends early, or deviations grow too fast to be followed.
+        If the motion ends early, or deviations grow too fast.
     InterruptionError
-        If it is interrupted; it carries the spectrum of the motion until then, if that has at
-        least `LEAST` intervals.
+        If interrupted; the error carries the spectrum of the motion so far if it has at least
+        `LEAST` intervals.
 
     Examples
     --------
@@ -132,7 +132,7 @@ def lyapunov_spectrum(
 
 
 class _StoppedError(Exception):
-    """Interrupted after some intervals of the motion."""
+    """Interruption after some intervals of the motion."""
 
     def __init__(self, run: MotionRecord) -> None:
         super().__init__()
@@ -162,7 +162,7 @@ def _motion_record(
 
 
 def _not_forced(directions: TrivialDirections, run: MotionRecord) -> tuple[str, ...]:
-    """Names of fading fields and integrals, whose exponents need not vanish.
+    """Names of fields and integrals whose size fades, so that their exponents need not vanish.
 
     This applies to the flow if the motion comes to rest.
     """
@@ -192,11 +192,12 @@ def _run(
     parameters: Parameters,
     progress: Callable[[float], None],
 ) -> MotionRecord | None:
-    """Follow the motion; None if deviations separate too far within an interval."""
+    """Integrate the motion; None if deviations separate too far within an interval."""
     until, count = times
     interval = until / count
     space = directions.space
     places, _ = np.polynomial.legendre.leggauss(NODES)
+    # Gauss nodes of the divergence integral, mapped from [−1, 1] to the interval.
     inner = interval * (1 + places) / 2
     first = np.array([start], dtype=np.float64)
     states, nodes = [first[0]], []

@@ -1,9 +1,9 @@
 """Lyapunov exponents that must be zero.
 
-Every integral F forces a zero exponent: the motion preserves dF, so a deviation across its levels
-neither grows nor shrinks.  So does every bounded field that the motion carries into itself: the
-flow, a symmetry. Deviations that violate relations are not deviations of the system at all.  The
-remaining exponents are the genuine spectrum.
+Every integral F forces a zero exponent: the motion preserves dF, so that the component of a
+deviation across its levels neither grows nor shrinks. The same holds for every bounded vector
+field that the flow maps to itself: the flow, or a symmetry. Deviations that violate relations are
+not admissible at all. The remaining exponents form the genuine spectrum.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ Kind = Literal["relation", "integral", "flow", "symmetry", "quadrature"]
 DEPENDENT = 1e-8
 #: Relative size below which a number counts as zero.
 ZERO = 1e-10
-#: Nearby states: their number, their distance in sizes of the state, and the seed of directions.
+#: Number of nearby states, their distance in units of the state, and the seed of directions.
 BESIDE, NEAR, SEED = 4, 0.1, 20080830
 
 _REASONS: Mapping[Kind, str] = {
@@ -47,12 +47,12 @@ _REASONS: Mapping[Kind, str] = {
 
 @dataclass(frozen=True)
 class TrivialExponent:
-    """One dimension removed from the tangent space.
+    """A dimension that is removed from the tangent space.
 
     Attributes
     ----------
     name : str
-        ``"flow"``, the name of an integral or a symmetry, the relation, the variable.
+        ``"flow"``, the name of an integral or a symmetry, the relation, or the variable.
     kind : str
         ``"relation"``, ``"integral"``, ``"flow"``, ``"symmetry"`` or ``"quadrature"``.
     """
@@ -62,7 +62,7 @@ class TrivialExponent:
 
     @property
     def exponent(self) -> float | None:
-        """0, or None for a relation: violating it is not a deviation, and has no exponent."""
+        """0, or None for a relation, whose violation is not an admissible deviation."""
         return None if self.kind == "relation" else 0.0
 
     @property
@@ -73,17 +73,18 @@ class TrivialExponent:
 
 @dataclass(frozen=True)
 class TrivialDirections:
-    """The directions with trivial exponents along a motion, and the others.
+    """The directions with trivial exponents along a motion, and the remaining deviations.
 
     Attributes
     ----------
     space : TangentSpace
-        Deviations that count.
+        The genuine deviations.
     trivial : tuple of TrivialExponent
     dependent : tuple of str
-        Integrals and fields that depend on those removed before at this start, and force nothing.
+        Integrals and fields that depend at this start on those already removed, and force no
+        further zero.
     sizes : (size,) array
-        By which deviations are measured.
+        The units of deviations.
     """
 
     space: TangentSpace
@@ -99,7 +100,7 @@ def trivial_directions(
     fading: Collection[str] = (),
     sizes: FloatArray | None = None,
 ) -> TrivialDirections:
-    """The zero exponents that laws and relations force on the motion from a start.
+    """The exponents of the motion from a start that laws and relations force to be zero.
 
     Parameters
     ----------
@@ -109,15 +110,15 @@ def trivial_directions(
     parameters : mapping of Symbol or name to number, optional
         Parameters that replace the defaults.
     fading : collection of str
-        Names of what is not to be removed, because it forces no zero on this motion.
+        Names of fields and integrals to keep, because they force no zero on this motion.
     sizes : (size,) array, optional
-        By which deviations are measured; those of the start if left out.
+        The units of deviations; by default those of the start.
 
     Returns
     -------
     TrivialDirections
-        With integrals and fields that are independent at the start: dependence is kept by the
-        motion.
+        With integrals and fields that are independent at the start; the motion preserves
+        dependence.
     """
     state = np.array([start], dtype=np.float64)
     measures = state_scales_at(system, state[:, None], parameters)[0] if sizes is None else sizes
@@ -163,7 +164,7 @@ def vanishes_to_rounding(
     parameters: Parameters,
     sizes: FloatArray,
 ) -> bool:
-    """Whether formulas vanish at a state, up to rounding of their terms.
+    """Whether formulas vanish at a state up to the rounding errors of their terms.
 
     Parameters
     ----------
@@ -172,6 +173,7 @@ def vanishes_to_rounding(
     state, sizes : (size,) arrays
     parameters : mapping of Symbol or name to number, optional
     """
+    # The scale of a value is the sum of its changes with the state and with the parameters.
     values = np.abs(Formulas(system, level)(state, parameters))
     reach = np.linalg.norm(Formulas(system, level).slopes(state, parameters) * sizes, axis=1)
     named = [item.symbol for item in system.parameters]
@@ -188,7 +190,7 @@ def _floor(vectors: FloatArray) -> float:
 
 @dataclass(frozen=True)
 class _Item:
-    """A function or a field that may force a zero exponent."""
+    """A function or vector field that may force a zero exponent."""
 
     trivial: TrivialExponent
     formulas: tuple[sp.Expr, ...]
@@ -197,12 +199,13 @@ class _Item:
 
 @dataclass
 class _Span:
-    """Independent vectors, as an orthonormal basis."""
+    """The span of independent vectors, as an orthonormal basis."""
 
     basis: list[FloatArray] = field(default_factory=list)
 
     def remainder(self, vector: FloatArray) -> FloatArray:
         """A vector minus its projection onto the span."""
+        # Two passes of Gram–Schmidt: one pass loses orthogonality by cancellation.
         for _ in range(2):
             for other in self.basis:
                 vector = vector - (vector @ other) * other
@@ -229,26 +232,26 @@ class _LocalSystem:
 
     @cached_property
     def places(self) -> FloatArray:
-        """The state and some nearby ones, for typical sizes of vectors that vanish here."""
+        """The state and nearby ones, which give typical sizes of vectors that vanish here."""
         moves = np.random.default_rng(SEED).standard_normal((BESIDE, self.state.shape[1]))
         return np.concatenate([self.state, self.state + NEAR * self.sizes * moves])
 
     def slopes(self, formulas: Sequence[sp.Expr]) -> FloatArray:
-        """Measured gradients, (places, formulas, size)."""
+        """Gradients in units of the state, (places, formulas, size)."""
         result: FloatArray = (
             Formulas(self.system, formulas).slopes(self.places, self.parameters) * self.sizes
         )
         return result
 
     def vectors(self, items: Sequence[_Item]) -> FloatArray:
-        """The fields of some items, measured, (places, items, size)."""
+        """The vector fields of some items in units of the state, (places, items, size)."""
         parts = [part for item in items for part in item.formulas]
         flat = Formulas(self.system, parts)(self.places, self.parameters)
         result: FloatArray = flat.reshape(len(flat), len(items), len(self.sizes)) / self.sizes
         return result
 
     def on_level(self, level: Sequence[sp.Expr], span: _Span) -> bool:
-        """Whether the state lies on a level to which deviations in the span are tangent."""
+        """Whether the state lies on a level whose gradients are in the span."""
         return vanishes_to_rounding(
             self.system, level, self.state[0], self.parameters, self.sizes
         ) and all(
@@ -258,7 +261,7 @@ class _LocalSystem:
 
 
 def _conditions(at: _LocalSystem) -> Iterator[_Item]:
-    """Relations, then integrals; unconditional ones first."""
+    """Relations, then integrals; unconditional integrals first."""
     system = at.system
     for relation, scalar in zip(system.relations, system.scalar.relations, strict=True):
         name = " = ".join(map(text, equation(relation)))
@@ -273,10 +276,10 @@ def _conditions(at: _LocalSystem) -> Iterator[_Item]:
 
 
 def _fields(at: _LocalSystem) -> Iterator[_Item]:
-    """Variables on which nothing depends, symmetries, and the flow.
+    """Ignorable variables, symmetries, and the flow.
 
-    The flow comes last: if it is a combination of the others it forces no zero of its own, and if a
-    motion comes to rest the flow shows this.
+    The flow comes last: if it is a combination of the others it forces no further zero, and if the
+    motion comes to rest only the flow fades.
     """
     system = at.system
     for symbol in _idle(system):
@@ -296,10 +299,10 @@ def _idle(system: System) -> list[sp.Symbol]:
 def _tangent(
     at: _LocalSystem, fields: Sequence[_Item], across: _Span
 ) -> Iterator[tuple[TrivialExponent, Any]]:
-    """Fields tangent to the conditions, and combinations of the others that are.
+    """Vector fields tangent to the conditions, and tangent combinations of the others.
 
-    The combinations have constant coefficients: the rate of an integral along a symmetry is again
-    an integral.
+    The combinations have constant coefficients, since the derivative of an integral along a
+    symmetry is again an integral.
     """
     vectors = at.vectors(fields)[0]
     sizes = np.linalg.norm(vectors, axis=1)
@@ -307,6 +310,7 @@ def _tangent(
     within = np.linalg.norm(outward, axis=1) <= DEPENDENT * sizes
     loose = [i for i, tangent in enumerate(within) if not tangent]
     if loose:
+        # The kernel of the outward components gives the tangent combinations.
         _, strengths, rotation = np.linalg.svd(outward[loose].T / sizes[loose])
         rank = int((strengths > DEPENDENT * strengths[0]).sum())
         names = " and ".join(fields[i].trivial.name for i in loose)

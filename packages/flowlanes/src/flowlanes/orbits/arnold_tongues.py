@@ -1,9 +1,9 @@
 """Devil's staircases of rotation numbers, and Arnold tongues: the edges of their steps.
 
 A circle map x ↦ f(x) with a lift, in turns, has the rotation number p/q if its displacement D(x) =
-f^q(x) − x − p vanishes somewhere: if min D ≤ 0 ≤ max D.  If increasing a parameter moves the map
-forwards, max D = 0 at the lower edge of the step and min D = 0 at the upper one.  Both are smooth
-conditions; they determine widths down to rounding level, unlike rotation numbers.
+f^q(x) − x − p has a zero, that is, if min D ≤ 0 ≤ max D. If an increase of a parameter moves the
+map forwards, max D = 0 at the lower edge of the step and min D = 0 at the upper one. Both
+conditions are smooth; unlike rotation numbers, they determine widths down to rounding level.
 
 Examples
 --------
@@ -61,14 +61,14 @@ class CircleMaps(Protocol):
         turns : array (n,)
             Starts.
         values : array (n,)
-            The parameter of each.
+            The parameter of each orbit.
         count : int
             Number of steps.
 
         Returns
         -------
         array (n, count + 1)
-            Turns, start first.
+            Turns, beginning with the start.
         """
         ...
 
@@ -84,7 +84,7 @@ class DevilsStaircase:
     rotations : array (n,)
         Turns per step.
     errors : array (n,)
-        Differences between the averages of both halves of each orbit.
+        Differences between the averages over the two halves of each orbit.
     """
 
     values: FloatArray
@@ -101,10 +101,10 @@ class Displacement:
     least, greatest : float
         Its extrema.
     where : pair of float
-        Their places, turns.
+        Positions of the extrema, in turns.
     noise : float
-        Effect of errors of the map on the extrema: its accuracy, and the size of the
-        coefficients that should be zero.
+        Effect of errors of the map on the extrema: its accuracy, and the size of the coefficients
+        that should vanish.
     mean : float
     """
 
@@ -117,7 +117,7 @@ class Displacement:
 
 @dataclass(frozen=True)
 class Plateau:
-    """An interval of the parameter in which the rotation number is a fraction.
+    """An interval of the parameter on which the rotation number is a given fraction.
 
     Attributes
     ----------
@@ -125,9 +125,9 @@ class Plateau:
     low, high : float
         Its edges.
     error : float
-        Effect of errors of the map on each end.
+        Effect of errors of the map on each edge.
     slope : float
-        The rate at which the mean displacement grows with the parameter.
+        The derivative of the mean displacement by the parameter.
     middle : Displacement
         The displacement in the middle of the plateau.
     """
@@ -146,7 +146,7 @@ class Plateau:
 
     @property
     def open(self) -> bool:
-        """Whether it is wider than the errors of its edges explain."""
+        """Whether the width exceeds the errors of the edges."""
         return self.width > 2 * self.error
 
 
@@ -168,9 +168,9 @@ def staircase(
     start : float
         The initial point of all orbits, in turns.
     tolerance : float
-        The error to be reached.
+        The required error.
     max_iterations : int
-        Number of steps at which to give up; the errors show it.
+        Maximum number of steps; the errors show whether it was sufficient.
 
     Returns
     -------
@@ -196,7 +196,7 @@ def staircase(
 def displacement(
     maps: CircleMaps, value: float, fraction: Fraction, accuracy: float = ACCURACY
 ) -> Displacement:
-    """The displacement of the q-th power of a map from p turns.
+    """The displacement of the q-th iterate of a map from p turns.
 
     Parameters
     ----------
@@ -211,7 +211,7 @@ def displacement(
     Raises
     ------
     RunError
-        If thousands of points do not suffice to know it, or the map ends.
+        If the displacement is not resolved with thousands of points, or the map ends.
     """
     count, before = 32, np.inf
     while count < SAMPLES * fraction.denominator:
@@ -222,6 +222,8 @@ def displacement(
         moved = orbits[:, -1] - places - fraction.numerator
         if not np.isfinite(moved).all():
             raise RunError("the map of the circle ends", float(value))
+        # The values are those of a smooth periodic function, so Fourier coefficients fall quickly;
+        # the last eighth of them measures the error of the trigonometric interpolation.
         sizes = np.abs(np.fft.rfft(moved)) / count
         tail = float(sizes[-count // 8 :].max())
         rounding = accuracy * fraction.denominator
@@ -237,6 +239,7 @@ def _extrema(displacement: FloatArray, noise: float) -> Displacement:
     """Extrema of the trigonometric polynomial through equidistant values."""
     count = len(displacement)
     powers = 2j * np.pi * np.arange(count // 2 + 1)
+    # D(x) = Re Σ c_k exp(2πi k x) with doubled coefficients for k > 0, except the Nyquist term.
     share = np.fft.rfft(displacement) / count
     share[1:] *= 2
     share[-1] /= 2
@@ -253,7 +256,7 @@ def _extrema(displacement: FloatArray, noise: float) -> Displacement:
             place += float(np.clip(step, -0.5 / count, 0.5 / count))
             if abs(step) < 1e-12:
                 break
-        # Within rounding errors any sample will do.
+        # Newton's method on D′ = 0 may end in rounding errors; a sample can be as good.
         best = min(
             (at(place, 0), place),
             (float(displacement[start]), start / count),
@@ -271,7 +274,7 @@ def locked_interval(
     bracket: tuple[float, float],
     accuracy: float = ACCURACY,
 ) -> Plateau:
-    """The step of a staircase at a fraction.
+    """The step of a staircase at a given fraction.
 
     Parameters
     ----------
@@ -279,14 +282,14 @@ def locked_interval(
     fraction : Fraction
         p/q: p turns in q steps.
     bracket : pair of float
-        Values of the parameter on both sides of the step.
+        Parameter values on both sides of the step.
     accuracy : float
         The error of one step of the map, turns.
 
     Returns
     -------
     Plateau
-        The two ends of the step in the parameter, with their errors, and whether it is open.
+        The edges of the step in the parameter, with their errors.
 
     Raises
     ------
@@ -325,7 +328,7 @@ def locked_interval(
 def _slope(
     maps: CircleMaps, fraction: Fraction, edges: tuple[float, float], bracket: tuple[float, float]
 ) -> float:
-    """The rate of the mean displacement at a plateau, from both sides."""
+    """The derivative of the mean displacement by the parameter, across a plateau."""
     reach = max(1e-4 * (bracket[1] - bracket[0]), edges[1] - edges[0])
     sides = [edges[0] - reach, edges[1] + reach]
     means = [displacement(maps, value, fraction).mean for value in sides]
@@ -335,7 +338,7 @@ def _slope(
 def plateaus(
     maps: CircleMaps, stairs: DevilsStaircase, max_period: int, turns: Iterable[int] = ()
 ) -> list[Plateau]:
-    """The plateaus of a devil's staircase, for cycles up to a given length.
+    """The plateaus of a devil's staircase with denominators up to a given one.
 
     Parameters
     ----------
@@ -343,7 +346,7 @@ def plateaus(
     stairs : DevilsStaircase
         Fine enough to be monotone between the values around each step.
     max_period : int
-        The greatest denominator.
+        The largest denominator.
     turns : iterable of int
         Numerators to search; all by default.
     """
@@ -361,7 +364,7 @@ def plateaus(
 
 
 def _plateaus_of(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) -> list[Plateau]:
-    """The plateaus of a fraction, one for each time the staircase passes it."""
+    """The plateaus of a fraction, one for each crossing of the staircase."""
     known = np.flatnonzero(np.isfinite(stairs.rotations))
     values, excess = stairs.values[known], stairs.rotations[known] - float(fraction)
     # An orbit near a fixed point has a poor average.
@@ -379,7 +382,7 @@ def _plateaus_of(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) 
 def _outwards(
     maps: CircleMaps, values: FloatArray, ends: tuple[int, int], fraction: Fraction
 ) -> tuple[int, int]:
-    """The nearest parameters on both sides at which the displacement vanishes nowhere."""
+    """The nearest parameters on both sides at which the displacement has no zero."""
 
     def passes(index: int) -> bool:
         if not 0 <= index < len(values):

@@ -1,11 +1,11 @@
 """Pseudo-arclength continuation of periodic orbits, through folds and bifurcations.
 
 A parameter is treated as one more integral
-(:func:`flowlanes.orbits.return_map.parameters_to_state`), so there is only one kind of
-continuation: in the value of an integral.  The orbits with the other integrals fixed form a curve
-in the space of all their points.  It is followed by steps along its tangent, each corrected
-perpendicular to it, so folds need no special treatment.  On the way, folds are detected, and
-multipliers that pass 1, −1 or, as a pair, the unit circle.
+(:func:`flowlanes.orbits.return_map.parameters_to_state`), so that there is only one kind of
+continuation: in the value of an integral. The orbits with fixed values of the other integrals form
+a curve in the space of all their points. Each step goes along the tangent of the curve and is
+corrected orthogonally to it, so that folds need no special treatment (Keller 1977). Folds are
+detected on the way, and multipliers that pass through 1, −1 or, as a pair, the unit circle.
 """
 
 from __future__ import annotations
@@ -31,13 +31,13 @@ from .periodic import (
     orbit_from_points,
 )
 
-#: Maximum number of halvings of a step before a branch ends, and of an interval that contains an
+#: Maximum number of halvings of a step before the branch ends, and of iterations that locate an
 #: event.
 SHORTENED, LOCATED = 12, 50
 #: A step is lengthened by this factor if the tangent turns by less than `_STRAIGHT` radians, and
 #: shortened if it turns by more than twice that.
 LONGER, _STRAIGHT = 1.5, 0.1
-#: A test function below this number of errors is not significant.
+#: A test function is significant if it exceeds its error by this factor.
 CLEAR = 100.0
 
 
@@ -48,9 +48,9 @@ class Event:
     Attributes
     ----------
     kind : str
-        ``"fold"``: the varied value turns back; ``"branch"``: a multiplier goes through 1 without
-        that (known to some five digits, as two branches meet there); ``"doubling"``: one goes
-        through −1; ``"torus"``: a pair of complex ones goes through the unit circle.
+        ``"fold"``: the varied value has an extremum; ``"branch"``: a multiplier passes through 1
+        without a fold (known to about five digits, since two branches meet there); ``"doubling"``:
+        one passes through −1; ``"torus"``: a complex pair passes through the unit circle.
     place : float
         The varied value there.
     orbit : Orbit
@@ -68,12 +68,12 @@ class Branch(WithOverview):
     Attributes
     ----------
     parameter : str
-        The integral or promoted parameter that changes.
+        The integral or promoted parameter that varies.
     orbits : tuple of Orbit
     events : tuple of Event
-        In order.
+        Events in order.
     reason : str
-        Why it ends.
+        The reason why the branch ends.
 
     Examples
     --------
@@ -99,7 +99,7 @@ class Branch(WithOverview):
     reason: str
 
     def overview(self) -> Overview:
-        """Kinds of orbits along the branch, the events, and its end."""
+        """Kinds of orbits along the branch, events, and the end."""
         places = self.places
         kinds = dict.fromkeys(orbit.kind for orbit in self.orbits)
         return Overview(
@@ -120,7 +120,7 @@ class Branch(WithOverview):
 
 @dataclass(frozen=True)
 class _BranchPoint:
-    """An orbit of the branch with its unit tangent."""
+    """An orbit of the branch with its unit tangent and dλ/ds for the varied value λ."""
 
     orbit: Orbit
     tangent: FloatArray
@@ -135,6 +135,8 @@ class _BranchTracer:
     def place(self, points: FloatArray, error: float, ahead: FloatArray | None) -> _BranchPoint:
         """A point of the branch, with the tangent oriented along `ahead`."""
         _, slopes, _ = self.equations(points)
+        # The tangent spans the kernel of the linearised equations; a larger kernel means a family
+        # of more dimensions.
         _, sizes, other = np.linalg.svd(slopes)
         free = points.size - int((sizes > FAMILY * sizes[0]).sum())
         if free > 1:
@@ -153,10 +155,12 @@ class _BranchTracer:
         return _BranchPoint(orbit_from_points(map, points, error), tangent, speed)
 
     def step(self, here: _BranchPoint, length: float) -> _BranchPoint:
-        """The point at a distance along the tangent."""
+        """The point of the branch at a given distance along the tangent."""
         sizes = self.equations.sizes
         way = length * here.tangent.reshape(here.orbit.points.shape)
         guess = here.orbit.points + way * sizes
+        # The additional equation keeps the projection onto the tangent, so that the correction is
+        # orthogonal to it.
         row = (here.tangent, float(here.tangent @ (guess / sizes).ravel()))
         points, error = newton_solution(self.equations, guess, row)
         return self.place(points, error, here.tangent)
@@ -184,24 +188,23 @@ def continue_orbit(
     parameter : str
         An integral or promoted parameter whose value changes.
     until : float
-        The branch begins towards this value and ends where it is reached.
+        The branch starts in the direction of this value and ends where it is reached.
     hold : names, or mapping of str to float
-        Integrals that keep their values (for names: those of the orbit).
+        Integrals with fixed values (for names: those of the orbit).
     step, max_step : float
-        The first and the longest step, in the space of all points of the orbit, each vector of
-        them divided by its size there.
+        First and largest step, in the space of all points of the orbit, in units of the state.
     max_iterations : int
-        The greatest number of orbits.
+        Maximum number of orbits.
 
     Returns
     -------
     Branch
-        The orbits in order, with the events between them and why it ends.
+        The orbits in order, the events between them, and the reason for the end.
 
     Raises
     ------
     InputError
-        If a name is unknown, or if orbits are a family of more dimensions than one.
+        If a name is unknown, or the orbits form a family of more than one dimension.
 
     Examples
     --------
@@ -257,6 +260,7 @@ def continue_orbit(
         if len(places) > 2 and _passes(here, there, places[0], follower.equations.sizes):
             reason = "the branch is closed"
             break
+        # The step grows on straight parts of the branch; `_advance` shortens it on curved ones.
         length = length_taken * (LONGER if turn < _STRAIGHT else 1.0)
         here = there
         places.append(here)
@@ -267,7 +271,7 @@ def continue_orbit(
 def _advance(
     follower: _BranchTracer, here: _BranchPoint, length: float
 ) -> tuple[_BranchPoint, float] | None:
-    """The next point and its distance; None if there is none."""
+    """The next point and its distance; None if no step succeeds."""
     for _ in range(SHORTENED):
         try:
             there = follower.step(here, length)
@@ -288,9 +292,10 @@ def _turn(here: _BranchPoint, there: _BranchPoint) -> float:
 def _passes(
     here: _BranchPoint, there: _BranchPoint, first: _BranchPoint, sizes: FloatArray
 ) -> bool:
-    """Whether a step passes the initial orbit of the branch in its direction."""
+    """Whether a step passes the first orbit of the branch in the same direction."""
     begin, step = here.orbit.points / sizes, (there.orbit.points - here.orbit.points) / sizes
     length = float(np.linalg.norm(step))
+    # Any cyclic permutation of the points represents the same orbit.
     for k in range(len(begin)):
         way = np.roll(first.orbit.points, k, axis=0) / sizes - begin
         tangent = np.roll(first.tangent.reshape(begin.shape), k, axis=0).ravel()
@@ -302,14 +307,14 @@ def _passes(
 
 
 def _unit_multiplier_test(multipliers: Multipliers, sign: float) -> tuple[float, float]:
-    """∏(μ − sign), whose sign changes if a multiplier passes ±1, and its error."""
+    """∏(μ − sign), which changes sign when a multiplier passes ±1, and its error."""
     factors = multipliers.values - sign
     value = float(np.prod(factors).real)
     return value, _product_error(factors, multipliers.errors)
 
 
 def _torus_test(multipliers: Multipliers) -> tuple[float, float]:
-    """∏(μ_i μ_j − 1) over complex pairs, and its error; 1 if there are none."""
+    """∏(μ μ̄ − 1) over complex pairs, and its error; 1 if there are none."""
     pairs = multipliers.values[multipliers.values.imag > 0]
     errors = multipliers.errors[multipliers.values.imag > 0]
     factors = np.abs(pairs) ** 2 - 1
@@ -353,7 +358,7 @@ def _events(
 
 
 def _same_pairs(kind: str, here: _BranchPoint, there: _BranchPoint) -> bool:
-    """Whether both ends have the same number of complex multipliers."""
+    """Whether the number of complex multipliers is equal at both ends; needed for a torus."""
     counts = [int((p.orbit.multipliers.values.imag > 0).sum()) for p in (here, there)]
     return kind != "torus" or counts[0] == counts[1] > 0
 
@@ -366,7 +371,7 @@ def _locate_event(
     test: Callable[[_BranchPoint], float],
     kind: str,
 ) -> Event | None:
-    """The zero of a function between two points, by the Illinois method."""
+    """The zero of a test function between two points, by the Illinois method; None if none."""
     ends = [(0.0, test(here), here), (length, test(there), there)]
     if ends[0][1] * ends[1][1] > 0 or ends[0][1] == 0:
         return None
@@ -383,6 +388,8 @@ def _locate_event(
         value = test(place)
         moved = abs(middle - best[0])
         best = (middle, value, place)
+        # Illinois: halve the retained value if the new point lies on the same side, so that the
+        # end does not stay fixed as in regula falsi.
         if value * g < 0:
             ends[0] = ends[1]
         else:

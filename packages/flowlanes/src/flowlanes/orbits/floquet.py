@@ -1,9 +1,10 @@
 """Floquet multipliers of a periodic orbit, without the trivial ones.
 
-For an integral F, dF·S = dF with the derivative S of the return map at a point of the orbit, so S
-acts on the level of all integrals; its eigenvalues there are the nontrivial multipliers.  The error
-of S, and of the multipliers, is estimated from how well dF·S = dF holds and how well S maps the
-tangents of the section and of the relations to themselves.
+For an integral F and the derivative S of the return map at a point of the orbit, dF·S = dF; S
+therefore acts on the tangent space of the common level of all integrals, and its eigenvalues there
+are the nontrivial multipliers. The errors of S and of the multipliers are estimated from the
+defect of dF·S = dF and from how well S preserves the tangent spaces of the section and of the
+relations.
 """
 
 from __future__ import annotations
@@ -17,28 +18,28 @@ from ..errors import InputError
 from ..system.arrays import FloatArray
 from .maps import Map, normalised_functions
 
-#: Relative size of its independent part below which a differential counts as dependent.
+#: Relative size of its independent part below which a gradient counts as dependent.
 DEPENDENT = 1e-7
-#: Two eigenvalues split by rounding are twice as far from one as the first-order estimate says,
-#: three of them three times.
+#: Safety factor: rounding splits a double eigenvalue by twice the first-order estimate, and a
+#: triple one by three times.
 SAFETY = 4.0
 
 
 @dataclass(frozen=True)
 class Multipliers:
-    """Eigenvalues of the return to a periodic orbit.
+    """Eigenvalues of the return map at a periodic orbit.
 
     Attributes
     ----------
     values : complex array (d,)
-        On the level of all integrals, greatest first.
+        Multipliers on the level of all integrals, largest modulus first.
     trivial : tuple of str
-        The reason of each trivial multiplier: ``"flow"``, integrals, promoted parameters.
+        The origin of each trivial multiplier: ``"flow"``, integrals, promoted parameters.
     errors : array (d,)
-        Effect of rounding and integration on each.
+        Effect of rounding and integration errors on each.
     matrix : array (d, d)
-        The derivative of the return, on an orthonormal basis of the level, each vector of the
-        state being measured by its size.
+        The derivative of the return map in an orthonormal basis of the level, in units of the
+        state.
 
     Examples
     --------
@@ -66,20 +67,21 @@ class Multipliers:
 
 
 def stability(values: FloatArray, errors: FloatArray) -> str:
-    """The kind of an orbit in one or two words.
+    """The stability type of an orbit in one or two words.
 
     Parameters
     ----------
     values, errors : arrays (d,)
-        Multipliers; sizes that differ from one by less than the error count as one.
+        Multipliers with their errors; moduli within the error of one count as one.
 
     Returns
     -------
     str
-        ``"attracting"`` or ``"repelling"``, for two multipliers with ``"node"`` or ``"focus"``;
-        ``"saddle"``; ``"elliptic"`` (all on the unit circle, away from ±1); ``"neutral"`` (all on
-        it, some at ±1, or no multipliers at all); ``"saddle and elliptic"``; ``"undecided"``
-        where some are within their error of the circle and the others all on one side of it.
+        ``"attracting"`` or ``"repelling"``, followed by ``"node"`` or ``"focus"`` for two
+        multipliers; ``"saddle"``; ``"elliptic"`` (all on the unit circle, away from ±1);
+        ``"neutral"`` (all on it, some at ±1, or no multipliers); ``"saddle and elliptic"``;
+        ``"undecided"`` if some are within their error of the circle and the others all on one side
+        of it.
     """
     excess = np.abs(values) - 1
     inside, outside = excess < -errors, excess > errors
@@ -106,12 +108,12 @@ def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multi
     point : array (size,)
         A point of the orbit.
     slope : array (size, size)
-        The derivative there of the return to this point.
+        The derivative of the return map at this point.
 
     Returns
     -------
     Multipliers
-        Those that are not trivial, largest first.
+        The nontrivial multipliers, largest modulus first.
 
     Raises
     ------
@@ -139,6 +141,7 @@ def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multi
         if not np.isfinite(array).all():
             raise InputError(f"multipliers: {what} must be an array of finite numbers")
     sizes = section_map.sizes(point[None])
+    # From here on in units of the state: S_ij s_j / s_i.
     slope = slope * sizes / sizes[:, None]
     _, domain = normalised_functions(
         np.zeros(len(section_map.domain.names)), section_map.domain.slopes(point[None])[0], sizes
@@ -154,6 +157,8 @@ def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multi
         section_map.integrals.slopes(point[None])[0] * sizes,
         strict=True,
     ):
+        # Restrict to the kernel of each gradient in turn; a gradient that vanishes on the basis
+        # depends on the earlier ones.
         across = gradient @ basis
         size = float(np.linalg.norm(across))
         if size <= DEPENDENT * float(np.linalg.norm(gradient)):
@@ -174,7 +179,7 @@ def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multi
 
 
 def complement(rows: FloatArray) -> FloatArray:
-    """An orthonormal basis, in columns, of the common kernel of the rows."""
+    """An orthonormal basis (columns) of the common kernel of the rows."""
     if not len(rows):
         return np.eye(rows.shape[1])
     _, sizes, other = np.linalg.svd(rows)
@@ -184,7 +189,7 @@ def complement(rows: FloatArray) -> FloatArray:
 
 
 def _conditions(vectors: FloatArray) -> FloatArray:
-    """Condition numbers of the eigenvalues of a matrix."""
+    """Condition numbers |y||x|/|y·x| of the eigenvalues, from left and right eigenvectors."""
     if not len(vectors):
         return np.zeros(0)
     # For a double eigenvalue the inverse is meaningless, and its size shows it.

@@ -1,7 +1,7 @@
 """Periodic orbits of a System to 30 digits.
 
-Newton's method with derivatives in doubles and residuals in 30 digits: each step adds about
-thirteen digits to an orbit known in doubles.
+Newton's method with derivatives in doubles and residuals to 30 digits: starting from an orbit in
+doubles, each step adds about thirteen digits.
 """
 
 from __future__ import annotations
@@ -24,8 +24,7 @@ from .maps import normalised_functions
 from .periodic import NoOrbitError, Orbit, held_values, minimal_norm_step, periodic_difference
 from .return_map import ReturnMap
 
-#: Digits of mpmath; maximum number of steps; relative step size at which the iteration has
-#: converged.
+#: Digits of mpmath; maximum number of steps; relative step size at convergence.
 _DIGITS, _STEPS, _REST = 36, 8, 1e-29
 
 
@@ -39,7 +38,7 @@ class RefinedOrbit:
         Its first point on the section, in flat order.
     duration : mpf
     error : float
-        The last step of Newton's method, in sizes of the vectors of the state.
+        The last step of Newton's method, in units of the state.
     """
 
     point: list[mpmath.mpf]
@@ -56,16 +55,15 @@ def refine_orbit(
     Parameters
     ----------
     section_map : ReturnMap
-        The map of which it was found; parameters are taken as they are given, a float as the
-        double that it is.
+        The map for which it was found; a float is taken as the exact value of the double.
     orbit : Orbit
     hold : mapping of str to float, or names
-        As it was found; integrals held by name keep the double that they have on the orbit.
+        As for the search; integrals held by name keep their double value on the orbit.
 
     Returns
     -------
     RefinedOrbit
-        Points and duration (s) as decimals of 30 digits.
+        Points and duration (s) with 30 digits.
 
     Raises
     ------
@@ -97,6 +95,8 @@ def refine_orbit(
         for _ in range(_STEPS):
             step = problem.step(point, duration)
             size = float(np.abs(step / sizes).max())
+            # Convergence is linear with a factor of about 1e-13, so a step that does not halve is
+            # noise.
             if size > last / 2:
                 break
             point = [x + mpmath.mpf(float(s)) for x, s in zip(point, step[:-1], strict=True)]
@@ -111,9 +111,9 @@ def refine_orbit(
 
 @dataclass(frozen=True)
 class _Problem:
-    """The equations of an orbit: closure, relations, the section, fixed integrals.
+    """The equations of an orbit: closure, relations, section and held integrals.
 
-    Point and duration are measured in units of `sizes`.
+    Point and duration are in units of `sizes`.
     """
 
     section_map: ReturnMap
@@ -121,7 +121,7 @@ class _Problem:
     sizes: FloatArray
 
     def step(self, point: list[mpmath.mpf], duration: mpmath.mpf) -> FloatArray:
-        """The minimum-norm step of point and duration to first order, in doubles."""
+        """The minimum-norm Newton step of point and duration, in doubles."""
         section = self.section_map.section
         system, size = section.system, section.size
         parameters = section.parameters
@@ -148,6 +148,7 @@ class _Problem:
         gaps = [float(m - t) for m, t in zip(misses, whole_turns, strict=True)]
         sizes = self.sizes[:-1]
         excess, rows = normalised_functions(*self._levels(point), sizes)
+        # The residual e(T) − x has the derivative S − 1 by the point and v by the duration.
         closing = np.column_stack(
             [np.asarray(moved.deviations)[0, 0].T - np.eye(size), [float(r) for r in rates]]
         )
@@ -156,12 +157,12 @@ class _Problem:
         return minimal_norm_step(matrix, np.concatenate([gaps / sizes, excess])) * self.sizes
 
     def _period(self, index: int) -> mpmath.mpf:
-        """A period with all digits, if it is a full turn."""
+        """A period to all digits if it is 2π."""
         period = float(self.section_map.periods[index])
         return 2 * mpmath.pi if period == 2 * np.pi else mpmath.mpf(period)
 
     def _levels(self, point: list[mpmath.mpf]) -> tuple[FloatArray, FloatArray]:
-        """Relations, the section and integrals minus their values, with derivatives."""
+        """Relations, section and held integrals minus their values, with derivatives."""
         section = self.section_map.section
         laws = {law.name: law.value for law in section.system.scalar.integrals}
         wanted = [
@@ -180,7 +181,7 @@ class _Problem:
     def _numbers(
         self, formulas: Sequence[sp.Expr], point: Sequence[mpmath.mpf] | npt.NDArray[np.object_]
     ) -> tuple[mpmath.matrix, mpmath.matrix]:
-        """Formulas and their derivatives with all digits."""
+        """Formulas and their derivatives to all digits."""
         section = self.section_map.section
         parameters = {str(name): value for name, value in section.parameters.items()}
         constants = {

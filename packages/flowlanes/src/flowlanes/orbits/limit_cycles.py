@@ -1,11 +1,11 @@
 """Limit cycles on a torus, proven in ball arithmetic with bounds on their multipliers.
 
-On a torus with the angles α and β, β increasing, a motion satisfies dα/dβ = f(α, β).  If f lies
-between two numbers on a box, a motion in it lies between two lines.  Polygons of such lines enclose
+On a torus with angles α and β, where β increases, a motion satisfies dα/dβ = f(α, β). If f lies
+between two bounds on a box, a motion in it lies between two lines. Polygons of such lines enclose
 all motions that begin in an interval, and the integral of ∂f/∂α along them is the logarithm of the
-derivative of the return map P over one turn of β.  If P maps an interval into itself and P′ < 1
-there, it has exactly one fixed point in it: an attracting limit cycle.  If P maps the ends outwards
-and P′ > 1, it has exactly one that repels.
+derivative of the return map P over one turn of β. If P maps an interval into itself and P′ < 1
+there, it has exactly one fixed point in it: an attracting limit cycle. If P maps the ends outwards
+and P′ > 1, it has exactly one repelling limit cycle.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from ..formulas.graph import Term, of_system, term_values, topological_order
 from ..system.parameters import require_parameters
 from ..system.system import System
 
-#: Precision in bits: the polygons are much coarser than this.
+#: Precision in bits; the polygons are much coarser.
 _BITS = 64
-#: Radius of the pieces into which a box is divided.
+#: Radius of the pieces into which a box is divided for evaluation.
 _FINE = 0.02
 
 
@@ -38,10 +38,10 @@ class Cycle:
     interval : pair of arb
         α at β = 0.
     image : pair of arb
-        A lower bound of P at the lower end and an upper bound at the upper end if the cycle
-        attracts, the other bounds if it repels; without whole turns.
+        For an attracting cycle, a lower bound of P at the lower end and an upper bound at the
+        upper end; for a repelling one, the opposite bounds; without full turns.
     multiplier : arb
-        Contains P′ on all of the interval, and so the multiplier.
+        Contains P′ on the whole interval, and therefore the multiplier.
     kind : str
         ``"attracting"`` or ``"repelling"``, both *proven*; else ``"undecided"``.
     """
@@ -131,36 +131,36 @@ def enclose_limit_cycle(
     steps: int = 4000,
     max_slope: float = 8.0,
 ) -> Cycle:
-    """Prove a limit cycle through an interval, with bounds of its multiplier.
+    """Prove the existence of a limit cycle through an interval, with bounds on its multiplier.
 
     Parameters
     ----------
     system : System
-        Its state are the two angles, both 2π-periodic.
+        A system whose state consists of the two angles, both 2π-periodic.
     parameters : mapping of str to str or arb
-        Values that replace the defaults: a text is the decimal number that it says.
+        Values that replace the defaults; a string is taken as an exact decimal number.
     interval : pair of str or arb
         α at β = 0, radians, lower end first.
     turns : int
-        Whole turns of α in one of β.
+        Full turns of α during one turn of β.
     angle, clock : str
         α and β.
     steps : int
-        Sides of the polygons.
+        Number of sides of the polygons.
     max_slope : float
-        A bound of the size of dα/dβ that the boxes are checked against.
+        Assumed bound of |dα/dβ|, which is verified on the boxes.
 
     Returns
     -------
     Cycle
-        ``attracting`` or ``repelling`` with a ball that holds its multiplier, or ``undecided``.
+        Attracting or repelling, with a ball that contains its multiplier; or undecided.
 
     Raises
     ------
     InputError
-        If the state are not the two angles, or a number cannot be read.
+        If the state does not consist of the two angles, or a number cannot be parsed.
     ArithmeticError
-        If β does not grow on some box, or a slope exceeds the bound that the boxes assume.
+        If β does not increase on some box, or the slope exceeds the assumed bound.
 
     Examples
     --------
@@ -182,6 +182,10 @@ def enclose_limit_cycle(
         ends = [_ball("interval", x) for x in interval]
         outer, inner, growth = list(ends), list(ends), arb(0)
         for i in range(steps):
+            # A motion that starts at an end of the polygon stays within `reach` of it during the
+            # step, since its slope is less than `max_slope`; this is verified below on the same
+            # boxes. `outer` bounds the motions from the two ends from outside, `inner` from
+            # inside.
             beta = (step * i).union(step * (i + 1))
             low, high = outer[0] + reach, outer[1] + reach
             inside = inner[0] + reach, inner[1] + reach
@@ -197,6 +201,7 @@ def enclose_limit_cycle(
                 raise ArithmeticError("the slope on the torus exceeds its assumed bound")
             outer = [outer[0] + step * slopes[0].lower(), outer[1] + step * slopes[1].upper()]
             inner = [inner[0] + step * slopes[2].upper(), inner[1] + step * slopes[3].lower()]
+            # ln P′ = ∫ ∂f/∂α dβ; the union over the band covers every motion in the interval.
             growth += step * bend
         whole_turns = 2 * turns * arb.pi()
         multiplier = growth.exp()

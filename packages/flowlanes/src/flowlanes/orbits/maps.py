@@ -1,7 +1,8 @@
 """Maps of a section to itself, with their derivatives and integrals.
 
-Periodic orbits, multipliers and continuation need only a map, whatever its origin: an `ExplicitMap`
-is given by NumPy formulas, and :mod:`.return_map` has the return map of a System to a section.
+Periodic orbits, multipliers and continuation require only a map, of whatever origin: an
+`ExplicitMap` is given by NumPy functions, and :mod:`.return_map` provides the return map of a
+System to a section.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from ..system.arrays import FloatArray
 
 Function = Callable[[FloatArray], FloatArray]
 
-#: Step along the imaginary axis: its square is negligible beside 1, so no digits are lost.
+#: Imaginary step h: f(x + ih) = f(x) + ih f′(x) + O(h²) has no cancellation, and h² underflows.
 _STEP = 1e-100
 
 
@@ -27,11 +28,11 @@ class Image:
     Attributes
     ----------
     points : array (n, size)
-        Not a number where a point has no image.
+        NaN where a point has no image.
     times : array (n,)
         Times of flight; zero for a map without time.
     slopes : array (n, size, size) or None
-        Derivatives: entry [k, i, j] of image coordinate i by coordinate j of point k.
+        Derivatives: entry [k, i, j] is ∂(image i)/∂(coordinate j) at point k.
     """
 
     points: FloatArray
@@ -70,13 +71,13 @@ class Map(Protocol):
     names : tuple of str
         The coordinates.
     periods : array (size,)
-        The period of a coordinate that is an angle; infinite for the others.
+        The periods of angles; infinite for other coordinates.
     domain : ConservedFunctions
-        Functions that vanish on the set that is mapped: relations and the section.
+        Functions that vanish on the domain of the map: relations and the section.
     integrals : ConservedFunctions
-        Functions with a value of their own on each orbit.
+        Functions that are constant on each orbit.
     trivial : tuple of str
-        Multipliers one that are left out beforehand, by what forces them: the flow itself.
+        Multipliers equal to one that are omitted in advance, by their origin, such as the flow.
     """
 
     @property
@@ -109,14 +110,14 @@ class Map(Protocol):
         ...
 
     def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
-        """Images of points (n, size) after `count` steps; derivatives on request."""
+        """Images of points (n, size) after `count` steps, with derivatives on request."""
         ...
 
 
 def normalised_functions(
     values: FloatArray, slopes: FloatArray, sizes: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Values (..., r) and gradients (..., r, size) of functions, normalised by their gradients."""
+    """Values (..., r) and gradients (..., r, size) of functions, divided by the gradient norms."""
     local = slopes * sizes
     lengths = np.sqrt((local**2).sum(axis=-1))
     lengths[lengths == 0] = 1.0
@@ -124,12 +125,12 @@ def normalised_functions(
 
 
 def slope_of(function: Function) -> Function:
-    """The derivative of an analytic function of points, by complex steps; exact to rounding.
+    """The derivative of an analytic function by complex steps, exact to rounding.
 
     Parameters
     ----------
     function : callable
-        From points (n, size), complex ones too, to values (n, r).
+        From points (n, size), possibly complex, to values (n, r).
 
     Returns
     -------
@@ -157,7 +158,7 @@ class ExplicitMap:
     names : tuple of str
         The coordinates.
     step : callable
-        From points (n, size), complex ones too, to their images (n, size).
+        From points (n, size), possibly complex, to their images (n, size).
     angles : mapping of str to float
         Periods of coordinates that are angles.
     keeps : mapping of str to callable
@@ -188,7 +189,7 @@ class ExplicitMap:
         return ConservedFunctions(tuple(self.keeps), values, slope_of(values))
 
     def sizes(self, points: FloatArray) -> FloatArray:
-        """All ones: coordinates of formulas are not rescaled."""
+        """All ones: coordinates of explicit maps are not rescaled."""
         return np.ones(len(self.names))
 
     def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:

@@ -1,4 +1,4 @@
-"""A periodic orbit near a motion, and its branch."""
+"""A periodic orbit near a motion, and the branch through it."""
 
 from __future__ import annotations
 
@@ -26,32 +26,32 @@ def orbit_near(
     followed_value: tuple[str, float] | None = None,
     progress: Callable[[float], None] = lambda share: None,
 ) -> tuple[Orbit, Branch | None]:
-    """The periodic orbit that Newton's method reaches from a motion, and its branch.
+    """The periodic orbit found by Newton's method from a motion, and its branch.
 
     Parameters
     ----------
     system : System
-        Without its motion in space.
+        The system without its motion in space.
     state : sequence of float
-        Where the motion starts.
+        The initial state of the motion.
     t_end : float
-        Time that it has for each return.
+        Time limit for each return.
     where : (str, float, int, bool)
         The section: quantity, value, direction (1 rising, −1 falling, 0 both), and whether the
         quantity is an angle.
     how : (int, int, float)
-        Returns before the search, returns after which the orbit closes, tolerance of a step.
+        Number of returns before the search, period of the orbit in returns, tolerance.
     hold : sequence of str
-        Integrals whose values are held.
+        Integrals whose values are fixed.
     followed_value : (str, float) or None
-        Integral or parameter along which the orbit is continued, and its last value.
+        Integral or parameter along which the orbit is continued, and its final value.
     progress : callable
-        Called with the fraction done.
+        Called with the completed fraction.
 
     Raises
     ------
     InputError
-        If section, integrals or parameter cannot be used.
+        If section, integrals or parameter are invalid.
     RunError
         If the motion does not return, or no orbit is found.
     """
@@ -94,7 +94,7 @@ def orbit_near(
 
 
 def orbit_facts(orbit: Orbit) -> dict[str, object]:
-    """The numbers of an orbit as JSON-compatible data."""
+    """The data of an orbit, JSON-compatible."""
     multipliers = orbit.multipliers
     return {
         "period": orbit.duration,

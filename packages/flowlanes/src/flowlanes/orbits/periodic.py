@@ -1,9 +1,9 @@
-"""Periodic orbits of maps of a section, by Newton's method with the integrals as unfolding.
+"""Periodic orbits of maps by Newton's method, with the integrals as unfolding.
 
-All points of an orbit are unknowns, each a lane.  The closure of the orbit, the relations and the
-section at each point, and the fixed integrals are more equations than unknowns, but have a common
-solution; a step is the minimum-norm solution of the linearised equations.  Orbits that form
-families, as they do if an integral is not fixed, are reached at the closest member of the family.
+The unknowns are all points of an orbit, one lane each. The closure of the orbit, the relations and
+the section at each point, and the held integrals are more equations than unknowns, but have a
+common solution; a step is the minimum-norm least-squares solution of the linearised equations. If
+orbits form families, as they do when an integral is not held, the nearest member is found.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ FAMILY = 1e-10
 STEPS, HALVINGS = 30, 6
 #: Relative closure error above which no orbit has been found.
 CLOSURE = 1e-10
-#: Size below which residuals may increase: at rounding level, and near another orbit.
+#: Residual norm below which residuals may increase: at rounding level, and near another orbit.
 ROUGH = 1e-8
 
 
@@ -63,18 +63,18 @@ class Orbit:
     points : array (period, size)
         The points of the orbit on the section, in order.
     duration : float
-        The time that it takes; zero for maps without time.
+        The period in time; zero for maps without time.
     turns : array (size,)
-        By how many periods angles have grown when the orbit closes.
+        Number of periods by which the angles have grown after one round.
     values : mapping of str to float
         Integrals and promoted parameters on the orbit.
     multipliers : Multipliers
-        With the kind of stability.
+        The multipliers, with the stability type.
     gap : float
-        The greatest distance by which a step misses the next point.
+        The largest distance between the image of a point and the next point.
     error : float
-        The last step of Newton's method: the error left where rounding ends it.  For a System the
-        errors of the integration come on top, which its tolerance governs.
+        The last step of Newton's method, limited by rounding. For a System the error of the
+        integration comes on top; it depends on the tolerance.
 
     Examples
     --------
@@ -118,9 +118,9 @@ class Equations:
     ----------
     map : Map
     held_integrals : mapping of str to float
-        Integrals with the values that they must have.
+        Integrals with their prescribed values.
     sizes : array (size,)
-        By which coordinates are measured.
+        The units of the coordinates.
     """
 
     map: Map
@@ -130,8 +130,8 @@ class Equations:
     def __call__(self, points: FloatArray) -> tuple[FloatArray, FloatArray, Image]:
         """Residuals, their derivatives with respect to all coordinates, and the images.
 
-        The residual of a function is, to first order, the measured distance to its prescribed
-        value.
+        The residual of a function is, to first order, the distance to its prescribed value in
+        units of the state.
         """
         count, size = points.shape
         image = self.map.image(points, slopes=True)
@@ -139,6 +139,7 @@ class Equations:
             raise NoOrbitError("a point of the orbit has no image on the section", points)
         assert image.slopes is not None
         gaps, _ = periodic_difference(np.roll(points, -1, axis=0) - image.points, self.map.periods)
+        # Block-cyclic matrix: x_{k+1} − f(x_k) has the blocks −S_k at k and 1 at k + 1.
         closing = np.zeros((count, size, count, size))
         for k in range(count):
             closing[k, :, k] -= image.slopes[k] * self.sizes / self.sizes[:, None]
@@ -174,12 +175,12 @@ def periodic_difference(
 def held_values(
     section_map: Map, point: FloatArray, hold: Mapping[str, float] | Iterable[str]
 ) -> dict[str, float]:
-    """Values of the fixed integrals: those given, or those at a point.
+    """Values of the held integrals: those given, or those at a point.
 
     Raises
     ------
     InputError
-        If a name is not that of an integral of the map.
+        If a name is not an integral of the map.
     """
     known = dict(
         zip(
@@ -198,13 +199,14 @@ def held_values(
 
 
 def minimal_norm_step(slopes: FloatArray, residuals: FloatArray) -> FloatArray:
-    """The minimum-norm step that cancels the residuals to first order, as far as possible."""
+    """The minimum-norm least-squares solution of the linearised equations."""
     solution = np.linalg.lstsq(slopes, -residuals, rcond=FAMILY)[0]
     return np.asarray(solution, dtype=np.float64)
 
 
 def projection_to_domain(section_map: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
-    """The points of the domain of a map nearest to given ones, to rounding."""
+    """The points of the domain of a map nearest to given ones, up to rounding."""
+    # Newton steps with the pseudo-inverse move each point normal to the level sets.
     for _ in range(8):
         misses, slopes = normalised_functions(
             section_map.domain.values(points), section_map.domain.slopes(points), sizes
@@ -219,15 +221,16 @@ def projection_to_domain(section_map: Map, points: FloatArray, sizes: FloatArray
 def newton_solution(
     equations: Equations, points: FloatArray, row: tuple[FloatArray, float] | None = None
 ) -> tuple[FloatArray, float]:
-    """Find a solution by damped Newton steps; also return the size of the last step.
+    """A solution by damped Newton steps, and the size of the last step.
 
     Parameters
     ----------
     equations : Equations
     points : array (period, size)
-        A guess.
+        Initial guess.
     row : pair of array (period·size,) and float, optional
-        A further equation: the product with all measured coordinates has this value.
+        An additional linear equation: the inner product with all scaled coordinates has this
+        value.
 
     Raises
     ------
@@ -250,6 +253,7 @@ def newton_solution(
     for _ in range(STEPS):
         step = minimal_norm_step(slopes, residuals).reshape(points.shape)
         size, scale = float(np.abs(step).max()), 1.0 + float(np.abs(points / sizes).max())
+        # The steps no longer shrink: rounding level is reached.
         if size >= 0.9 * last and size < 1e-10 * scale:
             break
         moved = _damped_step(
@@ -275,7 +279,7 @@ def _damped_step(
     step: FloatArray,
     norm: float,
 ) -> tuple[FloatArray, FloatArray, FloatArray] | None:
-    """The step, or half, a quarter, … of it, that reduces the residuals."""
+    """The largest of the step, half of it, … that reduces the residuals; None if none does."""
     for power in range(HALVINGS):
         place = projection_to_domain(equations.map, points + step * 0.5**power, equations.sizes)
         try:
@@ -302,20 +306,20 @@ def find_periodic(
     guess : array (size,) or (period, size)
         A point near the orbit, or one near each of its points.
     period : int
-        After how many steps it closes.
+        Number of steps after which it closes.
     hold : mapping of str to float, or names
-        Integrals with the values that the orbit must have; for names those at the guess.  Where
-        orbits come in families in spite of them, the next one is found.
+        Integrals with the values that the orbit must have; for names, those at the guess. If the
+        orbits still form a family, the nearest one is found.
 
     Returns
     -------
     Orbit
-        Its points in the coordinates of the map, its multipliers (no unit), and its duration (s).
+        Points in the coordinates of the map, multipliers (no unit), and duration (s).
 
     Raises
     ------
     InputError
-        If the guess or a name cannot be used.
+        If the guess or a name is invalid.
     NoOrbitError
         If there is no orbit near the guess, or the map ends there.
 
@@ -355,6 +359,7 @@ def orbit_from_points(section_map: Map, points: FloatArray, error: float) -> Orb
     assert image.slopes is not None
     gaps, _ = periodic_difference(np.roll(points, -1, axis=0) - image.points, section_map.periods)
     _, turns = periodic_difference((image.points - points).sum(axis=0), section_map.periods)
+    # Chain rule: the derivative of the return map is the product of those of its steps.
     slope = np.eye(points.shape[1])
     for local in image.slopes:
         slope = local @ slope

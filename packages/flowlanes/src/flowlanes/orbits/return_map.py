@@ -1,7 +1,7 @@
-"""The return map of a System to a section, for periodic orbits, and as circle maps.
+"""The return map of a System to a section, for periodic orbits and circle maps.
 
-A parameter that varies along a branch becomes an additional constant state variable.  It is then an
-integral like the others, and the variational equations give derivatives with respect to it too.
+A parameter that varies along a branch becomes an additional constant state variable. It is then an
+integral like the others, and the variational equations include derivatives with respect to it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from ..system.system import System
 from .maps import ConservedFunctions, Image
 from .rotation import average, unwrapped_turns
 
-#: Number of values stored at once when many motions are followed.
+#: Maximum number of values stored at once for many motions.
 AT_ONCE = 1 << 23
 
 
@@ -73,11 +73,11 @@ class ReturnMap:
     Parameters
     ----------
     section : PoincareMap
-        With numbers for parameters, not arrays.
+        The section map, with numbers as parameters, not arrays.
     angles : mapping of str to float
         Periods of state variables that are angles.
     trivial : tuple of str
-        Directions in which the multiplier is 1 whatever the orbit: the flow, and what is named.
+        Directions with multiplier 1 on every orbit, such as the flow.
 
     Examples
     --------
@@ -150,7 +150,7 @@ class ReturnMap:
 
     @arguments_checked
     def sizes(self, points: FloatArray) -> FloatArray:
-        """The largest sizes, (size,), of the vectors of the state among points (n, size)."""
+        """The largest sizes, (size,), of the state vectors among points (n, size)."""
         size = len(self.names)
         if points.ndim != 2 or not len(points) or points.shape[1] != size:
             raise InputError(
@@ -180,10 +180,10 @@ class Circle:
     Parameters
     ----------
     section : PoincareMap
-        A section that a second angle goes through; of a system whose state contains the first
-        one, growing without jumps.
+        A section on which a second angle passes a value; the state of the system contains the
+        first angle, which grows continuously.
     angle : str
-        The state variable that is the angle, in radians.
+        The state variable that is the first angle, in radians.
     parameter : str
         The parameter of the family.
     state : mapping of str to float
@@ -216,7 +216,7 @@ class Circle:
         require_parameters(self.section.system.name, known, [self.parameter])
 
     def __call__(self, turns: FloatArray, values: FloatArray, count: int) -> FloatArray:
-        """Lifts of orbits, (n, count + 1) turns; see :mod:`.arnold_tongues`."""
+        """Lifts of orbits, (n, count + 1), in turns; see :mod:`.arnold_tongues`."""
         names = [str(s) for s in self.section.system.symbols]
         place = names.index(self.angle)
         starts = np.array([[self.state.get(name, 0.0) for name in names]]).repeat(len(turns), 0)
@@ -239,9 +239,10 @@ class Rotations:
     Attributes
     ----------
     values, errors : arrays (n,)
-        Turns per return, and the differences of both halves; not-a-number where there is none.
+        Turns per return, and the differences between the two halves; NaN where there is none.
     outcome : array (n,) of int
-        0, or why a motion did not return: see `SectionMap.reason`; −1 where the angle has no lift.
+        0, or the reason why a motion did not return: see `PoincareMap.status_message`; −1 if the
+        angle has no lift.
     """
 
     values: FloatArray
@@ -255,14 +256,14 @@ def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int =
     Parameters
     ----------
     section : PoincareMap
-        Its parameters may be arrays, one number for each start.
+        Its parameters may be arrays with one entry for each start.
     starts : array (n, size)
         In flat order.
     angle : sympy.Expr
-        A formula in state, definitions and parameters: radians modulo 2π, such as
+        A formula in state, definitions and parameters, in radians modulo 2π, such as
         ``atan2(gamma_2, gamma_1)``.
     count : int
-        Returns of each motion.
+        Number of returns of each motion.
     """
     starts = np.asarray(starts, dtype=float)
     values, errors = np.full(len(starts), np.nan), np.full(len(starts), np.nan)

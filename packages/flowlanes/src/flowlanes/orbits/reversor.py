@@ -1,11 +1,11 @@
-"""Linear involutions under which the equations run backwards.
+"""Linear involutions that reverse the direction of time.
 
-A *reversor* R changes the signs of some state variables, such as those of a reflection of space or
-of the angular velocity, and maps every motion to a motion in reversed time: v(Rx) = −R v(x).  Some
-require parameters to vanish, such as components of a displacement of the centre of mass; then R,
-together with a sign change of these parameters, reverses the whole family.  Candidates are found
-numerically and proven exactly.  (Exchanges of axes, which require equal parameters, are not
-searched.)
+A *reversor* R changes the signs of some state variables, such as those changed by a reflection of
+space or the angular velocity, and maps every motion to a motion in reversed time: v(Rx) = −R v(x).
+Some require parameters to vanish, such as components of the displacement of the centre of mass;
+then R together with a sign change of these parameters reverses the whole family. Candidates are
+found numerically and proven exactly. (Permutations of axes, which require equal parameters, are
+not searched.)
 """
 
 from __future__ import annotations
@@ -26,26 +26,26 @@ from ..system.parameters import Parameters
 from ..system.system import Parameter, System
 from .sign_reversal import reverses
 
-#: Up to this number, signs are tried individually; above it, a vector counts as one.
+#: Maximum number of symbols whose signs are tried individually; otherwise vectors are.
 SIGNS = 16
-#: Number of states at which candidates are tested, and of attempts to draw a usable one.
+#: Number of states at which candidates are tested, and of attempts to draw them.
 POINTS, DRAWS = 2, 60
 SEED = 20080830
-#: Relative difference below which two numbers count as equal when candidates are selected.
+#: Relative difference below which two numbers count as equal in the numerical test.
 CLOSE = 1e-9
-#: Size of parameters of free sign at these states.
+#: Size of parameters of either sign at these states.
 SMALL = 0.2
 
 
 @arguments_checked
 @dataclass(frozen=True)
 class Reversor:
-    """A sign change that reverses the equations; proven.
+    """A sign change that provably reverses the equations.
 
     Attributes
     ----------
     odd : tuple of Symbol
-        State variables that change their signs, in flat order.
+        State variables that change sign, in flat order.
     vanishing : tuple of Symbol
         Parameters that must be zero.
 
@@ -69,7 +69,7 @@ class Reversor:
 
     @arguments_checked
     def holds(self, parameters: Parameters) -> bool:
-        """Whether it reverses the system with these parameters, by Symbol or name."""
+        """Whether the reversor holds for these parameters, given by Symbol or name."""
         values = {str(name): value for name, value in parameters.items()}
         return all(values[str(symbol)] == 0 for symbol in self.vanishing)
 
@@ -86,24 +86,25 @@ class Reversor:
 
 @arguments_checked
 def reversing_symmetries(system: System) -> tuple[Reversor, ...]:
-    """All sign changes that are proven to reverse a system.
+    """All sign changes that provably reverse a system.
 
     Parameters
     ----------
     system : System
-        Conditions are found among its parameters; those that hold at given values are chosen by
+        A system; parameters may have to vanish, see
+        :meth:`~flowlanes.orbits.reversor.Reversor.holds`.
         :meth:`~flowlanes.orbits.reversor.Reversor.holds`.
 
     Returns
     -------
     tuple of Reversor
-        Those without conditions first.  Candidates that numbers suggest but that are not proven,
-        parity by parity along the definitions, are left out.
+        Those without conditions first. Candidates that pass the numerical test but cannot be
+        proven from the parities of the definitions are omitted.
 
     Raises
     ------
     InputError
-        If something else than a system is given.
+        If the argument is not a system.
 
     Examples
     --------
@@ -134,6 +135,7 @@ def _candidates(system: System) -> Iterator[Reversor]:
     if len(units) > SIGNS:
         units = [flat((name,)) for name in system.state]
     places = {s: i for i, s in enumerate(system.symbols)}
+    # Every bit pattern is a choice of signs; all choices are evaluated at once as rows.
     choices = np.arange(1, 2 ** len(units))
     flips = (choices[:, None] >> np.arange(len(units))) & 1 == 1
     states = np.ones((len(choices), len(system.symbols)))
@@ -163,7 +165,7 @@ def _sign_change(parameter: Parameter) -> bool:
 
 
 def _points(system: System, loose: list[sp.Symbol], rates: Formulas) -> Iterator[Any]:
-    """Some states and parameters at which the equations are defined, with their values."""
+    """States and parameters at which the equations are defined, with the rates there."""
     random = np.random.default_rng(SEED)
     count = 0
     for _ in range(DRAWS):

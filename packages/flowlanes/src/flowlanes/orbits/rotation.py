@@ -1,8 +1,8 @@
-"""Rotation numbers to ten or more digits, and whether a motion is phase-locked.
+"""Rotation numbers to ten or more digits, and detection of phase locking.
 
-The mean advance of an angle converges like 1/N.  Weighted with exp(−1/(t(1−t))) along the orbit it
+The mean advance of an angle converges like 1/N. Weighted with exp(−1/(t(1−t))) along the orbit, it
 converges faster than every power of 1/N if the motion is quasi-periodic and smooth (Das, Saiki,
-Sander, Yorke 2017).  On an orbit that approaches a limit cycle, the initial part far from the cycle
+Sander, Yorke 2017). On an orbit that approaches a limit cycle, the initial part far from the cycle
 has almost no weight.
 """
 
@@ -20,13 +20,13 @@ from ..system.arrays import FloatArray
 
 #: Initial number of points for a rotation number.
 FIRST = 256
-#: Number of rounds of a period required before an orbit may be called locked or closed.
+#: Minimum number of rounds of a period before an orbit may be called locked or closed.
 ROUNDS = 8
-#: Differences below this are rounding.
+#: Differences below this are attributed to rounding.
 ROUNDING = 1e-11
-#: Above this multiple of rounding, the noise of differences is negligible.
+#: Multiple of the rounding level above which the noise of differences is negligible.
 CLEAR = 1e5
-#: Approach rates above this cannot be distinguished from one.
+#: Approach factors above this cannot be distinguished from one.
 SLOW = 0.999
 
 
@@ -39,20 +39,20 @@ class Rotation:
     value : float
         Turns per step.
     error : float
-        The difference of the values of both halves of the orbit, at least rounding.
+        The difference of the values over the two halves of the orbit, at least the rounding error.
     verdict : str
-        ``"locked"``: the orbit approaches a cycle with the rotation number `fraction`,
-        geometrically; ``"closed"``: it is a cycle from the beginning on, so that an approach
-        cannot be seen; ``"quasi-periodic"``: the average has converged and no cycle of up to
-        `max_period` steps is met, reached or passed; ``"undecided"``.  All are observations.
+        ``"locked"``: the orbit approaches a cycle with the rotation number `fraction`
+        geometrically; ``"closed"``: it is a cycle from the start, so that no approach can be
+        observed; ``"quasi-periodic"``: the average has converged and no cycle of up to
+        `max_period` steps is met or crossed; ``"undecided"``. All are observations.
     fraction : Fraction or None
-        Turns per steps of the cycle.
+        Turns per number of steps of the cycle.
     approach : float or None
-        The factor by which the distance from the cycle falls in each round, where locked.
+        The factor by which the distance to the cycle decreases in each round, if locked.
     max_period : int
-        The longest cycle that was looked for.
+        The longest cycle considered.
     points : int
-        Steps of the orbit.
+        Number of steps of the orbit.
 
     Examples
     --------
@@ -78,13 +78,13 @@ def average(values: FloatArray) -> tuple[FloatArray, FloatArray]:
     Parameters
     ----------
     values : array (..., n)
-        Values of a function along an orbit, at equal times; n ≥ 8.
+        Values of a function along an orbit at equal time steps; n ≥ 8.
 
     Returns
     -------
     mean, error : arrays (...)
-        The error is the difference between the means of both halves, but no less than rounding;
-        the whole is nearer to the limit than either.
+        The error is the difference between the means of the two halves, but at least the rounding
+        error; the mean of the whole is closer to the limit than either.
     """
     count = values.shape[-1]
     if count < 8:
@@ -104,11 +104,11 @@ def _weights(count: int) -> FloatArray:
 
 
 def unwrapped_turns(angles: FloatArray, period: float = 2 * np.pi) -> FloatArray:
-    """Continuous turns of an angle of a section, from its values modulo a period.
+    """Continuous turns of an angle on a section, from its values modulo a period.
 
-    The advance per step is a continuous function on the circle that misses a part of it; the branch
-    of the advance is cut in the middle of the largest gap.  The integer part of the advance cannot
-    be seen on a section: rotation numbers of different lifts differ by integers.
+    The advance per step is a continuous function on the circle that omits a part of it; its branch
+    is cut in the middle of the largest gap. The integer part of the advance cannot be observed on
+    a section: rotation numbers of different lifts differ by integers.
 
     Parameters
     ----------
@@ -118,12 +118,12 @@ def unwrapped_turns(angles: FloatArray, period: float = 2 * np.pi) -> FloatArray
     Returns
     -------
     array (n,)
-        Turns; the mean advance lies nearest to zero.
+        Turns, for the lift whose mean advance is nearest to zero.
 
     Raises
     ------
     InputError
-        If the advance covers the circle so densely that no gap is seen.
+        If the advance covers the circle so densely that there is no gap.
     """
     turns = np.asarray(angles, dtype=float) / period
     advance = np.diff(turns) % 1.0
@@ -143,15 +143,15 @@ def unwrapped_turns(angles: FloatArray, period: float = 2 * np.pi) -> FloatArray
 
 
 def frequency(turns: FloatArray, times: FloatArray) -> tuple[float, float]:
-    """The frequency (turns per unit of time) of an angle of a flow, and its error.
+    """The frequency of an angle of a flow (turns per unit of time), and its error.
 
     Parameters
     ----------
     turns : array (n,)
         Turns of an angle at times so dense that it makes less than half a turn between them; only
-        their parts after the point count.
+        the fractional parts matter.
     times : array (n,)
-        Equidistant.
+        Equidistant times.
 
     Raises
     ------
@@ -161,6 +161,7 @@ def frequency(turns: FloatArray, times: FloatArray) -> tuple[float, float]:
     steps = np.diff(times)
     if not np.allclose(steps, steps.mean(), rtol=1e-9):
         raise InputError("times: they must be equidistant")
+    # The nearest branch of the advance is the right one if it is less than half a turn.
     advance = (np.diff(turns) + 0.5) % 1.0 - 0.5
     if np.abs(advance).max() > 0.4:
         raise InputError("turns: the angle makes nearly half a turn between two times; take more")
@@ -176,9 +177,9 @@ def rotation(turns: FloatArray, tolerance: float = 1e-10, max_period: int = 64) 
     turns : array (n,)
         A lift of an angle along the orbit of a map, in turns.
     tolerance : float
-        Error up to which an average counts as converged.
+        Error below which an average counts as converged.
     max_period : int
-        The longest cycle to be looked for.
+        The longest cycle considered.
     """
     value, error = (float(x) for x in average(np.diff(turns)))
     fraction = simplest(value - 4 * error - tolerance, value + 4 * error + tolerance)
@@ -193,7 +194,7 @@ def rotation(turns: FloatArray, tolerance: float = 1e-10, max_period: int = 64) 
 
 
 def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float | None]:
-    """Whether an orbit is or approaches a cycle, and how fast."""
+    """Whether an orbit is or approaches a cycle, and the approach factor."""
     misses = np.abs(
         turns[fraction.denominator :] - turns[: -fraction.denominator] - fraction.numerator
     )
@@ -206,7 +207,7 @@ def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float 
     seen = rounds[: int(np.argmax(rounds < noise))] if (rounds < noise).any() else rounds
     if len(seen) < 2:
         return "undecided", None
-    # Near the cycle the approach is geometric; even nearer there is noise.
+    # Near the cycle the approach is geometric; below the noise level nothing is visible.
     clear = seen[seen > CLEAR * noise] if (seen > CLEAR * noise).sum() >= 3 else seen
     arrives = bool(rounds[-1] < noise)
     rates = np.diff(np.log(clear))
@@ -226,6 +227,7 @@ def _passes(turns: FloatArray, value: float, max_period: int) -> bool:
     """Whether an orbit neither meets nor crosses a cycle of up to `max_period` steps."""
     for steps in range(1, max_period + 1):
         misses = turns[steps:] - turns[:-steps] - round(value * steps)
+        # The displacement over `steps` changes sign or vanishes on a cycle.
         if misses.min() <= ROUNDING and misses.max() >= -ROUNDING:
             return False
     return True
@@ -244,13 +246,13 @@ def rotation_number(
     Parameters
     ----------
     orbit : callable
-        From a number of steps n to the lift of an angle, turns, shape (n + 1,).
+        From a number of steps n to a lift of an angle, in turns, shape (n + 1,).
     tolerance : float
-        The error to be reached.
+        The required error.
     max_period : int
-        The longest cycle to be looked for.
+        The longest cycle considered.
     max_iterations : int
-        Number of steps at which to give up.
+        Maximum number of steps.
 
     Returns
     -------
@@ -261,7 +263,7 @@ def rotation_number(
     Raises
     ------
     InputError
-        If the orbit gives another number of values, or too few for an average.
+        If `orbit` returns a wrong number of values, or too few for an average.
 
     Examples
     --------
@@ -299,4 +301,5 @@ def _simplest(low: Fraction, high: Fraction) -> Fraction:
         return Fraction(whole)
     if whole + 1 <= high:
         return Fraction(whole + 1)
+    # Continued fractions: subtract the integer part and invert, which reverses the interval.
     return whole + 1 / _simplest(1 / (high - whole), 1 / (low - whole))

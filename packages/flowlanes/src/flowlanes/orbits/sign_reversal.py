@@ -1,7 +1,7 @@
-"""Reversible equations: sign changes of some variables that reverse the direction of time.
+"""Reversibility: sign changes of some variables that reverse the direction of time.
 
-Like a rotation, a reversal is proven definition by definition: each is even or odd in the earlier
-quantities, and the rates have the parity that a reversal requires.
+The proof goes definition by definition: each definition is even or odd in the earlier quantities,
+and each rate has the parity that a reversal requires.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from ..formulas.exact_zero import vanishes
 from ..system.named_formulas import flat
 from ..system.system import Name, System
 
-#: Number of state variables (a vector counts as one) above which no reversal is searched.
+#: Maximum number of state variables (a vector counts as one) for which reversals are searched.
 LARGEST = 6
 
 
@@ -29,7 +29,7 @@ def reversal(system: System) -> tuple[Name, ...]:
     Returns
     -------
     tuple of Vector or Symbol
-        Empty if there are none, or the proof does not reach.
+        Empty if there is none, or none can be proven.
     """
     names = system.state
     if len(names) > LARGEST:
@@ -42,24 +42,24 @@ def reversal(system: System) -> tuple[Name, ...]:
 
 
 def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
-    """Whether a sign change of some symbols reverses the equations; exact.
+    """Whether a sign change of some symbols provably reverses the equations.
 
     Parameters
     ----------
     system : System
     odd : set of Symbol
-        State variables, and parameters as well: then the systems with both values are meant.
+        State variables and parameters; for parameters, systems with both signs are related.
 
     Returns
     -------
     bool
-        False also where the proof does not reach.
+        False also if the parity of some formula cannot be determined.
     """
     signs = {s: -1 if s in odd else 1 for s in (*system.symbols, *system.defaults)}
     zeros: dict[sp.Symbol, sp.Expr] = {}
     for symbol, formula in system.scalar_definitions:
         value = formula.xreplace(zeros)
-        if value == 0:  # even and odd at once
+        if value == 0:  # zero is both even and odd
             zeros[symbol] = sp.S.Zero
             continue
         parity = _parity(value, signs)
@@ -73,10 +73,11 @@ def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
 
 
 def _parity(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
-    """1 for an even formula, −1 for an odd one; None if neither is shown."""
+    """1 for an even formula, −1 for an odd one; None if undetermined."""
     seen = _parity_of_operands(formula, signs)
     if seen is not None:
         return seen
+    # Compare f(−x) with ±f(x) exactly if the operands have no common parity.
     other = formula.xreplace({s: -s for s in formula.free_symbols if signs.get(s) == -1})
     if vanishes(other - formula):
         return 1
@@ -84,7 +85,7 @@ def _parity(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
 
 
 def _parity_of_operands(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
-    """The parity that follows from those of the operands, without computation."""
+    """The parity that follows from the parities of the operands, without computation."""
     if formula.is_Symbol or not formula.args:
         return signs.get(formula, 1)
     parts = [_parity_of_operands(part, signs) for part in formula.args]

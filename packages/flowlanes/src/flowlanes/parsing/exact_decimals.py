@@ -15,7 +15,7 @@ from mpmath import libmp
 from ..errors import InputError
 
 _DOUBLE = 53
-"""Bits of a double, whose shortest decimal says it."""
+"""Precision of a double, in bits; its shortest decimal identifies it."""
 
 
 def exact_number(number: object) -> sympy.Rational:
@@ -36,7 +36,7 @@ def exact_number(number: object) -> sympy.Rational:
     Raises
     ------
     InputError
-        If it is not a finite number, or none of these.
+        If it is not a finite number, or has another type.
     """
     if isinstance(number, sympy.Rational):
         return number
@@ -82,7 +82,7 @@ def _shortest(number: float) -> sympy.Rational:
 
 
 def _decimal(number: tuple[int, int, int, int], bits: int) -> sympy.Rational:
-    """An mpmath number as a decimal with the digits that its precision carries."""
+    """An mpmath number as a decimal with as many digits as its precision carries."""
     if number in (libmp.finf, libmp.fninf, libmp.fnan):
         raise InputError(f"{libmp.to_str(number, 5)} is not a finite number")
     if bits == _DOUBLE:

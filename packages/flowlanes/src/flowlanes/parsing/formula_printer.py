@@ -1,4 +1,4 @@
-"""Formulas as text that reads back to the same formula; vectors and tensors stay as written."""
+"""Formulas as text that parses to the same formula; vectors and tensors stay symbolic."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..system.vectors import Cross, Diagonal, Dot, Symmetric, Vector
 from .exact_decimals import with_exact_decimals
 from .grammar import FUNCTIONS
 
-#: Functions by their classes; a square root is a power.
+#: Functions by class; square roots are powers.
 _WORDS: Mapping[type, str] = {
     function: name for name, function in FUNCTIONS.items() if isinstance(function, type)
 }
@@ -26,14 +26,14 @@ _ZERO = "[0, 0, 0]"
 
 
 class _FilePrinter(StrPrinter):
-    """Formulas in the language of :mod:`flowlanes.parsing`."""
+    """Printer of formulas in the language of :mod:`flowlanes.parsing`."""
 
     def __init__(self, definitions: Mapping[sp.Symbol, sp.Basic]) -> None:
         super().__init__()
         self.definitions = definitions
 
     def emptyPrinter(self, expr: object) -> str:
-        """Refuse what the language has no word for."""
+        """Raise InputError for a node that the language cannot express."""
         raise InputError(f"{type(expr).__name__} in a formula has no form in a file")
 
     def _print_Basic(self, expr: sp.Basic) -> str:
@@ -62,7 +62,7 @@ class _FilePrinter(StrPrinter):
         return f"{self.parenthesize(base, power, strict=False)}**{text}"
 
     def _print_Mul(self, expr: sp.Mul) -> str:
-        """A product; its number stands by itself, since before a sum it would enter it."""
+        """A product; its number is printed separately, so that it is not distributed over a sum."""
         factor, rest = expr.as_coeff_Mul()
         factors = [sp.Integer(abs(factor.p))] if abs(factor.p) != 1 else []
         divisors = [sp.Integer(factor.q)] if factor.q != 1 else []
@@ -156,19 +156,19 @@ class _FilePrinter(StrPrinter):
 
 @arguments_checked
 def formula_text(formula: Formula, definitions: Mapping[sp.Symbol, sp.Basic] | None = None) -> str:
-    """A formula as a user would type it, its numbers exact.
+    """A formula as a user would type it, with exact numbers.
 
     Parameters
     ----------
     formula : sympy.Expr or MatrixExpr
     definitions : mapping of Symbol to formula, optional
-        Formulas that have a name, of which a gradient may be taken.
+        Named formulas, of which a gradient may be taken.
 
     Raises
     ------
     InputError
-        If an argument is of another type, a number is not finite, or a part of the formula has no
-        form in a file, such as an unspecified function.
+        If an argument has another type, a number is not finite, or a part of the formula, such as
+        an unspecified function, cannot be written in a file.
 
     Examples
     --------

@@ -13,7 +13,7 @@ FUNCTIONS, CONSTANTS = formula_words.FUNCTIONS, formula_words.CONSTANTS
 RESERVED_WORDS = formula_words.RESERVED_WORDS
 
 PRODUCTS = frozenset({"dot", "cross", "outer", "gradient", "diagonal", "identity", "Rate"})
-"""What a formula with vectors may call besides: products, gradients, tensors, time derivatives."""
+"""Further functions of formulas with vectors: products, gradients, tensors, time derivatives."""
 
 DECIMALS = 6
 MAX_LENGTH = 10_000

@@ -1,4 +1,4 @@
-"""Parse a formula, with scalars alone or with vectors."""
+"""Parsing of scalar and vector formulas."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ def parse(
     text
         The formula, such as ``"x**4 + y**4 + z**4 - 1"``; line breaks count as spaces.
     names
-        The symbols that it may contain, by the name under which they are written.
+        The symbols that it may contain, by name.
     where
-        Where the formula stands (file, line, key), put before the message of an error.
+        Location of the formula (file, line, key), used as prefix of error messages.
     further
-        Where further names can be declared, such as ``"[parameters]"``, for the message on an
-        unknown one.
+        Where names can be declared, such as ``"[parameters]"``; mentioned in the message for an
+        unknown name.
 
     Returns
     -------
@@ -43,9 +43,9 @@ def parse(
     Raises
     ------
     InputError
-        When the text is no formula of this language, contains an unknown name, has no real value
-        (``1/0``, ``sqrt(-1)``) or is absurdly large. The message is one sentence, followed by
-        the formula and a caret under the offending character.
+        If the text is not a formula of this language, contains an unknown name, has no real value
+        (``1/0``, ``sqrt(-1)``) or is too large. The message is one sentence, followed by the
+        formula and a caret under the offending character.
 
     Examples
     --------
@@ -59,7 +59,7 @@ def parse(
 
 
 def _in_order(names: Iterable[str], reserved_words: Collection[str]) -> Collection[str]:
-    """Names first, in their given order, then functions and constants."""
+    """The names in the given order, then functions and constants."""
     return dict.fromkeys([*names, *sorted(reserved_words)])
 
 
@@ -78,25 +78,25 @@ def parse_formula(
     text
         The formula, such as ``"cross(gamma, omega)"`` or ``"dot(omega, I*omega)/2"``.
     names
-        Scalars, vectors and diagonal tensors by name; the components of a vector, such as
-        ``gamma_1``, are known with it.
+        Scalars, vectors and tensors by name; the components of a vector, such as ``gamma_1``, are
+        included.
     where
-        Where the formula stands, put before the message of an error.
+        Location of the formula, used as prefix of error messages.
     further
-        Where further names can be declared.
+        Where names can be declared.
     definitions
-        Formulas by name, of which ``gradient(H, M)`` may be taken; a name that is none of `names`
+        Named formulas, of which ``gradient(H, M)`` may be taken; a name that is not in `names`
         stands for its formula.
 
     Returns
     -------
     sympy.Expr or MatrixExpr
-        A scalar or vector formula as it is written: vector products are not expanded.
+        The formula as written: vector products are not expanded.
 
     Raises
     ------
     InputError
-        As for `parse`, and where numbers and vectors are mixed up.
+        As for `parse`, or if numbers and vectors are mixed up.
 
     Examples
     --------

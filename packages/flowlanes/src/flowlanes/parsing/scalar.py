@@ -1,4 +1,4 @@
-"""Combine numbers and names into SymPy expressions, with every step checked."""
+"""Conversion of numbers and names to SymPy expressions, checked at every step."""
 
 from __future__ import annotations
 
@@ -31,17 +31,17 @@ _SYMPY_FAILURES = (ArithmeticError, AttributeError, RecursionError, TypeError, V
 
 @dataclass(frozen=True)
 class Scalars:
-    """Converts the syntax tree of one formula to SymPy.
+    """Converter from the syntax tree of one formula to SymPy.
 
     Parameters
     ----------
     source : Source
     names : mapping of str to Symbol
-        The scalars that it may contain.
+        The scalars that the formula may contain.
     vectors : collection of str
-        Names of vectors and tensors, which may stand only in calls of `products`.
+        Names of vectors and tensors, which may occur only in calls of `products`.
     products : mapping of str to callable
-        Further functions, which read their arguments themselves: (call, depth) ↦ value.
+        Further functions that parse their own arguments: (call, depth) ↦ value.
     """
 
     source: Source
@@ -111,7 +111,7 @@ class Scalars:
         return self.names[node.id]
 
     def sum(self, node: ast.BinOp, depth: int) -> sympy.Expr:
-        """A chain ``a + b - c`` at once; adding term by term SymPy would sort it each time."""
+        """A chain ``a + b - c`` in one call; SymPy would sort the terms after every addition."""
         terms = []
         for operator, operand in chain(node, (ast.Add, ast.Sub)):
             value = self.read(operand, depth + 1)
@@ -119,7 +119,7 @@ class Scalars:
         return sympy.Add(*terms)
 
     def product(self, node: ast.BinOp, depth: int) -> sympy.Expr:
-        """A whole chain ``a * b / c`` at once."""
+        """A chain ``a * b / c`` in one call."""
         factors = []
         for operator, operand in chain(node, (ast.Mult, ast.Div)):
             value = self.read(operand, depth + 1)
@@ -130,7 +130,7 @@ class Scalars:
         return sympy.Mul(*factors)
 
     def power(self, node: ast.BinOp, depth: int) -> sympy.Expr:
-        """A power, if the numbers in its exponent stay within bounds."""
+        """A power whose exponent contains only numbers within bounds."""
         exponent = self.read(node.right, depth + 1)
         self.check_exponent(exponent, node.right)
         value = sympy.Pow(self.read(node.left, depth + 1), exponent)
@@ -154,7 +154,7 @@ class Scalars:
         return FUNCTIONS[name](*arguments)
 
     def check_divisor(self, value: sympy.Expr, node: ast.expr) -> None:
-        """Reject zero, and a constant that no number of digits distinguishes from zero."""
+        """Reject zero, and constants that cannot be distinguished from zero numerically."""
         zero = value.is_zero
         if zero is None and not value.free_symbols:
             zero = value.equals(0)
@@ -173,7 +173,7 @@ class Scalars:
                 raise self.error(f"this exponent has more than {DECIMALS} decimals", node)
 
     def check(self, value: sympy.Expr, node: ast.expr) -> None:
-        """Reject a constant that is not real, or too large for SymPy to evaluate."""
+        """Reject a constant that is not real, or too large to be evaluated by SymPy."""
         if value.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
             raise self.error("this has no finite value", node)
         if value.is_Rational:

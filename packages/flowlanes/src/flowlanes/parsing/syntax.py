@@ -1,4 +1,4 @@
-"""The syntax of formulas: tokens, precedence, and the positions of mistakes."""
+"""Syntax of formulas: tokens, precedence, and positions of errors."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ _CORRECTIONS = MappingProxyType(
         **dict.fromkeys(("oo", "inf", "nan", "zoo"), "; only finite numbers stand in formulas"),
     }
 )
-"""Ends of sentences about names that other languages have."""
+"""Hints for names used in other languages, as ends of sentences."""
 _CLOSING = MappingProxyType({")": "(", "]": "["})
 _SHAPE = MappingProxyType({"(": "parenthesis", "[": "bracket"})
 _EXCERPT = 72
 
 TOO_DEEP = "the formula is nested too deeply"
 LONG_SUM = 500
-"""Terms that Python's own parser can read in any place."""
+"""Number of terms below which Python's parser accepts a sum in any context."""
 
 
 @dataclass(frozen=True)
@@ -45,11 +45,11 @@ class Source:
     ----------
     text, where : str
     words : collection of str
-        Every name that may occur in it, functions among them.
+        All names that may occur, including functions.
     brackets : bool
-        Whether it may contain vectors written by their components, ``[a, b, c]``.
+        Whether vectors may be given by components, ``[a, b, c]``.
     further : str
-        Where further names can be declared; may be empty.
+        Where names can be declared; may be empty.
     """
 
     text: str
@@ -80,15 +80,15 @@ class _Token:
 
 
 def syntax_tree(source: Source) -> ast.expr:
-    """Parse with Python's own grammar, which decides precedence; nothing is executed.
+    """Parse a formula with Python's grammar; nothing is executed.
 
-    The parentheses put around the formula make leading blanks harmless and columns in the tree one
-    too large.
+    The formula is enclosed in parentheses, so that leading blanks are harmless; columns in the
+    tree are therefore one too large.
 
     Raises
     ------
     InputError
-        If the text is too long, contains an unknown word or is no formula.
+        If the text is too long, contains an unknown word or is not a formula.
     """
     if len(source.text) > MAX_LENGTH:
         raise InputError(
@@ -128,7 +128,7 @@ def _tokens(source: Source) -> list[_Token]:
 
 
 def _check_words(source: Source, tokens: Sequence[_Token]) -> None:
-    """Reject unknown names, endless numbers and values with no operator between them."""
+    """Reject unknown names, overlong numbers and missing operators."""
     previous = ""
     for token in tokens:
         if _value_meets_value(source, previous, token.word):
@@ -162,7 +162,7 @@ def _check_parentheses(source: Source, tokens: Sequence[_Token]) -> None:
 
 
 def _terms(tokens: Sequence[_Token]) -> list[tuple[str, int, int]]:
-    """The terms of a sum: the operator before each (empty at first), its start and its end."""
+    """The terms of a sum as (preceding operator, start, end); the first operator is empty."""
     terms: list[tuple[str, int, int]] = []
     depth, operator, begin, previous = 0, "", 0, ""
     for token in tokens:
@@ -176,7 +176,7 @@ def _terms(tokens: Sequence[_Token]) -> list[tuple[str, int, int]]:
 
 
 def _long_sum(source: Source, line: str, tokens: Sequence[_Token]) -> ast.expr:
-    """The tree of a sum with too many terms for Python's parser; each term is parsed separately."""
+    """The tree of a sum that is too long for Python's parser; terms are parsed one by one."""
     terms = _terms(tokens)
     if len(terms) < LONG_SUM:
         raise source.error(TOO_DEEP, 0)
@@ -212,7 +212,7 @@ def _value_meets_value(source: Source, previous: str, word: str) -> bool:
 
 
 def chain(node: ast.BinOp, operators: tuple[type, ...]) -> list[tuple[ast.operator, ast.expr]]:
-    """The operands of a left-nested chain in order, each with the operator before it."""
+    """The operands of a left-nested chain in order, each with its operator."""
     links: list[tuple[ast.operator, ast.expr]] = []
     left: ast.expr = node
     while isinstance(left, ast.BinOp) and isinstance(left.op, operators):

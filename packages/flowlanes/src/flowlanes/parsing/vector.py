@@ -1,7 +1,7 @@
-"""Formulas with vectors: sums, products with scalars and tensors, dot, cross.
+"""Formulas with vectors: sums, products with scalars and tensors, dot and cross products.
 
-Vectors are recognised from the text alone, before anything is computed; scalars are read by
-:class:`~flowlanes.parsing.scalar.Scalars`.
+The type of each part is determined from the text alone, before any evaluation; scalars are parsed
+by :class:`~flowlanes.parsing.scalar.Scalars`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from .syntax import TOO_DEEP, Source, chain
 NamedQuantity: TypeAlias = sympy.Symbol | Vector | Diagonal | Symmetric
 Formula: TypeAlias = sympy.Expr | MatrixExpr
 
-#: What a part of a formula is besides a number.
+#: Type of a part of a formula that is not a number.
 Kind: TypeAlias = Literal["vector", "tensor"]
 
 _CALLS: Mapping[str, Kind] = MappingProxyType(
@@ -46,17 +46,17 @@ _SIZES = (2, 3, 4)
 
 @dataclass(frozen=True)
 class Vectors:
-    """Converts the syntax tree of one formula to a scalar or a vector.
+    """Converter from the syntax tree of one formula to a scalar or a vector.
 
     Parameters
     ----------
     source : Source
     symbols : mapping of str to Symbol
-        The scalars that it may contain, components of vectors among them.
+        The scalars that the formula may contain, including components of vectors.
     names : mapping of str to Symbol, Vector or Diagonal
-        Everything that has a name.
+        All named quantities.
     definitions : mapping of str to formula
-        Formulas that have a name, of which a gradient may be taken.
+        Named formulas, of which a gradient may be taken.
     """
 
     source: Source
@@ -81,14 +81,14 @@ class Vectors:
         if depth > MAX_DEPTH:
             raise self.error(TOO_DEEP, node)
         if isinstance(node, ast.Name) or self.kind(node) is None:
-            # a tensor by its name alone is a mistake for a number
+            # A bare tensor is most likely meant as a number; the scalar parser reports it.
             return (
                 self.vector(node, depth) if self.is_vector(node) else self.scalars.read(node, depth)
             )
         return self.vector(node, depth) if self.is_vector(node) else self.tensor(node, depth)
 
     def kind(self, node: ast.expr) -> Kind | None:
-        """Whether `node` is to be a vector or a tensor, right or wrong; None for a number."""
+        """Type of `node` by its syntax, valid or not; None for a number."""
         match node:
             case ast.Name(id=name):
                 named = self.names.get(name)
@@ -113,11 +113,11 @@ class Vectors:
                 return None
 
     def is_vector(self, node: ast.expr) -> bool:
-        """Whether `node` is to be a vector, right or wrong."""
+        """Whether `node` is a vector by its syntax, valid or not."""
         return self.kind(node) == "vector"
 
     def vector(self, node: ast.expr, depth: int) -> MatrixExpr:
-        """The value of a `node` that must be a vector."""
+        """The value of a vector `node`."""
         if depth > MAX_DEPTH:
             raise self.error(TOO_DEEP, node)
         match node:
@@ -142,7 +142,7 @@ class Vectors:
                 raise self.error("this is not part of a formula", node)
 
     def tensor(self, node: ast.expr, depth: int) -> MatrixExpr:
-        """The value of a `node` that is to be a tensor."""
+        """The value of a tensor `node`."""
         if depth > MAX_DEPTH:
             raise self.error(TOO_DEEP, node)
         match node:
@@ -177,7 +177,7 @@ class Vectors:
                 raise self.error("this is not part of a formula", node)
 
     def sum(self, node: ast.BinOp, depth: int) -> MatrixExpr:
-        """A chain of vectors or of tensors, ``u + v - w``."""
+        """The value of a chain of vectors or of tensors, ``u + v - w``."""
         kind = self.kind(node)
         read = self.vector if kind == "vector" else self.tensor
         total: MatrixExpr | None = None
@@ -193,7 +193,7 @@ class Vectors:
         return total
 
     def product(self, node: ast.BinOp, depth: int) -> MatrixExpr:
-        """A chain of numbers, tensors and at most one vector, ``2*I*omega/m``."""
+        """The value of a chain of numbers, tensors and at most one vector, ``2*I*omega/m``."""
         number, tensors, vector = sympy.S.One, list[MatrixExpr](), None
         for operator, operand in chain(node, (ast.Mult, ast.Div)):
             divides = isinstance(operator, ast.Div)
@@ -213,6 +213,7 @@ class Vectors:
                 if divides and value.is_zero:
                     raise self.error("division by zero", operand)
                 number = number / value if divides else number * value
+        # Tensors are applied from the right, so that each acts on a vector if there is one.
         whole = tensors.pop() if vector is None else vector
         for tensor in reversed(tensors):
             if tensor.shape[1] != whole.shape[0]:
@@ -221,7 +222,7 @@ class Vectors:
         return number * whole
 
     def gradient(self, node: ast.Call, depth: int) -> MatrixExpr:
-        """The gradient of a formula, or of a definition under its name, by a vector."""
+        """The gradient of a formula, or of a named definition, with respect to a vector."""
         if len(node.args) != 2 or node.keywords:
             raise self.error("gradient takes a formula and a vector", node)
         value, variable = node.args
@@ -239,7 +240,7 @@ class Vectors:
         return Rate(self.scalars.read(node.args[0], depth + 1))
 
     def dot(self, node: ast.Call, depth: int) -> sympy.Expr:
-        """The scalar product for a call."""
+        """The value of a call of ``dot``."""
         return dot(*self.pair(node, depth, "dot"))
 
     def pair(self, node: ast.Call, depth: int, name: str) -> tuple[MatrixExpr, MatrixExpr]:

@@ -1,8 +1,8 @@
-"""The equations of a System as a function of arrays, or as source text.
+"""Functions and source text for the vector field of a System.
 
-In every target the state is a flat array `x` in the order of ``system.symbols`` and the
-parameters are a flat array `p` in the order of ``system.parameters``; definitions are computed
-once, in order, under their own names.
+In every target the state is a flat array `x` in the order of ``system.symbols`` and the parameters
+are a flat array `p` in the order of ``system.parameters``; definitions are computed once, in
+order, under their own names.
 """
 
 from __future__ import annotations
@@ -33,30 +33,29 @@ Assignments = list[tuple[sp.Symbol, sp.Expr]]
 
 @arguments_checked
 def lambdify(system: System, target: str = "numpy") -> Field:
-    """The time derivative of the flat state as a function.
+    """A function that returns the time derivative of the flat state.
 
     Parameters
     ----------
     system : System
     target : ``"numpy"``, ``"jax"`` or ``"numba"``
-        ``"numpy"``: takes and returns NumPy arrays.  ``"jax"``: compiled by ``jax.jit``; may be
-        differentiated and mapped over (``jax.grad``, ``jax.jacfwd``, ``jax.vmap``); it computes
-        in single precision unless ``jax.config.update("jax_enable_x64", True)`` was called.
-        ``"numba"``: a function compiled by ``numba.njit`` on its first call, which other
-        compiled functions may call.
+        ``"numpy"``: takes and returns NumPy arrays. ``"jax"``: compiled by ``jax.jit``; it
+        supports ``jax.grad``, ``jax.jacfwd`` and ``jax.vmap``, and computes in single precision
+        unless ``jax.config.update("jax_enable_x64", True)`` was called. ``"numba"``: compiled by
+        ``numba.njit`` on the first call, and callable from other compiled functions.
 
     Returns
     -------
     callable
-        ``f(t, x, p=None)``, the rate of `x` at time t.  `x` has shape (n,) with n the length of
-        ``system.symbols``; for ``"numpy"`` it may have shape (n, k) for k states at once.  `p`
-        has one value for each of ``system.parameters``, by default their default values.
+        ``f(t, x, p=None)``, the time derivative of `x` at time t. `x` has shape (n,) with n the
+        length of ``system.symbols``; for ``"numpy"`` it may have shape (n, k) for k states at
+        once. `p` contains the values of ``system.parameters``; by default their default values.
 
     Raises
     ------
     InputError
-        If the target is unknown or its package is not installed.  The functions for
-        ``"numpy"`` and ``"jax"`` raise it for arrays of a wrong length.
+        If the target is unknown or its package is not installed. The functions for ``"numpy"`` and
+        ``"jax"`` raise it for arrays of a wrong length.
 
     Examples
     --------
@@ -75,20 +74,20 @@ def lambdify(system: System, target: str = "numpy") -> Field:
 
 @arguments_checked
 def source_code(system: System, language: str) -> str:
-    """The time derivative of the flat state as readable source text.
+    """Readable source text of a function for the time derivative of the flat state.
 
     Parameters
     ----------
     system : System
     language : ``"c"`` or ``"julia"``
-        ``"c"``: C99, ``void pendulum(double t, const double *x, const double *p,
-        double *dx)``.  ``"julia"``: ``pendulum!(dx, x, p, t)``, as DifferentialEquations.jl takes
-        it.  The name comes from the name of the system.
+        ``"c"``: C99, ``void pendulum(double t, const double *x, const double *p, double *dx)``.
+        ``"julia"``: ``pendulum!(dx, x, p, t)``, as required by DifferentialEquations.jl. The
+        function is named after the system.
 
     Returns
     -------
     str
-        The function below a comment that gives the order of state and parameters.
+        The function, preceded by a comment with the order of state and parameters.
 
     Raises
     ------
@@ -124,7 +123,7 @@ def _library(name: str, target: str) -> ModuleType:
 
 
 def _field_function(system: System, modules: str) -> Field:
-    """``f(t, x, p)``, the list of rates, from elements of x and p."""
+    """The function ``f(t, x, p)`` that returns the list of rates, from elements of x and p."""
     x, p = sp.DeferredVector("x"), sp.DeferredVector("p")
     names = _identifiers(system, _PYTHON)
     steps, rates = _assignments(system, names)
@@ -190,7 +189,7 @@ def _numba(system: System) -> Field:
     rates, defaults = numba.njit(_field_function(system, "numpy")), _defaults(system)
 
     def field(t: float, x: Any, p: Any = None) -> Any:
-        # the branch is chosen when this is compiled, by the type of p
+        # The branch is resolved at compile time by the type of p.
         if p is None:
             return np.array(rates(t, x, defaults), dtype=np.float64)
         return np.array(rates(t, x, p), dtype=np.float64)
@@ -206,19 +205,19 @@ TARGETS: Mapping[str, Callable[[System], Field]] = {"numpy": _numpy, "jax": _jax
 # --- names and assignments -----------------------------------------------------------------
 
 
-def _words(*lines: str) -> frozenset[str]:
+def _word_set(*lines: str) -> frozenset[str]:
     return frozenset(word for line in lines for word in line.split())
 
 
-_FUNCTIONS = _words(
+_FUNCTIONS = _word_set(
     "sqrt cbrt sin cos tan asin acos atan atan2 sinh cosh tanh exp log pow abs fabs pi"
 )
 
-_PYTHON = _words("t x p jax math numpy arcsin arccos arctan arctan2 e E", *keyword.kwlist)
+_PYTHON = _word_set("t x p jax math numpy arcsin arccos arctan arctan2 e E", *keyword.kwlist)
 
 
 def _identifiers(system: System, reserved_words: Iterable[str]) -> dict[sp.Symbol, sp.Symbol]:
-    """Identifiers of the symbols; those that clash get a trailing underscore."""
+    """Identifiers of the symbols; clashing ones get a trailing underscore."""
     reserved_words = _FUNCTIONS.union(reserved_words)
     ours = [
         *system.symbols,
@@ -238,7 +237,7 @@ def _identifiers(system: System, reserved_words: Iterable[str]) -> dict[sp.Symbo
 def _assignments(
     system: System, names: Mapping[sp.Symbol, sp.Symbol]
 ) -> tuple[Assignments, list[sp.Expr]]:
-    """Definitions that the field needs, and the rates, in the identifiers given."""
+    """The definitions that the vector field needs, and the rates, with the given identifiers."""
     steps = [
         (names[symbol], value.xreplace(names))
         for symbol, value in system.required_definitions(system.rates)
@@ -252,18 +251,18 @@ def _used_symbols(steps: Assignments, rates: Iterable[sp.Expr]) -> set[sp.Symbol
 
 # --- source text ---------------------------------------------------------------------------
 
-#: Columns of running text in comments.
+#: Line length of running text in comments.
 _WIDTH = 96
 
 
 class _Language(ABC):
-    """The rules by which a function is written in a language."""
+    """The rules for writing a function in a programming language."""
 
     reserved_words: frozenset[str]
     comment: str
 
     def render(self, system: System) -> str:
-        """The whole text."""
+        """The complete source text."""
         identifier = re.sub(r"\W", "_", system.name, flags=re.ASCII)
         identifier = f"f_{identifier}" if identifier[:1].isdigit() else identifier
         if identifier in self.reserved_words:
@@ -283,7 +282,7 @@ class _Language(ABC):
             self.store(self.element("dx", index), self.write(value))
             for index, value in enumerate(rates)
         ]
-        # a backslash at the end would continue a comment in C
+        # A backslash at the end of a line would continue a comment in C.
         header = [f"{self.comment} {line}".rstrip(" \\") for line in self._header(system)]
         return "\n".join([*header, *self.wrap(identifier, body)]) + "\n"
 
@@ -307,27 +306,27 @@ class _Language(ABC):
 
     @abstractmethod
     def element(self, array: str, index: int) -> str:
-        """Element `index`, counted from 0, of an array."""
+        """Element `index` of an array, counted from 0."""
 
     @abstractmethod
     def write(self, formula: sp.Expr) -> str:
-        """A scalar formula."""
+        """A scalar formula as source text."""
 
     @abstractmethod
     def assignment(self, name: str, value: str) -> str:
-        """A new local variable."""
+        """The definition of a local variable."""
 
     @abstractmethod
     def store(self, place: str, value: str) -> str:
-        """A result."""
+        """The assignment of a result."""
 
     @abstractmethod
     def wrap(self, identifier: str, body: Sequence[str]) -> list[str]:
-        """The function around its lines."""
+        """The function around its body."""
 
 
 def _c_power(base: str, exponent: str) -> str:
-    """A power in C: small ones of a variable as products, which are nicer to read."""
+    """A power in C; small powers of a variable are products, for readability."""
     named = re.fullmatch(r"\w+", base)
     if named and exponent in ("2", "3", "4"):
         return f"({'*'.join([base] * int(exponent))})"
@@ -338,7 +337,7 @@ def _c_power(base: str, exponent: str) -> str:
 
 class _C(_Language):
     comment = "//"
-    reserved_words = _words(
+    reserved_words = _word_set(
         "t x p dx auto break case char const continue default do double else enum extern float",
         "for goto if inline int long register restrict return short signed sizeof static struct",
         "switch typedef union unsigned void volatile while",
@@ -349,7 +348,7 @@ class _C(_Language):
 
     def write(self, formula: sp.Expr) -> str:
         powers = {"Pow": [(lambda base, exponent: True, _c_power)]}
-        # C99 itself has no names for these
+        # C99 has no names for these constants.
         numbers = {constant: constant.evalf(17) for constant in (sp.pi, sp.E)}
         return str(sp.ccode(formula.xreplace(numbers), standard="c99", user_functions=powers))
 
@@ -373,7 +372,7 @@ class _C(_Language):
 
 class _Julia(_Language):
     comment = "#"
-    reserved_words = _words(
+    reserved_words = _word_set(
         "t x p dx baremodule begin break catch const continue do else elseif end export false",
         "finally for function global if import in isa let local macro module quote return struct",
         "true try using where while",
@@ -385,7 +384,7 @@ class _Julia(_Language):
     def write(self, formula: sp.Expr) -> str:
         exact = formula.xreplace({sp.E: sp.Symbol("MathConstants.e")})
         written = sp.julia_code(exact, user_functions={"atan2": "atan"})
-        # the printer means arrays; these are numbers
+        # The printer assumes arrays; these are scalars.
         return re.sub(r" \.([*/^]) ", r" \1 ", str(written))
 
     def assignment(self, name: str, value: str) -> str:

@@ -1,4 +1,4 @@
-"""Equations on a page of HTML: one below the other, in terms between which a line may break."""
+"""Equations as HTML, one below the other, with line breaks between terms."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from .mathml import FONT, mathml, width_of
 from .notation import LATEX
 from .poisson_brackets import Side
 
-#: The style sheet of what `equations_html` writes. On a narrow screen the right side goes on below
-#: the left one; what is still wider than the line is set smaller, by its width in em, ``--width``,
-#: and scrolls where that does not suffice, with a shadow at the side on which there is more.
+#: The style sheet for `equations_html`. On a narrow screen the right side continues below the left
+#: one. Wide terms get a smaller font, according to their width in em, ``--width``, and scroll if
+#: that is not enough, with a shadow on the side where more follows.
 STYLE = (
     ".chaplygin-formula math { "
     + FONT
@@ -59,13 +59,13 @@ def equations_html(equations: Iterable[Side]) -> str:
     Parameters
     ----------
     equations : iterable of (str, formula or str)
-        Left sides in LaTeX, empty where there is none; right sides as formulas, whose sums are
-        broken into lines between terms as the page is wide, or in LaTeX, which stay whole.
+        Left sides in LaTeX, possibly empty; right sides as formulas, whose sums are broken into
+        lines between terms to fit the page, or in LaTeX, which are not broken.
 
     Returns
     -------
     str
-        A ``<div class="chaplygin-formula">``, for which `STYLE` has the rules.
+        A ``<div class="chaplygin-formula">``, to be used with `STYLE`.
     """
     rows = list(equations)
     has_names = any(left for left, _ in rows)
@@ -76,19 +76,20 @@ def equations_html(equations: Iterable[Side]) -> str:
 def _row(left: str, right: sp.Basic | str, has_names: bool) -> str:
     first, *others = _terms(right)
     if has_names and not left:
-        # a sign that goes on with the line above keeps its distance
+        # A sign that continues the line above keeps its spacing.
         first = f"{{}} {first}"
-    # braces keep a minus close to the term that it belongs to
+    # Braces keep a leading minus close to its term.
     pieces = [rf"{{}} = {{{first}}}" if left else first, *others]
     cells = [f'<div class="right">{" ".join(map(_term, pieces))}</div>']
     if has_names:
-        # on a narrow screen, where both sides are one paragraph, a line may break between them
+        # On a narrow screen both sides form one paragraph, with a possible line break between
+        # them.
         cells.insert(0, f'<div class="left">{_term(left) if left else ""}<wbr/></div>')
     return "".join(cells)
 
 
 def _terms(right: sp.Basic | str) -> Sequence[str]:
-    """The terms of a right side in LaTeX, each with its sign, which is set off from it."""
+    """The terms of a right side in LaTeX, each with its sign and spacing."""
     if isinstance(right, str):
         return [right]
     (sign, first), *others = signed_terms(right, LATEX)
@@ -96,9 +97,9 @@ def _terms(right: sp.Basic | str) -> Sequence[str]:
 
 
 def _term(formula: str) -> str:
-    """A term in MathML, with its width and with fractions of full size."""
-    # words count as spaces beside which a sign keeps no distance, names do not
+    """A term in MathML, with its width and full-size fractions."""
+    # A sign next to <mtext> loses its spacing, next to <mi> it does not.
     written = mathml(formula).replace("<mtext>", "<mi>").replace("</mtext>", "</mi>")
     start = f'<math displaystyle="true" style="--width: {width_of(written):.0f}"'
-    # the style sheet has the font
+    # The style sheet sets the font.
     return written.replace(f'<math style="{FONT}"', start, 1)

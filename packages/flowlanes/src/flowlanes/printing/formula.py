@@ -1,8 +1,8 @@
-"""Formulas as in print, in Unicode and in LaTeX, by one set of rules.
+"""Formulas in print notation, in Unicode and in LaTeX, by one set of rules.
 
-A :class:`_Writer` walks through a formula and decides what needs no brackets and what goes below
-the fraction line; :mod:`flowlanes.printing.ordering` knows which term and which factor comes first,
-:mod:`flowlanes.printing.notation` how the pieces look.
+A :class:`_Writer` traverses a formula and decides on brackets and fraction lines;
+:mod:`flowlanes.printing.ordering` determines the order of terms and factors, and
+:mod:`flowlanes.printing.notation` the notation of each part.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ from .ordering import (
 )
 from .symbol_names import SymbolName, letter_of
 
-#: What SymPy reads as a formula.
+#: Values that SymPy converts to a formula.
 Formula: TypeAlias = sp.Basic | float
 
 _FUNCTION_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
@@ -92,18 +92,18 @@ def signed_terms(formula: Formula, notation: Notation) -> list[tuple[str, str]]:
 
 
 def width(line: str) -> int:
-    """Columns that `line` takes on a terminal: combining accents take none."""
+    """The number of terminal columns of `line`; combining accents take none."""
     return sum(not unicodedata.combining(character) for character in line)
 
 
 @dataclass(frozen=True)
 class _Writer:
-    """Writes formulas in a notation."""
+    """Writer of formulas in a notation."""
 
     notation: Notation
 
     def piece(self, formula: sp.Basic) -> Fragment:
-        """Any formula."""
+        """A formula of any kind."""
         terms = self.terms(formula)
         if len(terms) == 1 and not terms[0][0]:
             return terms[0][1]
@@ -117,7 +117,7 @@ class _Writer:
         return Fragment(written, Precedence.SUM)
 
     def terms(self, formula: sp.Basic) -> list[tuple[bool, Fragment]]:
-        """The terms of a sum in order, each with its sign; anything else is a single term."""
+        """The terms of a sum in order, each with its sign; other formulas are a single term."""
         share = common_fraction(formula)
         if share != 1:
             remainder = sp.Add(*(term / share for term in formula.args))
@@ -137,7 +137,7 @@ class _Writer:
             isinstance(formula, sp.Pow) and is_negative(formula.exp)
         ):
             return self._product(factors_of(formula))
-        return False, self._whole(formula)
+        return False, self._indivisible(formula)
 
     def _product(self, factors: Factors) -> tuple[bool, Fragment]:
         above = [self.piece(factor) for factor in factors.above]
@@ -154,7 +154,7 @@ class _Writer:
         return factors.negative, written
 
     def _chain(self, tensors: Sequence[MatrixExpr]) -> Fragment:
-        """Tensors and vectors one after the other; u ⊗ v for a column times a row."""
+        """Tensors and vectors in juxtaposition; u ⊗ v for a column times a row."""
         for index, tensor in enumerate(tensors):
             if index and isinstance(tensor, Transpose) and tensor.arg.shape[1] == 1:
                 left = self._chain(tensors[:index])
@@ -175,7 +175,7 @@ class _Writer:
             Precedence.PRODUCT,
         )
 
-    def _whole(self, formula: sp.Basic) -> Fragment:
+    def _indivisible(self, formula: sp.Basic) -> Fragment:
         """A formula that is neither a sum nor a product."""
         if isinstance(formula, (MatrixExpr, sp.MatrixBase)):
             return self._tensor(formula)
@@ -215,7 +215,7 @@ class _Writer:
         return Fragment(notation.fallback(formula), Precedence.SUM)
 
     def _dot(self, product: Dot, exponent: int) -> Fragment:
-        """(u, v), and u² or a power of it for (u, u)."""
+        """(u, v); u² or a power of it for (u, u)."""
         left, right = product.args
         if left == right:
             return self.notation.power(self.piece(left), str(2 * exponent))
@@ -224,7 +224,7 @@ class _Writer:
         return pair if exponent == 1 else self.notation.power(pair, str(exponent))
 
     def _matrix_product(self, product: MatrixProduct) -> Fragment:
-        """(A, B), and |A|² for (A, A)."""
+        """(A, B); |A|² for (A, A)."""
         left, right = (self.piece(side).text for side in product.args)
         if left == right:
             return self.notation.power(self.notation.norm(left), "2")
@@ -259,7 +259,7 @@ class _Writer:
         return self.notation.call(_FUNCTION_NAMES.get(name, name), arguments, exponent)
 
     def _rate(self, formula: sp.Basic) -> Fragment:
-        """ẋ for a letter, d(…)/dt for a formula."""
+        """ẋ for a letter, d(…)/dt for other formulas."""
         inner, times = formula, 0
         while isinstance(inner, Rate):
             inner, times = inner.args[0], times + 1
@@ -274,7 +274,7 @@ class _Writer:
         return self.notation.quotient(f"{above} {shown}", below)
 
     def _derivative(self, formula: sp.Derivative) -> Fragment:
-        """U′(x), U″(x) or ∂U/∂γ₁ of a function that is left open."""
+        """U′(x), U″(x) or ∂U/∂γ₁ of an unspecified function."""
         inner, order = formula.expr, sum(count for _, count in formula.variable_count)
         name = self.notation.letter(letter_of(str(inner.func.__name__)), bold=False).text
         if len(inner.args) == 1 and order <= 3:
@@ -290,7 +290,7 @@ class _Writer:
         return self.notation.quotient(self.notation.partial(name, order, above=True), below)
 
     def _arguments(self, formula: sp.Function) -> str:
-        """Arguments of a function; a vector's components by the name of the vector."""
+        """Arguments of a function, with the components of a vector abbreviated to its name."""
         listed = list(formula.args)
         shown = []
         while listed:

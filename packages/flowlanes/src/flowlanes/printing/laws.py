@@ -1,7 +1,7 @@
-"""Laws as in print: equations, level and caption.
+"""Laws in print notation: equations, level and caption.
 
-A law is given as pairs of a left-hand side and a formula, for either notation;
-:mod:`flowlanes.printing.system` puts them on a page.
+A law is given as pairs of a left side and a formula, for either notation;
+:mod:`flowlanes.printing.system` assembles the page.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from .poisson_brackets import Side, bracket_sides, curly_brackets
 
 
 def equation(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Both sides of ``vanishing = 0``, a number on the right: γ² = 1, or a = b."""
+    """Both sides of ``vanishing = 0`` with a number on the right: γ² = 1, or a = b."""
     if isinstance(vanishing, sp.Add) and len(vanishing.args) == 2:
         minus = [term for term in vanishing.args if term.could_extract_minus_sign()]
         if len(minus) == 1 and not any(term.is_number for term in vanishing.args):
@@ -53,7 +53,7 @@ def _with_derivatives_left(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def condition_text(law: Law, system: System, write: Callable[[sp.Basic], str]) -> str:
-    """The level of a law: "for k = −1" or "on (M, γ) = 0"; empty without one."""
+    """The level of a law: "for k = −1" or "on (M, γ) = 0"; empty without a level."""
     constants = set(system.defaults)
     for_: list[str] = []
     on: list[str] = []
@@ -84,14 +84,14 @@ def equation_sides(law: Law, system: System, notation: Notation) -> list[Side]:
     ----------
     law : Law
     system : System
-        The system it is claimed of.
+        The system for which it is claimed.
     notation : Notation
 
     Returns
     -------
     list of (str, formula or str)
         Left sides in the notation (empty for a remark among the equations), and right sides;
-        what would say that a name is itself, as H = H, is left out.
+        trivial equations such as H = H are omitted.
     """
     write = text if notation is UNICODE else latex
     sides = _all_sides(law, system, notation)
@@ -102,7 +102,7 @@ def equation_sides(law: Law, system: System, notation: Notation) -> list[Side]:
 
 @singledispatch
 def _all_sides(law: Law, system: System, notation: Notation) -> list[Side]:
-    """The sides as the law gives them; its class may have a form of its own below."""
+    """The sides given by the law; some kinds of law have a special form below."""
     write = text if notation is UNICODE else latex
     return [
         (_name(side, notation) if isinstance(side, str) else write(side), value)
@@ -148,7 +148,7 @@ def _(law: Identity, system: System, notation: Notation) -> list[Side]:
 
 
 def _identity(vanishing: sp.Basic, has_names: bool, write: Callable[[sp.Basic], str]) -> Side:
-    """0 = a, or with derivatives on the left, as in equations of motion: q̇ = f(q)."""
+    """0 = a; with derivatives on the left as in equations of motion: q̇ = f(q)."""
     scalar_part = not isinstance(sp.sympify(vanishing), sp.MatrixBase | sp.MatrixExpr)
     if scalar_part and (has_names or sp.sympify(vanishing).has(Rate)):
         left, right = _with_derivatives_left(vanishing)
@@ -159,7 +159,7 @@ def _identity(vanishing: sp.Basic, has_names: bool, write: Callable[[sp.Basic], 
 
 @_all_sides.register
 def _field(law: Symmetry, system: System, notation: Notation) -> list[Side]:
-    """u = (M × e₃, ∂/∂M) + ∂/∂θ, one term a line."""
+    """u = (M × e₃, ∂/∂M) + ∂/∂θ, one term per line."""
     write = text if notation is UNICODE else latex
     declared = {str(name): name for name in system.state}
     lines: list[Side] = []
@@ -181,7 +181,7 @@ def _field(law: Symmetry, system: System, notation: Notation) -> list[Side]:
 
 @_all_sides.register
 def _hamiltonian(law: ConformallyHamiltonian, system: System, notation: Notation) -> list[Side]:
-    """ẋ = N {x, H}, then N, H and the bracket unless it is a law by itself."""
+    """ẋ = N {x, H}, then N, H, and the bracket unless it is a separate law."""
     write = text if notation is UNICODE else latex
     x, N, H = (write(real_symbol(name)) for name in ("x", "N", "H"))
     bracket = curly_brackets(f"{x}, {H}", notation)
@@ -198,7 +198,7 @@ def _hamiltonian(law: ConformallyHamiltonian, system: System, notation: Notation
 
 @_all_sides.register
 def _isomorphism(law: Isomorphism, system: System, notation: Notation) -> list[Side]:
-    """The variables of the target, primed where they have the name of something here."""
+    """The variables of the target, primed if their names occur in the source system."""
     write = text if notation is UNICODE else latex
     names = {str(s) for s in (*system.state, *(name for name, _ in system.definitions))}
     lines: list[Side] = [(_primed_text(name, str(name) in names, write), f) for name, f in law.map]
@@ -227,7 +227,7 @@ def _primed_symbol(name: Name) -> Name:
 
 
 def _with_primes(formula: sp.Basic, names: Iterable[Name]) -> sp.Basic:
-    """A formula with primes at some symbols and vectors, and at their tensors."""
+    """A formula with primes on some symbols and vectors, and on their tensors."""
     whole = list(names)
     single = {s for name in whole for s in ((name,) if name.is_Symbol else name.symbols)}
     tensors = [t for t in formula.atoms(Diagonal) if set(t.symbols) <= single]

@@ -1,4 +1,4 @@
-"""LaTeX as MathML that browsers show without help."""
+"""Conversion of LaTeX to MathML for browsers."""
 
 from __future__ import annotations
 
@@ -6,22 +6,22 @@ import re
 import xml.etree.ElementTree as ElementTree
 from typing import Literal
 
-#: Fonts with tall brackets and roots, one of which most systems have.
+#: Fonts with tall brackets and roots; most systems have one of them.
 _FONTS = ("Latin Modern Math", "STIX Two Math", "Cambria Math", "DejaVu Math TeX Gyre")
 #: The style of a formula.
 FONT = "font-family: " + ", ".join([*(f"'{font}'" for font in _FONTS), "math"])
 
 
 def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
-    r"""LaTeX as MathML that browsers show without help.
+    r"""Convert LaTeX to MathML that browsers display without scripts.
 
     Parameters
     ----------
     formula : str
-        LaTeX for math mode, as `latex` and `system_latex` write it; other
-        environments than ``aligned`` and ``pmatrix`` are passed on as they are.
+        LaTeX for math mode, as produced by `latex` and `system_latex`; environments other than
+        ``aligned`` and ``pmatrix`` are passed on unchanged.
     display : ``"inline"`` or ``"block"``
-        In a line of text or on a line of its own.
+        Within a line of text, or on a separate line.
 
     Returns
     -------
@@ -30,24 +30,24 @@ def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
     """
     from latex2mathml.converter import convert
 
-    # the converter aligns rows in `split` alone, which looks the same
+    # The converter aligns rows only in `split`, which looks the same.
     written = convert(re.sub(r"\{aligned\}", "{split}", formula), display=display)
     written = re.sub(
         r'<mi mathvariant="bold-italic">&#x([0-9A-F]+);</mi>', _bold_greek, str(written)
     )
     written = written.replace("<math ", f'<math style="{FONT}" ', 1)
-    # a function's name is no operator, which would keep its distance from its argument too; a
-    # factor before it is set off by a thin space
+    # As an operator, the name of a function would also be spaced from its argument; as an
+    # identifier it needs a thin space after a preceding factor.
     written = re.sub(r"<mo>([a-z]{2,}\d?)</mo>", r"<mi>\1</mi>", written)
     written = re.sub(rf"({_FACTOR})(?=<mi>[a-z]{{2,}}\d?</mi>)", rf"\1{_THIN}", written)
-    # without this, a dot is as small as an exponent
+    # Without this, a dot accent has the size of an exponent.
     written = written.replace("<mover>", '<mover accent="true">')
-    # browsers follow MathML Core, which leaves the alignment of columns to style sheets
+    # MathML Core leaves the alignment of columns to style sheets.
     style = r'style="text-align: \1; text-align: -webkit-\1; padding: 0.25em 0"'
     return re.sub(r'columnalign="(\w+)"', style, written)
 
 
-#: The end of a factor, and a thin space.
+#: Pattern of the end of a factor, and a thin space.
 _FACTOR = r"</(?:mi|mn|msup|msub|msubsup|mfrac|mrow|msqrt|mover)>|(?:\)|&#x00029;)</mo>"
 _THIN = '<mspace width="0.17em"/>'
 
@@ -62,17 +62,17 @@ def _bold_greek(match: re.Match[str]) -> str:
     return f"<mi>&#x{code:05X};</mi>"
 
 
-#: Width in em of what takes no letters, and of a letter, figure or sign with what is about it.
+#: Width in em of a letter or figure, and of a sign with its spacing.
 _LETTER = 0.66
 _SIGN = 1.4
-#: Size of indices and exponents, and of what stands in a fraction within a line.
+#: Relative size of indices and exponents, and of fractions within a line.
 _SCRIPT = 0.7
 
 
 def width_of(text: str) -> float:
-    """About how wide a ``<math>`` element is, in em of its own font.
+    """Approximate width of a ``<math>`` element, in em of its font.
 
-    Counted by letters: fractions are as wide as their wider half, scripts stand beside their base.
+    Letters are counted: a fraction has the width of its wider part, scripts add to their base.
     """
     return _width(ElementTree.fromstring(text))
 

@@ -17,7 +17,7 @@ from .symbol_names import GREEK, SymbolName
 
 
 class Precedence(IntEnum):
-    """Precedence of a part of a formula, the weakest binding first."""
+    """Precedence of a part of a formula, weakest binding first."""
 
     SUM = 0
     RATIO = 1
@@ -29,14 +29,14 @@ class Precedence(IntEnum):
 
 @dataclass(frozen=True)
 class Fragment:
-    """A formula written, and how strongly it holds together."""
+    """A formatted formula with its precedence."""
 
     text: str
     level: Precedence = Precedence.ATOM
 
 
 class Notation(ABC):
-    """A notation; :data:`UNICODE` and :data:`LATEX` are the two."""
+    """A notation; the instances are :data:`UNICODE` and :data:`LATEX`."""
 
     minus: str
     cross: str
@@ -51,7 +51,7 @@ class Notation(ABC):
 
     @abstractmethod
     def brackets(self, inner: str) -> str:
-        """(inner), also the scalar product when inner is "u, v"."""
+        """(inner); the scalar product if inner is "u, v"."""
 
     @abstractmethod
     def norm(self, inner: str) -> Fragment:
@@ -77,7 +77,7 @@ class Notation(ABC):
 
     @abstractmethod
     def power(self, base: Fragment, exponent: str) -> Fragment:
-        """The exponent is a formula in this notation."""
+        """base^exponent, where the exponent is formatted in this notation."""
 
     @abstractmethod
     def root(self, inner: Fragment) -> Fragment:
@@ -97,19 +97,19 @@ class Notation(ABC):
 
     @abstractmethod
     def quotient(self, above: str, below: str) -> Fragment:
-        """A derivative: what is above the line and what is below, both written."""
+        """A derivative as a quotient of two formatted parts."""
 
     @abstractmethod
     def partial(self, name: str, order: int, above: bool = False) -> str:
-        """∂²U above the line of a derivative, ∂x² below it."""
+        """∂²U in the numerator of a derivative, ∂x² in the denominator."""
 
     @abstractmethod
     def matrix(self, rows: Sequence[Sequence[str]]) -> Fragment:
-        """All entries, row by row."""
+        """A matrix by its entries, row by row."""
 
     @abstractmethod
     def fallback(self, formula: sp.Basic) -> str:
-        """A formula that no rule covers, as SymPy prints it."""
+        """A formula without a rule, as printed by SymPy."""
 
 
 _SUPERSCRIPTS = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
@@ -125,7 +125,7 @@ _ACCENTS = {
     "hat": "\N{COMBINING CIRCUMFLEX ACCENT}",
     "bar": "\N{COMBINING MACRON}",
 }
-#: Greek letters that LaTeX draws by another name in the shape that plain text has: φ, not ϕ.
+#: LaTeX commands of Greek letters in the shape of the Unicode characters: φ, not ϕ.
 _GREEK = {"omicron": "o", "phi": r"\varphi", "epsilon": r"\varepsilon"}
 _FRACTIONS = {(1, 2): "½", (1, 3): "⅓", (2, 3): "⅔", (1, 4): "¼", (3, 4): "¾", (1, 8): "⅛"}
 
@@ -157,7 +157,7 @@ class _Unicode(Notation):
         if len(base) == 1 or not marks:
             head = unicodedata.normalize("NFC", base + marks)
         else:
-            # an accent over a word would sit on its last letter
+            # A combining accent on a word would be placed on its last letter.
             order = sum(2 if accent == "ddot" else 1 for accent in letter.accents)
             power = {1: "", 2: "²", 3: "³"}.get(order, f"^{order}")
             head = f"d{power}({base})/dt{power}"
@@ -256,7 +256,7 @@ class _Latex(Notation):
     }
     constants: ClassVar[Mapping[sp.Basic, str]] = {sp.pi: r"\pi", sp.E: "e"}
 
-    #: A vector whose components take more characters is written as a column.
+    #: Maximum length of the components of a vector that is not written as a column.
     _longest_list = 200
 
     _functions = frozenset({"sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "log", "exp"}) | {
@@ -316,7 +316,7 @@ class _Latex(Notation):
         alone = len(below) == 1 and not divisors
         divisors += [self.guard(x, Precedence.SUM if alone else Precedence.PRODUCT) for x in below]
         first = [str(p)] if p != 1 else []
-        # a bare rational coefficient stands before the factors, not above them
+        # A bare rational coefficient is placed before the factors, not above them.
         lifted = bool(divisors) and (bool(below) or not (above or vector))
         alone = lifted and len(above) == 1 and not first
         factors = [self.guard(x, Precedence.SUM if alone else Precedence.PRODUCT) for x in above]
@@ -375,7 +375,7 @@ LATEX: Notation = _Latex()
 
 
 def _side_by_side(factors: Sequence[str]) -> str:
-    """Factors of a product in LaTeX, with a space beside those that are words."""
+    """Factors of a product in LaTeX, with a space next to words."""
     text = factors[0] if factors else ""
     for left, right in pairwise(factors):
         wide = any(factor.startswith(r"\text{") for factor in (left, right))

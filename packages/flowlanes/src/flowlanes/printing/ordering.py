@@ -1,4 +1,4 @@
-"""The order of terms and factors, their signs and fractions."""
+"""The order of terms and factors, with their signs and fractions."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from ..system.vector_operators import Gradient
 from ..system.vectors import Diagonal, Dot, Symmetric, Vector
 from .symbol_names import GREEK, letter_of
 
-#: Mass and gravity stand first in a product: m g R.
+#: Mass and gravity come first in a product: m g R.
 _FIRST = {"m": 0, "g": 1}
 
 
 def _weight(formula: sp.Basic) -> int:
-    """The length of a term as the eye sees it, by which terms are ordered."""
+    """The visual length of a term, by which terms are ordered."""
     match formula:
         case sp.Number() | sp.NumberSymbol() | Diagonal() | Symmetric() | Identity():
             return 0
@@ -28,7 +28,7 @@ def _weight(formula: sp.Basic) -> int:
         case Gradient():
             return 2
         case sp.Pow() if formula.exp.is_Integer:
-            # a division is as long as a factor more
+            # A division counts as one additional factor.
             power = int(formula.exp)
             return abs(power) * _weight(formula.base) + (power < 0)
         case sp.MatrixBase():
@@ -38,7 +38,7 @@ def _weight(formula: sp.Basic) -> int:
 
 @total_ordering
 class _Spelling:
-    """The text of a formula, written only where an order depends on it."""
+    """The text of a formula, computed only if an order depends on it."""
 
     def __init__(self, formula: sp.Basic) -> None:
         self.formula = formula
@@ -58,7 +58,7 @@ class _Spelling:
 
 
 def _term_key(term: sp.Basic) -> tuple[int, int, bool, _Spelling]:
-    """Short terms first; before them ½ (M, ω), and a negative number after all."""
+    """Sort key of terms: (M, ω)/2 first, then by length, negative numbers last."""
     negative = is_negative(term)
     place = 1
     if isinstance(term, sp.Number) and negative:
@@ -126,7 +126,7 @@ def _factor_key(factor: sp.Expr) -> tuple[int, int, str | _Spelling]:
 
 
 def vector_of(symbols: Sequence[sp.Expr]) -> Vector | None:
-    """The vector whose three components these are, if they are."""
+    """The vector with these three components, or None."""
     if len(symbols) < 3 or not isinstance(symbols[0], sp.Symbol):
         return None
     vector = Vector(str(symbols[0]).removesuffix("_1"))
@@ -135,7 +135,7 @@ def vector_of(symbols: Sequence[sp.Expr]) -> Vector | None:
 
 @dataclass(frozen=True)
 class Factors:
-    """A product: sign, number p/q, factors above and below the line, tensors."""
+    """A product: sign, coefficient p/q, numerator, denominator, tensors."""
 
     negative: bool
     coefficient: tuple[int, int]
@@ -145,7 +145,7 @@ class Factors:
 
 
 def factors_of(formula: sp.Basic) -> Factors:
-    """A product taken apart."""
+    """The factors of a product."""
     if isinstance(formula, MatMul):
         scalar, tensors = formula.as_coeff_matrices()
     else:

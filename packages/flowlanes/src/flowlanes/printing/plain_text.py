@@ -1,7 +1,7 @@
-r"""LaTeX as one line of Unicode, for a terminal: ``\frac{1}{2}(\mathbf M, \omega)`` is ½(M, ω).
+r"""Conversion of LaTeX to one line of Unicode, for a terminal.
 
-:mod:`flowlanes.printing.formula` writes formulas of SymPy; here formulas that are given in LaTeX,
-as the claims of a paper are, become text by the same conventions.
+:mod:`flowlanes.printing.formula` formats SymPy formulas; this module converts formulas given in
+LaTeX, such as ``\frac{1}{2}(\mathbf M, \omega)`` to ½(M, ω), by the same conventions.
 """
 
 from __future__ import annotations
@@ -63,11 +63,11 @@ _FORMULA = re.compile(r"\$\$(.+?)\$\$|\$(.+?)\$", flags=re.S)
 
 @dataclass(frozen=True)
 class _Part:
-    r"""A piece of a line: what it says, and what kind it is.
+    r"""A piece of a line with its kind.
 
     The kinds are ``letter`` (a factor), ``open`` and ``close`` (brackets), ``function``,
-    ``relation`` (with spaces around), ``sign`` (plus or minus), ``between`` (a sign of a product),
-    ``bar``, ``comma``, ``space``, ``index``, ``ratio`` (what ``\frac`` makes) and ``rate`` (a
+    ``relation`` (with spaces around), ``sign`` (plus or minus), ``between`` (a multiplication
+    sign), ``bar``, ``comma``, ``space``, ``index``, ``ratio`` (from ``\frac``) and ``rate`` (a
     derivative).
     """
 
@@ -76,10 +76,10 @@ class _Part:
 
 
 def plain_words(words: str) -> str:
-    """A sentence with formulas in LaTeX between dollar signs, as text for a terminal.
+    """A sentence with LaTeX formulas between dollar signs, as text for a terminal.
 
-    Emphasis between asterisks is dropped, and L_k in running words gets its index; script letters
-    look the same there as in formulas.
+    Emphasis between asterisks is removed, and L_k in running text gets a subscript; script letters
+    look the same as in formulas.
     """
     shown = _FORMULA.sub(lambda match: plain(match[1] or match[2]), words)
     shown = re.sub(r"(?<!\w)\*(\w[^*]*)\*", r"\1", shown).translate(_BOLD_SCRIPT)
@@ -99,22 +99,22 @@ def plain(formula: str) -> str:
     Returns
     -------
     str
-        Accents are combining characters, indices and exponents small where Unicode has them; a
-        command that is not known stays as its name.
+        Accents are combining characters, indices and exponents are small characters if Unicode has
+        them; an unknown command is replaced by its name.
     """
     reader = _Reader([token for token in _TOKEN.findall(formula) if not token.isspace()])
     return unicodedata.normalize("NFC", _line(reader.parts()))
 
 
 class _Reader:
-    """Reads tokens one after the other."""
+    """Parser of a sequence of tokens."""
 
     def __init__(self, tokens: Sequence[str]) -> None:
         self._tokens = list(tokens)
         self._at = 0
 
     def parts(self) -> list[_Part]:
-        """Everything up to the end of a group."""
+        """All parts up to the end of a group."""
         parts: list[_Part] = []
         while self._at < len(self._tokens) and self._tokens[self._at] != "}":
             token = self._next()
@@ -130,7 +130,7 @@ class _Reader:
         return token
 
     def _argument(self) -> list[_Part]:
-        """A group in braces, or the single piece that follows."""
+        """A group in braces, or the single following part."""
         if self._at == len(self._tokens):
             return []
         token = self._next()
@@ -202,7 +202,7 @@ def _script(letter: str) -> str:
     return _SCRIPT.get(letter) or chr(ord("𝒜") + ord(letter) - ord("A"))
 
 
-#: Bold script capitals in running words, as the script of formulas.
+#: Bold script capitals in running text, mapped to the script of formulas.
 _BOLD_SCRIPT = {ord("𝓐") + i: _script(chr(ord("A") + i)) for i in range(26)}
 
 
@@ -214,7 +214,7 @@ _ALPHABETS = {"mathcal": _script, "mathbb": _double}
 
 
 def _accented_letter(letter: str, accent: str) -> _Part:
-    """A letter with its mark; a longer formula in brackets, then the mark."""
+    """A letter with its accent; longer formulas in brackets."""
     marks = sum(map(unicodedata.combining, letter)) > 0
     if len(letter) == 1 or marks:
         return _Part(letter + _ACCENTS[accent])
@@ -225,7 +225,7 @@ def _accented_letter(letter: str, accent: str) -> _Part:
 
 
 def _small(place: str, text: str) -> str:
-    """An index or exponent: in small characters, or after its sign."""
+    """An index or exponent: in small characters if possible, otherwise after its sign."""
     table = _SUBSCRIPTS if place == "_" else _SUPERSCRIPTS
     packed = text.replace(" ", "")
     if all(character in table for character in packed):
@@ -234,7 +234,7 @@ def _small(place: str, text: str) -> str:
 
 
 def _loose(text: str) -> bool:
-    """Whether a formula needs brackets as a factor: a sign or space outside."""
+    """Whether a formula needs brackets as a factor: it has a sign or space outside brackets."""
     depth = 0
     for character in text:
         depth += (character in "([{") - (character in ")]}")
@@ -244,7 +244,7 @@ def _loose(text: str) -> bool:
 
 
 def _in_brackets(text: str) -> str:
-    """The text in brackets, unless it is a letter, in brackets already, or f(…)."""
+    """The text in brackets, unless it is a letter, f(…), or bracketed already."""
     if re.fullmatch(r"\w?\(.*\)", text) and _one_pair(text[text.index("(") :]):
         return text
     base = re.sub(r"[₀-₉ₐ-ₜᵢᵣᵤᵥⱼ⁰¹²³⁴-⁹⁻′]", "", unicodedata.normalize("NFC", text))
@@ -254,7 +254,7 @@ def _in_brackets(text: str) -> str:
 
 
 def _one_pair(text: str) -> bool:
-    """Whether the first bracket closes at the end."""
+    """Whether the first bracket is closed by the last character."""
     depth = 0
     for index, character in enumerate(text):
         depth += (character == "(") - (character == ")")
@@ -275,7 +275,7 @@ def _fraction(above: Sequence[_Part], below: Sequence[_Part]) -> _Part:
 
 
 def _line(parts: Sequence[_Part]) -> str:
-    """Parts as one line, with spaces where they are usual."""
+    """Parts as one line, with the usual spaces."""
     written = ""
     before: _Part | None = None
     for index, part in enumerate(parts):
@@ -308,12 +308,12 @@ _FOLLOWING = ("letter", "open", "ratio", "rate", "function")
 
 
 def _follows_a_term(before: _Part | None) -> bool:
-    """Whether a sign connects two terms; else it belongs to the number after it."""
+    """Whether a sign connects two terms, rather than being the sign of a number."""
     return before is not None and before.kind in _FACTORS
 
 
 def _is_factor(before: _Part | None, after: _Part | None) -> bool:
-    """Whether a quotient has a neighbour that could be read into it."""
+    """Whether a quotient has neighbours that could be read as part of it."""
     return (before is not None and before.kind in (*_FACTORS, "between")) or (
         after is not None and after.kind in (*_FOLLOWING, "index", "between")
     )

@@ -1,4 +1,4 @@
-"""Poisson brackets as in print, with indices if the components follow a pattern."""
+"""Poisson brackets in print notation, with indices if the components follow a pattern."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from ..system.vectors import Vector, real_symbol
 from .formula import latex, text
 from .notation import LATEX, UNICODE, Notation
 
-#: A left side, written; and a formula, or what is written already.
+#: A formatted left side, and a formula or formatted right side.
 Side: TypeAlias = tuple[str, sp.Basic | str]
 
-#: The alternating tensor and the unit tensor by their indices.
+#: The alternating tensor and the unit tensor in index notation.
 _TENSORS = {UNICODE: ("εᵢⱼₖ", "δᵢⱼ"), LATEX: (r"\varepsilon_{ijk}", r"\delta_{ij}")}
 
-#: Entries of a bracket with more operations than this are not expanded to compare them.
+#: Maximum number of operations of an entry that is expanded for comparison.
 _MOST_OPERATIONS = 400
 
 
 def curly_brackets(inner: str, notation: Notation) -> str:
-    """{inner}, as brackets are written."""
+    """{inner}, in curly brackets of a notation."""
     return f"{{{inner}}}" if notation is UNICODE else rf"\left\{{{inner}\right\}}"
 
 
 def bracket_sides(law: PoissonStructure, system: System, notation: Notation) -> list[Side]:
-    """The brackets that do not vanish, then the Casimir functions and the rank."""
+    """The non-zero brackets, then the Casimir functions and the rank."""
     write = text if notation is UNICODE else latex
     matrix = law.scalar.matrix
     lines: list[Side] = []
@@ -132,7 +132,7 @@ def _skew(block: sp.MatrixBase) -> bool:
 
 
 def _combination(triple: tuple[sp.Expr, ...], system: System) -> Callable[[str], sp.Expr] | None:
-    """The combination of state vectors with these components, by its index."""
+    """The combination of state vectors with these components, by its index; or None."""
     vectors = [v for v in system.state if isinstance(v, Vector) and len(v.symbols) == 3]
     choices = [list(_taken_out(term, vectors)) for term in _terms(triple[0])]
     for choice in product(*choices):
@@ -149,7 +149,7 @@ def _combination(triple: tuple[sp.Expr, ...], system: System) -> Callable[[str],
 
 
 def _terms(formula: sp.Expr) -> list[sp.Expr]:
-    """The terms of a sum, also of one that is a factor of a product."""
+    """The terms of a sum, or of the only sum among the factors of a product."""
     sums = [factor for factor in sp.Mul.make_args(formula) if isinstance(factor, sp.Add)]
     if len(sums) != 1:
         return list(sp.Add.make_args(formula))
@@ -158,7 +158,7 @@ def _terms(formula: sp.Expr) -> list[sp.Expr]:
 
 
 def _taken_out(term: sp.Expr, vectors: list[Vector]) -> Iterator[tuple[sp.Expr, Vector]]:
-    """Each way to write a term as a multiple of the first component of a vector."""
+    """All ways to write a term as a multiple of the first component of a vector."""
     for vector in vectors:
         if vector.symbols[0] in sp.Mul.make_args(term):
             yield term / vector.symbols[0], vector

@@ -1,4 +1,4 @@
-"""Names as spelt in code, taken apart into letters, accents and indices."""
+"""Names in code, parsed into letters, accents and indices."""
 
 from __future__ import annotations
 
@@ -44,14 +44,14 @@ class SymbolName:
     subscript: str = ""
 
     def rate(self) -> SymbolName:
-        """The name of the rate of this quantity."""
+        """The name of the time derivative."""
         accents = (*self.accents, "dot")
         if accents[-2:] == ("dot", "dot"):
             accents = (*accents[:-2], "ddot")
         return SymbolName(self.base, accents, self.primes, self.subscript)
 
 
-#: Quantities of a contact with friction, whose names are words with indices that are words.
+#: Quantities of a contact with friction, whose names consist of several words.
 CONTACT_NAMES = {
     "slip_speed": SymbolName("u"),
     "slip_floor": SymbolName("epsilon", subscript="u"),
@@ -70,12 +70,12 @@ CONTACT_NAMES = {
 }
 
 
-#: Vectors whose names are words, with the letter of each, which their components have too.
+#: Vectors whose names are words, with their letters, also used for their components.
 WORDS = {"attitude": "q", "position": "x"}
 
 
 def letter_of(name: str) -> SymbolName:
-    """The letter that a name in code spells."""
+    """The letter for a name in code."""
     if name in CONTACT_NAMES:
         return CONTACT_NAMES[name]
     if name.startswith("work_"):
@@ -85,7 +85,7 @@ def letter_of(name: str) -> SymbolName:
         return SymbolName(name)
     base, accent, primes, number, sub = match.group("base", "accent", "primes", "number", "sub")
     if len(base) > 1 and base not in GREEK and sub and sub.isalpha() and len(sub) > 1:
-        # two words are no letter with an index
+        # Two words are not a letter with an index.
         return SymbolName(name)
     parts = [part for part in (number, *(sub or "").split("_")) if part]
     subscript = ",".join(parts)

@@ -1,7 +1,7 @@
 """A System as plain text for a terminal, as LaTeX, and as HTML with MathML.
 
-Formulas themselves are written by :mod:`flowlanes.printing.formula`, whose :func:`text` and
-:func:`latex` are offered here as well.
+Formulas are formatted by :mod:`flowlanes.printing.formula`; its functions :func:`text` and
+:func:`latex` are also available here.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from ..system.system import System
 
 
-#: Columns of a terminal page, and of a displayed equation before it is broken.
+#: Line length of terminal output, and of a displayed equation.
 WIDTH = 100
 LINE = 84
 
@@ -40,7 +40,7 @@ _INDENT = "    "
 
 
 def system_line(system: System) -> str:
-    """A system in a line: its name, its variables, how many parameters and laws."""
+    """A system in one line: name, variables, numbers of parameters and laws."""
     counts = (("parameter", len(system.parameters)), ("law", len(system.laws)))
     numbers = ", ".join(f"{n} {word}{'' if n == 1 else 's'}" for word, n in counts)
     return f"<System {system.name}: {', '.join(map(str, system.state))}; {numbers}>"
@@ -52,8 +52,8 @@ def system_text(system: System) -> str:
     Returns
     -------
     str
-        Title and summary, equations of motion, what their letters stand for, phase space,
-        parameters, laws and source.
+        Title and summary, equations of motion, definitions, phase space, parameters, laws and
+        source.
     """
     page = layout(system)
     blocks = [[system.title, *_paragraph(system.summary)]]
@@ -75,12 +75,12 @@ def system_text(system: System) -> str:
 
 
 def laws_text(system: System) -> str:
-    """The laws of a system alone, as `system_text` has them; empty without any."""
+    """The laws of a system as in `system_text`; empty if there are none."""
     return "\n\n".join("\n".join(block) for block in _law_blocks(system))
 
 
 def _law_blocks(system: System) -> list[list[str]]:
-    """The laws, and what their letters stand for."""
+    """The laws, and the definitions that they need."""
     blocks = []
     if system.integrals:
         laws = [row for law in system.integrals for row in _law_rows(law, system)]
@@ -92,12 +92,12 @@ def _law_blocks(system: System) -> list[list[str]]:
 
 
 def field_text(system: System) -> list[str]:
-    """The equations of motion alone, as indented lines at most 100 columns wide."""
+    """The equations of motion as indented lines of at most 100 columns."""
     return _field_lines(layout(system))
 
 
 def motion_text(system: System) -> list[str]:
-    """The equations of the lift to space, as indented lines; none without a lift."""
+    """The equations of the lift to space, as indented lines; empty without a lift."""
     page = reconstruction_layout(system)
     return _field_lines(page) + _equations(_text_pairs(page.where))
 
@@ -127,12 +127,12 @@ def _law_rows(law: Integral, system: System) -> list[tuple[str, str]]:
 
 
 def _other_laws(system: System) -> list[Law]:
-    """The laws besides the integrals."""
+    """The laws other than integrals."""
     return [law for law in system.laws if law not in system.integrals]
 
 
 def _law_lines(law: Law, system: System) -> list[str]:
-    """A law of any kind: what it is, its equations, its caption."""
+    """A law of any kind: heading, equations and caption."""
     lines = [law.heading]
     for left, right in equation_sides(law, system, UNICODE):
         head = f"{_INDENT}{left} = " if left else _INDENT * 2
@@ -142,7 +142,7 @@ def _law_lines(law: Law, system: System) -> list[str]:
 
 
 def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
-    """Columns as wide as they must be; the last one is broken into lines."""
+    """A table with minimal column widths, whose last column is wrapped."""
     columns = [max(map(width, column)) for column in zip(*rows, strict=True)][:-1]
     lines: list[str] = []
     for *cells, last in rows:
@@ -154,7 +154,7 @@ def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
 
 
 def _wrapped_lines(head: str, formula: str) -> list[str]:
-    """`head` and a formula, continued under the formula at the best places to break."""
+    """`head` and a formula, wrapped at the best places below the start of the formula."""
     lines = []
     indent = " " * width(head)
     while width(head) + width(formula) > WIDTH:
@@ -167,7 +167,7 @@ def _wrapped_lines(head: str, formula: str) -> list[str]:
 
 
 def _best_break(formula: str, limit: int) -> int | None:
-    """The best space for a break within `limit` columns: outside brackets, before ±."""
+    """The best space for a line break within `limit` columns: outside brackets, before ±."""
     best: tuple[float, int] | None = None
     depth = 0
     used = 0
@@ -225,7 +225,7 @@ def _aligned_rows(sides: Iterable[tuple[str, sp.Basic]]) -> list[str]:
 
 
 def _sum_lines(formula: sp.Basic, notation: Notation) -> list[str]:
-    """A sum as lines of about `LINE` columns each."""
+    """A sum as lines of about `LINE` columns."""
     lines: list[str] = []
     used = 0
     measured = signed_terms(formula, UNICODE)
@@ -261,8 +261,8 @@ def system_html(system: System) -> str:
     Returns
     -------
     str
-        One ``<section class="chaplygin-system">`` with title, equations, what their letters
-        stand for, phase space, parameters, laws and source.
+        One ``<section class="chaplygin-system">`` with title, equations, definitions, phase space,
+        parameters, laws and source.
     """
     page = layout(system)
     parts = [_STYLE, f"<h3>{html.escape(system.title)}</h3>"]
@@ -293,7 +293,7 @@ def motion_html(system: System) -> str:
 
 
 def law_html(law: Law, system: System) -> str:
-    """A law of any kind as HTML: what it is, its equations in MathML, its caption."""
+    """A law of any kind as HTML: heading, equations in MathML, caption."""
     sides = equation_sides(law, system, LATEX)
     parts = [f"<h4>{html.escape(law.heading)}</h4>", equations_html(sides)]
     sentence = _caption_html(law, system)
@@ -303,7 +303,7 @@ def law_html(law: Law, system: System) -> str:
 
 
 def claims_html(system: System) -> str:
-    """All laws of a system with the definitions of their letters; empty without any."""
+    """All laws of a system with the definitions that they need; empty if there are none."""
     parts = [law_html(law, system) for law in system.laws]
     further = layout(system).further
     if parts and further:
@@ -312,7 +312,7 @@ def claims_html(system: System) -> str:
 
 
 def law_latex(law: Law, system: System) -> str:
-    """The equations of a law as an ``aligned`` environment, an integral by itself."""
+    """The equations of a law as an ``aligned`` environment; an integral as a single formula."""
     if law in system.integrals:
         return latex(law.value)
     return _aligned_environment(_law_rows_latex(law, system))
@@ -329,7 +329,7 @@ def _law_rows_latex(law: Law, system: System) -> list[str]:
 
 
 def _caption_html(law: Law, system: System) -> str:
-    """The caption of a law; the formulas of its level in MathML."""
+    """The caption of a law with the formulas of its level in MathML."""
     formulas: list[str] = []
 
     def mark(formula: sp.Basic) -> str:

@@ -1,4 +1,4 @@
-"""The layout of a system's page: equations, and definitions of their letters."""
+"""The layout of the page of a system: equations and definitions."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from ..system.vectors import Diagonal, Symmetric, Vector, to_components
 
 @dataclass(frozen=True)
 class Layout:
-    """The formulas of a system as a reader needs them.
+    """The formulas of a system in reading order.
 
     Attributes
     ----------
     field : pairs
-        State and rates; a rate that is only a name (γ̇) is replaced by its definition, and left
-        out where it belongs to the state itself, as its name says all.
+        State and rates; a rate that is only a name (γ̇) is replaced by its definition, and omitted
+        if it belongs to the state itself.
     where : pairs
-        Tensors and vectors of parameters by components, then the definitions that the field
+        Tensors and vectors of parameters in components, then the definitions that the vector field
         needs, in order.
     further : pairs
-        The same for what laws and relations need besides.
+        The same for additional definitions of laws and relations.
     """
 
     field: Pairs
@@ -35,9 +35,9 @@ class Layout:
 
 
 def layout(system: System) -> Layout:
-    """The formulas of a system, each once, in the order in which a reader needs them.
+    """The formulas of a system, each once, in reading order.
 
-    Quantities that are defined to vanish are left out of the formulas of the motion.
+    Quantities defined as zero are omitted from the equations of motion.
     """
     page = _page_of(system)
     zeros = {
@@ -51,7 +51,7 @@ def layout(system: System) -> Layout:
 
 
 def _without(zeros: dict[sp.Symbol, sp.Basic], value: sp.Basic) -> sp.Basic:
-    """A scalar formula with `zeros` put in; formulas with vectors are unchanged."""
+    """A scalar formula with `zeros` substituted; formulas with vectors are unchanged."""
     plain = isinstance(value, sp.Expr) and not value.atoms(Vector, Diagonal, Symmetric)
     return value.xreplace(zeros) if plain and value.free_symbols & zeros.keys() else value
 
@@ -59,7 +59,7 @@ def _without(zeros: dict[sp.Symbol, sp.Basic], value: sp.Basic) -> sp.Basic:
 def _page_of(system: System) -> Layout:
     field, spelt_out = _with_rates_spelt_out(system, system.field)
     if system.printed_definitions:
-        # a rate that is only a name has its equation among them
+        # A rate that is only a name has its equation among the printed definitions.
         stated = tuple(pair for pair in field if str(pair[1]) != f"{pair[0]}dot")
         return Layout(stated, system.printed_definitions, ())
     needed = _needed_definitions(system, [formula for _, formula in system.field])
@@ -77,7 +77,7 @@ def _page_of(system: System) -> Layout:
 
 
 def reconstruction_layout(system: System) -> Layout:
-    """The equations of the lift to space, with the definitions that they add."""
+    """The equations of the lift to space, with their additional definitions."""
     field, spelt_out = _with_rates_spelt_out(
         system, system.reconstruction.field if system.reconstruction else ()
     )
@@ -88,7 +88,7 @@ def reconstruction_layout(system: System) -> Layout:
 
 
 def _with_rates_spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[sp.Basic]]:
-    """Rates, those that are only names put in or left out, and the names put in."""
+    """Rates with mere names replaced or omitted, and the set of replaced names."""
     definitions = dict(system.definitions)
     pairs, names = [], set()
     for name, formula in field:
@@ -103,7 +103,7 @@ def _with_rates_spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[sp.B
 
 
 def _mentioned_symbols(formula: sp.Basic) -> set[sp.Symbol]:
-    """Symbols on which a formula depends or whose name it shows, as ∂U/∂γ shows U."""
+    """Symbols on which a formula depends or whose names it shows, as ∂U/∂γ shows U."""
     shown: set[sp.Symbol] = {gradient.args[2] for gradient in formula.atoms(Gradient)}
     return shown.union(to_components(formula).free_symbols)
 
@@ -120,7 +120,7 @@ def _needed_definitions(system: System, formulas: Iterable[sp.Basic]) -> Pairs:
 
 
 def _parameter_tensors(system: System, formulas: Iterable[sp.Basic]) -> Pairs:
-    """Tensors and vectors made of parameters, by their components."""
+    """Tensors and vectors of parameters, in components."""
     known = {name for name, _ in system.field} | {name for name, _ in system.definitions}
     atoms = set().union(*(formula.atoms(Vector, Diagonal, Symmetric) for formula in formulas))
     components = []

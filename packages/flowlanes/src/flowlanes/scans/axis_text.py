@@ -14,7 +14,7 @@ def axis_parts(text: str, where: str = "") -> tuple[str, str, str, int]:
     Raises
     ------
     InputError
-        If it is not written ``NAME=FIRST:LAST:COUNT``.
+        If the text does not have the form ``NAME=FIRST:LAST:COUNT``.
     """
     name, equals, span = (part.strip() for part in text.partition("="))
     parts = span.split(":")

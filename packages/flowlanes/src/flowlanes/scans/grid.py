@@ -1,4 +1,4 @@
-"""Planes of parameters and starts: two numbers vary, and every cell has its own motion.
+"""Planes of parameters and starts: two numbers vary, and each cell has a motion of its own.
 
 An axis is a parameter, a variable of the start (``gamma_1``), a quantity whose level the start
 should lie on (``energy``), or a new name from which formulas compute the others (``gamma_1 =
@@ -30,7 +30,7 @@ from ..system.vectors import Vector, norm_squared
 from .axis_text import axis_parts
 from .system_quantities import quantities_by_name
 
-#: Why a cell has no motion or no number; −1 in a store means not yet computed.
+#: Reasons why a cell has no motion or no number; −1 in a store means not yet computed.
 NO_STATE, INADMISSIBLE, NO_NUMBER = -2, -3, -4
 REASONS: Mapping[int, str] = {
     NO_STATE: "no state with these values was found",
@@ -42,7 +42,7 @@ REASONS: Mapping[int, str] = {
 @arguments_checked
 @dataclass(frozen=True)
 class Axis:
-    """A number that varies: `count` values from `first` to `last`, both included.
+    """An axis of `count` values from `first` to `last`, both included.
 
     Examples
     --------
@@ -60,7 +60,7 @@ class Axis:
 
     @property
     def symbol(self) -> sp.Symbol:
-        """The symbol under which formulas refer to it."""
+        """The symbol that stands for the axis in formulas."""
         return sp.Symbol(self.name, real=True)
 
     @property
@@ -76,9 +76,9 @@ def axis(text: str, where: str = "") -> Axis:
     Parameters
     ----------
     text : str
-        Name, first and last value, and how many values there are.
+        Name, first and last value, and number of values.
     where : str
-        Where it stands, for messages.
+        Location of the text, for messages.
 
     Returns
     -------
@@ -87,7 +87,7 @@ def axis(text: str, where: str = "") -> Axis:
     Raises
     ------
     InputError
-        If it is not written so.
+        If the text has another form.
 
     Examples
     --------
@@ -105,16 +105,16 @@ def axis(text: str, where: str = "") -> Axis:
 
 @dataclass(frozen=True)
 class GridCells:
-    """Motions to be computed.
+    """Starts and parameters of motions.
 
     Attributes
     ----------
     starts : (n, size) array
-        States in flat order of the system; not a number where there is none.
+        States in flat order of the system; NaN where there is none.
     parameters : dict of Symbol to (n,) array
-        Those that are not the system's defaults.
+        Parameters that differ from the defaults of the system.
     reasons : (n,) array of int
-        0, or why there is no motion; see `REASONS`.
+        0, or the reason why there is no motion; see `REASONS`.
     """
 
     starts: FloatArray
@@ -129,20 +129,20 @@ class ScanGrid:
     Attributes
     ----------
     system : System
-        Whose motions they are.
+        The system of the motions.
     original_system : System
         The system in the variables in which a start is given; its definitions give
         the state of `system`.
     base : tuple of float
-        The start that is varied, in flat order of `given`.
+        The start that is varied, in flat order of `original_system`.
     x, y : Axis
         y varies from row to row.
     substitutions : tuple of (Symbol, Expr)
-        Parameters and variables of the start, by formulas in the axes and parameters.
+        Parameters and variables of the start as formulas in the axes and parameters.
     levels : tuple of (Expr, Expr)
-        Quantities of the start, and the formulas of their values.
+        Quantities of the start and formulas of their values.
     fixed_symbols : tuple of Symbol
-        Variables of the start that are not to be moved.
+        Variables of the start that stay fixed.
     """
 
     system: System
@@ -241,21 +241,21 @@ def scan_grid(
     x, y : Axis
         y varies from row to row.
     start : mapping of str to number or numbers
-        The start that is varied: the state by name, or ω and γ where these give the state.
+        The start that is varied: the state by name, or ω and γ if these determine the state.
     formulas : mapping of str to str, optional
-        Parameters, variables of the start or levels, by formulas in the axes and the parameters.
+        Parameters, variables of the start or levels as formulas in the axes and the parameters.
     fixed : collection of str, optional
-        Variables of the start, or vectors of them, that are not to be moved.
+        Variables of the start, or vectors of them, that stay fixed.
 
     Returns
     -------
     ScanGrid
-        Its rows are the values of y; ``cells`` gives starts and parameters of some of them.
+        Rows are the values of y; ``cells`` gives the starts and parameters of some rows.
 
     Raises
     ------
     InputError
-        If a name or a formula is wrong, or an axis is of no consequence.
+        If a name or a formula is wrong, or an axis has no effect.
 
     Examples
     --------
@@ -319,7 +319,7 @@ def scan_grid(
 
 
 def _useful(system: System) -> list[str]:
-    """Names available to the user, in the order of declaration; not intermediate ones."""
+    """Names available to users in order of declaration, without intermediate definitions."""
     return list(
         dict.fromkeys(map(str, (*system.defaults, *system.symbols, *quantities_by_name(system))))
     )
@@ -350,7 +350,7 @@ def _described_system(
 
 
 def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
-    """The system with the state ω, γ, from which the other variables follow."""
+    """The system with the state ω, γ, which determines the other variables."""
     follow = [(name, value) for name, value in system.start if name in system.state]
     words = {str(name): name for name, _ in system.definitions}
     words |= {str(name): name for name in (*system.state, *system.start_vectors)}

@@ -1,7 +1,7 @@
-"""Observables of a formula along motions: means, extremes, frequencies; and survival times.
+"""Observables along motions: means, extremes, frequencies and survival times of formulas.
 
-Each is evaluated for many motions at once, as in charts and ensembles.  A motion that ends early
-has no value, and does not disturb the others.
+Each is evaluated for many motions at once, as in charts and ensembles. A motion that ends early
+has no value and does not affect the others.
 """
 
 from __future__ import annotations
@@ -24,22 +24,22 @@ from ..system.parameters import Parameters
 from ..system.system import System
 from .grid import directions
 
-#: States of a motion that are kept at a time.
+#: Number of states of each motion kept in memory at a time.
 BUFFER_LENGTH = 128
-#: An additional variable of the state: a formula integrated in time.
+#: Additional state variable: the time integral of a formula.
 TOTAL = sp.Symbol("integral_in_time", real=True)
 
 
 @dataclass(frozen=True)
 class ObservedSeries:
-    """A formula along motions.
+    """Values of a formula along motions.
 
     Attributes
     ----------
     values : (n, samples + 1) array
-        From the start on; not numbers after the end of a motion.
+        Values from the start on; NaN after the end of a motion.
     outcome : (n,) array of int
-        0, or why a motion ended; see ``BatchIntegrator.status_message``.
+        0, or the reason why a motion ended; see ``BatchIntegrator.status_message``.
     end_times : (n,) array
         The times reached.
     """
@@ -52,20 +52,20 @@ class ObservedSeries:
 def to_the_end(
     observation: Observation, starts: FloatArray, parameters: Parameters
 ) -> BatchTrajectories:
-    """The last states of motions."""
+    """The final states of motions."""
     return _flow(observation, observation.system).propagate(starts, [observation.t_end], parameters)
 
 
 def with_integral(
     observation: Observation, starts: FloatArray, parameters: Parameters
 ) -> BatchTrajectories:
-    """The last states, the integral of the formula in time being the last variable."""
+    """The final states, with the time integral of the formula as the last variable."""
     flow = _flow(observation, _with_total(observation.system, _formula(observation)))
     return flow.propagate(_from_zero(starts), [observation.t_end], parameters)
 
 
 def sampled(observation: Observation, starts: FloatArray, parameters: Parameters) -> ObservedSeries:
-    """The formula at equidistant times."""
+    """The formula sampled at equidistant times."""
     flow, formula = _flow(observation, observation.system), _formula(observation)
     return observe(flow, formula, starts, observation.t_end, observation.samples, parameters)
 
@@ -73,9 +73,9 @@ def sampled(observation: Observation, starts: FloatArray, parameters: Parameters
 def turns_sampled(
     observation: Observation, starts: FloatArray, parameters: Parameters
 ) -> ObservedSeries:
-    """The turns of an angle so far, at equidistant times.
+    """The accumulated turns of an angle at equidistant times.
 
-    The rate of the angle is integrated along with the motion, so that no turn is lost.
+    The rate of the angle is integrated along with the motion, so that no turn is missed.
     """
     rate = _rate(observation.system, _formula(observation)) / (2 * sp.pi)
     flow = _flow(observation, _with_total(observation.system, rate))
@@ -116,7 +116,7 @@ def _mean_rate(observation: Observation, run: ObservedSeries) -> dict[str, Float
 
 
 def _require_angle(system: System, text: str, value: sp.Expr, unit: str) -> None:
-    """Raise InputError where a formula is known to be no angle."""
+    """Raise InputError if a formula is certainly not an angle."""
     varying = value.free_symbols - set(system.defaults)
     if unit not in ("rad", "1", "unknown"):
         wrong = f"it is measured in {unit}"
@@ -132,17 +132,17 @@ survival_time = MotionObservable(
     "duration", "time until the motion ends", to_the_end, _end_times, "s"
 )
 
-#: The mean of a formula in time, integrated along with the motion.
+#: The time average of a formula, integrated along with the motion.
 time_average = MotionObservable(
     "mean", "mean of {}", with_integral, _mean, unit="{}", of_formula=True
 )
 
-#: The greatest value of a formula among equidistant samples of a motion and its start.
+#: The maximum of a formula over equidistant samples of a motion, including its start.
 maximum = MotionObservable(
     "highest", "highest value of {}", sampled, _greatest, unit="{}", of_formula=True, samples=2048
 )
 
-#: The least value of a formula among samples of a motion.
+#: The minimum of a formula over equidistant samples of a motion.
 minimum = replace(maximum, name="lowest", title="lowest value of {}", reduce=_least)
 
 #: The frequency of an angle by a weighted average, with an error estimate.
@@ -169,7 +169,8 @@ def _from_zero(starts: FloatArray) -> FloatArray:
 
 
 def _rate(system: System, formula: sp.Expr) -> sp.Expr:
-    """The derivative of a formula along the motion, through the definitions."""
+    """The time derivative of a formula along the motion, through its definitions."""
+    # Chain rule in the order of the definitions: ḟ = Σ ∂f/∂s ṡ over state and definitions.
     rates = dict(zip(system.symbols, system.rates, strict=True))
     for symbol, value in system.required_definitions([formula]):
         rates[symbol] = _changing(value, rates)
@@ -188,7 +189,7 @@ def observe(
     samples: int,
     parameters: Parameters,
 ) -> ObservedSeries:
-    """A formula along motions at equidistant times; few states are kept at a time.
+    """A formula along motions at equidistant times, with few states in memory at a time.
 
     Parameters
     ----------
@@ -197,7 +198,7 @@ def observe(
         In state, definitions and parameters.
     starts : (n, size) array
     t_end : float
-        The last time.
+        The final time.
     samples : int
         Number of times after the start.
     parameters : mapping of Symbol or name to number or (n,) array

@@ -1,4 +1,4 @@
-"""Quantities of motions by the names with which a user asks for them."""
+"""Quantities of motions, selected by name."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ from .system_quantities import meaning
 
 @dataclass(frozen=True)
 class NamedQuantity:
-    """A number that was asked for.
+    """A quantity computed for every motion.
 
     Attributes
     ----------
     rule : Rule
     name : str
-        The name of its variable.
+        The name of its variable in a dataset.
     title, unit : str
-        Its meaning in words, and its unit.
+        Its description and unit.
     """
 
     rule: Rule
@@ -63,17 +63,17 @@ _OBSERVABLES: dict[str, MotionObservable[Any]] = {
     )
 }
 
-#: The word for a rotation number, which needs a section besides.
+#: The name of rotation numbers, which also need a section.
 ROTATION = "rotation"
 
 
 def register(observable: MotionObservable[Any]) -> None:
-    """Make an observable known under its name.
+    """Register an observable under its name.
 
     Raises
     ------
     InputError
-        If another number has this name.
+        If another quantity has this name.
     """
     known = _OBSERVABLES.setdefault(observable.name, observable)
     if known != observable or observable.name == ROTATION:
@@ -81,10 +81,10 @@ def register(observable: MotionObservable[Any]) -> None:
 
 
 def observables() -> Mapping[str, MotionObservable[Any]]:
-    """All observables by the names with which a user asks for them.
+    """All observables by name.
 
-    Those of a formula are written ``mean:normal_force``.  A rotation number needs a section as
-    well, where a quantity rises through zero: ``rotation:atan2(M_2,M_1) on n_3``.
+    Observables of a formula are written ``mean:normal_force``. A rotation number also needs a
+    section, where a quantity rises through zero: ``rotation:atan2(M_2,M_1) on n_3``.
     """
     return dict(_OBSERVABLES)
 
@@ -98,13 +98,14 @@ def quantity_from_text(
     device: Device = "cpu",
     variables: Mapping[str, tuple[str, str]] | None = None,
 ) -> NamedQuantity:
-    """A number of the motions of a system.
+    """The quantity described by a text, for the motions of a system.
 
     Parameters
     ----------
     system : System
     text : str
-        A name of `observables`, followed by a colon and a formula where it is one of a formula.
+        A name in `observables`, followed by a colon and a formula if it is an observable of a
+        formula.
     t_end : float
         Length of the motions.
     tolerance : float
@@ -117,7 +118,7 @@ def quantity_from_text(
     Raises
     ------
     InputError
-        If there is no such number, the formula cannot be read, or `t_end` is not positive.
+        If there is no such quantity, the formula cannot be parsed, or `t_end` is not positive.
     """
     if not 0 < t_end < math.inf:
         raise InputError(f"t_end = {t_end:g}: motions must be followed for a positive, finite time")

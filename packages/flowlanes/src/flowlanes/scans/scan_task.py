@@ -1,7 +1,7 @@
-"""Charts: one number for each motion of a plane of parameters and starts.
+"""Charts: a number for each motion of a plane of parameters and starts.
 
-A chart is a :class:`flowlanes.flow.ensembles.task.Task` whose members are rows: computed in blocks,
-in memory or in a Zarr store, locally or on a cluster, to the same bits.
+A chart is a :class:`flowlanes.flow.ensembles.task.Task` whose members are rows. It is computed in
+blocks, in memory or in a Zarr store, locally or on a cluster, always with the same bits.
 """
 
 from __future__ import annotations
@@ -58,22 +58,22 @@ class Rule(Protocol):
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> Mapping[str, FloatArray | IntArray]:
-        """Arrays (n,): the number ``"value"``, ``"outcome"``, time reached ``"ended"``."""
+        """Arrays (n,): the number ``"value"``, ``"outcome"``, and the time reached ``"ended"``."""
 
 
 @dataclass(frozen=True)
 class Scan:
-    """A number over a plane: maps rows first, …, last − 1 to arrays of numbers.
+    """A quantity over a plane: maps rows first, …, last − 1 to arrays of numbers.
 
     Attributes
     ----------
     plane : ScanGrid
     rule : Rule
-        The number.
+        The quantity.
     name : str
         The name of the variable.
     title, unit : str
-        Its meaning in words, and its unit.
+        Its description and unit.
 
     Examples
     --------
@@ -119,7 +119,7 @@ class Scan:
 
     @property
     def numbers(self) -> dict[str, str]:
-        """The numbers of the result, by the rule's names."""
+        """The names of the numbers in the result, mapped to those of the rule."""
         return {
             self.name: "value",
             **{f"{self.name}_{key}": key for key in self.rule.extra_columns},
@@ -136,19 +136,19 @@ def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     ----------
     task : Scan
     attributes : mapping, optional
-        Further attributes of the result: numbers and texts.
+        Further attributes of the result: numbers and strings.
 
     Returns
     -------
     Task
-        Its result has the dimensions of y and x, their values as coordinates, and the variables
-        ``task.name``, ``outcome`` (0, or why there is no number: see its ``flag_meanings``) and
-        ``ended`` (the time reached).
+        The result has the dimensions of y and x, their values as coordinates, and the variables
+        ``task.name``, ``outcome`` (0, or the reason why there is no number: see its
+        ``flag_meanings``) and ``ended`` (the time reached).
 
     Raises
     ------
     InputError
-        If an axis has the name of a variable of the result.
+        If an axis has the name of a variable in the result.
 
     Examples
     --------
@@ -205,7 +205,7 @@ def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
 
 
 def axis_coordinate(item: Axis) -> Coordinate:
-    """The coordinate of a dataset that an axis is."""
+    """The coordinate of a dataset for an axis."""
     return Coordinate(
         (item.name,), item.values, cf_attributes(item.meaning or item.name, item.unit)
     )
@@ -216,7 +216,7 @@ def _text_rows(values: Mapping[sp.Symbol | str, float]) -> list[str]:
 
 
 def _outcomes(rule: Rule) -> dict[str, object]:
-    """Attributes of the outcome codes, by the CF conventions."""
+    """Attributes of the outcome codes by the CF conventions."""
     flow = batch_integrator(rule.system, tolerance=rule.tolerance)
     reasons = {0: "followed to the end", -1: "not computed yet", **REASONS}
     reasons |= {

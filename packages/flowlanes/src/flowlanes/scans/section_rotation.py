@@ -29,9 +29,9 @@ class Winding:
     ----------
     system : System
     t_end : float
-        Time after which to give up.
+        Time after which a motion without enough returns is abandoned.
     formula : sympy.Expr
-        An angle, in radians, up to whole turns.
+        An angle in radians, modulo full turns.
     section : Section
         The section.
     tolerance : float
@@ -39,7 +39,7 @@ class Winding:
     count : int
         Number of returns.
     device : "cpu" or "gpu"
-        As for the tolerance.
+        Where the motions are computed.
 
     Examples
     --------
@@ -67,7 +67,7 @@ class Winding:
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
-        """Values, errors and outcomes, (n,) each, without times."""
+        """Arrays (n,) of values, errors and outcomes; there are no end times."""
         returning = PoincareMap(
             self.system,
             self.section,

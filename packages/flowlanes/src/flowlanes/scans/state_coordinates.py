@@ -1,8 +1,8 @@
-"""Common coordinates of states and sections, as maps in both directions.
+"""Common coordinates of states and of sections, as maps in both directions.
 
-:class:`StateCoordinates` map points with a few coordinates to states, and states to points.  A
-coordinate may be fixed, or solved for on a level of an integral: so the Andoyer variables (l, L/G,
-g, G, H) become the chart (l, L/G) of a section g = π/2 on a level of energy and area integral::
+:class:`StateCoordinates` map points with a few coordinates to states and back. A coordinate may be
+fixed, or solved for on a level of an integral. For example, the Andoyer variables (l, L/G, g, G,
+H) give the chart (l, L/G) of a section g = π/2 at fixed energy and area integral::
 
     variables = chart(system, "andoyer-ratio")
     plane = variables.with_fixed({"g": pi / 2, "H": 0.3}).without_coordinate("G", "energy", 1.0)
@@ -47,11 +47,11 @@ class StateCoordinates:
     ----------
     system : System
     parameters : mapping
-        Values that replace the system's defaults.
+        Values that replace the defaults of the system.
     names : tuple of str
-        Of the coordinates, in order.
+        The names of the coordinates, in order.
     periods : tuple of float
-        2π for an angle, 0 for what is none.
+        2π for an angle, 0 otherwise.
     domain : str
         The domain of the coordinates, in words.
     """
@@ -67,20 +67,20 @@ class StateCoordinates:
     _single: bool = True
 
     def state(self, points: FloatArray, branch: int = 0) -> FloatArray:
-        """The states of points.
+        """The states of given points.
 
         Parameters
         ----------
         points : array (n, d)
             One point in each row.
         branch : int
-            Which, where several states belong to one point (a coordinate was solved for): they
-            are counted from 0 as the solved coordinate rises; −1 is the last.
+            Selects one of several states with the same point (if a coordinate was solved for):
+            they are numbered from 0 with increasing solved coordinate; −1 is the last.
 
         Returns
         -------
         array (n, size)
-            Not-a-number where there is no such state.
+            NaN where there is no such state.
         """
         rows = self._rows(points, len(self.names))
         which, states = self._every(rows.T)
@@ -93,15 +93,15 @@ class StateCoordinates:
         return chosen
 
     def solutions(self, points: FloatArray) -> IntArray:
-        """The number of states (n,) of each of the points (n, d)."""
+        """The number of states (n,) with each of the points (n, d)."""
         rows = self._rows(points, len(self.names))
         return np.bincount(self._every(rows.T)[0], minlength=len(rows))
 
     def point(self, states: FloatArray) -> FloatArray:
         """The points (n, d) of states (n, size); angles lie in [0, 2π).
 
-        NaN where a coordinate is undefined.  The level and the fixed coordinates are ignored: a
-        state off them has the point of its other coordinates.
+        NaN where a coordinate is undefined. The level and the fixed coordinates are ignored: a
+        state off them gets the values of its other coordinates.
         """
         rows = self._rows(states, len(self.system.symbols))
         points = self._point(np.ascontiguousarray(rows.T))
@@ -113,12 +113,12 @@ class StateCoordinates:
         return np.ascontiguousarray(points.T)
 
     def require(self, points: FloatArray) -> None:
-        """Raise an error for points at which there is no state.
+        """Raise InputError for points without a state.
 
         Raises
         ------
         InputError
-            It names the first such point and the domain.
+            The message names the first such point and the domain.
         """
         rows = self._rows(points, len(self.names))
         empty = np.flatnonzero(self.solutions(rows) == 0)
@@ -153,12 +153,12 @@ class StateCoordinates:
         )
 
     def without_coordinate(self, name: str, integral: str, value: float) -> StateCoordinates:
-        """The chart without a coordinate, which is solved for from the value of an integral.
+        """The chart without a coordinate, which is computed from the value of an integral.
 
         Parameters
         ----------
         name : str
-            The coordinate that is solved for.
+            The coordinate to solve for.
         integral : str
             Name of an integral of the system.
         value : float
@@ -166,7 +166,7 @@ class StateCoordinates:
         Raises
         ------
         InputError
-            If there is no such coordinate or integral, or one was solved for already.
+            If there is no such coordinate or integral, or a coordinate was solved for already.
         """
         place = self._row_of(name)
         if not self._single:
@@ -232,14 +232,14 @@ def chart(
         (l, L/G, g, G, H); ``"directions"``: (theta, phi, psi, energy), the direction of γ, that of
         ω (a rubber contact) or of M (on a level of the area integral) across γ, and the energy.
     level : mapping of str to float, optional
-        For ``"directions"`` alone: the area integral.
+        Only for ``"directions"``: the value of the area integral.
     parameters : mapping of Symbol or name to float, optional
         Values that replace the defaults.
 
     Raises
     ------
     InputError
-        If there is no such chart, or the system has not the state for it.
+        If there is no such chart, or the state of the system does not fit it.
     """
     if name not in CHARTS:
         raise InputError(f"no coordinates {name!r}; there are {', '.join(CHARTS)}")
@@ -323,7 +323,7 @@ CHARTS: Mapping[
 
 @dataclass(frozen=True)
 class _Search:
-    """All values of one coordinate at which an integral has a given value."""
+    """The solutions of F(c) = value for one coordinate c and an integral F."""
 
     chart: StateCoordinates
     place: int
@@ -338,6 +338,9 @@ class _Search:
         low, high = (np.broadcast_to(np.asarray(end, dtype=float), (count,)) for end in span)
         scale = self._scale(points, low)
 
+        # Substitute c(w), 0 < w < 1: c = a + (b − a)(1 − cos πw)/2 on a finite range, and c = a +
+        # s w²/(1 − w²) on an infinite one. There F may grow like c² ~ (1 − w²)⁻², so that the
+        # defect is multiplied by (1 − w²)² to stay bounded.
         def at(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
             # Sample quadratically near the ends, where coordinates often behave like square roots.
             with np.errstate(invalid="ignore", divide="ignore"):
@@ -372,7 +375,7 @@ class _Search:
         return defect
 
     def _scale(self, points: FloatArray, low: FloatArray) -> FloatArray:
-        """A scale of the coordinate over which the integral changes by about its value."""
+        """A scale on which the integral changes by about its value, if it grows quadratically."""
         big = 1e4 * (1 + np.abs(np.where(np.isfinite(low), low, 0.0)))
         growth = np.abs(self._defect(points, big)) / big**2
         with np.errstate(invalid="ignore", divide="ignore"):

@@ -11,7 +11,7 @@ from ..system.vectors import Vector
 
 
 def quantities_by_name(system: System) -> dict[str, sp.Expr]:
-    """Scalar integrals and observables by name; of two with the same name, the integral."""
+    """Scalar integrals and observables by name; integrals take precedence."""
     values = {item.name: item.value for item in system.scalar.observables}
     values |= {item.name: item.value for item in system.scalar.integrals}
     return {name: v for name, v in values.items() if not isinstance(v, sp.MatrixBase)}

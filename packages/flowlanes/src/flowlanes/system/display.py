@@ -1,4 +1,4 @@
-"""Display of systems and formulas, by printers that this folder does not know."""
+"""Display of systems and formulas by printers that are registered from outside."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ def _printers() -> _Printers:
 
 
 def formula_latex(formula: sp.Basic) -> str:
-    """LaTeX of a formula, for SymPy's own printer, which notebooks call."""
+    """LaTeX of a formula, called by SymPy's own printer in notebooks."""
     return _printers().formula.latex(formula)
 
 
 class Displayed:
-    """A value with text, LaTeX and HTML."""
+    """Mixin with text, LaTeX and HTML representations."""
 
     def latex(self) -> str:
         """The equations of motion as a LaTeX ``aligned`` environment."""

@@ -1,6 +1,6 @@
-"""Formulas as SymPy writes them, with parts that occur many times written once.
+"""Formulas as SymPy prints them, with equal subexpressions printed once.
 
-A formula of a system is a tree with few different parts; a printer of SymPy walks the tree.
+A formula of a system is a tree with many equal parts; the printers of SymPy visit all of them.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from sympy.printing.str import StrPrinter
 
 
 class _OncePrinter(Printer):
-    """A printer that writes equal parts once.
+    """A printer that caches the text of subexpressions.
 
-    Parts with decimal numbers are written wherever they occur: these are equal whatever their
-    precision, and their texts are not.
+    Parts with decimal numbers are not cached: they compare equal for any precision, but print
+    differently.
     """
 
     def __init__(self, settings: dict[str, object]) -> None:
@@ -49,7 +49,7 @@ class _StrPrinter(_OncePrinter, StrPrinter):
 
 
 def exact_text(value: object) -> str:
-    """The text of :func:`sympy.srepr`, in which no digit and no assumption is missing.
+    """The text of :func:`sympy.srepr`, with all digits and assumptions.
 
     Examples
     --------
@@ -60,7 +60,7 @@ def exact_text(value: object) -> str:
 
 
 def short_text(formula: sp.Basic) -> str:
-    """The text of `str`, but for the number e, which is ``exp(1)``: E may be a name.
+    """The text of `str`, with ``exp(1)`` for Euler's number, since E may be a name.
 
     Examples
     --------

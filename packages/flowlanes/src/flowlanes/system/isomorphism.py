@@ -1,4 +1,4 @@
-"""Isomorphisms: laws that speak of two systems."""
+"""Isomorphisms: laws that relate two systems."""
 
 from __future__ import annotations
 
@@ -18,14 +18,13 @@ from .system import System
 @arguments_checked
 @dataclass(frozen=True, repr=False)
 class Isomorphism(BasicLaw):
-    """A change of variables and time that carries the field onto another system's.
+    """A change of variables and time that maps the vector field to that of another system.
 
-    A level is where the conditions of this system hold (its relations and `on`) and all
-    `constants` that depend on the state have fixed values.  On almost all of every level the map
-    is a local diffeomorphism onto the phase space of the target, which is cut out by the relations
-    of the target and by `onto`: its differential is injective, and both have one dimension.
-    dτ/dt is real and positive, and the parameters of the target are admissible; where they are
-    not, nothing is said.
+    A level is where the conditions of this system hold (its relations and `level`) and all
+    `constants` that depend on the state have fixed values. On almost all of every level the map is
+    a local diffeomorphism onto the phase space of the target, which is defined by the relations of
+    the target and by `onto`: its differential is injective and the dimensions agree. It is claimed
+    where dτ/dt is real and positive and the parameters of the target are admissible.
 
     Parameters
     ----------
@@ -34,21 +33,21 @@ class Isomorphism(BasicLaw):
     map : mapping or pairs of target state name to formula
         The new variables, as functions on the phase space of this system.
     time : sympy.Expr
-        dτ/dt, for the time τ of the target.
+        dτ/dt, where τ is the time of the target.
     constants : mapping or pairs of target parameter to formula
-        Values of the target's parameters: functions of the parameters, or integrals of this
-        system (their constancy is proved too).  Parameters that are not named
-        keep their symbol, which must be that of a parameter of this system.
+        Values of the parameters of the target: functions of the parameters, or integrals of this
+        system (their constancy is proved too). Other parameters keep their symbol, which must be a
+        parameter of this system.
     onto : tuple of sympy.Expr
-        Formulas in the state and the parameters of the target that vanish where the map leads;
-        empty if it leads to all of its phase space.  A symbol that the target does not have is a
-        parameter of this system, or a definition that does not depend on the state.
+        Formulas in the state and the parameters of the target that vanish on the image of the map;
+        empty if the image is the whole phase space. A symbol that the target does not have is a
+        parameter of this system, or a definition independent of the state.
     meaning : str
 
     Raises
     ------
     InputError
-        If `map` or `constants` name something that the target does not have.
+        If `map` or `constants` contain a name that the target does not have.
 
     Examples
     --------
@@ -88,7 +87,7 @@ class Isomorphism(BasicLaw):
         return (("dτ/dt", self.time, sp.S.Half),)
 
     def claim(self, system: VectorField) -> Mapping[str, object]:
-        """Target, map, time and constants, and the image without definitions of the source."""
+        """Target, map, time and constants; `onto` with definitions of the source expanded."""
         target, scalar = self.target, self.scalar
         theirs = {*target.symbols, *target.defaults, *(s for s, _ in target.scalar_definitions)}
         steps = {s: value for s, value in system.scalar_definitions if s not in theirs}
@@ -120,6 +119,6 @@ class Isomorphism(BasicLaw):
 
 
 def with_any_parameters(system: System) -> System:
-    """A system as equations alone, whatever its parameters: a target without a body behind it."""
+    """The system without conditions on its parameters, as a target given by equations alone."""
     free = tuple(replace(p, admissible=()) for p in system.parameters)
     return replace(system, parameters=free)

@@ -1,14 +1,14 @@
-"""Laws: statements about a system, for a prover to prove or refute.
+"""Laws: statements about a system that can be proved or refuted.
 
-Every law is a tensor invariant of the field v of its system, or an identity on its phase space.  It
-concerns the points where the relations of the system and the expressions `on` vanish, such as
-``k + 1`` or ``(M, γ)``, and where all its formulas have real values.  The docstring of each class
-defines its statement.
+Every law is a tensor invariant of the vector field v of its system, or an identity on its phase
+space. It is claimed at the points where the relations of the system and the expressions in
+`level`, such as ``k + 1`` or ``(M, γ)``, vanish and all its formulas are real. The docstring of
+each class defines its statement.
 
-A new kind of law is a class in one file.  If it says that some formulas vanish, it derives from
-`VanishingLaw` and gives these as its `residuals`; otherwise it derives from `Law` and gives, as
-`basic`, a law of one of the kinds in this module that states the same.  Provers, certificates,
-printers and reports ask a law for what they need and do not look at its class.
+A new kind of law is a class in one file. If it states that some formulas vanish, it derives from
+`VanishingLaw` and returns them as `residuals`; otherwise it derives from `Law` and returns, as
+`basic`, an equivalent law of a kind in this module. Provers, certificates, printers and reports
+use the methods of a law and do not depend on its class.
 """
 
 from __future__ import annotations
@@ -35,14 +35,14 @@ from .overview import WithShortRepr
 
 #: One side of an equation: a formula, or text.
 Side: TypeAlias = sp.Basic | str
-#: A base in words, where ``{}`` stands for its formula; the base; and its exponent.
+#: A base in words, with ``{}`` in place of its formula; the base; and its exponent.
 Power: TypeAlias = tuple[str, sp.Expr, sp.Expr]
 
 
 class Rate(sp.Function):
-    """The time derivative of a scalar formula along the field of its system.
+    """The time derivative of a scalar formula along the vector field of its system.
 
-    ``Rate(gamma_1)`` stands for γ̇₁, ``Rate(Rate(theta))`` for the second derivative.
+    ``Rate(gamma_1)`` is γ̇₁, and ``Rate(Rate(theta))`` is the second derivative.
 
     Examples
     --------
@@ -58,12 +58,12 @@ class Rate(sp.Function):
 
     @arguments_checked
     def __new__(cls, *formulas: Formula, **options: Any) -> Any:
-        """Refuse a text, which SymPy would run."""
+        """Reject strings, which SymPy would evaluate."""
         return super().__new__(cls, *formulas, **options)
 
 
 class VectorField(Protocol):
-    """What a law may ask of its system."""
+    """The part of a system on which a law may depend."""
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
@@ -82,10 +82,10 @@ class VectorField(Protocol):
 
 
 class ChangeOfVariables(Protocol):
-    """Formulas, vector fields and brackets of a phase space in other variables."""
+    """A change of variables for formulas, vector fields and brackets."""
 
     def formula(self, value: Any) -> Any:
-        """A formula, or all formulas in a tuple; anything else as it is."""
+        """A formula, or all formulas in a tuple; other values unchanged."""
         ...
 
     def vector_field(self, components: Pairs) -> Pairs:
@@ -113,14 +113,14 @@ class Law(WithShortRepr, ABC):
     name : str
         Short name.
     level : tuple of sympy.Expr
-        Expressions in the parameters or the state that must vanish for the law to hold; empty
-        when it holds everywhere.
+        Expressions in the parameters or the state that must vanish for the law to hold; empty if
+        it holds everywhere.
     source : str
-        Where it is stated, such as ``"(7.2)"``.
+        Where it is published, such as ``"(7.2)"``.
     as_printed : Law, optional
-        The form in which the source prints it, where that differs.
+        The form printed in the source, if it differs.
     misprint : str
-        What is wrong with the printed form, in one phrase.
+        The error in the printed form, in one phrase.
 
     Examples
     --------
@@ -132,13 +132,13 @@ class Law(WithShortRepr, ABC):
     True
     """
 
-    #: Whether it says what holds at the points of the level, whatever conditions describe it.
+    #: Whether the statement depends only on the points of the level, not on its conditions.
     pointwise: ClassVar[bool] = False
-    #: Whether it concerns the volume that the conditions of the level cut out.
+    #: Whether it concerns the volume that the conditions define on the level.
     of_volume: ClassVar[bool] = False
-    #: Whether it is given by components along the variables of the state.
+    #: Whether it is given by components along the state variables.
     by_components: ClassVar[bool] = False
-    #: What its residuals include, for the words of a verdict.
+    #: Property included in its residuals, for the text of a verdict.
     included: ClassVar[str] = ""
 
     name: str = field(kw_only=False)
@@ -158,46 +158,46 @@ class Law(WithShortRepr, ABC):
 
     @abstractmethod
     def basic(self, system: VectorField) -> Law:
-        """A law of a kind that the prover knows, which states the same of a system.
+        """An equivalent law of a kind known to the prover.
 
         Raises
         ------
         InputError
-            If it states nothing of this system.
+            If the law does not apply to this system.
         """
 
     @property
     def formulas(self) -> tuple[sp.Basic, ...]:
-        """All formulas that the law shows, those of its level last."""
+        """All formulas shown by the law, those of its level last."""
         own = [getattr(self, name) for name in self._own_fields]
         return tuple(map(sp.sympify, (*(f for value in own for f in _shown(value)), *self.level)))
 
     @property
     def _own_fields(self) -> tuple[str, ...]:
-        """The fields that other laws do not have."""
+        """The fields that are specific to this kind of law."""
         common = {item.name for item in fields(Law)}
         return tuple(item.name for item in fields(self) if item.name not in common)
 
     def sides(self) -> tuple[tuple[Side, Side], ...]:
-        """The equations that state the law, by their left and right sides, for a reader.
+        """The equations that state the law, as left and right sides.
 
-        By default every formula under the name that it has in the law.
+        By default, each formula with the name of its field.
         """
         own = {name: getattr(self, name) for name in self._own_fields}
         return tuple((n, f) for n, f in own.items() if isinstance(f, sp.Basic | sp.MatrixBase))
 
     def claim(self, system: VectorField) -> Mapping[str, object]:
-        """The law of a system as a certificate states it, by the names of the format."""
+        """The content of the law in a certificate, by the names of the format."""
         return self.basic(system).claim(system)
 
     @property
     def powers(self) -> tuple[Power, ...]:
-        """Powers that must be real: a base of an exponent that is not whole must be positive."""
+        """Powers that must be real: a base with a non-integer exponent must be positive."""
         return ()
 
     @property
     def computed(self) -> tuple[sp.Basic | Pairs, ...]:
-        """The formulas of which numbers are computed along motions."""
+        """The formulas that are evaluated along motions."""
         return ()
 
     @property
@@ -206,7 +206,7 @@ class Law(WithShortRepr, ABC):
         return self
 
     def weighted(self, powers: Pairs) -> Self:
-        """The law for a volume that is that of the conditions, divided by a product of powers."""
+        """The law for the volume of the conditions divided by a product of powers."""
         return self
 
     def under(self, change: ChangeOfVariables) -> Self:
@@ -218,7 +218,7 @@ class Law(WithShortRepr, ABC):
 
     @cached_property
     def scalar(self) -> Self:
-        """The law with all its formulas by components; itself if they are so already."""
+        """The law with all formulas in components; the same object if they already are."""
         given = {f.name: getattr(self, f.name) for f in fields(self)}
         parts = {name: in_components(value) for name, value in given.items()}
         changed = {name: value for name, value in parts.items() if value != given[name]}
@@ -232,12 +232,12 @@ AnyLaw = TypeVar("AnyLaw", bound=Law)
 
 
 def of_kind(laws: Iterable[Law], kind: type[AnyLaw]) -> tuple[AnyLaw, ...]:
-    """Those of some laws that are of one kind, in order."""
+    """The laws of one kind, in order."""
     return tuple(law for law in laws if isinstance(law, kind))
 
 
 def _shown(value: object) -> list[sp.Basic]:
-    """The formulas in a field of a law; of a named formula the name is not one."""
+    """The formulas in a field of a law, without the names of named formulas."""
     if isinstance(value, Law):
         return list(value.formulas)
     if isinstance(value, sp.Basic | sp.MatrixBase):
@@ -259,7 +259,7 @@ def _names(value: object) -> bool:
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class VanishingLaw(Law):
-    """A law that says that some formulas vanish on the level: the base class of new kinds.
+    """A law stating that some formulas vanish on the level; the base class of new kinds.
 
     Parameters
     ----------
@@ -269,10 +269,10 @@ class VanishingLaw(Law):
 
     @abstractmethod
     def residuals(self, system: VectorField) -> Mapping[str, sp.Basic]:
-        """Formulas by names of their own; the law holds where all of them vanish.
+        """Named formulas; the law holds where all of them vanish.
 
         A formula is a scalar, a vector or a matrix in the state, the definitions and the
-        parameters; it may use ``Rate``.
+        parameters; it may contain ``Rate``.
         """
 
     def basic(self, system: VectorField) -> Identity:
@@ -281,14 +281,14 @@ class VanishingLaw(Law):
         return Identity(self.name, values, level=self.level, source=self.source)
 
     def tabulated(self) -> Mapping[str, object]:
-        """The name of the class, and everything that the law is made of, by the keys of a file."""
+        """The class name and all contents of the law, by the keys of a file."""
         own = {name: getattr(self, name) for name in self._own_fields} | {"on": self.level}
         given = {name: value for name, value in own.items() if value not in ("", ())}
         return {"kind": type(self).__name__, **given}
 
 
 def vanishing_kinds(base: type[VanishingLaw] = VanishingLaw) -> dict[str, type[VanishingLaw]]:
-    """The kinds of law that derive from `VanishingLaw`, by the names of their classes."""
+    """The subclasses of `VanishingLaw` by class name."""
     found: dict[str, type[VanishingLaw]] = {}
     for kind in base.__subclasses__():
         found |= {kind.__name__: kind, **vanishing_kinds(kind)}
@@ -297,7 +297,7 @@ def vanishing_kinds(base: type[VanishingLaw] = VanishingLaw) -> dict[str, type[V
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class BasicLaw(Law):
-    """A law of a kind that the prover and the check of certificates know."""
+    """A law of a kind that the prover and the certificate checker know."""
 
     def basic(self, system: VectorField) -> Self:
         """The law itself."""
@@ -309,14 +309,14 @@ class BasicLaw(Law):
 class Integral(BasicLaw):
     """A first integral: a function F of the state with v(F) = 0.
 
-    A constant is one too, and a trivial one: the verdict on it says so.
+    A constant is a trivial integral; its verdict says so.
 
     Parameters
     ----------
     name : str
         Short name, used for the variable ``law_<name>`` of a dataset.
     value : sympy.Expr
-        F, written in the state, the definitions and the parameters of its system.
+        F, in terms of the state, the definitions and the parameters of its system.
     meaning : str
         A few words for a reader ("energy", "area integral").
     unit : str
@@ -347,7 +347,7 @@ class Integral(BasicLaw):
 
     @property
     def computed(self) -> tuple[sp.Basic | Pairs, ...]:
-        """F, which is recorded."""
+        """F, which is recorded along motions."""
         return (self.value,)
 
 
@@ -356,16 +356,16 @@ class Integral(BasicLaw):
 class Measure(BasicLaw):
     """An invariant measure: div(ρ v) = 0 with ρ = ∏ base^exponent.
 
-    The volume is that of the state variables or, on relations, the form d^n x divided by the
-    differentials of the relations and of `level`, where these are independent.  The density is real
-    and positive: a base with a non-integer exponent must be positive; a base with an odd exponent
-    may have either sign, and the measure is then a signed one.
+    The volume is that of the state variables or, if there are relations, the form d^n x divided by
+    the differentials of the relations and of `level`, where these are independent. The density is
+    real and positive: a base with a non-integer exponent must be positive; a base with an odd
+    exponent may have either sign, and the measure is then signed.
 
     Parameters
     ----------
     name : str
     density : mapping or pairs of base to exponent
-        Bases in state, definitions and parameters; exponents free of the state.
+        Bases in state, definitions and parameters; exponents independent of the state.
     meaning : str
 
     Examples
@@ -401,7 +401,7 @@ class Measure(BasicLaw):
 
     @property
     def computed(self) -> tuple[sp.Basic | Pairs, ...]:
-        """The density, by which states are drawn."""
+        """The density, which is used to draw states."""
         return (self.density,)
 
     def weighted(self, powers: Pairs) -> Self:
@@ -423,7 +423,7 @@ class Symmetry(BasicLaw):
     ----------
     name : str
     field : mapping or pairs of state name to formula
-        u; what is not named has component zero.
+        The components of u; those not given are zero.
     meaning : str
 
     Examples
@@ -443,12 +443,12 @@ class Symmetry(BasicLaw):
     meaning: str = ""
 
     def claim(self, system: VectorField) -> Mapping[str, object]:
-        """The components of u that are named."""
+        """The given components of u."""
         return {"field": self.scalar.field}
 
     @property
     def computed(self) -> tuple[sp.Basic | Pairs, ...]:
-        """u, which is divided out."""
+        """u, by which the flow is reduced."""
         return (self.field,)
 
     def under(self, change: ChangeOfVariables) -> Self:
@@ -462,8 +462,8 @@ class Symmetry(BasicLaw):
 class PoissonStructure(BasicLaw):
     """A Poisson structure on the phase space: skew, with the Jacobi identity.
 
-    Functions that vanish on the phase space and on the level have vanishing brackets with all
-    others, so that the bracket is defined for functions there.
+    Functions that vanish on the phase space and on the level have zero brackets with all
+    functions, so that the bracket is defined for functions there.
 
     Parameters
     ----------
@@ -471,15 +471,16 @@ class PoissonStructure(BasicLaw):
     matrix : sympy.Matrix
         J_ij = {x_i, x_j} in the flat order of the state.
     casimirs : tuple of sympy.Expr
-        Functions whose bracket with everything vanishes.
+        Functions whose brackets with all functions vanish.
     rank : int, optional
-        Rank at a generic point: nowhere greater, and attained at almost every point.
+        Rank at a generic point: attained at almost every point and nowhere exceeded.
     meaning : str
 
     Raises
     ------
     InputError
-        If the matrix is not square, or has no skew matrix of its size the rank.
+        If the matrix is not square, or the rank is impossible for a skew-symmetric matrix of its
+        size.
 
     Examples
     --------
@@ -536,8 +537,9 @@ class PoissonStructure(BasicLaw):
 class ConformallyHamiltonian(BasicLaw):
     """A conformally Hamiltonian form: v = N J dH, with J a Poisson structure.
 
-    N = 1 states that the field is Hamiltonian.  The new time τ has dτ = N dt; N must not vanish
-    identically.  At zeros of N the field vanishes; for negative N the time τ runs backwards.
+    For N = 1 the vector field is Hamiltonian. The new time τ satisfies dτ = N dt; N must not
+    vanish identically. The vector field vanishes at zeros of N; where N is negative, τ runs
+    backwards.
 
     Parameters
     ----------
@@ -570,7 +572,7 @@ class ConformallyHamiltonian(BasicLaw):
 
     @property
     def heading(self) -> str:
-        """Whether the form is Hamiltonian in the time of the system."""
+        """The title, which depends on whether the form is Hamiltonian in the time of the system."""
         return "Hamiltonian form" if self.multiplier == 1 else "Conformally Hamiltonian form"
 
     def claim(self, system: VectorField) -> Mapping[str, object]:
@@ -583,15 +585,15 @@ class ConformallyHamiltonian(BasicLaw):
 @arguments_checked
 @dataclass(frozen=True, repr=False)
 class Reduction(BasicLaw):
-    """Closed equations that some quantities satisfy by themselves along every motion.
+    """A closed system of equations satisfied by some quantities along every motion.
 
-    The variables are the symbols in the equations that are no parameters: the quantities, and state
-    variables (definitions are expanded).  The equations hold along every motion and are closed:
-    together with the conditions between the variables, and with the formulas of those quantities
-    that are functions of the others, they determine the rates of all variables at almost every
-    point; for a constant c of the motion the equation is ``Rate(c)``.  Equations homogeneous in the
-    rates need to determine them up to a common factor only; they then give the paths, but not the
-    time.  Equations that hold along every motion but are not closed make an `Identity`.
+    The variables are all symbols in the equations except parameters: the quantities, and state
+    variables (definitions are expanded). The equations hold along every motion and are closed:
+    together with the conditions between the variables, and with the definitions of quantities that
+    are functions of the others, they determine the rates of all variables at almost every point;
+    for a constant c of the motion the equation is ``Rate(c)``. Equations homogeneous in the rates
+    need to determine them only up to a common factor; they then give the paths, but not the time.
+    Equations that hold but are not closed form an `Identity`.
 
     Parameters
     ----------
@@ -626,7 +628,7 @@ class Reduction(BasicLaw):
 
     @property
     def heading(self) -> str:
-        """A reduction."""
+        """The title of a reduction."""
         return "Reduction"
 
     def claim(self, system: VectorField) -> Mapping[str, object]:
@@ -643,14 +645,14 @@ class Reduction(BasicLaw):
 @arguments_checked
 @dataclass(frozen=True, repr=False)
 class Separation(Reduction):
-    """Quantities each of which obeys an equation of its own, up to a common time.
+    """Quantities that satisfy separate equations, up to a common change of time.
 
     For each of the separated quantities u_i, at least two, one equation gives its rate or the
-    square of it, u̇_i = r_i or u̇_i² = r_i², and contains no other rate; every other equation is
-    ``Rate(c)`` for a constant c.  The ratios are r_i/r_k = f_i(u_i)/f_k(u_k), where f_i and f_k
-    contain only parameters and constants besides u_i and u_k.  There is then a common factor N with
-    r_i = N f_i(u_i), and du_i/dτ = f_i(u_i) in the time dτ = N dt.  On a level of the constants the
-    u_i are independent at almost every point.  They are usually roots of a quadratic.
+    square of its rate, u̇_i = r_i or u̇_i² = r_i², and contains no other rate; every other
+    equation is ``Rate(c)`` for a constant c. The ratios are r_i/r_k = f_i(u_i)/f_k(u_k), where f_i
+    and f_k contain only parameters and constants besides u_i and u_k. Hence r_i = N f_i(u_i) with
+    a common factor N, and du_i/dτ = f_i(u_i) in the time dτ = N dt. On a level of the constants
+    the u_i are independent at almost every point. They are usually roots of a quadratic equation.
 
     Examples
     --------
@@ -669,12 +671,12 @@ class Separation(Reduction):
 
     @property
     def heading(self) -> str:
-        """A separation."""
+        """The title of a separation."""
         return "Separation of variables"
 
     @property
     def by_formulas(self) -> Reduction:
-        """The equations; that they separate is no matter of formulas."""
+        """The equations; separability itself is not stated by formulas."""
         return Reduction(self.name, self.quantities, self.equations, level=self.level)
 
 
@@ -687,7 +689,7 @@ class Identity(BasicLaw):
     ----------
     name : str
     value : sympy.Expr, vector, matrix, or tuple of these
-        What vanishes; it may use ``Rate``.
+        The formulas that vanish; they may contain ``Rate``.
     meaning : str
     quantities : mapping or pairs of Symbol to formula
         Names for formulas in `value`, each in terms of state, definitions, parameters and earlier

@@ -1,7 +1,7 @@
-"""Named columns and matrices of n dimensions, n = 2 to 9, and scalars made of them.
+"""Named columns and matrices of dimension n, n = 2 to 9, and scalars made of them.
 
-They stand beside the 3-vectors of :mod:`flowlanes.system.vectors`: formulas keep their matrix form,
-so that they print as ``k ω − ω k``, and `to_components` turns them into scalars.
+They complement the 3-vectors of :mod:`flowlanes.system.vectors`: formulas keep their matrix form,
+so that they print as ``k ω − ω k``, and `to_components` converts them to scalars.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class Column(Vector):
     ----------
     name : str
     size : int
-        n.
+        The dimension n.
     """
 
     @property
@@ -39,13 +39,13 @@ class NamedMatrix(Node, sp.MatrixSymbol):
     """A named n × n matrix with some independent entries."""
 
     def __new__(cls, name: str | Str, size: int, *_: object) -> Self:
-        """Make the symbol; SymPy rebuilds expressions through here."""
+        """Create the symbol; SymPy also rebuilds expressions through this method."""
         matrix: Self = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.Integer(size))
         return matrix
 
     @property
     def places(self) -> tuple[IndexPair, ...]:
-        """The places of the independent entries, in order."""
+        """The indices of the independent entries, in order."""
         raise NotImplementedError
 
     @property
@@ -68,11 +68,11 @@ class NamedMatrix(Node, sp.MatrixSymbol):
 
 
 class Skew(NamedMatrix):
-    """A named skew matrix, by its entries ``name_12``, ``name_13``, … above the diagonal."""
+    """A named skew-symmetric matrix with entries ``name_12``, ``name_13``, …, row by row."""
 
     @property
     def places(self) -> tuple[IndexPair, ...]:
-        """The places above the diagonal, row by row."""
+        """The indices above the diagonal, row by row."""
         return tuple(combinations(range(int(self.shape[0])), 2))
 
     @property
@@ -85,11 +85,11 @@ class Skew(NamedMatrix):
 
 
 class SymmetricMatrix(NamedMatrix):
-    """A named symmetric matrix, by its entries ``name_11``, ``name_12``, …, ``name_nn``."""
+    """A named symmetric matrix with the entries ``name_11``, ``name_12``, …, ``name_nn``."""
 
     @property
     def places(self) -> tuple[IndexPair, ...]:
-        """The upper triangle, row by row."""
+        """The indices of the upper triangle, row by row."""
         return tuple(combinations_with_replacement(range(int(self.shape[0])), 2))
 
     @property
@@ -104,7 +104,7 @@ class SquareMatrix(NamedMatrix):
 
     @property
     def places(self) -> tuple[IndexPair, ...]:
-        """All places, row by row."""
+        """All indices, row by row."""
         rows = range(int(self.shape[0]))
         return tuple(product(rows, rows))
 
@@ -115,7 +115,7 @@ class SquareMatrix(NamedMatrix):
 
 
 class Image(Node, MatrixExpr):
-    """The image of a skew matrix under a named operator, shown as ``I(ω)``.
+    """The image of a skew-symmetric matrix under a named operator, printed as ``I(ω)``.
 
     Parameters
     ----------
@@ -123,11 +123,11 @@ class Image(Node, MatrixExpr):
         The name of the operator.
     argument : MatrixExpr
     value : sympy.Matrix
-        The image by entries.
+        The image as a matrix.
     """
 
     def __new__(cls, name: sp.Symbol, argument: MatrixExpr, value: sp.MatrixBase) -> Image:
-        """Make the node as it stands, without evaluation."""
+        """Create the node without evaluation."""
         node: Image = sp.Basic.__new__(cls, name, argument, sp.ImmutableDenseMatrix(value))
         return node
 
@@ -142,16 +142,16 @@ class Image(Node, MatrixExpr):
 
 
 class Blocks(Node, MatrixExpr):
-    """A matrix shown by its blocks, such as ``[0, w; −wᵀ, 0]``.
+    """A matrix printed by blocks, such as ``[0, w; −wᵀ, 0]``.
 
     Parameters
     ----------
     rows : sequence of sequences of MatrixExpr or sympy.Expr
-        The blocks; a scalar stands for a single entry.
+        The blocks; a scalar is a 1 × 1 block.
     """
 
     def __new__(cls, rows: Sequence[Sequence[sp.Basic]]) -> Blocks:
-        """Make the node as it stands, without evaluation."""
+        """Create the node without evaluation."""
         node: Blocks = sp.Basic.__new__(cls, sp.Tuple(*(sp.Tuple(*row) for row in rows)))
         return node
 
@@ -176,11 +176,12 @@ class Blocks(Node, MatrixExpr):
 
 
 class MatrixProduct(ScalarOfTensors):
-    """The scalar product (A, B) = ½ tr AᵀB of n × n matrices: Σ A_ij B_ij, i < j, of skew ones."""
+    """The scalar product (A, B) = ½ tr AᵀB of n × n matrices."""
 
     def explicit(self) -> Scalar:
         """The sum in components."""
         left, right = (to_components(arg) for arg in self.args)
+        # For skew-symmetric matrices ½ Σ A_ij B_ij over all i, j is the sum over i < j.
         if left == -left.T and right == -right.T:
             pairs = combinations(range(left.shape[0]), 2)
             return sp.Add(*(left[i, j] * right[i, j] for i, j in pairs))
@@ -188,7 +189,7 @@ class MatrixProduct(ScalarOfTensors):
 
 
 class Pfaffian(ScalarOfTensors):
-    """The Pfaffian of a skew matrix of even size, shown as ``Pf k``: its square is det k."""
+    """The Pfaffian of a skew-symmetric matrix of even size, printed as ``Pf k``; Pf² = det."""
 
     def explicit(self) -> Scalar:
         """The sum over pairings, in components."""
@@ -196,7 +197,7 @@ class Pfaffian(ScalarOfTensors):
 
 
 def _pfaffian(matrix: Components, rows: tuple[int, ...]) -> Scalar:
-    """Expanded along the first row."""
+    """The Pfaffian by expansion along the first row."""
     if not rows:
         return sp.S.One
     first, *others = rows
@@ -209,18 +210,18 @@ def _pfaffian(matrix: Components, rows: tuple[int, ...]) -> Scalar:
 
 
 class Jacobian(ScalarOfTensors):
-    """The determinant of a linear dependence, shown as ``det ∂k/∂ω``; its value is given.
+    """The determinant of a linear map, printed as ``det ∂k/∂ω``, with a given value.
 
     Parameters
     ----------
     image, argument : MatrixExpr
-        k and ω, where k depends linearly on ω.
+        k and ω, where k is linear in ω.
     value : sympy.Expr
         The determinant, such as the product of the pivots of an elimination.
     """
 
     def __new__(cls, image: MatrixExpr, argument: MatrixExpr, value: sp.Expr) -> Jacobian:
-        """Make the node as it stands, without evaluation."""
+        """Create the node without evaluation."""
         node: Jacobian = sp.Basic.__new__(cls, image, argument, value)
         return node
 

@@ -1,4 +1,4 @@
-"""Formulas by name: pairs of a quantity and a formula."""
+"""Named formulas: pairs of a quantity and a formula."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ from ..errors import InputError
 from ..formula_words import RESERVED_WORDS
 from .vectors import Diagonal, Symmetric, Vector, to_components
 
-#: Named quantities (symbols, vectors, tensors) with a formula for each.
+#: Named quantities (symbols, vectors, tensors), each with a formula.
 Pairs: TypeAlias = tuple[tuple[sp.Basic, sp.Basic], ...]
 
 Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
 
 
 def as_pairs(formulas: Mapping[sp.Basic, sp.Basic] | Iterable[tuple[sp.Basic, sp.Basic]]) -> Pairs:
-    """Formulas by name as pairs; a mapping gives its items."""
+    """Named formulas as pairs."""
     return tuple(formulas.items()) if isinstance(formulas, Mapping) else tuple(formulas)
 
 
 def require_names(owner: str, names: Iterable[object]) -> None:
-    """Names of quantities of a system are words, each is free, and none stands twice.
+    """Check that the names of quantities are identifiers, not reserved, and distinct.
 
     Raises
     ------
     InputError
-        If one is not: what is wrong with it.
+        If a name is not; the message says why.
     """
     for name, count in Counter(map(str, names)).items():
         if not name.isidentifier():
@@ -50,10 +50,10 @@ def require_names(owner: str, names: Iterable[object]) -> None:
 
 
 def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:
-    """The formula with the known symbols in place of others of the same name.
+    """The formula with symbols replaced by known ones of the same name.
 
-    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` differ for SymPy, but mean the same
-    in a formula that a user writes.
+    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` differ in SymPy, but mean the same
+    in a formula written by a user.
     """
     named = {symbol.name: symbol for symbol in symbols}
     written = sp.sympify(formula)
@@ -61,7 +61,7 @@ def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:
 
 
 def with_formulas(value: object) -> object:
-    """A value with pairs for mappings, tuples for lists, SymPy numbers.
+    """A value with mappings as pairs, lists as tuples and numbers as SymPy numbers.
 
     Examples
     --------
@@ -80,7 +80,7 @@ def with_formulas(value: object) -> object:
 def expand(
     formula: sp.Expr, definitions: Mapping[sp.Symbol, sp.Expr] | Iterable[tuple[sp.Symbol, sp.Expr]]
 ) -> sp.Expr:
-    """The formula without definitions, which may use each other.
+    """The formula with all definitions expanded, which may depend on each other.
 
     Examples
     --------
@@ -97,7 +97,7 @@ def expand(
 def definition_values(
     steps: Iterable[tuple[sp.Symbol, sp.Expr]], values: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr]:
-    """Formulas by their symbols, and those of steps in order with the earlier ones written in."""
+    """Values by symbol, extended by the steps in order with earlier values substituted."""
     formulas = dict(values)
     for symbol, value in steps:
         formulas[symbol] = value.xreplace(formulas)
@@ -109,7 +109,7 @@ def needed_steps(
     formulas: Iterable[sp.Expr],
     inputs: Iterable[sp.Symbol] = (),
 ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-    """The steps on which scalar or vector formulas depend, in order; `inputs` are known."""
+    """The steps on which formulas depend, in order; the symbols `inputs` are known."""
     known = set(inputs)
     wanted = {s for formula in formulas for s in formula.free_symbols} - known
     chosen = []
@@ -121,7 +121,7 @@ def needed_steps(
 
 
 def by_dependence(definitions: Pairs, symbols: Iterable[sp.Symbol]) -> tuple[Pairs, Pairs]:
-    """Definitions that do not depend on any of the symbols, and those that do."""
+    """Definitions that do not depend on any of the symbols, and the others."""
     moving = set(symbols)
     before: Pairs = ()
     after: Pairs = ()
@@ -154,7 +154,7 @@ def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
 
 
 def scalars(value: object) -> list[sp.Expr]:
-    """The scalar formulas of a scalar, vector, matrix or sequence of these, in order.
+    """The scalar formulas in a scalar, vector, matrix or sequence of these, in order.
 
     Examples
     --------
@@ -168,7 +168,7 @@ def scalars(value: object) -> list[sp.Expr]:
 
 
 def in_components(value: Any) -> Any:
-    """The formulas of a value by components; pairs that name vectors have one for each of them.
+    """A value with its formulas in components; named vectors give one pair for each component.
 
     Examples
     --------

@@ -1,6 +1,6 @@
 """Overviews of values: a heading and a short table, as text and as HTML.
 
-A trajectory of a million samples, printed, is to fit a screen.
+The printed form of a trajectory of a million samples must fit on a screen.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 
     from .arrays import FloatArray
 
-#: Columns of a screen.
+#: Maximum line length.
 COLUMNS = 80
 
 
 @dataclass(frozen=True)
 class Overview:
-    """A heading, and below it rows of a label and a text.
+    """A heading with rows of a label and a text.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ class Overview:
         return "\n".join(lines)
 
     def html(self) -> str:
-        """The overview as a table of HTML."""
+        """The overview as an HTML table."""
         rows = "".join(
             f'<tr><th style="text-align: left">{escape(label)}</th>'
             f'<td style="text-align: left">{escape(text)}</td></tr>'
@@ -65,9 +65,9 @@ class Overview:
 
 
 class WithOverview(ABC):
-    """A value that shows its overview in place of all that it holds.
+    """Mixin: a value is displayed by its overview.
 
-    A dataclass below it is declared with ``repr=False``.
+    Dataclasses that derive from it are declared with ``repr=False``.
     """
 
     @abstractmethod
@@ -82,7 +82,7 @@ class WithOverview(ABC):
 
 
 class _ShortRepr(reprlib.Repr):
-    """Representations that leave out the middle of what is long, and the numbers of arrays."""
+    """Representations without the middle of long values and the entries of arrays."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -97,9 +97,9 @@ _SHORT_REPR = _ShortRepr()
 
 
 class WithShortRepr:
-    """A dataclass that shows the shapes of its arrays, and long fields in part.
+    """Mixin: a dataclass is displayed with array shapes and abbreviated fields.
 
-    Fields at their defaults are left out.  It is declared with ``repr=False``.
+    Fields with default values are omitted. Such dataclasses are declared with ``repr=False``.
     """
 
     def __repr__(self: DataclassInstance) -> str:

@@ -17,13 +17,13 @@ from ..arguments import ParameterValue
 from ..errors import InputError
 from .system import Parameter, System
 
-#: Values by name or symbol: numbers, or arrays with one for each motion.
+#: Values by name or symbol: numbers, or arrays with one entry for each motion.
 Parameters: TypeAlias = Mapping[str, ParameterValue] | Mapping[sp.Symbol, ParameterValue]
 
 #: A condition on parameters: a relation, or a truth value.
 Condition: TypeAlias = Relational | Boolean
 
-#: Two sides of a condition that differ by this share of them are equal.
+#: Relative difference below which the two sides of a condition count as equal.
 ROUNDING = 1e-12
 
 
@@ -31,7 +31,7 @@ ROUNDING = 1e-12
 
 
 def require_parameters(owner: str, parameters: Iterable[object], names: Iterable[object]) -> None:
-    """Raise InputError if a name, or symbol, is none of the parameters of the owner.
+    """Raise InputError if a name or symbol is not among the parameters of the owner.
 
     Parameters
     ----------
@@ -54,12 +54,12 @@ def require_parameters(owner: str, parameters: Iterable[object], names: Iterable
 def parameters_by_symbol(
     system: System, parameters: Parameters | None
 ) -> dict[sp.Symbol, ParameterValue]:
-    """Values by the symbols of the system, of what is given by symbol or name.
+    """Parameter values by symbol, from values by symbol or name.
 
     Raises
     ------
     InputError
-        If the system has no parameter of a name.
+        If the system has no parameter of this name.
     """
     if not parameters:
         return {}
@@ -74,12 +74,12 @@ def parameters_by_symbol(
 def parameter_values(
     system: System, parameters: Parameters | None
 ) -> dict[sp.Symbol, ParameterValue]:
-    """Values of all parameters by symbol, given or by default.
+    """Values of all parameters by symbol, given or default.
 
     Raises
     ------
     InputError
-        If the system has no parameter of a name.
+        If the system has no parameter of this name.
     """
     return {**system.defaults, **parameters_by_symbol(system, parameters)}
 
@@ -88,19 +88,19 @@ def parameter_values(
 
 
 def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, Condition]]:
-    """Parameters with a relation or an alternative of each, as often as they have some.
+    """Pairs of a parameter and one of its conditions.
 
-    Conditions on one parameter alone come first: where one of them fails, that parameter is wrong,
-    and not another one that is compared with it.
+    Conditions on a single parameter come first: if one fails, this parameter is reported, and not
+    another one that is compared with it.
     """
     pairs = [(item, part) for item in parameters for c in item.admissible for part in conjuncts(c)]
     return sorted(pairs, key=lambda pair: len(pair[1].free_symbols))
 
 
 def conjuncts(condition: Condition) -> tuple[Condition, ...]:
-    """The conditions that together are one; each a relation, or an alternative of some.
+    """The conjuncts of a condition: relations, and disjunctions in normal form.
 
-    An alternative is an `Or` of relations and of conjunctions of them.
+    A disjunction is an `Or` of relations and of conjunctions of them.
 
     Examples
     --------
@@ -111,7 +111,7 @@ def conjuncts(condition: Condition) -> tuple[Condition, ...]:
     whole = sp.sympify(condition)
     if whole.has(sp.Not, sp.Xor, sp.Implies, sp.Equivalent, sp.ITE):
         whole = sp.to_nnf(whole, simplify=False)
-    # `args` are in order; `make_args` gives a set
+    # `args` are ordered; `make_args` returns a set.
     parts = whole.args if isinstance(whole, sp.And) else (whole,)
     return tuple(sp.to_dnf(p, simplify=False) if isinstance(p, sp.Or) else p for p in parts)
 
@@ -122,16 +122,16 @@ def condition_words(condition: Condition) -> str:
 
 
 def satisfies(condition: Condition, numbers: Mapping[sp.Symbol, Any]) -> Any:
-    """Truth of a condition on parameters, for numbers or for arrays of them.
+    """Truth value of a condition on parameters, for numbers or arrays.
 
-    Where it allows equality, so does rounding: the moments of inertia of a flat body, of which one
-    is the sum of the others, may miss this in their last digits.
+    Conditions with equality tolerate rounding: the moments of inertia of a flat body, one of which
+    is the sum of the others, may violate it in their last digits.
 
     Parameters
     ----------
     condition : SymPy relation
     numbers : mapping of Symbol to number or array
-        Values of its symbols at least.
+        Values of at least its symbols.
 
     Returns
     -------
@@ -159,9 +159,9 @@ def require_admissible(
     ----------
     system : System
     numbers : mapping of Symbol to float or array of float
-        Values of all parameters, of one motion or of several.
+        Values of all parameters, for one motion or several.
     values : mapping of Symbol to number, optional
-        The same numbers as the message is to show them.
+        The same values as shown in the message.
     """
     for parameter, condition in conditions(system.parameters):
         if strange := sorted(map(str, condition.free_symbols - numbers.keys())):
@@ -182,7 +182,7 @@ def require_admissible(
 
 @lru_cache(maxsize=256)
 def _check(condition: Condition) -> tuple[list[sp.Symbol], Any]:
-    """The symbols of a condition, and its truth as a function of them."""
+    """The symbols of a condition, and a function of them that returns its truth value."""
     relation = _with_rounding(sp.sympify(condition))
     symbols = sorted(relation.free_symbols, key=str)
     return symbols, sp.lambdify(symbols, relation, "numpy")

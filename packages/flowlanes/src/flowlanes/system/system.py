@@ -1,4 +1,4 @@
-"""Systems: a vector field on a phase space, and the laws claimed of it."""
+"""Systems: a vector field on a phase space with the laws claimed for it."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ Name: TypeAlias = Vector | sp.Symbol
 @arguments_checked
 @dataclass(frozen=True)
 class Parameter:
-    """A number that stays constant during motion.
+    """A number that is constant during motion.
 
     Parameters
     ----------
     symbol : sympy.Symbol
-        The symbol by which formulas call it.
+        The symbol used in formulas.
     meaning : str
-        In words, with the frame if it has one.
+        Description, with the frame if there is one.
     default : float
         Value used when none is given.
     unit : str
-        SI unit of the examples; any consistent units will do.
+        SI unit of the examples; any consistent units can be used.
     admissible : tuple of sympy relations
-        Conditions on this and other parameters; ``(a > 1) | (a < -1)`` leaves two ranges.
+        Conditions on this and other parameters; ``(a > 1) | (a < -1)`` admits two ranges.
 
     Examples
     --------
@@ -57,7 +57,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Observable:
-    """A quantity worth recording along a motion.
+    """A quantity that can be recorded along a motion.
 
     `value` is a scalar or vector formula in the state, the definitions and the parameters;
     `frame` is ``"body"`` or ``"space"`` for vectors and empty for scalars.
@@ -85,7 +85,7 @@ class Observable:
 
     @property
     def scalar(self) -> Observable:
-        """The observable with its value by components."""
+        """The observable with its value in components."""
         return replace(self, value=to_components(sp.sympify(self.value)))
 
 
@@ -98,11 +98,12 @@ class Guard:
     name : str
         Short name, such as ``"flat"``.
     value : sympy.Expr
-        Positive inside the domain.
+        Positive in the domain.
     message : str
-        What has happened when it is no longer positive: "the disk lies flat".
+        The event at which it becomes zero: "the disk lies flat".
     lift_off : bool
-        Whether the equations remain valid beyond (a two-sided contact), so that a run may go on.
+        Whether the equations remain valid beyond (a two-sided contact), so that a run may
+        continue.
     """
 
     name: str
@@ -112,24 +113,24 @@ class Guard:
 
     @property
     def scalar(self) -> Guard:
-        """The guard with its value as a scalar formula, free of vectors."""
+        """The guard with its value in components."""
         return replace(self, value=to_components(sp.sympify(self.value)))
 
 
 @dataclass(frozen=True)
 class Theorem:
-    """A proof by hand of laws of a system, for which identities remain to be certified.
+    """A proof by hand of laws of a system, up to identities that can be certified.
 
     Parameters
     ----------
     laws : tuple of str
-        The names of the laws that follow.
+        Names of the implied laws.
     words : str
-        What it says, and where its proof is.
+        Statement, and where its proof can be found.
     identities : callable
-        () ↦ systems whose laws are all that is left to be proven.
+        () ↦ systems with the laws that remain to be proven.
     positive : tuple of sympy.Expr
-        Formulas that it shows to be positive.
+        Formulas that are positive by the theorem.
     """
 
     laws: tuple[str, ...]
@@ -140,11 +141,11 @@ class Theorem:
 
 @dataclass(frozen=True)
 class Reconstruction:
-    """The lift of a reduced system back to space, as further equations.
+    """The equations that lift a reduced system back to space.
 
-    `field` gives the time derivatives of the further variables in the reduced state and
-    themselves, `relations` vanish along the motion and tie both together; `observables` are
-    places and directions in space.
+    `field` gives the time derivatives of the additional variables in terms of the reduced state
+    and themselves; `relations` vanish along the motion and couple both; `observables` are
+    positions and directions in space.
     """
 
     field: NamedFormulas
@@ -156,7 +157,7 @@ class Reconstruction:
 
 
 def unknown_names(formula: sp.Expr, scope: Collection[sp.Symbol]) -> str:
-    """The symbols of a formula that are not known, as text; empty if there are none.
+    """The unknown symbols of a formula, as text; empty if there are none.
 
     A symbol with the name of a known one but other assumptions is reported with both.
     """
@@ -183,10 +184,10 @@ def _assumptions(symbol: sp.Symbol) -> str:
 
 @dataclass(frozen=True)
 class ScalarForm:
-    """A system by components: no vector is left in any of its formulas.
+    """A system in components, without vectors in its formulas.
 
-    Formulas are declared and printed in vector notation; whatever computes takes them from here.
-    Nothing is expanded, and what belongs to the system keeps its order.
+    Formulas are declared and printed in vector notation; computations use this form. Nothing is
+    expanded, and the order is preserved.
 
     Examples
     --------
@@ -223,7 +224,7 @@ class ScalarForm:
 
     @cached_property
     def laws(self) -> tuple[Law, ...]:
-        """The laws; see `Law.scalar`."""
+        """The laws in components; see `Law.scalar`."""
         return tuple(law.scalar for law in self.system.laws)
 
     @cached_property
@@ -233,7 +234,7 @@ class ScalarForm:
 
     @cached_property
     def observables(self) -> tuple[Observable, ...]:
-        """The observables; the value of a vector is a matrix of one column."""
+        """The observables in components; a vector is a matrix with one column."""
         return tuple(item.scalar for item in self.system.observables)
 
     @cached_property
@@ -242,27 +243,27 @@ class ScalarForm:
         return tuple(guard.scalar for guard in self.system.guards)
 
     def of(self, formula: sp.Basic | float) -> sp.Basic:
-        """Another formula in the quantities of the system, by components."""
+        """Any formula in the quantities of the system, in components."""
         return to_components(sp.sympify(formula))
 
 
 @arguments_checked
 @dataclass(frozen=True, repr=False)
 class System(Displayed):
-    """A vector field on a phase space, with what is claimed of it.
+    """A vector field on a phase space, with the laws claimed for it.
 
     Parameters
     ----------
     name, title : str
-        Identifier (``"chaplygin-ball"``) and its human form.
+        Identifier (``"chaplygin-ball"``) and readable title.
     field : mapping of Vector or Symbol to formula
         Time derivatives of the state; the order of declaration is the flat order.
     definitions : mapping of Vector, tensor or Symbol to formula
-        Named intermediate quantities, each in terms of the state, the parameters and the
-        ones before it.
+        Named intermediate quantities, each in terms of the state, the parameters and the preceding
+        ones.
     parameters : tuple of Parameter
     relations : tuple of sympy.Expr
-        Vanish on the phase space.
+        Expressions that vanish on the phase space.
     laws : tuple of Law
     observables : tuple of Observable
     guards : tuple of Guard
@@ -270,20 +271,20 @@ class System(Displayed):
     source : str
         Equation numbers in the paper.
     summary : str
-        One or two sentences: what moves on what.
+        One or two sentences that describe the system.
     printed_definitions : pairs of quantity and formula
-        What a page shows in place of `definitions`: equations instead of the steps of their
-        solution.  Empty to show the definitions themselves.
+        Definitions to print in place of `definitions`: equations instead of the steps of their
+        solution. Empty to print the definitions.
     start : mapping of Vector to formula
         How state variables follow from ω, γ and the attitude, in which a start is given; the others
         (γ itself, or ω where it belongs to the state) are taken as given.
     theorems : tuple of Theorem
-        Proofs by hand of some of the laws, which the prover completes.
+        Proofs by hand of some laws, which the prover completes.
 
     Raises
     ------
     InputError
-        If a formula uses a symbol that is neither state, definition nor parameter, or two of
+        If a formula uses a symbol that is not a state variable, definition or parameter, or two of
         these have the same name.
 
     Examples
@@ -339,11 +340,11 @@ class System(Displayed):
 
     @cached_property
     def scalar(self) -> ScalarForm:
-        """The system by components, without vectors: what computations take."""
+        """The system in components, for computations."""
         return ScalarForm(self)
 
     def __getstate__(self) -> dict[str, object]:
-        # formulas by components are made again from those that are sent
+        # The form in components is recomputed rather than pickled.
         return {name: value for name, value in vars(self).items() if name != "scalar"}
 
     @cached_property
@@ -358,7 +359,7 @@ class System(Displayed):
 
     @cached_property
     def slices(self) -> tuple[tuple[Name, slice], ...]:
-        """The variables of the state, each with its place in the flat order."""
+        """The state variables, each with its slice in the flat order."""
         ends = [len(flat(self.state[:i])) for i in range(len(self.state) + 1)]
         return tuple((name, slice(*ends[i : i + 2])) for i, name in enumerate(self.state))
 
@@ -376,12 +377,12 @@ class System(Displayed):
     def required_definitions(
         self, formulas: Iterable[Formula], inputs: Iterable[sp.Symbol] = ()
     ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-        """The steps on which `formulas` depend, in order; `inputs` symbols are known."""
+        """The definitions on which `formulas` depend, in order; the symbols `inputs` are known."""
         return needed_steps(self.scalar_definitions, map(to_components, formulas), inputs)
 
     @arguments_checked
     def expand(self, formula: Formula) -> sp.Expr:
-        """A scalar or vector formula by components, in the state and the parameters alone."""
+        """A scalar or vector formula in components, in terms of state and parameters."""
         return expand(to_components(sp.sympify(formula)), self.scalar_definitions)
 
     @property
@@ -395,12 +396,12 @@ class System(Displayed):
 
     @property
     def defaults(self) -> dict[sp.Symbol, float]:
-        """Default value of every parameter."""
+        """Default values of all parameters."""
         return {p.symbol: p.default for p in self.parameters}
 
     @cached_property
     def default_values(self) -> tuple[tuple[str, float], ...]:
-        """Name and default value of every parameter, as text and as a double."""
+        """Names and default values of all parameters, as strings and doubles."""
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
@@ -415,7 +416,7 @@ class System(Displayed):
         ]
         moved = flat(name for name, _ in self.reconstruction.field) if self.reconstruction else ()
         whole = [n for n, _ in (*self.field, *self.definitions) if not isinstance(n, sp.Symbol)]
-        # whatever is proved, recorded or printed later knows them by their names alone
+        # Provers, recorders and printers identify quantities by name only.
         require_names(self.name, (*names, *moved, *whole))
         known = {p.symbol for p in self.parameters} | set(self.symbols)
         for symbol, value in self.scalar_definitions:
@@ -444,7 +445,7 @@ class System(Displayed):
         return replace(self, laws=self.laws + laws)
 
     def lifted(self) -> System:
-        """The system together with its motion in space, as one system.
+        """The system combined with its motion in space.
 
         Raises
         ------

@@ -1,7 +1,7 @@
-"""Products of vectors that are sequences of numbers, of balls, polynomials or terms of a program.
+"""Products of vectors given as sequences of numbers, balls, polynomials or program terms.
 
-Sums run from the first component to the last, so that results in floating point have the same bits
-wherever they are computed.
+Sums run from the first component to the last, so that floating-point results have the same bits
+everywhere.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Any, Protocol, TypeVar
 
 
 class Ring(Protocol):
-    """Numbers that can be added, subtracted and multiplied."""
+    """Numbers with addition, subtraction and multiplication."""
 
     def __add__(self, other: Any, /) -> Any:
         """The sum."""

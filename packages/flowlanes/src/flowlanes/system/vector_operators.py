@@ -1,4 +1,4 @@
-"""Unit vectors, dyads, skew matrices and gradients, made of the 3-vectors of `vectors`."""
+"""Unit vectors, dyads, skew-symmetric matrices and gradients of 3-vectors."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from .vectors import Components, Node, Scalar, Vector, constant, real_symbol, to
 
 @arguments_checked
 def unit_vector(axis: int) -> MatrixExpr:
-    """The unit vector along an axis of the frame in which the components are meant.
+    """The unit vector along a coordinate axis.
 
     Parameters
     ----------
     axis : int
-        1, 2 or 3; in the equations of a body these are its own axes.
+        1, 2 or 3; in the equations of a body, its own axes.
 
     Returns
     -------
@@ -47,15 +47,15 @@ def outer(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
 
 
 def hat(vector: MatrixExpr) -> Components:
-    """The skew matrix with hat(u) v = u × v."""
+    """The skew-symmetric matrix with hat(u) v = u × v."""
     x, y, z = to_components(vector)
     return Components([[0, -z, y], [z, 0, -x], [-y, x, 0]])
 
 
 class Gradient(Node, MatrixExpr):
-    """∂U/∂u for a scalar `U` written in the components of the vector `u`.
+    """The gradient ∂U/∂u of a scalar `U` in the components of the vector `u`.
 
-    The name under which U is printed is the third argument.
+    The third argument is the name under which U is printed.
     """
 
     shape = (sp.Integer(3), sp.S.One)
@@ -67,7 +67,7 @@ class Gradient(Node, MatrixExpr):
 
 
 def gradient(value: Scalar, variable: Vector, name: str = "U") -> MatrixExpr:
-    """∂value/∂variable, shown as ∂U/∂γ; zero when `value` does not depend on it."""
+    """∂value/∂variable, printed as ∂U/∂γ; zero if `value` does not depend on it."""
     if not to_components(value).has(*variable.symbols):
         return zero
     return Gradient(value, variable, real_symbol(name))

@@ -1,8 +1,8 @@
-"""Symbolic 3-vectors, and their components.
+"""Symbolic 3-vectors and their components.
 
-A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
-:func:`dot`, :func:`cross` and :func:`outer` keep their vector form, so that they print as
-``M×ω + m ṙ×(ω×r)``; :func:`to_components` turns the same formula into three scalars.
+A vector is a SymPy matrix expression of shape (3, 1). Formulas built from :func:`dot`,
+:func:`cross` and :func:`outer` keep their vector form, so that they print as ``M×ω + m ṙ×(ω×r)``;
+:func:`to_components` converts them to three scalars.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ identity: MatrixExpr = sp.Identity(3)
 
 @arguments_checked
 def real_symbol(name: str) -> sp.Symbol:
-    """A real scalar symbol, the only kind used in this package.
+    """A real scalar symbol, the only kind of symbol in this package.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def real_symbol(name: str) -> sp.Symbol:
 
 
 class Node:
-    """A node that stays as written until :func:`to_components` takes its components."""
+    """A node that stays unevaluated until :func:`to_components` is called."""
 
     def doit(self, **_: object) -> Self:
         """Itself."""
@@ -71,10 +71,10 @@ class Vector(Node, sp.MatrixSymbol):
     Parameters
     ----------
     name : str
-        Name as spelt in code; Greek names and the endings ``dot`` and ``tilde`` are
-        typeset (``gamma``, ``rdot``).
+        Name in code; Greek names and the suffixes ``dot`` and ``tilde`` are typeset (``gamma``,
+        ``rdot``).
     size : int
-        3; 2 for points of a plane, 4 for quaternions (components w, x, y, z).
+        3; 2 for points in a plane, 4 for quaternions (components w, x, y, z).
 
     Raises
     ------
@@ -88,7 +88,7 @@ class Vector(Node, sp.MatrixSymbol):
     """
 
     def __new__(cls, name: str | Str, size: int = 3, *_: object) -> Vector:
-        """Make the symbol; SymPy rebuilds expressions through here."""
+        """Create the symbol; SymPy also rebuilds expressions through this method."""
         if not isinstance(size, int | sp.Integer) or size < 1:
             raise InputError(f"the size of {name} must be a positive whole number, not {size}")
         vector: Vector = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.S.One)
@@ -101,7 +101,7 @@ class Vector(Node, sp.MatrixSymbol):
 
     @property
     def entries(self) -> Components:
-        """The components as a matrix of one column."""
+        """The components as a matrix with one column."""
         return Components(self.symbols)
 
     def __iter__(self) -> Iterator[sp.Symbol]:
@@ -158,20 +158,20 @@ class Symmetric(_Tensor):
 
 
 class Cross(Node, MatrixExpr):
-    """The vector product; build it with :func:`cross`."""
+    """The vector product; created by :func:`cross`."""
 
     shape = (sp.Integer(3), sp.S.One)
 
 
 class ScalarOfTensors(sp.Expr):
-    """A scalar made of vectors or matrices, which it shows unevaluated."""
+    """An unevaluated scalar function of vectors or matrices."""
 
     is_commutative = True
     is_real = True
     precedence = PRECEDENCE["Atom"]
 
     def explicit(self) -> Scalar:
-        """The components."""
+        """The scalar in components."""
         raise NotImplementedError
 
     def _latex(self, printer: LatexPrinter) -> str:
@@ -179,7 +179,7 @@ class ScalarOfTensors(sp.Expr):
 
 
 class Dot(ScalarOfTensors):
-    """The scalar product (u, v); build it with :func:`dot`."""
+    """The scalar product (u, v); created by :func:`dot`."""
 
     def explicit(self) -> Scalar:
         """The sum of the products of components."""
@@ -199,7 +199,7 @@ def constant(values: Formulas) -> MatrixExpr:
     Parameters
     ----------
     values : sequence of n scalars, or of n rows
-        Numbers or formulas; all components in the same frame.
+        Numbers or formulas, with all components in the same frame.
 
     Returns
     -------
@@ -237,13 +237,13 @@ def _parts(vector: MatrixExpr) -> list[tuple[Scalar, MatrixExpr]]:
 
 
 def _ordered_product(atom: MatrixExpr) -> MatrixExpr:
-    """A vector product with its factors in a fixed order, whatever its sign."""
+    """A vector product with its factors in a fixed order, ignoring the sign."""
     return Cross(*sorted(atom.args, key=sp.default_sort_key)) if isinstance(atom, Cross) else atom
 
 
 @arguments_checked
 def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
-    """The vector product u × v, with sums and scalar factors taken out.
+    """The vector product u × v, expanded over sums and scalar factors.
 
     Parameters
     ----------
@@ -253,7 +253,7 @@ def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
     Returns
     -------
     MatrixExpr (3, 1)
-        The product of parallel vectors is zero at once.
+        The product; zero at once for parallel vectors.
 
     Raises
     ------
@@ -276,7 +276,7 @@ def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
 
 @arguments_checked
 def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
-    """The scalar product (u, v), with scalar factors taken out.
+    """The scalar product (u, v), with scalar factors extracted.
 
     Parameters
     ----------
@@ -345,7 +345,7 @@ def to_components(expression: sp.Basic) -> sp.Basic:
     Returns
     -------
     sympy.Expr or ImmutableDenseMatrix
-        The same without any vector left in it; nothing is expanded.
+        The same formula without vectors; nothing is expanded.
 
     Raises
     ------
@@ -368,9 +368,9 @@ def to_components(expression: sp.Basic) -> sp.Basic:
 
 @lru_cache(maxsize=10_000)
 def _components_of(expression: sp.Basic) -> sp.Basic:
-    """The components of a formula; those of a system are asked for again and again."""
+    """The components of a formula, cached since those of a system are needed repeatedly."""
     if not isinstance(expression, MatrixExpr):
-        # from the top down, so that products inside products are reached with their factors
+        # Top-down, so that nested products are replaced together with their factors.
         return expression.xreplace({d: d.explicit() for d in expression.atoms(ScalarOfTensors)})
     return _explicit_matrix(expression)
 
@@ -387,7 +387,7 @@ def _explicit_matrix(expression: MatrixExpr) -> Components:
             return Components(sum(terms[1:], terms[0]))
         case MatMul():
             product = sp.S.One
-            # from the right, so that matrices act on vectors and dyads never appear
+            # From the right, so that matrices act on vectors and no dyads are formed.
             for arg in reversed(expression.args):
                 product = to_components(arg) * product
             return product

@@ -1,4 +1,4 @@
-"""Systems, laws and polynomials as the text of a certificate."""
+"""Systems, laws and polynomials as text in the format of a certificate."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from flowlanes.system.system import System
 from .fields.quotient_ring import Poly
 from .level.level_formulas import assumed_relations
 
-#: A mapping of a certificate, and a polynomial as a list of its terms.
+#: A mapping of a certificate; a polynomial as a list of its terms.
 Text: TypeAlias = dict[str, object]
 Terms: TypeAlias = list[list[object]]
 
 
 def claim_text(system: System, law: Law) -> Text:
-    """A law of a system as text, with everything that it refers to written out."""
+    """A law of a system as text, including everything to which it refers."""
     basic = law.basic(system)
     return {"system": _system(system), "law": {"kind": type(basic).__name__, **_law(system, basic)}}
 
@@ -42,7 +42,7 @@ def _system(system: System) -> Text:
 
 
 def guards(system: System) -> tuple[sp.Expr, ...]:
-    """The formulas that are positive in the domain, apart from those of parameters."""
+    """The formulas that are positive on the domain, apart from conditions on parameters."""
     declared = [guard.value for guard in system.scalar.guards if not guard.lift_off]
     assumed = [s for s in system.symbols if s.is_positive]
     assumed += [-s for s in system.symbols if s.is_negative]
@@ -50,13 +50,13 @@ def guards(system: System) -> tuple[sp.Expr, ...]:
 
 
 def admissible(system: System) -> tuple[sp.Basic, ...]:
-    """The relations that parameters obey, none of which is a conjunction, and alternatives."""
+    """The conditions on the parameters, with conjunctions split and disjunctions kept."""
     relations: list[sp.Basic] = []
     for parameter in system.parameters:
         for condition in parameter.admissible:
             relations += conjuncts(condition)
         assumed = [r for r in assumed_relations(parameter.symbol) if r not in (sp.true, sp.false)]
-        # the strongest says it all
+        # The strongest assumption implies the others.
         relations += assumed[:1]
     return tuple(r for r in dict.fromkeys(relations) if r not in (sp.true, True))
 
@@ -67,7 +67,7 @@ def _law(system: System, law: Law) -> Text:
 
 
 def _text(value: object) -> object:
-    """A value of a claim: formulas as text, systems with all that they state."""
+    """A value of a claim as text: formulas, matrices, systems and nested tuples."""
     match value:
         case System():
             return _system(value)
@@ -84,7 +84,7 @@ def _text(value: object) -> object:
 
 
 def terms_text(poly: Poly, places: Sequence[int | None]) -> Terms:
-    """A polynomial as a list of terms; `places` says where its generators stand in the ring."""
+    """A polynomial as a list of terms; `places` gives the index of each generator in the ring."""
     return [
         [str(number), [x for i, n in enumerate(exponents) if n for x in (places[i], int(n))]]
         for exponents, number in poly.to_dict().items()
@@ -92,5 +92,5 @@ def terms_text(poly: Poly, places: Sequence[int | None]) -> Terms:
 
 
 def powers_text(powers: Iterable[tuple[Poly, int]], places: Sequence[int | None]) -> Terms:
-    """A product of powers of polynomials."""
+    """A product of powers of polynomials as text."""
     return [[terms_text(poly, places), power] for poly, power in powers]

@@ -1,11 +1,10 @@
-"""The verdict on a law, from what is found on each component of its level.
+"""The verdict on a law, combined from the components of its level.
 
-The level of a law is decomposed into components first.  On each of them the law is tried at
-points: where a residual is not zero, exactly or as a ball that does not contain zero, it is
-refuted.  A law that survives is computed symbolically; where every residual vanishes modulo the
-equations of the component, the law holds on all of it.  A law that holds on every component is
-proven; one that holds on some, and is neither proven nor refuted on others, is proven where these
-are left aside.
+The level of a law is first decomposed into components. On each component the law is evaluated at
+random points; a residual that is not zero there, exactly or as a ball that does not contain zero,
+refutes it. Otherwise the residuals are computed symbolically; if all of them vanish modulo the
+equations of the component, the law holds on it. A law that holds on every component is proven. If
+some components are neither proven nor refuted, the law is proven where their points are excluded.
 """
 
 from __future__ import annotations
@@ -57,20 +56,20 @@ class _Part:
     Attributes
     ----------
     defining_factors : tuple of sympy.Expr
-        What sets the part apart from the others.
+        The factors that vanish on this part.
     trial : Trial, optional
-        A point where the law fails.
+        A point at which the law fails.
     point : mapping of str to str, optional
-        State and parameters there.
+        State and parameters at this point.
     dispute : str
-        How the check of certificates contradicts a point at which the law seems to fail.
+        Why the certificate checker rejects a point at which the law seems to fail.
     needs : tuple of (str, str)
-        What must be positive for the law to make sense, where that is not known: in words, and as
-        a formula.
+        Quantities that must be positive for the law to be defined and whose sign is unknown: in
+        words, and as a formula.
     remark : str
-        A further remark on the law.
+        A remark on the law.
     witness : Witness, optional
-        The point as the check of certificates confirms it.
+        The point as confirmed by the certificate checker.
     """
 
     defining_factors: tuple[sp.Expr, ...]
@@ -84,19 +83,19 @@ class _Part:
 
     @property
     def where(self) -> str:
-        """The part, as equations."""
+        """The equations of the part, in words."""
         return " and ".join(f"{text(c)} = 0" for c in self.defining_factors)
 
     @property
     def elsewhere(self) -> str:
-        """All but the part."""
+        """The complement of the part, in words."""
         if len(self.defining_factors) == 1:
             return f"{text(self.defining_factors[0])} ≠ 0"
         return f"not ({self.where})"
 
     @property
     def formula(self) -> str:
-        """The complement as a formula of Python, if it is one."""
+        """The complement as a Python formula; empty if it is not a single inequality."""
         return f"{self.defining_factors[0]} != 0" if len(self.defining_factors) == 1 else ""
 
 
@@ -111,7 +110,7 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
     parts: list[_Part] = []
     empty: list[EmptyLevelSetError] = []
     for alternative in alternatives(system, law):
-        # what fails on a part fails on the whole
+        # The level is the union of the alternatives, so a counterexample on one refutes the law.
         checked = _Checker(alternative.system, alternative.law)
         try:
             parts += _of_alternative(alternative, budget, checked)
@@ -145,7 +144,8 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
     return Verdict(
         law.name,
         "proven where" if conditions else "proven",
-        finding=_words(law, count, len(proven)) + "".join({p.remark: 0 for p in proven}),
+        finding=_zero_residuals_text(law, count, len(proven))
+        + "".join({p.remark: 0 for p in proven}),
         conditions=tuple(conditions),
         formulas=tuple(conditions.values()),
     )
@@ -153,7 +153,7 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
 
 @dataclass(frozen=True)
 class _Checker:
-    """A law as the check of certificates reads it, which has to agree with every refutation."""
+    """A law as the certificate checker reads it; every refutation must be confirmed by it."""
 
     system: System
     law: Law
@@ -163,7 +163,7 @@ class _Checker:
         return read_claim(claim_text(self.system, self.law), "the claim")
 
     def refutation(self, claim: Claim, level: LevelSet, trial: Trial) -> _Part:
-        """The part on which the law fails at a point; in dispute if the check disagrees."""
+        """The part with a point of failure; in dispute if the checker does not confirm it."""
         failed = _Part((), trial=trial, point=point_shown(claim, level, trial.field))
         try:
             return replace(failed, witness=witness(self.read, claim, level, trial.values))
@@ -178,11 +178,11 @@ class _Checker:
             )
 
     def _beyond(self, claim: Claim, level: LevelSet, trial: Trial, what: str) -> bool:
-        """Whether the check has the point, but not the residual, which it does not know.
+        """Whether the checker accepts the point but has no residual of this kind.
 
-        It knows the conditions as they are written, not the equations of a component, whose rates,
-        brackets and derivatives along a symmetry field have to vanish as well; nor does it know
-        that quantities separate, or that time runs forward.
+        The checker reads the conditions as stated. It does not compute the equations of a
+        component, whose rates, brackets and derivatives along a symmetry field must vanish as
+        well, nor does it test that quantities separate or that time runs forward.
         """
         own = [c for c in level.moving if c not in level.volume_conditions]
         names = ["dτ/dt", *map(in_words, own), *map(bracket_with, own), *map(derivative_of, own)]
@@ -200,7 +200,7 @@ class _Checker:
 
 
 def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker) -> Iterator[_Part]:
-    """The law on the components of one alternative of its level."""
+    """The outcomes for a law on the components of one alternative."""
     try:
         claims = polynomial_problems(alternative.system, alternative.law)
     except OutOfReachError as reason:
@@ -224,19 +224,20 @@ def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker)
 
 @memory(16)
 def _components(system: System, on: tuple[sp.Expr, ...]) -> tuple[LevelSet, ...]:
-    """The components of a level; several laws of a system have the same one."""
+    """The components of a level, which several laws of a system share."""
     return LevelSet(system, on).components
 
 
 def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Part:
-    """The law on one component."""
-    # motions may leave a part on which an initial vanishes for the rest of the component
+    """The outcome for a law on one component."""
+    # A motion may leave the zero set of an initial for the rest of the parent component, so only
+    # the parent is required to be invariant.
     points = replace(level, inner=True) if level.parent else level
     law = claim.law
     sample: dict[str, float] | None = None
     first: Trial | None = None
     disputed: _Part | None = None
-    # a rank is that at almost all points, not the one where an initial vanishes
+    # A claimed rank refers to almost all points; where an initial vanishes it may be lower.
     attained = level.parent is not None
     for trial in trials(law, points):
         if trial.witness is not None:
@@ -263,7 +264,7 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
             return _Part((), Proof(0, failure=NO_TARGET))
         if law.of_volume and positive_formulas(law, level):
             return _Part((), Proof(0, failure=NOWHERE))
-    # a point in dispute stands against any proof
+    # A disputed counterexample must not be overruled by a proof.
     outcome = NOTHING if disputed else proof(law, level, sample, budget, attained)
     if outcome.lack is not None and first is not None:
         return _lacking(claim, points, first, outcome.lack)
@@ -290,13 +291,13 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Pa
 
 
 def _lacking(claim: Claim, level: LevelSet, trial: Trial, lack: tuple[str, str]) -> _Part:
-    """The law on a component where it lacks a rank."""
+    """The outcome on a component where the law does not have its rank."""
     failed = replace(trial, witness=lack)
     return _Part((), trial=failed, point=point_shown(claim, level, trial.field))
 
 
 def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:
-    """What an isomorphism needs and what is not known to hold, in words and as formulas.
+    """Conditions of an isomorphism that are not known to hold, in words and as formulas.
 
     Time must run forward, and the parameters of the target must be admissible.
     """
@@ -313,10 +314,11 @@ def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:
 
 
 def _remark(law: Law, level: LevelSet, first: Trial | None) -> str:
-    """A remark on a law that holds: where a density is real, or that it is trivial."""
+    """A remark on a law that holds: where a density is real, or that the law is trivial."""
     if law.of_volume:
         return _of_density(law, level)
     try:
+        # A property found at one point is reported only if it also holds symbolically.
         said = first is not None and remark(law, level, first.field)
         return f"; {said}" if said and said == remark(law, level, _symbols(level)) else ""
     except (NotExactError, OutOfReachError, NeedMoreGeneratorsError, ZeroDivisionError):
@@ -367,7 +369,7 @@ def _refutation(law: Law, failed_part: _Part, parts: list[_Part]) -> Verdict:
     )
 
 
-def _words(law: Law, count: int, parts: int) -> str:
+def _zero_residuals_text(law: Law, count: int, parts: int) -> str:
     many = "1 residual is" if count == 1 else f"{count} residuals are"
     on = f" on {parts} components" if parts > 1 else ""
     return f"{many} zero modulo the relations{on}" + (f" ({law.included})" if law.included else "")

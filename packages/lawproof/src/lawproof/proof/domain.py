@@ -1,7 +1,7 @@
 """Divisors and radicands of a law, as elements of a field.
 
-The check of certificates finds these formulas by itself; a certificate says of each which product
-of polynomials it is.
+The certificate checker finds these formulas by itself; the certificate gives the factorisation of
+each.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from .level.named_formulas import quantities_in_order
 from .level.target_conditions import has_target
 from .residuals import target_state
 
-#: Formula, where it stands ("own" or "target"), its value, and whether it must be positive.
+#: Formula, side ("own" or "target"), value, and whether it must be positive.
 Divisor = tuple[str, str, Element, bool]
 _Value = Callable[[Formula], tuple[str, Element]]
 
@@ -35,7 +35,7 @@ _Value = Callable[[Formula], tuple[str, Element]]
 def divisors(
     claim: CheckedClaim, law: Law, level: LevelSet, field: UnreducedField
 ) -> Iterator[Divisor]:
-    """All divisors and radicands of a law, apart from those that have no value in the field."""
+    """All divisors and radicands of a law that have a value in the field."""
     settled = {
         str(s): parse(short_text(v), "a settled parameter")
         for s, v in level.fixed_parameters.items()
@@ -64,7 +64,7 @@ def divisors(
 
 
 def _own(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
-    """Values with derivatives along the motion, and without, which may be written otherwise."""
+    """Evaluators with and without time derivatives, which may give different forms."""
     quantities = quantities_in_order(law, level)
     evaluators = (level.along(field), level.evaluator(field), level.partial(field))
     return [_value(level, quantities, e.with_steps(quantities)) for e in evaluators]
@@ -96,7 +96,7 @@ def _target(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
 
 
 def _volumes(level: LevelSet, field: UnreducedField) -> Iterator[Element]:
-    """The leading minors of the Gram matrix of the conditions."""
+    """The leading principal minors of the Gram matrix of the gradients."""
     partial = level.partial(field)
     symbols = level.system.symbols
     normals = [[partial.value(sp.diff(c, s)) for s in symbols] for c in level.moving]
@@ -106,6 +106,7 @@ def _volumes(level: LevelSet, field: UnreducedField) -> Iterator[Element]:
 
 
 def _determinant(field: UnreducedField, rows: Sequence[Sequence[Element]]) -> Element:
+    # Laplace expansion needs no divisions; the matrices are small.
     if not rows:
         return field.one
     total = field.zero
@@ -117,7 +118,7 @@ def _determinant(field: UnreducedField, rows: Sequence[Sequence[Element]]) -> El
 
 
 def sympy_formula(formula: Formula, table: Mapping[str, sp.Symbol]) -> sp.Expr:
-    """A formula of the check as one of SymPy."""
+    """A formula of the checker as a SymPy expression."""
     parts = [sympy_formula(part, table) for part in formula.parts]
     if formula.kind == "number":
         return sp.Rational(formula.word.numerator, formula.word.denominator)

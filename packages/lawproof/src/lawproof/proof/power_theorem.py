@@ -1,16 +1,16 @@
-r"""The theorem on energy, as identities between the formulas of a system.
+r"""The energy theorem as identities between the formulas of a system.
 
-The rates of velocities u solve linear equations A u̇ = h + Cᵀλ, C u̇ = b.  Let F be a function of
-the state, and F' and f' the derivatives of F and of conditions f along the field in which u̇ is
-replaced by free symbols a.  If
+The accelerations u̇ solve linear equations A u̇ = h + Cᵀλ, C u̇ = b. Let F be a function of the
+state, and let F' and f' be the derivatives of F and of the constraints f along the vector field in
+which u̇ is replaced by free symbols a. If
 
     F' = uᵀ(A a − h),    C u = κ f,    f' = C a − b,
 
-and for the rates u̇ of the system A u̇ − h − Cᵀλ = 0 and C u̇ − b = 0, identically, then
-Ḟ = uᵀCᵀλ = Σ κ_μ λ_μ f_μ and ḟ = 0: F is constant where the conditions f hold, and they are kept.
-The first line says that F is the energy u ∂L/∂u − L of a Lagrangian without time, and that the
-constraints are homogeneous in the velocities: Theorem 1 (§3.1).  The second holds whatever A, h, C
-and b are, so that their definitions need not be written out.
+and if A u̇ − h − Cᵀλ = 0 and C u̇ − b = 0 identically for the accelerations u̇ of the system, then
+Ḟ = uᵀCᵀλ = Σ κ_μ λ_μ f_μ and ḟ = 0: F is constant where f = 0, and the constraints are preserved.
+The first line states that F is the energy u ∂L/∂u − L of a time-independent Lagrangian and that
+the constraints are homogeneous in the velocities: Theorem 1 (§3.1). The second line holds for any
+A, h, C and b, so that their definitions need not be expanded.
 """
 
 from __future__ import annotations
@@ -27,26 +27,26 @@ Row = tuple[sp.Expr, ...]
 
 @dataclass(frozen=True)
 class PowerTheorem(Theorem):
-    """The linear equations of the rates of a system, by which its energy is constant.
+    """The linear equations of the accelerations that imply conservation of energy.
 
     Attributes
     ----------
     velocities : tuple of Symbol
-        u, in the state.
+        The velocities u, part of the state.
     mass, slopes : tuple of rows
-        A, and C, a row for each multiplier.
+        The matrices A and C; C has one row for each multiplier.
     force, drift, multipliers : tuple of Expr
         h, b and λ.
     constraints : tuple of Expr
-        f, among the relations of the system.
+        The constraints f, which are relations of the system.
     degrees : tuple of Integer
-        κ, the degree in the velocities of each.
+        The degrees κ of the constraints in the velocities.
     positions : tuple of (Expr, Expr)
-        The other relations of the system, and their rates: one of f, or zero.
+        The other relations of the system with their rates: a constraint, or zero.
     definitions : tuple of (Symbol, Expr)
-        Of names beside those of the system that A, h, C, b and λ use.
+        Additional definitions used in A, h, C, b and λ.
     opaque : tuple of Symbol
-        Names of definitions that the identities of the rates take as independent variables.
+        Defined names that the identities of the accelerations treat as independent variables.
     """
 
     laws: tuple[str, ...] = ()

@@ -1,4 +1,4 @@
-"""Proof and refutation of laws: arguments checked, verdicts kept."""
+"""Proof and refutation of laws, with checked arguments and cached verdicts."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from .verdict import Verdict
 from .verdict_cache import fingerprint, load_verdict, store_verdict
 
 POINTS_ALONE = 1
-"""Term operations that leave nothing for a proof: a law is tried at points."""
+"""An effort too small for a proof, so that a law is only evaluated at points."""
 
 
 @arguments_checked
@@ -36,9 +36,9 @@ def prove(system: System, law: Law | str, *, effort: int = EFFORT) -> Verdict:
     ----------
     system : System
     law : Law or str
-        A law, or the name of one of the system's.
+        A law, or the name of a law of the system.
     effort : int
-        Term operations after which a law is left undecided; the same on every machine.
+        Term operations after which a law is left undecided; independent of the machine.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def prove(system: System, law: Law | str, *, effort: int = EFFORT) -> Verdict:
     Raises
     ------
     InputError
-        If the law uses an unknown symbol, its level is empty, or it is defined nowhere on it.
+        If the law uses an unknown symbol, its level is empty, or it is nowhere defined on it.
 
     Examples
     --------
@@ -95,24 +95,24 @@ def prove(system: System, law: Law | str, *, effort: int = EFFORT) -> Verdict:
 
 @arguments_checked
 def prove_all(system: System, *, effort: int = EFFORT) -> tuple[Verdict, ...]:
-    """Prove or refute every law of a system.
+    """Prove or refute all laws of a system.
 
     Parameters
     ----------
     system : System
     effort : int
-        Term operations after which a law is left undecided; the same on every machine.
+        Term operations after which a law is left undecided; independent of the machine.
 
     Returns
     -------
     tuple of Verdict
-        In the order of ``system.laws``.  A law for which `prove` would raise InputError is
+        In the order of ``system.laws``. A law for which `prove` would raise InputError is
         "refused".
 
     Raises
     ------
     InputError
-        If an argument is of another kind.
+        If an argument has the wrong type.
 
     Examples
     --------
@@ -130,7 +130,7 @@ def prove_all(system: System, *, effort: int = EFFORT) -> tuple[Verdict, ...]:
 
 
 class Prover(Protocol):
-    """What proves or refutes a law: `prove`, or `prove_with_certificate`."""
+    """A function that decides a law: `prove` or `prove_with_certificate`."""
 
     def __call__(self, system: System, law: Law, *, effort: int) -> Verdict:
         """The verdict on a law of a system."""
@@ -138,7 +138,7 @@ class Prover(Protocol):
 
 
 def judgement_of(prover: Prover, system: System, law: Law, effort: int) -> Verdict:
-    """The verdict on one law among several: one that states nothing is refused by itself."""
+    """The verdict on one law of several; "refused" in place of an InputError."""
     try:
         return prover(system, law, effort=effort)
     except InputError as problem:
@@ -146,7 +146,7 @@ def judgement_of(prover: Prover, system: System, law: Law, effort: int) -> Verdi
 
 
 def _by_theorem(system: System, law: Law, theorem: Theorem, budget: Budget) -> Verdict:
-    """The verdict on a law that a theorem has: points are tried, then its identities proven."""
+    """The verdict on a law by a theorem: points are tried, then its identities are proven."""
     with contextlib.suppress(OutOfReachError):
         verdict = verdict_of(system, law, Budget(effort=POINTS_ALONE))
         if verdict.decision != "undecided":
@@ -161,7 +161,7 @@ def _by_theorem(system: System, law: Law, theorem: Theorem, budget: Budget) -> V
 
 
 def _check_defaults(system: System) -> None:
-    """Points are drawn near the defaults of the parameters, which must be admissible numbers."""
+    """Check that the defaults of the parameters, near which points are drawn, are admissible."""
     for parameter in system.parameters:
         if not math.isfinite(parameter.default):
             raise InputError(
@@ -178,7 +178,7 @@ def _check_defaults(system: System) -> None:
 
 
 def _check_formulas(system: System, law: Law) -> None:
-    """A law is made of formulas."""
+    """Check that a law consists of formulas."""
     if not isinstance(law.level, tuple | list):
         raise InputError(
             f"{system.name}: the level of the law {law.name!r} is {law.level}; it must be a tuple "

@@ -1,4 +1,4 @@
-"""Laws tried at points: where a residual is not zero, a law is refuted."""
+"""Random test of laws: a law is refuted by a point where a residual does not vanish."""
 
 from __future__ import annotations
 
@@ -27,28 +27,28 @@ from .rank import rank_defect
 from .residuals import Residuals, condition_rates, conditions_are_independent, in_words, residuals
 
 ATTEMPTS = 400
-"""Points looked at, for one inside the domain at which the law is defined."""
+"""Maximum number of points tried in search of one at which the law is defined."""
 SEED = 20080830
 FIRST = (number_near_default,) * 2 + (moderate_number,) * 4
-"""Points at which a law is tried first."""
+"""Draws of the first points at which a law is evaluated."""
 FURTHER = (number_near_default,) * 6 + (moderate_number,) * 40 + (small_number,) * 30
-"""Points tried where a remainder is left, before a law is called undecided."""
+"""Draws of further points, used if a remainder is left, before a law is undecided."""
 
 
 @dataclass(frozen=True)
 class Trial:
-    """A law at a point of its level.
+    """A law evaluated at a point of its level.
 
     Attributes
     ----------
     field : Rationals or Balls
-        The numbers at the point.
+        The field of numbers at the point.
     values : mapping of str to number
-        The generators there, rational where they are.
+        The values of the generators, rational if possible.
     witness : tuple of (str, number), optional
-        The first residual that is not zero there, with its name.
+        The first non-zero residual, with its name.
     lack : tuple of (str, Any), optional
-        What the law lacks in rank there, and what it has: a hint, since the point may be special.
+        A missing rank and the rank found: a hint only, since the point may be special.
     """
 
     field: Rationals | Balls
@@ -58,7 +58,7 @@ class Trial:
 
 
 def all_residuals(law: Law, level: LevelSet, field: Field) -> Residuals:
-    """All residuals: of the level being invariant, and of the law."""
+    """All residuals: those of the invariance of the level, and those of the law."""
     yield from condition_rates(level, field)
     yield from residuals(law, level, field)
 
@@ -68,14 +68,14 @@ def trials(
     level: LevelSet,
     draws: Sequence[Draw] = FIRST,
 ) -> Iterator[Trial]:
-    """A law at random points of the domain; fewer than asked for where there are not enough.
+    """The law at random points of the domain; fewer than requested if not enough are found.
 
     Parameters
     ----------
     level : LevelSet
-        A component of its level.
+        A component of the level.
     draws : sequence of callable
-        How the free numbers of each point are drawn.
+        Functions that draw the free numbers of each point.
     """
     generator = random.Random(SEED)
     compute = partial(_trial_at, law, level)
@@ -90,7 +90,7 @@ def trials(
 
 
 def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:
-    """A point of the domain at which the time of an isomorphism does not run forward."""
+    """A point of the domain at which dτ/dt of an isomorphism is not positive."""
     if not has_target(law):
         return None
 
@@ -102,7 +102,7 @@ def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:
 
 
 def is_nowhere(level: LevelSet, holds: Callable[[LevelSet, Field], bool]) -> bool:
-    """Whether there are points on a level, and something holds at none of those tried."""
+    """Whether points were found on a level, but none satisfies a predicate."""
     found = []
 
     def trial_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
@@ -142,7 +142,7 @@ def _trial_at(
     law: Law, level: LevelSet, field: Rationals | Balls, values: Mapping[str, fmpq | arb]
 ) -> Trial:
     if unmet_conditions(law, level, field):
-        # the law makes no sense here
+        # The law is undefined here.
         raise ZeroDivisionError
     if not is_admissible_target(law, level, field):
         raise ZeroDivisionError

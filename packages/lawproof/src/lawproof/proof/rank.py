@@ -1,10 +1,10 @@
-"""Ranks: what a law claims of dimensions.
+"""Ranks and dimensions that laws claim.
 
-A map onto another system must be a local diffeomorphism, a bracket must have its rank, equations
-must determine the rates they speak of.  Evaluated at a point (exact rationals or balls) a rank that
-is attained is attained at almost every point; one that is not attained may be the fault of the
-point.  Evaluated symbolically (`FunctionField`), where only what vanishes modulo the relations
-counts as zero, a rank is the one at a generic point, and a shortfall is one everywhere.
+A map onto another system must be a local diffeomorphism, a bracket must have its rank, and
+equations must determine their rates. If a rank is attained at a point (exact rationals or balls),
+it is attained at almost every point; if not, the point may be special. Evaluated symbolically
+(`FunctionField`), where only elements that vanish modulo the relations count as zero, the rank is
+the generic one, and a deficiency holds everywhere.
 """
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ from .level.separability import of_separation
 from .residuals import Row, target_state
 
 DIMENSION = "the dimension of the level"
-"""Lacking at a point where all conditions are independent: no hint, but certain."""
+"""A deficiency that is certain at a point where all conditions are independent."""
 
 
 def rank(field: Field, matrix: Sequence[Row]) -> int:
-    """Rank of a matrix over a field; with balls, the rank that is certain."""
+    """Rank of a matrix over a field; with balls, a certain lower bound."""
     rows = [list(row) for row in matrix]
     count = 0
     for column in range(len(rows[0]) if rows else 0):
@@ -57,23 +57,23 @@ def rank(field: Field, matrix: Sequence[Row]) -> int:
 
 @singledispatch
 def rank_defect(law: Law, level: LevelSet, field: Field) -> tuple[str, str] | None:
-    """The rank that a law lacks, or None.
+    """The rank deficiency of a law, or None.
 
     Parameters
     ----------
     field
-        Numbers at a point: None settles the matter at almost every point of the level, a shortfall
-        is a hint.  Fractions: a shortfall settles it too.
+        Numbers at a point: None holds for almost every point of the level, a deficiency is a hint.
+        Fractions: a deficiency holds everywhere.
 
     Returns
     -------
     (str, Any) or None
-        What lacks rank, and how much it has.
+        Name of the deficient rank, and its value.
 
     Raises
     ------
     OutOfReachError
-        If balls leave it open.
+        If balls leave the rank undecided.
     """
     return None
 
@@ -107,11 +107,12 @@ def _(law: ConformallyHamiltonian, level: LevelSet, field: Field) -> tuple[str, 
 
 @rank_defect.register
 def _(law: Isomorphism, level: LevelSet, field: Field) -> tuple[str, str] | None:
-    """The map must be a local diffeomorphism from the level onto the target's phase space.
+    """The map must be a local diffeomorphism from the level to the phase space of the target.
 
     The level is where the conditions hold and the constants have fixed values; the phase space is
-    cut out by the relations of the target and by `onto`, the constants being put in.
+    defined by the relations of the target and by `onto`, with the constants substituted.
     """
+    # A row of slopes that is empty belongs to a formula without derivatives and has no rank.
     partial = level.partial(field)
     size = len(level.system.symbols)
 
@@ -132,7 +133,7 @@ def _(law: Isomorphism, level: LevelSet, field: Field) -> tuple[str, str] | None
 def _too_large(
     law: Isomorphism, level: LevelSet, field: Field, size: int, bounds: list[Row]
 ) -> tuple[str, str] | None:
-    """Whether the target has directions that no motion of the source takes."""
+    """Deficiency if the target has more dimensions than the level."""
     target = law.target
     number = {s: i for i, s in enumerate(target.symbols)}
     values = {s: jet.value for s, jet in target_state(law, level, level.evaluator(field)).items()}
@@ -153,13 +154,13 @@ def _too_large(
     relations = normals(LevelSet(target, law.onto).conditions)
     cut = rank(field, relations)
     if here != len(number) - cut:
-        # the conditions may be products, whose differentials vanish where two factors do
+        # A condition may be a product, whose differential vanishes where two factors do.
         relations = normals(_component_equations(law, field, there))
         cut = rank(field, relations)
     beyond = len(number) - cut
     if here == beyond:
-        # ranks that are only certain from below: the conditions may cut out less than it seems,
-        # never more than one dimension each
+        # Ranks with balls are lower bounds: the conditions may remove more dimensions than they
+        # seem to, but at most one each.
         if field.exact or bound == len(bounds):
             return None
         raise OutOfReachError("with balls the dimension of the level is not certain")
@@ -170,12 +171,12 @@ def _too_large(
 
 
 def _component_equations(law: Isomorphism, field: Field, there: Evaluator) -> tuple[sp.Expr, ...]:
-    """The equations of the component of the target's phase space on which the image lies.
+    """The equations of the component of the target's phase space that contains the image.
 
     Raises
     ------
     OutOfReachError
-        If it is not found.
+        If the component is not found.
     """
     whole = Identity("phase space", sp.S.Zero, level=law.onto)
     for alternative in alternatives(law.target, whole):
@@ -187,7 +188,7 @@ def _component_equations(law: Isomorphism, field: Field, there: Evaluator) -> tu
 
 @rank_defect.register
 def _(law: Reduction, level: LevelSet, field: Field) -> tuple[str, str] | None:
-    """The equations must determine all rates, or the ratios of two independent ones at least."""
+    """The equations must determine all rates, or the ratios of at least two independent ones."""
     stated, known, unknowns = rows_of_equations_and_identities(law, level, field)
     wanted = unknowns
     if up_to_time(law, level):
@@ -201,7 +202,7 @@ def _(law: Reduction, level: LevelSet, field: Field) -> tuple[str, str] | None:
 
 @rank_defect.register
 def _(law: Separation, level: LevelSet, field: Field) -> tuple[str, str] | None:
-    """The quantities that separate must be independent on a level of the constants."""
+    """The separated quantities must be independent on a level of the constants."""
     bounds, quantities = of_separation(law, level, field)
     found = rank(field, [*bounds, *quantities]) - rank(field, bounds)
     return _lacking("the number of independent quantities", found, len(quantities), field)

@@ -1,4 +1,4 @@
-"""Remarks on laws that hold: that they say little, or how they are meant."""
+"""Remarks on laws that hold, for example that they are trivial."""
 
 from __future__ import annotations
 
@@ -15,20 +15,19 @@ from .rank import rank
 
 @singledispatch
 def remark(law: Law, level: LevelSet, field: Field) -> str:
-    """A few words on a law that holds, or nothing.
+    """A remark on a law that holds; empty if there is none.
 
     Parameters
     ----------
     field
-        Numbers at a point: nothing found there settles that there is nothing to say.  Fractions
-        settle the rest.
+        Numbers at a point: an empty result is final. Fractions: any result is final.
     """
     return ""
 
 
 @remark.register
 def _(law: Integral, level: LevelSet, field: Field) -> str:
-    """Whether the function is constant, so that it distinguishes no motions."""
+    """Whether the function is constant on the level and so distinguishes no motions."""
     partial = level.partial(field)
     size = len(level.system.symbols)
     formulas = [*level.moving, level.without_rates(law.scalar.value)]
@@ -40,7 +39,7 @@ def _(law: Integral, level: LevelSet, field: Field) -> str:
 
 @remark.register
 def _(law: Symmetry, level: LevelSet, field: Field) -> str:
-    """Whether the field is zero."""
+    """Whether the symmetry field is zero."""
     evaluate = level.evaluator(field)
     values = [evaluate.value(formula) for formula in components(law.field, level).values()]
     return "the zero field" if all(map(field.vanishes, values)) else ""
@@ -48,5 +47,5 @@ def _(law: Symmetry, level: LevelSet, field: Field) -> str:
 
 @remark.register
 def _(law: Reduction, level: LevelSet, field: Field) -> str:
-    """Whether the equations leave the time open."""
+    """Whether the equations determine paths only, not time."""
     return "up to the time" if up_to_time(law, level) else ""

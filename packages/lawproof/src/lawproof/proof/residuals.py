@@ -1,6 +1,6 @@
-"""Residuals of laws, which vanish where these hold, in any field.
+"""Residuals of laws in any field; a law holds where all of them vanish.
 
-Every function yields pairs (name, value): the law holds where all values are zero.
+Every function yields pairs (name, value).
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from .level.named_formulas import components, quantities_in_order
 from .level.separability import separation_residuals
 
 Row: TypeAlias = Sequence[FieldElement]
-#: Words, or the condition whose rate the residual is.
+#: Words, or the condition whose rate is the residual.
 Name: TypeAlias = str | sp.Expr
 Residuals: TypeAlias = Iterator[tuple[Name, FieldElement]]
 
@@ -48,7 +48,7 @@ def in_words(name: Name) -> str:
 
 
 def bracket_with(formula: sp.Expr) -> str:
-    """The name of the brackets of all variables with a function that should be a Casimir."""
+    """The name of the brackets of all variables with a presumed Casimir function."""
     return f"{{·, {formula}}}"
 
 
@@ -64,7 +64,7 @@ def residuals(law: Law, level: LevelSet, field: Field) -> Residuals:
 
 
 def condition_rates(level: LevelSet, field: Field) -> Residuals:
-    """Rates of the conditions: they vanish when the phase space and the level are invariant."""
+    """Rates of the conditions, which vanish if phase space and level are invariant."""
     along = level.along(field)
     for condition in level.moving:
         yield condition, along.slope(condition)
@@ -114,6 +114,7 @@ def _(law: Separation, level: LevelSet, field: Field) -> Residuals:
 def _(law: Measure, level: LevelSet, field: Field) -> Residuals:
     partial = level.partial(field)
     rates = [partial(rate) for rate in level.system.rates]
+    # ρ = ∏ b^e satisfies div(ρ v)/ρ = div v + Σ e v(b)/b.
     total = field.zero
     for i, rate in enumerate(rates):
         total = total + _slope(field, rate, i)
@@ -139,7 +140,7 @@ def _slope(field: Field, jet: Jet, direction: int) -> FieldElement:
 
 
 def _lie_derivative(field: Field, jet: Jet, rates: Sequence[Jet]) -> FieldElement:
-    """Derivative of a function along a vector field, from its partial derivatives."""
+    """The derivative v(f) = Σ v_i ∂f/∂x_i along a vector field."""
     total = field.zero
     for i, slope in jet.slopes.items():
         total = total + slope * rates[i].value
@@ -149,10 +150,10 @@ def _lie_derivative(field: Field, jet: Jet, rates: Sequence[Jet]) -> FieldElemen
 def _transverse(
     level: LevelSet, field: Field, partial: Evaluator, rates: Sequence[Jet]
 ) -> FieldElement:
-    """The part of the divergence that points out of the phase space.
+    """The part of the divergence that is transverse to the phase space.
 
-    With v(F_i) = Σ C_ij F_j for the conditions F it is the trace of C.  It depends on the
-    conditions as they are stated: those of a component cut out another volume.
+    With v(F_i) = Σ C_ij F_j for the conditions F, it is the trace of C. It depends on the
+    conditions as stated; the equations of a component define another volume.
     """
     symbols = level.system.symbols
     normals, drifts = [], []
@@ -164,9 +165,11 @@ def _transverse(
         normals.append([slope.value for slope in slopes])
         drifts.append([_slope(field, drift, i) for i in range(len(symbols))])
     moving = [i for i, row in enumerate(drifts) if not all(field.vanishes(x) for x in row)]
+    # On F = 0 the gradients satisfy ∇v(F_i) = Σ C_ij ∇F_j. Multiplication by the gradients gives G
+    # C^T = R with the Gram matrix G, and only columns that are not zero are solved for.
     gram = [[dot(field.zero, a, b) for b in normals] for a in normals]
     right = [[dot(field.zero, drifts[i], normal) for i in moving] for normal in normals]
-    # where nothing moves it still has to be seen that there is a volume
+    # Solved even without columns: a zero pivot shows that no volume is defined.
     solution = _solution(field, gram, right)
     total = field.zero
     for column, i in enumerate(moving):
@@ -175,7 +178,7 @@ def _transverse(
 
 
 def conditions_are_independent(level: LevelSet, field: Field) -> bool:
-    """Whether the gradients of the conditions, as stated, are independent: there is a volume."""
+    """Whether the gradients of the stated conditions are independent and define a volume."""
     partial = level.partial(field)
     normals = [
         [partial(sp.diff(condition, s)).value for s in level.system.symbols]
@@ -192,12 +195,12 @@ def conditions_are_independent(level: LevelSet, field: Field) -> bool:
 def _solution(
     field: Field, matrix: Sequence[Row], right: Sequence[Row]
 ) -> list[list[FieldElement]]:
-    """Solutions of a small linear system with a Gram matrix, by Gauss and Jordan.
+    """Solutions of a small linear system with a Gram matrix, by Gauss–Jordan elimination.
 
     The pivots of a Gram matrix, taken in order, are the squared distances of each vector from the
-    span of those before it: none is zero where the vectors are independent.  So no rows are
-    exchanged, and a zero pivot says that the gradients of the conditions depend on each other,
-    where the volume that the conditions cut out is not defined.
+    span of the preceding ones, and are non-zero if the vectors are independent. No rows are
+    therefore exchanged, and a zero pivot means that the gradients of the conditions are dependent,
+    so that the conditions define no volume.
     """
     rows = [[*row, *values] for row, values in zip(matrix, right, strict=True)]
     for i in range(len(rows)):
@@ -223,8 +226,8 @@ def _(law: Symmetry, level: LevelSet, field: Field) -> Residuals:
             f"the law {law.name!r} gives a component along {', '.join(sorted(map(str, strange)))}, "
             f"which is no state variable of {level.system.name}"
         )
-    # derivatives along both fields alone: a shift of a variable that the rates do not contain
-    # leaves nothing to compute
+    # Only the derivatives along the two fields are needed: for a shift of a variable that the
+    # rates do not contain they vanish without any computation.
     along, across = level.along(field), level.along_field(field, given)
     for condition in level.moving:
         yield derivative_of(condition), across.slope(condition)
@@ -264,6 +267,7 @@ def _(law: PoissonStructure, level: LevelSet, field: Field) -> Residuals:
         function = partial(level.without_rates(scalar))
         yield from _casimir(field, casimir, function, values)
     if law.rank is not None:
+        # A skew-symmetric matrix has rank ≤ r if all its principal Pfaffians of size r + 2 vanish.
         for rows in combinations(range(size), law.rank + 2):
             yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
 
@@ -277,7 +281,7 @@ def _casimir(field: Field, formula: sp.Expr, function: Jet, values: Sequence[Row
 
 
 def pfaffian(field: Field, matrix: Sequence[Row], rows: tuple[int, ...]) -> FieldElement:
-    """Pfaffian of a principal submatrix; all of one size vanish when the rank is below it."""
+    """Pfaffian of a principal submatrix, by expansion along its first row."""
     if not rows:
         return field.one
     first, *others = rows
@@ -328,12 +332,12 @@ def _(law: Isomorphism, level: LevelSet, field: Field) -> Residuals:
 
 
 def target_state(law: Isomorphism, level: LevelSet, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
-    """State and parameters of the target, as this system gives them, and what `onto` needs.
+    """State and parameters of the target, and other symbols in `onto`, in terms of the source.
 
     Raises
     ------
     InputError
-        If the law leaves one of them open.
+        If the law does not define one of them.
     """
     target = law.target
     images, constants = components(law.map, level), components(law.constants, level)

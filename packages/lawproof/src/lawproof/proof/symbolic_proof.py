@@ -1,9 +1,9 @@
-"""Residuals computed symbolically on a component, for every choice of signs under roots.
+"""Symbolic computation of residuals on a component, for all choices of signs under roots.
 
-Where a product stands under a root, the root is split into roots of its factors, and the proof
-takes a sign for each of them.  Signs that nothing known settles are decisions: the proof is run
-again with each of them turned around, so that in the end it holds whatever the signs, or names
-those that it needs.  Before that it is tried with roots of which no sign is used.
+The root of a product is split into roots of its factors, each taken with a sign. A sign that is
+not known is a decision; the computation is repeated with each decision reversed, so that the
+result holds for all signs or names the signs that it needs. Before that, formal roots are tried,
+for which no sign is used.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from .residuals import in_words
 
 NO_VOLUME = "the conditions of the level cut out no volume: their gradients depend on each other"
 MOST_RUNS = 48
-"""Choices of signs that are followed."""
+"""Maximum number of sign choices."""
 NEGATIVE_BASE = "the base of a power with a symbolic exponent is negative"
 
 
@@ -44,13 +44,13 @@ class Proof:
     Attributes
     ----------
     residuals : int
-        How many residuals are zero; 0 where the law is defined nowhere.
+        Number of zero residuals; 0 if the law is nowhere defined.
     conditions : tuple of str
-        Signs that the proof needs, as inequalities.
+        Signs required by the proof, as inequalities.
     failure : str
-        What does not reduce to zero, or cannot be computed; empty for a proof.
+        Reason why a residual does not reduce to zero or cannot be computed; empty for a proof.
     lack : tuple of (str, Any), optional
-        What the law lacks in rank at every point of the component, and what it has.
+        Rank that the law lacks at every point of the component, and the rank found.
     """
 
     residuals: int
@@ -61,7 +61,7 @@ class Proof:
 
 @dataclass
 class _Run:
-    """One run, with the signs it decided on in words, in order."""
+    """One run, with the decided signs in words."""
 
     field: FunctionField
     residuals: int = 0
@@ -81,7 +81,7 @@ def proof(
     sample : mapping of str to float, optional
         A point of the component, whose signs are tried first.
     is_attained : bool
-        Whether the law is known to have the rank it claims.
+        Whether the law is known to attain its rank.
     """
     first = _first_run(law, level, sample, budget)
     if first.failure:
@@ -99,7 +99,7 @@ def proof(
             return Proof(formal.residuals)
     proven = [] if first.void else [first]
     failed: set[str] = set()
-    # (signs to take, how many of them are fixed, the first decision that was turned around)
+    # (signs to take, number of fixed signs, first reversed decision)
     waiting = flipped_decisions(first.field, 0)
     runs = 1
     while waiting:
@@ -123,7 +123,7 @@ def proof(
 def _first_run(
     law: Law, level: LevelSet, sample: Mapping[str, float] | None, budget: Budget
 ) -> _Run:
-    """A run for the signs at the sample; for others where a base would be negative."""
+    """A run with the signs at the sample point, or with others if a base would be negative."""
     first = _run(FunctionField, law, level, sample, budget, {})
     waiting = flipped_decisions(first.field, 0) if first.field.has_negative_base else []
     for signs, size, _ in waiting:
@@ -136,9 +136,10 @@ def _first_run(
 
 
 def flipped_decisions(field: FunctionField, size: int) -> list[tuple[dict[str, int], int, str]]:
-    """Signs for runs in which a decision beyond the first `size` of a field is turned around.
+    """Signs for runs that reverse one decision after the first `size`.
 
-    Each with the number of signs that are fixed by it, and the decision that is turned.
+    Each with the number of signs that it fixes and the reversed decision. Together the runs visit
+    every combination once: a run fixes the decisions before the reversed one.
     """
     signs = {key: sign for key, (_, sign) in field.decisions.items()}
     keys = list(signs)

@@ -1,4 +1,4 @@
-"""Theorems by which laws of a system are proven, and the identities that they leave."""
+"""Theorems by which laws are proven, and the identities to which they reduce a law."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .power_theorem import PowerTheorem
 
 
 def theorem_of(system: System, law: Law) -> Theorem | None:
-    """The theorem of a system from which a law of it may follow, if there is one."""
+    """The theorem of a system that may imply a law of it, or None."""
     for theorem in system.theorems:
         if isinstance(theorem, PowerTheorem):
             if isinstance(law, Integral):
@@ -31,9 +31,9 @@ def theorem_of(system: System, law: Law) -> Theorem | None:
 
 
 def identities_of(theorem: Theorem, system: System, law: Law) -> tuple[System, ...]:
-    """Systems whose laws are all that a theorem leaves to be proven of a law; none if it is silent.
+    """Systems whose laws together imply a law by a theorem; empty if it does not apply.
 
-    The theorem on energy is silent where its identities divide by something that neither the
+    The energy theorem does not apply if its identities divide by an expression that neither the
     equations nor the law divide by.
     """
     if not isinstance(theorem, PowerTheorem):
@@ -49,7 +49,7 @@ def identities_of(theorem: Theorem, system: System, law: Law) -> tuple[System, .
 
 
 def _applies(theorem: PowerTheorem, system: System, law: Law) -> bool:
-    """Whether the velocities of a theorem are those of a system, and its conditions hold there."""
+    """Whether the theorem has velocities and constraints of the system."""
     relations = set(system.scalar.relations)
     known = {*theorem.constraints, *(relation for relation, _ in theorem.positions)}
     return (
@@ -60,7 +60,7 @@ def _applies(theorem: PowerTheorem, system: System, law: Law) -> bool:
 
 
 def rates_text(theorem: PowerTheorem, system: System) -> Text:
-    """The linear equations of the rates as the text of a certificate."""
+    """The linear equations of the accelerations as text of a certificate."""
     relations = list(system.scalar.relations)
     known = {*system.symbols, *system.defaults}
     known |= {s for s, _ in (*system.scalar_definitions, *theorem.definitions)}
@@ -89,7 +89,7 @@ def _texts(formulas: Iterable[sp.Expr]) -> list[str]:
 
 
 def accelerations(theorem: PowerTheorem, names: Iterable[sp.Symbol]) -> tuple[sp.Symbol, ...]:
-    """Names for the rates of the velocities, which nothing else bears."""
+    """Unused names for the rates of the velocities."""
     used = set(map(str, names))
     symbols = []
     for velocity in theorem.velocities:
@@ -102,7 +102,7 @@ def accelerations(theorem: PowerTheorem, names: Iterable[sp.Symbol]) -> tuple[sp
 
 
 def power_identity(theorem: PowerTheorem, system: System, law: Integral) -> System:
-    """That F' = uᵀ(A a − h), C u = κ f and f' = C a − b, for any accelerations a."""
+    """The system with the law F' = uᵀ(A a − h), C u = κ f and f' = C a − b, for free a."""
     definitions = (*system.scalar_definitions, *theorem.definitions)
     u = theorem.velocities
     known = {*system.symbols, *(p.symbol for p in system.parameters), *(s for s, _ in definitions)}
@@ -134,7 +134,7 @@ def power_identity(theorem: PowerTheorem, system: System, law: Integral) -> Syst
 
 
 def solution_identity(theorem: PowerTheorem, system: System) -> System:
-    """That the rates solve A u̇ = h + Cᵀλ and C u̇ = b, whatever is held stands for."""
+    """The system with the law A u̇ = h + Cᵀλ and C u̇ = b for its accelerations."""
     opaque = set(theorem.opaque)
     definitions = [
         (s, f) for s, f in (*system.scalar_definitions, *theorem.definitions) if s not in opaque
@@ -158,7 +158,7 @@ def solution_identity(theorem: PowerTheorem, system: System) -> System:
     return System(
         name=f"{system.name}-solution",
         title="The linear equations of the accelerations, solved",
-        # a system has a state, even where everything is a number
+        # A system must have a state, even if everything is constant.
         field=dict.fromkeys(free or theorem.velocities[:1], sp.S.Zero),
         parameters=system.parameters,
         definitions=needed,
@@ -167,7 +167,7 @@ def solution_identity(theorem: PowerTheorem, system: System) -> System:
 
 
 def _entries(theorem: PowerTheorem) -> list[sp.Expr]:
-    """A, h, C and b; all names in them belong to an identity, even those that cancel."""
+    """The entries of A, h, C and b; the identity must know all their names, even if they cancel."""
     rows = (*theorem.mass, theorem.force, *theorem.slopes, theorem.drift)
     return [entry for row in rows for entry in row]
 
@@ -181,6 +181,6 @@ def _unknown(
     definitions: Iterable[tuple[sp.Symbol, sp.Expr]],
     others: set[sp.Symbol],
 ) -> list[sp.Symbol]:
-    """Symbols of formulas and definitions besides some others, in order."""
+    """Symbols in formulas and definitions that are not among `others`, sorted."""
     listed = [*formulas, *(f for _, f in definitions)]
     return sorted({s for f in listed for s in f.free_symbols} - others, key=str)

@@ -1,4 +1,4 @@
-"""Verdicts: the outcomes of proof attempts."""
+"""Verdicts: outcomes of proof attempts."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Decision = Literal["proven", "proven where", "refuted", "undecided", "refused"]
 
 
 NOT_TRIED = "not tried"
-"""The beginning of the reason of a verdict for which no work was allowed."""
+"""Prefix of the reason of a verdict for which no effort was allowed."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -28,35 +28,35 @@ class Verdict(WithOverview):
         witness; undecided: none of these, for the `reason` given; refused: among several laws, one
         that states nothing, such as a density that is real nowhere: the `reason` says why.
     conditions : tuple of str
-        What the points covered satisfy, such as ``"x > 0"`` or ``"not y = 0"``; empty unless the
+        Conditions on the points covered, such as ``"x > 0"`` or ``"not y = 0"``; empty unless the
         decision is "proven where".
     formulas : tuple of str
-        The conditions in the words of Python, such as ``"x > 0"`` or ``"y != 0"``; an empty text
-        for one that says more than a formula does.
+        The conditions as Python expressions, such as ``"x > 0"`` or ``"y != 0"``; an empty string
+        for a condition that is not a single formula.
     finding : str
-        What was shown, in a few words.
+        Summary of the result.
     reason : str
         Why it is undecided or refused; empty otherwise.
     terms : int
-        Size of the largest polynomial met.
+        Number of terms of the largest polynomial.
     seconds : float
-        Time that it took, on the machine that decided it.
+        Computing time on the machine that decided the law.
     effort : int
-        Term operations that it took; with fewer allowed it stays undecided.
+        Term operations used; a smaller effort would leave the law undecided.
     witness : mapping, optional
-        Of a refutation: the ``"point"`` (name ↦ exact number or ball), ``"what"`` fails there
-        and the ``"residual"``; and for its check the point as a certificate gives it
-        (``"place"``), the number of the residual (``"index"``) and its ``"value"``.
+        For a refutation: the ``"point"`` (name ↦ exact number or ball), ``"what"`` fails there and
+        the ``"residual"``; and, for the checker, the point in the format of a certificate
+        (``"place"``), the index of the residual (``"index"``) and its ``"value"``.
     certificate : mapping, optional
-        What another program needs in order to check the verdict.
+        Data from which another program can check the verdict.
     no_certificate : str
-        Why there is no certificate, where one was asked for.
+        Why there is no certificate, if one was requested.
     identities : tuple of mappings
-        Of a law without a certificate of its own that follows from a theorem: the certificates of
-        the identities that the theorem leaves to be proven; of one whose parameters have several
-        ranges (`in_ranges`) those in each range.
+        For a law that follows from a theorem and has no certificate of its own: the certificates
+        of the identities to which the theorem reduces it. For a law certified in several ranges of
+        its parameters (`in_ranges`): the certificates for each range.
     in_ranges : bool
-        Whether the law is certified in each range of its parameters by itself.
+        Whether the law is certified separately in each range of its parameters.
 
     Examples
     --------
@@ -87,25 +87,25 @@ class Verdict(WithOverview):
 
     @property
     def is_untried(self) -> bool:
-        """Whether it is undecided because nothing was tried."""
+        """Whether it is undecided because no effort was allowed."""
         return self.reason.startswith(NOT_TRIED)
 
     @property
     def statement(self) -> str:
-        """The decision, with the conditions under which it holds."""
+        """The decision with its conditions."""
         if self.is_untried:
             return NOT_TRIED
         return " ".join((self.decision, ", ".join(self.conditions))).rstrip()
 
     @property
     def words(self) -> str:
-        """The decision, with its conditions and with the reason for leaving it open."""
+        """The decision with its conditions and the reason why it is open."""
         if self.is_untried:
             return self.reason
         return f"{self.statement}: {self.reason}" if self.reason else self.statement
 
     def overview(self) -> Overview:
-        """Law and decision, what was shown or why not, and what it cost."""
+        """Law and decision, the finding or reason, and the cost."""
         point = (self.witness or {}).get("point", {})
         return Overview(
             f"{self.law}: {self.statement}",

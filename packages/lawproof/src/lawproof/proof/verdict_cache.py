@@ -1,8 +1,8 @@
-"""Verdicts stored on disk between processes, each under a digest of everything it depends on.
+"""Verdicts cached on disk, each under a digest of everything it depends on.
 
 A verdict depends on the system, the law, the program text and the versions of the exact
-arithmetic; whatever changes one of them makes another digest, so that nothing stale is read.  A
-verdict counts as a proof, so it is only ever read as :mod:`flowlanes.files.private_files` reads.
+arithmetic; a change in any of them changes the digest, so that no stale verdict is read. Since a
+verdict counts as a proof, it is read only through :mod:`flowlanes.files.private_files`.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ from .verdict import Verdict
 _LOG = logging.getLogger(__name__)
 
 FOR_THE_READER = frozenset({"as_printed", "meaning", "misprint", "source", "unit"})
-"""Fields of a law on which no proof depends."""
+"""Fields of a law that do not affect a proof."""
 
 
 def fingerprint(system: System, law: Law, theorem: Theorem | None = None) -> str:
-    """The name of the verdict on a law of a system, for which there may be a theorem."""
+    """The cache name of the verdict on a law of a system, with an optional theorem."""
     parts = [digest(_statement(system)), digest(_statement(law))]
     if theorem is not None:
         parts.append(digest(_statement(theorem)))
@@ -37,7 +37,7 @@ def fingerprint(system: System, law: Law, theorem: Theorem | None = None) -> str
 
 
 def _statement(value: object) -> object:
-    """A value without the names and texts on which no proof depends."""
+    """A value without the names and texts that do not affect a proof."""
     match value:
         case System():
             shape = (value.field, value.definitions, value.relations)
@@ -60,13 +60,13 @@ def _statement(value: object) -> object:
 
 
 def load_verdict(name: str, effort: int | None = None) -> Verdict | None:
-    """The verdict stored under a name, if there is one that can be read.
+    """The verdict stored under a name, or None.
 
     Parameters
     ----------
     effort : int, optional
-        Term operations allowed.  The verdict is the one to which they lead by themselves: it took
-        fewer, or exactly as many were spent on it; any other one that is stored is ignored.
+        Term operations allowed. A stored verdict is returned only if this effort leads to it: it
+        used less, or was stored for exactly this effort.
     """
     verdict = _read(name)
     if effort is None or (verdict is not None and verdict.effort < effort):
@@ -75,13 +75,13 @@ def load_verdict(name: str, effort: int | None = None) -> Verdict | None:
 
 
 def store_verdict(name: str, verdict: Verdict, effort: int | None = None) -> None:
-    """Store a verdict; if the disk does not allow it, it is computed again next time.
+    """Store a verdict; a failure to write is ignored.
 
     Parameters
     ----------
     effort : int, optional
-        Term operations that were allowed.  If all of them were spent, the verdict is stored for
-        this effort alone, since more may lead further and fewer not so far.
+        Term operations allowed. If all were used, the verdict is stored for this effort only,
+        since a larger one may decide the law and a smaller one may stop earlier.
     """
     if effort is not None and verdict.effort >= effort:
         name = _name_at_effort(name, effort)
@@ -91,7 +91,7 @@ def store_verdict(name: str, verdict: Verdict, effort: int | None = None) -> Non
 
 
 def _name_at_effort(name: str, effort: int) -> str:
-    """The name of the verdict on which the whole of an effort was spent."""
+    """The cache name of a verdict that used up its whole effort."""
     return f"{name}-{effort}"
 
 

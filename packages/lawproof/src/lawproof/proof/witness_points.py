@@ -25,16 +25,16 @@ from .level.sample_points import number_text
 def witness_point(
     claim: Claim, level: LevelSet, values: Mapping[str, fmpq | arb]
 ) -> dict[str, object] | None:
-    """State and parameters of a system at a point, or None if one has no formula.
+    """State and parameters of a system at a point; None if one of them has no formula.
 
     Parameters
     ----------
     claim : Claim
-        In the variables of the proof.
+        The claim in the variables of the proof.
     level : LevelSet
-        One of its components.
+        A component of its level.
     values : mapping of str to number
-        The generators at the point, rational where they are.
+        The generators at the point, rational if possible.
     """
     rational = Rationals({n: v for n, v in values.items() if isinstance(v, fmpq)})
     evaluate = level.evaluator(rational)
@@ -43,7 +43,7 @@ def witness_point(
         if isinstance(values.get(str(symbol)), fmpq):
             coordinates[symbol] = str(values[str(symbol)])
             continue
-        # what hangs on numbers that are not rational has no value here
+        # Values that depend on irrational numbers are skipped here.
         with contextlib.suppress(KeyError, NotExactError, ZeroDivisionError):
             coordinates[symbol] = str(evaluate.value(symbol))
     by_name = {str(s): s for s in level.symbols}
@@ -65,6 +65,7 @@ def point_shown(claim: Claim, level: LevelSet, field: Rationals | Balls) -> dict
     for angle, sine, cosine, unit in claim.circles:
         evaluate = level.evaluator(Balls(field.values))
         s, c, multiple = (evaluate.value(formula) for formula in (sine, cosine, unit))
+        # atan2 needs a definite quadrant; on the branch cut the angle is π.
         radians = arb.pi() if 0 in s and c < 0 else arb.atan2(s, c)
         del point[str(sine)], point[str(cosine)]
         point[str(angle)] = number_text(radians / multiple)
@@ -72,7 +73,7 @@ def point_shown(claim: Claim, level: LevelSet, field: Rationals | Balls) -> dict
 
 
 def _angle(sine: object, cosine: object, s: arb, c: arb) -> str | None:
-    """An angle as a formula, from sine and cosine as they are written and as numbers."""
+    """An angle as a formula, from sine and cosine as text and as numbers."""
     if sine == "0" or cosine in ("1", "-1"):
         return "0" if c > 0 else "pi"
     if isinstance(sine, str) and isinstance(cosine, str):
@@ -87,7 +88,7 @@ def _angle(sine: object, cosine: object, s: arb, c: arb) -> str | None:
 def _original(
     claim: Claim, coordinates: Mapping[sp.Symbol, object], evaluate: Evaluator
 ) -> dict[str, object] | None:
-    """The point in the variables of the system, with angles and expressed variables."""
+    """The point in the variables of the system, with angles and eliminated variables."""
     point = dict(coordinates)
     for angle, sine, cosine, unit in claim.circles:
         s, c = (evaluate.value(symbol) for symbol in (sine, cosine))
@@ -97,23 +98,23 @@ def _original(
         point[angle] = {"formula": value if unit == 1 else f"({value})/({unit})"}
     for symbol, formula in claim.expressions:
         point[symbol] = {"formula": short_text(formula)}
-    # roots of one polynomial may be needed by another: rational numbers first
+    # The root of one polynomial may be needed by another: rational numbers come first.
     ordered = sorted(point.items(), key=lambda pair: not isinstance(pair[1], str))
     return {str(symbol): value for symbol, value in ordered}
 
 
 @dataclass(frozen=True)
 class Witness:
-    """A point at which a law fails, as its check found.
+    """A point at which a law fails, confirmed by the certificate checker.
 
     Attributes
     ----------
     place : mapping
-        The point as a certificate gives it.
+        The point in the format of a certificate.
     index : int
-        The number of the first residual that is not zero there.
+        Index of the first residual that is not zero there.
     value : str
-        That residual.
+        The value of that residual.
     """
 
     place: dict[str, object]
@@ -124,12 +125,12 @@ class Witness:
 def witness(
     read: CheckedClaim, claim: Claim, level: LevelSet, values: Mapping[str, fmpq | arb]
 ) -> Witness:
-    """A point at which a law fails by the check of certificates.
+    """A point at which a law fails according to the certificate checker.
 
     Raises
     ------
     CheckError
-        If it does not fail there by the check; the error says why.
+        If the law does not fail there according to the checker; the error says why.
     """
     point = witness_point(claim, level, values)
     if point is None:

@@ -1,4 +1,4 @@
-"""The polynomials among which laws are searched, and the cost of the search."""
+"""Polynomial ansatz for the search of laws, and its cost."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .modular_jets import Integers, prime
 from .phase_space import Sample
 
 MEMORY = 4_000_000_000
-"""Bytes that the linear algebra of a search may take."""
+"""Maximum memory of the linear algebra of a search, in bytes."""
 _BYTES = 72  # per entry of the square matrix: value, rate, a Python integer, FLINT's copies
 
 Exponents = tuple[int, ...]
@@ -49,12 +49,12 @@ class Ansatz:
         )
 
     def check(self, components: int = 1) -> None:
-        """Raise an error if an ansatz does not fit into memory.
+        """Raise InputError if the ansatz does not fit into memory.
 
         Parameters
         ----------
         components : int
-            Into how many components all monomials go, each with a coefficient of its own.
+            Number of components that contain all monomials with independent coefficients.
 
         Raises
         ------
@@ -73,7 +73,7 @@ class Ansatz:
 
 @dataclass(frozen=True)
 class Table:
-    """The monomials of an ansatz at the points of a sample.
+    """The monomials of an ansatz evaluated at the points of a sample.
 
     Attributes
     ----------
@@ -88,7 +88,7 @@ class Table:
 
 
 def default_momenta(system: System) -> tuple[tuple[sp.Symbol, ...], ...]:
-    """The momentum-like quantities: M or ω of the state, and also ω if it is defined beside M.
+    """The momentum-like quantities: M or ω of the state, and also ω if it is defined in terms of M.
 
     If there is neither, the first vector of the state; if there is no vector, the whole state.
     """
@@ -131,6 +131,7 @@ def _monomials(
     points = len(sample.field[0])
     one = np.ones(points, dtype=np.int64)
     monomials = {exponents[0]: (one, np.zeros_like(one))}
+    # Each monomial is a lower one times a variable, which gives value and rate by one product.
     for powers in exponents[1:]:
         index = next(i for i, e in enumerate(powers) if e)
         below = (*powers[:index], powers[index] - 1, *powers[index + 1 :])

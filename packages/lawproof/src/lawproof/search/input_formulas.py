@@ -1,4 +1,4 @@
-"""Parse formulas that a user types for a search: ``M·γ``, ``(γ, J γ) - 1``, ``k = -1``."""
+"""Parsing of formulas that a user types for a search: ``M·γ``, ``(γ, J γ) - 1``, ``k = -1``."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _PLAIN = str.maketrans(
 
 
 def code_spelling(text: str) -> str:
-    """The text with Greek letters, indices and powers converted to code spelling."""
+    """The text with Greek letters, indices and powers in code spelling."""
     words = []
     for character in text.translate(_PLAIN):
         name = unicodedata.name(character, "")
@@ -117,12 +117,12 @@ def formula(text: str, system: System, where: str = "") -> sp.Expr:
     text : str
         Such as ``"M·γ"``, ``"(γ, J γ)"``, ``"M²"`` or ``"gamma_3 = 1/2"``.
     where : str
-        Put before the message of an error.
+        Prefix of error messages.
 
     Raises
     ------
     InputError
-        If it is no formula or mentions an unknown name.
+        If the text is not a formula or contains an unknown name.
     """
     return _read(text, system, _scalars(system), where)
 
@@ -133,7 +133,7 @@ def condition(text: str, system: System, where: str = "") -> sp.Expr:
     Raises
     ------
     InputError
-        If it is no formula or mentions what is not constant.
+        If the text is not a formula or contains a non-constant quantity.
     """
     fixed = {p.symbol for p in system.parameters}
     for symbol, value in system.scalar_definitions:
@@ -153,12 +153,12 @@ def quantities(names: str, system: System, where: str = "") -> tuple[sp.Expr, ..
     names : str
         Such as ``"M, gamma_3"`` or ``"x, log(x)"``.
     where : str
-        Put before the message of an error.
+        Prefix of error messages.
 
     Raises
     ------
     InputError
-        If a name is unknown, or what is no name is no formula.
+        If a name is unknown, or an entry is neither a name nor a formula.
     """
     scalars, named = _scalars(system), _tensors_by_name(system)
     vectors = {name: v for name, v in named.items() if isinstance(v, Vector | Skew)}

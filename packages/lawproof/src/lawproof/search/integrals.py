@@ -33,16 +33,16 @@ _SEED = 20080830
 
 @arguments_checked
 def integrals(question: SearchSpace, progress: Progress = no_progress) -> Iterator[SearchResult]:
-    """First integrals of the form P/Qˢ with a polynomial P and a divisor Q, one after the other.
+    """Iterate over first integrals P/Qˢ with a polynomial P and a divisor Q.
 
-    An integral that is a polynomial in earlier ones and functions of the parameters is not
-    repeated.  Each comes with the verdict of the prover.
+    An integral that is a polynomial in earlier ones, with coefficients in the parameters, is not
+    repeated. Each result has the verdict of the prover.
 
     Parameters
     ----------
     question : SearchSpace
     progress : callable, optional
-        Called with the fraction done and what is being done.
+        Called with the completed fraction and a description of the next step.
 
     Returns
     -------
@@ -51,7 +51,7 @@ def integrals(question: SearchSpace, progress: Progress = no_progress) -> Iterat
     Raises
     ------
     InputError
-        If the ansatz does not fit into memory or the field is not algebraic.
+        If the ansatz does not fit into memory or the vector field is not algebraic.
 
     Examples
     --------
@@ -99,7 +99,7 @@ def _divisions(question: SearchSpace) -> list[tuple[sp.Expr, int]]:
 
 @dataclass(frozen=True)
 class _Shell:
-    """Polynomials up to one degree in the momenta of an ansatz, divided by a power of a divisor."""
+    """Polynomials up to a degree in the momenta of an ansatz, over a power of a divisor."""
 
     ansatz: Ansatz
     degree: int
@@ -157,10 +157,12 @@ class _Search:
                 yield self._finding(law, degree)
 
     def findings(self, shell: _Shell) -> Iterator[SearchResult]:
-        """Integrals of one shell that do not follow from earlier ones."""
+        """Integrals of one shell that are independent of earlier ones."""
         exponents, value, rate = self._monomials(shell)
         over, change = _divisor_power(self.sample, shell)
         few = len(value) + _SPARE
+        # v(P/Qˢ) = 0 is linear in the coefficients of P: v(P) − P · v(Qˢ)/Qˢ = 0 at all points. A
+        # few more points than unknowns leave only true integrals, up to a negligible probability.
         kernel = nullspace((rate - value * change)[:, :few].T % prime())
         candidates = product(kernel, value) * over % prime()
         if not self._not_spanned(candidates, shell.degree):
@@ -203,9 +205,10 @@ class _Search:
         return self.known_integrals.products(degree, self.question.ansatz.gamma_degree, self.points)
 
     def _not_spanned(self, functions: Integers, degree: int) -> list[int]:
-        """The functions that do not depend linearly on products of known integrals."""
+        """Indices of functions that are not combinations of products of known integrals."""
         products = self._products(degree)
         self.full = self.full or len(products) + len(functions) + _SPARE > self.points
+        # With fewer points than functions, every function would seem to be a combination.
         if self.full or not len(functions):
             return []
         stacked = np.concatenate([products, functions])
@@ -215,7 +218,7 @@ class _Search:
     # --- formulas --------------------------------------------------------------------------
 
     def _covariant(self, shell: _Shell, functions: Integers) -> Iterator[sp.Expr]:
-        """Vector formulas of increasing degree in the parameters, while integrals are missing."""
+        """Vector formulas of increasing degree in the parameters, until no integral is missing."""
         plain = replace(shell, divisor=sp.S.One, exponent=0)
         for size in range(self.question.parameter_degree + 1):
             for way in dict.fromkeys((plain, shell)):
@@ -240,7 +243,7 @@ class _Search:
         exponents: Sequence[Exponents],
         functions: Integers,
     ) -> Iterator[sp.Expr]:
-        """Formulas in components, on the monomials that occur."""
+        """Formulas in components, on the monomials that occur in the kernel."""
         symbols = (*shell.ansatz.momenta, *shell.ansatz.coordinates)
         scalars = component_scalars(self.space, self.weights)
         for vector in kernel:
@@ -262,7 +265,7 @@ class _Search:
     def _laws_over_parameters(
         self, parts: Sequence[Part], scalars: Scalars, size: int, shell: _Shell
     ) -> list[sp.Expr]:
-        """Integrals with coefficients of one degree in the parameters, the simplest first."""
+        """Integrals with coefficients of one degree in the parameters, simplest first."""
         if not parts:
             return []
 
@@ -279,7 +282,7 @@ class _Search:
         return [_formula(solution, parts, scalars) / divisor for solution in solutions]
 
     def _new_laws(self, laws: Sequence[sp.Expr], degree: int) -> Iterator[sp.Expr]:
-        """The laws that are new; they are added to the known ones."""
+        """The new laws, which are added to the known ones."""
         waiting = [(law, self.sample(law).value) for law in laws]
         while fresh := self._not_spanned(np.array([value for _, value in waiting]), degree):
             (law, value), *waiting = (waiting[i] for i in fresh)
@@ -307,7 +310,7 @@ class _Search:
         )
 
     def _catalogue_name(self, formula: sp.Expr, degree: int) -> str:
-        """The law of the catalogue that a formula repeats, modulo earlier integrals."""
+        """The law of the catalogue equal to a formula modulo earlier integrals; empty if none."""
         products = self._products(max(degree, 2))
         value = self.sample(formula).value
         others = [row for row in products if (row != value).any()]
@@ -315,7 +318,7 @@ class _Search:
             try:
                 text = self.sample(law.value)
             except InputError:
-                # Its functions are beyond the search, so it does not count as found.
+                # Its functions are outside the scope of the search, so it does not count as found.
                 continue
             if self.sample.along(text).any():
                 continue
@@ -334,7 +337,7 @@ def _divisor_power(sample: Sample, shell: _Shell) -> tuple[Integers, Integers]:
 
 
 def _formula(solution: RationalLaw, parts: Sequence[Part], scalars: Scalars) -> sp.Expr:
-    """A solution with coprime integer coefficients and a positive simplest term."""
+    """A solution scaled to coprime integer coefficients, with a positive simplest term."""
     numbers = [number for number, _, _ in solution.terms]
     simplest = min(
         solution.terms, key=lambda term: (scalars.effort(term[1]), parts[term[2]].effort)

@@ -32,15 +32,15 @@ _SEED = 20080830
 
 @arguments_checked
 def measures(question: SearchSpace, progress: Progress = no_progress) -> Iterator[SearchResult]:
-    """Invariant measures with a density made of powers of the bases of the question.
+    """Iterate over invariant measures whose density is a product of powers of given bases.
 
-    The simplest are tried first; the search ends with the smallest number of factors that succeeds.
+    Few factors are tried first; the search ends with the smallest number that succeeds.
 
     Parameters
     ----------
     question : SearchSpace
     progress : callable, optional
-        Called with the fraction done and what is being done.
+        Called with the completed fraction and a description of the next step.
 
     Returns
     -------
@@ -49,7 +49,7 @@ def measures(question: SearchSpace, progress: Progress = no_progress) -> Iterato
     Raises
     ------
     InputError
-        If the field is not algebraic.
+        If the vector field is not algebraic.
 
     Examples
     --------
@@ -79,6 +79,8 @@ def measures(question: SearchSpace, progress: Progress = no_progress) -> Iterato
         if len(chosen) > found_size:
             break
         progress(number / len(choices), f"{len(chosen)} factors")
+        # The exponents are found separately for several values of the parameters, since they may
+        # be functions of them.
         residues = [
             combination(np.array([rate[i] for i in chosen]).T, target)
             for rate, target in zip(rates, targets, strict=True)
@@ -114,7 +116,7 @@ def _finding(question: SearchSpace, density: tuple[tuple[sp.Expr, sp.Expr], ...]
 
 
 def _catalogue_name(space: RestrictedSystem, law: Measure) -> str:
-    """The measure of the catalogue whose density has the same logarithmic rate."""
+    """The measure of the catalogue whose density has the same logarithmic rate; empty if none."""
     sample = space.sample(_POINTS, _SEED + _SETS, common=False)
     target = _divergence(space, sample)
     for other in space.system.laws_of(Measure):
@@ -125,7 +127,7 @@ def _catalogue_name(space: RestrictedSystem, law: Measure) -> str:
                     rate = _logarithmic(sample, base)
                     total = (total + rate * sample(sp.sympify(exponent)).value) % prime()
             except InputError:
-                # Its functions are beyond the search, so it does not count as found.
+                # Its functions are outside the scope of the search, so it does not count as found.
                 continue
             if not total.any():
                 return f"{other.name}, {other.source}" if other.source else other.name
@@ -138,9 +140,9 @@ def _logarithmic(sample: Sample, base: sp.Expr) -> Integers:
 
 
 def _divergence(space: RestrictedSystem, sample: Sample) -> Integers:
-    """div v for the volume on the phase space, at the points of a sample.
+    """The divergence for the volume on the phase space, at the points of a sample.
 
-    On the phase space v(Rᵢ) = Σ Cᵢⱼ Rⱼ; the induced volume has the divergence div v − tr C.
+    On the phase space v(Rᵢ) = Σ Cᵢⱼ Rⱼ, and the induced volume has the divergence div v − tr C.
     """
     total = np.zeros_like(sample.field[0])
     for index, rate in enumerate(sample.rates):
@@ -152,6 +154,8 @@ def _divergence(space: RestrictedSystem, sample: Sample) -> Integers:
     symbols = space.system.symbols
     columns = [symbols.index(variable) for _, variable in space.order]
     slopes = [sample(relation).slope for relation in relations]
+    # On R = 0 the gradients satisfy ∇v(R) = C ∇R. Restricted to the columns of the solved
+    # variables, ∇R is invertible, so that C = ∇v(R) (∇R)⁻¹.
     for point in range(len(total)):
         h = [[int(rate[c, point]) for c in columns] for rate in rates]
         g = [[int(slope[c, point]) for c in columns] for slope in slopes]
@@ -173,9 +177,9 @@ def _rate(space: RestrictedSystem, relation: sp.Expr) -> sp.Expr:
 def _exponent(
     space: RestrictedSystem, samples: Sequence[Sample], residues: Sequence[int]
 ) -> sp.Expr | None:
-    """The number, or simple function of the parameters, with these residues at the samples.
+    """The number, or simple function of the parameters, with given residues at the samples.
 
-    Candidates are q, and q₀ + q₁ f for f one of s, 1/s and s/t with parameters or constants s, t.
+    Candidates are q, and q₀ + q₁ f where f is s, 1/s or s/t with parameters or constants s, t.
     """
     first = rational(residues[0], prime())
     if first is not None and all(rational(r, prime()) == first for r in residues):

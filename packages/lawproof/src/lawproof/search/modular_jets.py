@@ -1,9 +1,9 @@
 """Formulas evaluated at many points at once in the integers modulo a large prime.
 
-A `Jet` holds the values of a formula at N points and its derivatives there.  Arithmetic modulo a
-prime below 2³¹ is exact and fits 64-bit integers, so NumPy processes all points at once.  An
-equation that holds at random points of so large a field holds identically, except with a
-probability of about one in a million (Schwartz and Zippel).
+A `Jet` contains the values of a formula at N points and its derivatives there. Arithmetic modulo a
+prime below 2³¹ is exact and fits into 64-bit integers, so that NumPy processes all points at once.
+An equation that holds at random points of such a large field holds identically, except with a
+probability of about one in a million (Schwartz–Zippel lemma).
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ from flowlanes.system.named_formulas import expand, scalars
 from flowlanes.system.vectors import Dot
 
 PRIMES = (2_147_483_647, 2_147_483_587, 2_147_483_579, 2_147_483_563)
-"""Moduli; they leave the remainder 3 on division by 4, which makes square roots easy."""
+"""Moduli congruent to 3 modulo 4, for which square roots are powers."""
 
 _MODULUS = ContextVar("modulus", default=PRIMES[0])
 _SIMPLE = 1000
-"""Operations up to which the argument of a logarithm is factored."""
-_WILD = 1_234_567  # prime to the order of the multiplicative group
+"""Maximum number of operations of an argument of a logarithm that is factored."""
+_WILD = 1_234_567  # coprime to the order of the multiplicative group
 
 Integers: TypeAlias = npt.NDArray[np.int64]
 Truths: TypeAlias = npt.NDArray[np.bool_]
 
 
 def prime() -> int:
-    """The modulus of all arithmetic here."""
+    """The current modulus."""
     return _MODULUS.get()
 
 
@@ -64,11 +64,13 @@ def power(base: Integers, exponent: int) -> Integers:
 
 def inverse(values: Integers) -> Integers:
     """The reciprocals modulo the prime; 0 is mapped to 0."""
+    # Fermat: a^(p−1) = 1, so that a^(p−2) is the inverse of a ≠ 0.
     return power(values, prime() - 2)
 
 
 def square_root(values: Integers) -> tuple[Integers, Truths]:
     """A square root modulo the prime, and a mask where it exists."""
+    # For p ≡ 3 (mod 4), a^((p+1)/4) is a square root of every square a.
     root = power(values, (prime() + 1) // 4)
     return root, root * root % prime() == values
 
@@ -132,12 +134,12 @@ class Evaluator(Evaluation[Jet]):
     points, directions : int
         The shape of all jets.
     definitions : mapping of Symbol to sympy.Expr
-        Further symbols, each evaluated when a formula asks for it.
+        Further symbols, each evaluated on first use.
 
     Attributes
     ----------
     good : array of bool, shape (N,)
-        Where no division by zero and no root of a non-square was met.
+        Mask of points without divisions by zero and roots of non-squares.
     """
 
     def __init__(
@@ -194,9 +196,13 @@ class Evaluator(Evaluation[Jet]):
             case Dot():
                 return self(formula.explicit())
             case sp.NumberSymbol():
-                # Transcendental functions: any number that has roots can represent the value.
+                # Transcendental: any element with roots can represent it, so an even power is
+                # taken.
                 return self.constant(pow(int(1000 * sp.N(formula)), 2 * _WILD, prime()))
             case sp.exp():
+                # exp is represented by the power map a ↦ a^w, which satisfies f′ = f by
+                # construction; an identity that holds for such a function holds for every function
+                # with this derivative.
                 inner = self(formula.args[0])
                 value = power(inner.value, _WILD)
                 return inner.compose(value, value)
@@ -215,7 +221,7 @@ class Evaluator(Evaluation[Jet]):
         )
 
     def _logarithm(self, argument: sp.Expr) -> Jet:
-        """log |f|: a sum over the factors of f of pseudo-random functions of them."""
+        """log|f| as a sum over the factors of f of pseudo-random functions with derivative 1/f."""
         total = self.constant(0)
         for base, exponent in _factors(expand(scalars(argument)[0], self._definitions)).items():
             jet = self(base)
@@ -226,7 +232,7 @@ class Evaluator(Evaluation[Jet]):
         return total
 
     def _circular(self, formula: sp.Expr) -> Jet:
-        """Sine or cosine of an angle: coordinates of a pseudo-random point of the circle."""
+        """Sine or cosine of an angle, as coordinates of a pseudo-random point on the circle."""
         expanded = sp.expand_trig(formula)
         if expanded != formula:
             return self(expanded)
@@ -234,6 +240,7 @@ class Evaluator(Evaluation[Jet]):
         half = power(angle.value, _WILD)
         square = half * half % prime()
         self.good &= square != prime() - 1
+        # Rational parametrisation of the circle: (2t, 1 − t²)/(1 + t²), with 1 + t² ≠ 0.
         below = inverse((1 + square) % prime())
         sine, cosine = 2 * half * below % prime(), (1 - square) * below % prime()
         if isinstance(formula, sp.sin):
@@ -250,6 +257,7 @@ class Evaluator(Evaluation[Jet]):
                 continue
             inner, theta = self(base), self(letters / number.q)
             wild = power((inner.value + theta.value) % prime(), _WILD)
+            # d(b^θ) = θ b^(θ−1) db.
             slope = theta.value * wild % prime() * inverse(inner.value) % prime()
             product = product * self._integer_power(inner.compose(wild, slope), int(number.p))
         return product

@@ -10,6 +10,7 @@ from flint import nmod_mat
 
 from .modular_jets import Integers, prime
 
+# Bits of margin: a random residue has a small fraction with a probability of about 2⁻¹².
 _MARGIN = 12
 
 
@@ -78,6 +79,7 @@ def product(left: Integers, right: Integers) -> Integers:
 
 def combination(columns: Integers, target: Integers) -> list[int] | None:
     """Coefficients with columns · c = target modulo the prime; None if there are none."""
+    # The kernel vector with a non-zero last entry expresses the target by the columns.
     stacked = np.concatenate([columns, target[:, None]], axis=1)
     kernel = nullspace(stacked)
     hits = [vector for vector in kernel if vector[-1]]
@@ -88,10 +90,12 @@ def combination(columns: Integers, target: Integers) -> list[int] | None:
 
 
 def rational(residue: int, modulus: int) -> Fraction | None:
-    """The fraction with this residue whose numerator and denominator are small.
+    """The fraction with a given residue and small numerator and denominator, or None.
 
-    Both are at most √(modulus/4096), so a random residue rarely has one; None if there is none.
+    Both are at most √(modulus/4096), so that a random residue rarely has one.
     """
+    # Wang's algorithm: the extended Euclidean algorithm for (modulus, residue) keeps r = t ·
+    # residue (mod modulus) and is stopped when r is small.
     bound = isqrt(modulus >> _MARGIN)
     r_0, r_1, t_0, t_1 = modulus, residue % modulus, 0, 1
     while r_1 > bound:

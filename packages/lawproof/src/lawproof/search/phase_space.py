@@ -1,7 +1,7 @@
-"""The domain of a search: a system, conditions on its parameters, a level; sample points.
+"""The domain of a search: a system, conditions on its parameters, a level, and sample points.
 
-A sample is drawn modulo a large prime: parameters and state at random, then one variable of each
-relation from that relation, which has degree one or two in it.
+A sample is drawn modulo a large prime: first parameters and state at random, then one variable of
+each relation by solving that relation, in which it has degree one or two.
 """
 
 from __future__ import annotations
@@ -26,21 +26,21 @@ _PROBE = 64
 _MOST_FRUITLESS = 3
 _NEXT = 1_000_003
 _MOST = 120
-"""Values of the parameters that are tried."""
+"""Maximum number of parameter values that are tried."""
 
 
 @dataclass(frozen=True)
 class Sample:
-    """Points on the phase space, with all values and derivatives there.
+    """Points on the phase space with all values and derivatives there.
 
     Attributes
     ----------
     evaluate : Evaluator
         Jets of formulas in state, definitions and parameters; slopes are gradients by the state.
     field : tuple of arrays, each of shape (N,)
-        The components of the field, in flat order.
+        The components of the vector field, in flat order.
     rates : tuple of Jet
-        The same with their gradients.
+        The components with their gradients.
     """
 
     evaluate: Evaluator
@@ -48,7 +48,7 @@ class Sample:
     rates: tuple[Jet, ...]
 
     def along(self, jet: Jet) -> Integers:
-        """The rate of a quantity along the field."""
+        """The derivative of a quantity along the vector field."""
         return jet.along(self.field)
 
     def __call__(self, formula: sp.Expr) -> Jet:
@@ -70,9 +70,9 @@ class RestrictedSystem:
     Attributes
     ----------
     conditions : tuple of sympy.Expr
-        Vanish; in parameters and definitions that depend on parameters alone.
+        Expressions that vanish, in parameters and definitions that depend on parameters only.
     level : tuple of sympy.Expr
-        Vanish; an invariant level in the phase space.
+        Expressions that vanish on an invariant level in the phase space.
     substitutions : pairs of Symbol and sympy.Expr
         The conditions solved for parameters.
     """
@@ -84,7 +84,7 @@ class RestrictedSystem:
 
     @property
     def on(self) -> tuple[sp.Expr, ...]:
-        """Everything that must vanish for a law found here to hold."""
+        """All expressions that vanish where a law found here is claimed."""
         return self.conditions + self.level
 
     @cached_property
@@ -112,7 +112,7 @@ class RestrictedSystem:
         Raises
         ------
         InputError
-            If the level has no points, or they cannot be found in this way.
+            If the level has no points, or they cannot be found by this method.
         """
         order = self._order(self.relations, ())
         if order is None:
@@ -126,12 +126,12 @@ class RestrictedSystem:
     # --- points ----------------------------------------------------------------------------
 
     def sample(self, points: int, seed: int, *, common: bool) -> Sample:
-        """Random points of the phase space.
+        """Draw random points of the phase space.
 
         Parameters
         ----------
         points : int
-            How many.
+            Number of points.
         common : bool
             Whether all points share the values of the parameters.
         """
@@ -141,6 +141,7 @@ class RestrictedSystem:
         shared = {s: int(rng.integers(1, prime())) for s in self.free}
         have = 0
         while have < points:
+            # About half of the points are lost at each quadratic relation.
             batch = 3 * (points - have) + _PROBE
             drawn = {
                 s: np.full(batch, shared[s]) if common else rng.integers(1, prime(), batch)
@@ -223,7 +224,8 @@ class RestrictedSystem:
     def _roots(
         self, relation: sp.Expr, variable: sp.Symbol, values: Mapping[sp.Symbol, Integers]
     ) -> tuple[Integers, BoolArray, bool]:
-        """Roots of a relation, where they exist, and whether its degree is one or two."""
+        """Roots of a relation, a mask of existence, and whether its degree is one or two."""
+        # Interpolate a quadratic through the values at 0, 1, 2 and test it at 3.
         at = []
         good: BoolArray = np.ones(len(values[variable]), dtype=bool)
         for number in range(4):
@@ -288,15 +290,16 @@ def restricted_system(
     Parameters
     ----------
     conditions : sequence of sympy.Expr
-        Vanish; in parameters and definitions that depend on parameters alone, such as ``k + 1``.
+        Expressions that vanish, in parameters and definitions that depend on parameters only, such
+        as ``k + 1``.
     level : sequence of sympy.Expr
-        Vanish; functions of the state whose level 0 is invariant.
+        Functions of the state with an invariant zero level.
 
     Raises
     ------
     InputError
-        If a condition cannot be solved or contradicts what is admissible, or if the level is
-        empty or not invariant.
+        If a condition cannot be solved or contradicts the admissible set, or if the level is empty
+        or not invariant.
     """
     bare = RestrictedSystem(system, tuple(conditions), (), ())
     space = RestrictedSystem(system, tuple(conditions), tuple(level), _solutions(bare))

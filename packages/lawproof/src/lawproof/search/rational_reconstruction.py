@@ -1,9 +1,9 @@
 """Formulas in the parameters from solutions modulo a prime.
 
-A law is a sum of parts (functions of state and parameters) whose coefficients are polynomials in
-the parameters.  In terms of monomials of the parameters its coefficients are rational numbers, the
-same for all values of the parameters.  They solve one linear system with equations taken at points
-that have different parameters.  Weights (physical dimensions) split it into small systems.
+A law is a sum of parts (functions of state and parameters) with coefficients that are polynomials
+in the parameters. Expanded in monomials of the parameters, these have rational coefficients that
+do not depend on the parameters and solve one linear system with equations at points with different
+parameters. Weights (physical dimensions) split it into small systems.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from .modular_linalg import independent_columns, nullspace, rational
 from .scaling import Weight, total
 
 LARGEST = 1000
-"""The largest number of unknowns of one linear system; of more, the simplest are taken."""
+"""Maximum number of unknowns of one linear system; the simplest are kept."""
 _SPARE = 24
 
 Product: TypeAlias = tuple[int, ...]
-"""Indices of scalars."""
+"""Indices of scalars, with repetition."""
 
 
 @dataclass(frozen=True)
@@ -38,9 +38,9 @@ class Part:
     Attributes
     ----------
     formula : sympy expression or tuple of them
-        What stands behind the coefficient.
+        The function multiplied by the coefficient.
     effort : int
-        How complicated it looks; simple parts are preferred.
+        Complexity of the formula; simple parts are preferred.
     """
 
     formula: sp.Expr | tuple[tuple[str, sp.Expr], ...]
@@ -87,12 +87,12 @@ class RationalLaw:
 
 @dataclass(frozen=True)
 class Draw:
-    """The parts, and the quantities that must vanish, at some points modulo the current prime.
+    """The parts and the linear conditions on them at some points modulo the current prime.
 
     Attributes
     ----------
     value, condition : arrays of int64, shape (parts, rows, points)
-        The parts themselves, and what must vanish, linear in the coefficients.
+        The parts, and the expressions that must vanish, which are linear in the coefficients.
     numbers : array of int64, shape (scalars, points)
     """
 
@@ -129,14 +129,14 @@ def plan(parts: Sequence[Part], scalars: Scalars, degree: int) -> Plan:
 def reconstructed_laws(
     parts: Sequence[Part], scalars: Scalars, degree: int, draw: Callable[[int], Draw]
 ) -> list[RationalLaw]:
-    """Laws with coefficients up to a degree in the scalars, the simplest first.
+    """Laws with coefficients up to a degree in the scalars, simplest first.
 
     Parameters
     ----------
     parts : sequence of Part
-        At least one.
+        The parts, at least one.
     draw : callable
-        Number of points ↦ Draw, modulo the prime that is then in force.
+        Number of points ↦ Draw modulo the current prime.
 
     Returns
     -------
@@ -151,6 +151,7 @@ def reconstructed_laws(
             break
         with modulo(extra):
             others = list(_kernels(scheme, draw(points)))
+        # An unlucky prime changes the pivots; the residues then belong to different bases.
         if [k.terms for k in others] != [k.terms for k in kernels]:
             break
         kernels = [
@@ -162,7 +163,7 @@ def reconstructed_laws(
 
 
 def _kernels(scheme: Plan, sample: Draw) -> Iterator[_Kernel]:
-    """Laws among the sums of products, separately for each block."""
+    """Bases of the laws among the products, separately for each block."""
     for block in scheme.blocks:
         few = len(block) + _SPARE
         columns, rows = [], []
@@ -172,6 +173,7 @@ def _kernels(scheme: Plan, sample: Draw) -> Iterator[_Kernel]:
                 factor = factor * sample.numbers[scalar, :few] % prime()
             columns.append((sample.value[index, :, :few] * factor % prime()).ravel())
             rows.append((sample.condition[index, :, :few] * factor % prime()).ravel())
+        # Products that are dependent on the phase space would add laws that vanish identically.
         independent = independent_columns(np.array(columns).T)
         for vector in nullspace(np.array(rows)[independent].T):
             yield _Kernel(tuple(block[i] for i in independent), tuple(map(int, vector)))

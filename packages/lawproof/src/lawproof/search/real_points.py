@@ -22,16 +22,16 @@ def has_real_points(
 ) -> bool:
     """Whether a real point of a level is found at the default parameters.
 
-    Newton's method from several random starts; the level counts as empty if all fail.
+    Newton's method is tried from several random starts; the level counts as empty if all fail.
 
     Parameters
     ----------
     relations : sequence of sympy.Expr
-        What vanishes on the level.
+        Expressions that vanish on the level.
     free : sequence of Symbol
-        Parameters that have their default values.
+        Parameters with their default values.
     substitutions : sequence of (Symbol, sympy.Expr)
-        Parameters that are formulas in these.
+        Parameters given by formulas in these.
     """
     from scipy.optimize import least_squares
 

@@ -1,4 +1,4 @@
-"""Build a search question from a user's input, with validation and defaults."""
+"""Specification of a search from a user's input, with validation and defaults."""
 
 from __future__ import annotations
 
@@ -48,23 +48,21 @@ def search_space(
         Largest degrees in the momenta and in the coordinates.
     momenta, coordinates : str
         Names of vectors and scalars, and formulas such as ``"log(x)"``, separated by commas; by
-        default M and ω, and all that is left of the state.  An angle enters by its sine and
-        cosine.
+        default M and ω, and the rest of the state. An angle is replaced by its sine and cosine.
     at : sequence of str
         Conditions on the parameters, such as ``"k = -1"``.
     level : sequence of str
-        Formulas that vanish on the level in question, such as ``"M·γ"``.
+        Formulas that vanish on the level, such as ``"M·γ"``.
     divisors : sequence of str, optional
-        Formulas by whose powers an integral may be divided; by default those that suggest
-        themselves.
+        Formulas by whose powers an integral may be divided; by default natural candidates.
     bases : sequence of str, optional
-        Formulas of whose powers a density is made; by default those that suggest themselves.
+        Bases of the powers in a density; by default natural candidates.
     powers : int
-        Largest power of a divisor.
+        Largest exponent of a divisor.
     parameter_degree : int
-        Largest degree in the parameters of a coefficient.
+        Largest degree of a coefficient in the parameters.
     effort : int
-        Term operations that the proof of one law may take.
+        Maximum number of term operations for the proof of one law.
 
     Returns
     -------
@@ -73,7 +71,7 @@ def search_space(
     Raises
     ------
     InputError
-        If something in it is unknown, impossible or too large.
+        If an argument is unknown, impossible or too large.
 
     Examples
     --------
@@ -132,7 +130,7 @@ def search_space(
 
 
 def _factor(text: str, system: System, where: str) -> sp.Expr:
-    """A formula that may divide or be a factor; zero is rejected."""
+    """A formula that may be a divisor or factor; zero is rejected."""
     value = formula(text, system, where)
     if value == 0:
         raise InputError(f"{text} is zero, which divides nothing", where)

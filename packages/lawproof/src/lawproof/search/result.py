@@ -1,4 +1,4 @@
-"""The question and the results of a search."""
+"""The specification and the results of a search."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .phase_space import RestrictedSystem
 
 Kind = Literal["integral", "measure", "symmetry"]
 Progress = Callable[[float, str], None]
-"""Called with the fraction done and a few words about what comes next."""
+"""Called with the completed fraction and a description of the next step."""
 
 
 def no_progress(fraction: float, words: str) -> None:
@@ -31,21 +31,21 @@ class SearchSpace:
     Attributes
     ----------
     stage : RestrictedSystem
-        The system, conditions on its parameters, a level.
+        The system with conditions on its parameters and a level.
     ansatz : Ansatz
         Polynomials in momenta and coordinates.
     also : tuple of Ansatz
-        Further polynomials of which an integral may be made, such as those in ω besides M.
+        Further polynomials for integrals, such as those in ω in addition to M.
     divisors : tuple of sympy.Expr
-        What an integral may be divided by (one at a time, up to `powers`).
+        Divisors of integrals (one at a time, up to `powers`).
     bases : tuple of sympy.Expr
-        Of whose powers the density of a measure is made.
+        Bases of the powers in the density of a measure.
     powers : int
-        Largest power of a divisor.
+        Largest exponent of a divisor.
     parameter_degree : int
-        Largest degree in the parameters of a coefficient.
+        Largest degree of a coefficient in the parameters.
     effort : int
-        Term operations that the proof of one law may take.
+        Maximum number of term operations for the proof of one law.
 
     Examples
     --------
@@ -77,13 +77,13 @@ class SearchResult:
     ----------
     kind : ``"integral"``, ``"measure"`` or ``"symmetry"``
     law : Integral, Measure, Symmetry or None
-        None where it was seen modulo a prime alone and not written as a formula.
+        None if it was found only modulo a prime, without a formula.
     verdict : Verdict or None
-        What the prover says of it.
+        The verdict of the prover.
     catalogue_law : str
-        The law of the catalogue that it repeats (name, source); empty when it names none.
+        The equal law of the catalogue (name, source); empty if there is none.
     remark : str
-        What else was seen.
+        Further findings.
 
     Examples
     --------

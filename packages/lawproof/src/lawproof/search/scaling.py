@@ -1,6 +1,6 @@
-"""Scalings under which a system keeps its form: its physical dimensions.
+"""Scalings that preserve the form of a system: its physical dimensions.
 
-A weight is a tuple of exponents, one for each independent scaling.  An integral splits into parts
+A weight is a tuple of exponents, one for each independent scaling. An integral splits into parts
 of pure weight, each of which is an integral; this keeps the linear algebra of a search small.
 """
 
@@ -18,7 +18,7 @@ from flint import fmpq, fmpq_mat
 from .phase_space import RestrictedSystem
 
 Weight: TypeAlias = tuple[int, ...]
-#: A symbol, or the word for time.
+#: A symbol, or the string that stands for time.
 Base: TypeAlias = sp.Basic | str
 Form: TypeAlias = dict[Base, Fraction]
 
@@ -34,7 +34,7 @@ def _plus(left: Form, right: Form, factor: Fraction) -> Form:
 
 @dataclass
 class _Walk:
-    """Weights of formulas as linear forms in those of base symbols, with constraints."""
+    """Weights of formulas as linear forms in the weights of base symbols, with constraints."""
 
     forms: dict[sp.Basic, Form]
     ties: list[Form] = field(default_factory=list)
@@ -55,6 +55,7 @@ class _Walk:
 
     def _fresh(self, formula: sp.Basic) -> Form:
         if isinstance(formula, sp.Add):
+            # All terms of a sum have the same weight.
             first, *others = [self(arg) for arg in formula.args]
             for other in others:
                 self.equate(first, other)
@@ -66,16 +67,17 @@ class _Walk:
             return product
         if isinstance(formula, sp.Pow) and formula.exp.is_Rational:
             return _plus({}, self(formula.base) or {}, Fraction(int(formula.exp.p), formula.exp.q))
+        # Arguments of other functions are dimensionless.
         for arg in formula.args:
             self.equate(self(arg), {})
         return {}
 
 
 def weights(space: RestrictedSystem) -> dict[sp.Symbol, Weight]:
-    """Weights of all states, parameters and definitions of a system.
+    """Weights of all state variables, parameters and definitions of a system.
 
-    Every scaling of these symbols and of time that preserves field, definitions, relations, level
-    and conditions on the parameters is a combination of the scalings returned.
+    Every scaling of these symbols and of time that preserves vector field, definitions, relations,
+    level and conditions on the parameters is a combination of the returned scalings.
     """
     system = space.system
     steps = (*space.substitutions, *system.required_definitions([*system.rates, *space.relations]))
@@ -88,6 +90,7 @@ def weights(space: RestrictedSystem) -> dict[sp.Symbol, Weight]:
         walk.forms[symbol] = walk(formula) or {}
         symbols.append(symbol)
     for symbol, rate in zip(system.symbols, system.rates, strict=True):
+        # A rate has the weight of its variable divided by time.
         walk.equate(walk(rate), {symbol: Fraction(1), _TIME: Fraction(-1)})
     for relation in space.relations:
         walk(relation)

@@ -28,7 +28,7 @@ _SEED = 20080830
 
 @arguments_checked
 def symmetries(question: SearchSpace, progress: Progress = no_progress) -> Iterator[SearchResult]:
-    """Polynomial vector fields u with [u, v] = 0, tangent to the phase space.
+    """Iterate over polynomial vector fields u with [u, v] = 0, tangent to the phase space.
 
     v itself, and products of known symmetries with integrals, are omitted.
 
@@ -36,7 +36,7 @@ def symmetries(question: SearchSpace, progress: Progress = no_progress) -> Itera
     ----------
     question : SearchSpace
     progress : callable, optional
-        Called with the fraction done and what is being done.
+        Called with the completed fraction and a description of the next step.
 
     Returns
     -------
@@ -45,7 +45,7 @@ def symmetries(question: SearchSpace, progress: Progress = no_progress) -> Itera
     Raises
     ------
     InputError
-        If the ansatz does not fit into memory or the field is not algebraic.
+        If the ansatz does not fit into memory or the vector field is not algebraic.
 
     Examples
     --------
@@ -68,7 +68,7 @@ def symmetries(question: SearchSpace, progress: Progress = no_progress) -> Itera
 
 
 class _Search:
-    """One search: all fields of the ansatz at the points of one sample."""
+    """One search: all vector fields of the ansatz at the points of one sample."""
 
     def __init__(self, question: SearchSpace, formulas: Sequence[sp.Expr]) -> None:
         self.question = question
@@ -89,7 +89,7 @@ class _Search:
         self.span_rows += [(field * factor % prime()).ravel() for factor in self.factors]
 
     def findings(self, progress: Progress) -> Iterator[SearchResult]:
-        """All symmetries of the ansatz, the simplest first."""
+        """All symmetries of the ansatz, simplest first."""
         monomials: Table = table(self.question.ansatz, self.sample)
         independent = independent_columns(monomials.value.T)
         exponents = [monomials.exponents[i] for i in independent]
@@ -116,7 +116,7 @@ class _Search:
         return independent_columns(stacked)[-1] == len(self.span_rows)
 
     def _over_parameters(self, vector: Integers, exponents: Sequence[Exponents]) -> SearchResult:
-        """The field as a formula, on the monomials that occur, with unknown coefficients."""
+        """The symmetry as a formula, on the monomials that occur, with unknown coefficients."""
         variables = (*self.question.ansatz.momenta, *self.question.ansatz.coordinates)
         parts = []
         for index in np.flatnonzero(vector):
@@ -140,7 +140,7 @@ class _Search:
         )
 
     def _simplest(self, parts: Sequence[Part], scalars: Scalars, size: int) -> RationalLaw | None:
-        """A symmetry with coefficients up to a degree in the parameters."""
+        """The simplest symmetry with coefficients up to a degree in the parameters, or None."""
         names = [str(s) for s in self.symbols]
         places = []
         formulas = []
@@ -188,7 +188,7 @@ class _Search:
 def _fields(
     relations: Sequence[sp.Expr], sample: Sample, value: Integers, rate: Integers
 ) -> tuple[Integers, Integers]:
-    """All fields with one monomial in one component, and the quantities that vanish for a symmetry.
+    """All vector fields with one monomial in one component, and the expressions that must vanish.
 
     Returns
     -------
@@ -199,6 +199,7 @@ def _fields(
     n, (many, points) = len(sample.field), value.shape
     values = np.zeros((n, many, n, points), dtype=np.int64)
     conditions = np.zeros((n, many, n + len(relations), points), dtype=np.int64)
+    # For u = m ∂_c: [u, v] = m ∂v/∂x_c − v(m) ∂_c, and u(R) = m ∂R/∂x_c.
     slopes = [*(r.slope for r in sample.rates), *(sample(r).slope for r in relations)]
     for component in range(n):
         values[component, :, component] = value

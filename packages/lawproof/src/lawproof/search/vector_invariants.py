@@ -1,7 +1,7 @@
-"""Vector formulas from which laws are built: products of (u, v), (u, Jv) and others.
+"""Vector invariants from which laws are built: products of (u, v), (u, Jv) and others.
 
-The equations of a rolling body do not prefer any axes: rotating the body's axes rotates vectors and
-tensors alike.  Their laws are therefore scalars made of these vectors and tensors.
+The equations of a rolling body prefer no axes: a rotation of the body axes rotates all vectors and
+tensors alike. Their laws are therefore scalars formed from these vectors and tensors.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def _parameters(space: RestrictedSystem, table: dict[sp.Symbol, Weight]) -> list
 
 
 def component_scalars(space: RestrictedSystem, table: dict[sp.Symbol, Weight]) -> Scalars:
-    """The free parameters, with the principal moments at the contact."""
+    """The free parameters, and scalar definitions that depend only on parameters."""
     formulas: list[sp.Expr] = _parameters(space, table)
     scalars = [s for s in _numbers(space) if s in table]
     symbols = [*formulas, *scalars]
@@ -65,7 +65,7 @@ class VectorInvariants:
     Parameters
     ----------
     ansatz : Ansatz
-        Says which vectors are momenta and which are coordinates.
+        Determines which vectors are momenta and which are coordinates.
     table : dict
         Weights of all symbols.
     """
@@ -76,7 +76,7 @@ class VectorInvariants:
 
     @cached_property
     def _names(self) -> tuple[Vector | Tensor, ...]:
-        """All vectors and tensors that the equations mention."""
+        """All vectors and tensors in the equations."""
         system = self.space.system
         names: dict[Vector | Tensor, None] = {}
         for name, formula in (*system.field, *system.definitions):
@@ -134,7 +134,8 @@ class VectorInvariants:
     def tensors(self) -> tuple[tuple[Tensor, Tensor | None], ...]:
         """Constant tensors, each with its inverse if the equations name it.
 
-        If a tensor and its inverse are named, other tensors differ from it by a multiple of E.
+        If both a tensor and its inverse are named, other tensors differ from it by a multiple of
+        E.
         """
         constant = [
             n
@@ -149,7 +150,7 @@ class VectorInvariants:
         return self.table[vector.symbols[0]]
 
     def _pairings(self, u: Vector, v: Vector) -> Iterator[tuple[sp.Expr, Weight, int]]:
-        """(u, v), (u, Jv), (u, Av), (Ju, Jv), (Au, Av), without those expressible by others."""
+        """(u, v), (u, Jv), (u, Av), (Ju, Jv), (Au, Av), without products expressible by others."""
         base = total(self._weight(u), self._weight(v))
         yield dot(u, v), base, 1
         if {u, v} & self._sums_of_vectors:
@@ -200,7 +201,7 @@ class VectorInvariants:
 
     @cached_property
     def scalars(self) -> Scalars:
-        """Parameters other than components, traces, determinants, products of constant vectors."""
+        """Parameters, traces, determinants and products of constant vectors."""
         parts = {s for n in self._names for s in n.symbols}
         scalars: list[tuple[sp.Expr, Weight]] = [
             (s, self.table[s])
@@ -222,7 +223,7 @@ class VectorInvariants:
 
     @cached_property
     def _symbols_outside_tensors(self) -> set[sp.Symbol]:
-        """Scalars that enter the equations outside the constant tensors."""
+        """Scalars that occur in the equations outside the constant tensors."""
         system = self.space.system
         solved = dict(self.space.substitutions)
         symbols: set[sp.Symbol] = set()
@@ -237,7 +238,7 @@ class VectorInvariants:
         }
 
     def _groups(self, scalars: set[sp.Expr]) -> list[dict[sp.Symbol, int]]:
-        """Products of parameters that enter the equations together, such as m R²."""
+        """Products of parameters that occur together in the equations, such as m R²."""
         system = self.space.system
         groups: list[dict[sp.Symbol, int]] = []
         for _, formula in (*system.field, *system.definitions):

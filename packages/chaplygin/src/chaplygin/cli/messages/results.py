@@ -1,4 +1,4 @@
-"""The facts of a run, as JSON and as text."""
+"""Facts of a run, as JSON and as text."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ COLUMNS, FIRST = 80, 10
 
 
 def results(study: Study, trajectory: Trajectory) -> tuple[dict[str, Any], str]:
-    """The facts of a run as data, and as lines of text."""
+    """Facts of a run as data, and as lines of text."""
     from ...experiment.contact.trajectory import ContactTrajectory
     from ...report.summary import summary, summary_text
 
@@ -29,7 +29,7 @@ def results(study: Study, trajectory: Trajectory) -> tuple[dict[str, Any], str]:
 
 
 def contact_facts(trajectory: ContactTrajectory) -> dict[str, Any]:
-    """The facts of a motion with friction as JSON-compatible data."""
+    """Facts of a motion with friction as JSON-compatible data."""
     system, statistics = trajectory.system, trajectory.statistics
     return {
         "system": system.name,
@@ -58,7 +58,7 @@ def contact_facts(trajectory: ContactTrajectory) -> dict[str, Any]:
 
 
 def contact_text(trajectory: ContactTrajectory) -> str:
-    """The facts of a motion with friction as lines of at most 80 columns."""
+    """Facts of a motion with friction as lines of at most 80 columns."""
     statistics, times = trajectory.statistics, trajectory.times
     works = ", ".join(
         f"{name.removeprefix('work_')} {values[-1]:.4g}"

@@ -12,7 +12,7 @@ from flowlanes.errors import nearest
 
 
 class CommandParameter(Protocol):
-    """An option or an argument of a command."""
+    """Option or argument of a command."""
 
     param_type_name: str
     name: str | None
@@ -20,18 +20,18 @@ class CommandParameter(Protocol):
     opts: list[str]
 
 
-#: pydantic's descriptions, and the allowed values.
+#: Descriptions by pydantic, and the allowed values.
 _DESCRIPTIONS = {"valid integer": "a whole number", "valid number": "a number"}
 
 
 def sentence(error: TyperException) -> str:
-    """A sentence with the mistake, its location, and what is allowed.
+    """Sentence with the mistake, its location, and the allowed values.
 
     Parameters
     ----------
     error
-        As Typer found it: an unknown command or option, something missing or too much, or a value
-        of the wrong kind.
+        Error from Typer: an unknown command or option, a missing or additional argument, or a
+        value of the wrong kind.
     """
     context: Any = getattr(error, "ctx", None)
     command = str(context.info_name) if context and context.parent else ""
@@ -72,7 +72,7 @@ def _meaning(parameter: CommandParameter) -> str:
 
 
 def _option_text(parameter: CommandParameter) -> str:
-    """The option with its value on the command line."""
+    """Option with its value on the command line."""
     for name in parameter.opts:
         for place, word in enumerate(sys.argv):
             if word == name and place + 1 < len(sys.argv):

@@ -1,4 +1,4 @@
-"""The class of the commands, which rejects repeated options."""
+"""Class of the commands, which rejects repeated options."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typer.core import TyperCommand
 
 
 class Command(TyperCommand):
-    """A command that rejects a second value of an option; the first one would be ignored."""
+    """Command that rejects a second value of an option, which would replace the first one."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Parse the arguments after the command.

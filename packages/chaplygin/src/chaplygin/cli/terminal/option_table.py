@@ -1,4 +1,4 @@
-"""The options of all commands: what each is for, what its value is called, how it is written."""
+"""Options of all commands: help text, name of the value, and flags."""
 
 from __future__ import annotations
 
@@ -50,10 +50,10 @@ OPTIONS: dict[str, tuple[str, ...]] = {
     "height": ("Height in pixels.",),
     # chaplygin audit
     "audit output": ("HTML page to write.", "FILE", "-o --output"),
-    "audit section": ("Judge only this section of the paper, 1 to 12.",),
+    "audit section": ("Check only this section of the paper, 1 to 12.",),
     "audit workers": ("Number of processes; default: one for each processor.",),
     "remarks_alone": (
-        "List the statements that are not computed; judge no claims.",
+        "List the statements that are not computed; check no claims.",
         "",
         "--remarks",
     ),
@@ -195,7 +195,7 @@ OPTIONS: dict[str, tuple[str, ...]] = {
 
 #: Parameters that are written without a flag.
 _ARGUMENTS = ("what", "kind")
-#: The words that an option may be.
+#: Allowed words of an option.
 WORDS: dict[str, tuple[str, ...]] = {
     "kind": ("integrals", "measure", "symmetries"),
     "contact": ("marble", "rubber", "none"),
@@ -204,7 +204,7 @@ WORDS: dict[str, tuple[str, ...]] = {
     "form": ("text", "latex", "julia", "c", "toml", "javascript", "wasm"),
     "precision": ("double", "quad"),
 }
-#: The smallest and the largest number that an option may be.
+#: Smallest and largest value of an option.
 BOUNDS: dict[str, tuple[float, float]] = {
     "tolerance": (1e-16, 0.1),
     "points": (1, inf),
@@ -219,12 +219,12 @@ BOUNDS: dict[str, tuple[float, float]] = {
     "width": (64, 7680),
     "height": (64, 4320),
 }
-#: The options that are times.
+#: Options that are times.
 TIMES = ("until",)
 
 
 def with_options(name: str, command: Callable[..., None]) -> Callable[..., None]:
-    """The function of a command, its parameters annotated for Typer by the table."""
+    """Function of a command, with its parameters annotated for Typer from the table."""
     hints = get_type_hints(command, include_extras=True)
     command.__annotations__ = {
         parameter: hint
@@ -245,7 +245,7 @@ def _parameter(command: str, name: str) -> Any:
 
 
 def _check(option: typer.CallbackParam, value: Any) -> Any:
-    """The value of an option; an InputError if it is refused before anything is imported."""
+    """Value of an option; InputError if it is not allowed, before other modules are imported."""
     name, wanted = str(option.name), ""
     words, (least, largest) = WORDS.get(name, ()), BOUNDS.get(name, (-inf, inf))
     if words and value is not None and value not in words:

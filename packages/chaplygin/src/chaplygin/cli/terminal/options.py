@@ -37,7 +37,7 @@ def inform(text: str) -> None:
 
 
 def console() -> Console:
-    """The console for tables, as wide as the terminal, unlimited in a file."""
+    """Console for tables, as wide as the terminal, and without limit in a file."""
     from rich.console import Console
 
     limited = sys.stdout.isatty() or "COLUMNS" in os.environ
@@ -50,7 +50,7 @@ def print_json(value: object) -> None:
 
 
 def operations(effort: float) -> int:
-    """The number of term operations that ``--effort`` stands for.
+    """Number of term operations for a value of ``--effort``.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def operations(effort: float) -> int:
 
 
 def is_name(what: str) -> bool:
-    """Whether NAME or FILE is a system of the catalogue; it must exist.
+    """True if NAME or FILE is a system of the catalogue; it must exist.
 
     Raises
     ------
@@ -89,12 +89,12 @@ def is_name(what: str) -> bool:
 
 
 def study_of(what: str, overrides: list[str] | None, precision: str | None = None) -> Study:
-    """Prepare the experiment given by NAME or FILE.
+    """Prepared experiment for NAME or FILE.
 
     Raises
     ------
     InputError
-        If there is no such file or system, or something in it is wrong.
+        If there is no such file or system, or it contains a mistake.
     """
     from flowlanes.errors import InputError
 
@@ -119,7 +119,7 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
             )
             from ...experiment.subjects.subject_of import subject_of
 
-            # Errors in a name, a file or a parameter are reported before the rest is imported.
+            # Mistakes in a name, a file or a parameter are reported before the slow imports.
             subject = subject_of(experiment)
             report.say(f"preparing {subject.system.title}")
             from ...experiment.study import Study

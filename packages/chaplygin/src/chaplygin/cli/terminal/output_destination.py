@@ -1,4 +1,4 @@
-"""The output of commands: to a new file, or to standard output."""
+"""Output of commands: to a new file, or to standard output."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 #: File name endings of figures.
 FIGURES = (".png", ".svg", ".pdf")
 
-#: The name that denotes standard output.
+#: Name of the standard output.
 STANDARD_OUTPUT = Path("-")
 
 
@@ -27,29 +27,29 @@ def check_output(
     binary: bool = True,
     place: Callable[[Path, bool], None] | None = None,
 ) -> None:
-    """Check that a file may be written, before anything is computed.
+    """Check that a file may be written, before the computation.
 
     Parameters
     ----------
     option : str
-        That which names the file, for the reader.
+        Option with the file name, for messages.
     output : Path
-        A dash for standard output.
+        File; a dash for standard output.
     force : bool
-        Whether a file may be replaced.
+        True if an existing file may be replaced.
     json : bool
-        Whether the result is printed as JSON.
+        True if the result is printed as JSON.
     what : str
-        The experiment, which is not replaced in any case.
+        Experiment file, which is never replaced.
     binary : bool
-        Whether it is of no use on a terminal.
+        True if the output is of no use on a terminal.
     place : callable, optional
-        What raises an InputError where nothing may be written; for a plain file if not given.
+        Function that raises InputError if the output is not allowed; by default for a plain file.
 
     Raises
     ------
     InputError
-        If it may not.
+        If the output is not allowed.
     """
     from flowlanes.errors import InputError
 
@@ -92,18 +92,18 @@ def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
 
 
 def name_of(output: Path) -> str:
-    """The name of an output in messages."""
+    """Name of an output in messages."""
     return "standard output" if output == STANDARD_OUTPUT else str(output)
 
 
 def beside(output: Path | None) -> AbstractContextManager[object]:
-    """Print to standard error while the output itself goes to standard output."""
+    """Context that prints to standard error while the output itself goes to standard output."""
     return redirect_stdout(sys.stderr) if output == STANDARD_OUTPUT else nullcontext()
 
 
 @contextmanager
 def output_file(output: Path) -> Iterator[Path]:
-    """A temporary path whose content becomes the output on success."""
+    """Temporary path whose content becomes the output on success."""
     from tempfile import TemporaryDirectory
 
     from ...experiment.files import atomic_file

@@ -1,4 +1,4 @@
-"""The progress of a command: a bar on a terminal, or lines in a log."""
+"""Progress of a command: a bar on a terminal, or lines in a log."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ if TYPE_CHECKING:
 
     from ...report.study_output import StudyProgress
 
-#: Logger for messages besides results: notes and progress (info), timing (debug).
+#: Logger for messages other than results: notes and progress (info), timing (debug).
 LOG = logging.getLogger("chaplygin")
 LOG.setLevel(logging.INFO)
 
-#: Loggers of the packages of which the laboratory is made.
+#: Loggers of the packages of the laboratory.
 LOGGERS = (LOG, *map(logging.getLogger, ("flowlanes", "lawproof", "nonholonomic")))
 
 #: Seconds before a task starts to report, and between two lines in a log.  Startup takes a quarter
-#: of a second, and a short task may precede: in total the first report appears within a second.
+#: of a second, and a short task may precede, so the first report appears within a second.
 PATIENCE, BETWEEN = 0.4, 10.0
 
 
 @contextmanager
 def progress(task: str) -> Iterator[StudyProgress]:
-    """Report the activity and the completed fraction, once it takes about half a second.
+    """Report of the activity and the completed fraction, after about half a second.
 
     Parameters
     ----------
     task : str
-        The first step, in words.
+        Text for the first step.
     """
     if not LOG.isEnabledFor(logging.INFO):
         yield _Silence()
@@ -47,10 +47,9 @@ def progress(task: str) -> Iterator[StudyProgress]:
 
 @contextmanager
 def waiting(task: str) -> Iterator[StudyProgress]:
-    """Report what is awaited, once it takes about half a second.
+    """Report of the activity that is awaited, after about half a second.
 
-    A terminal shows this temporarily; a log, which keeps its lines, only contains explicit
-    messages.
+    A terminal shows it temporarily; a log, which keeps its lines, contains only explicit messages.
     """
     with progress(task if sys.stderr.isatty() else "") as report:
         yield report
@@ -67,7 +66,7 @@ class _Silence:
 
 
 class _Bar:
-    """A bar that appears after a delay, even if nothing has been reported."""
+    """Bar that appears after a delay, even if nothing has been reported."""
 
     def __init__(self, task: str) -> None:
         self._task = task
@@ -132,7 +131,7 @@ class _Bar:
 
 
 class _Log:
-    """A log line from time to time."""
+    """Log lines at intervals."""
 
     def __init__(self, task: str) -> None:
         self._task = task
@@ -162,6 +161,6 @@ class _Log:
         self._task, self._share = what, None
 
     def stop(self) -> None:
-        """Stop; pending output precedes the program's next output."""
+        """Stop; pending output is written before the next output of the program."""
         self._over.set()
         self._writer.join()

@@ -1,4 +1,4 @@
-"""Helpers for commands that fill a store."""
+"""Functions for commands that fill a store."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 
     from ...experiment.study import Study
 
-#: Processes for each processor at most; each takes some hundred megabytes.
+#: Maximum number of processes per processor; each needs some hundred megabytes.
 MOST_PROCESSES = 4
 
 
 def device_of(text: str) -> Device:
-    """The device for computing motions.
+    """Device for the computation of motions.
 
     Raises
     ------
@@ -33,13 +33,13 @@ def device_of(text: str) -> Device:
         return "cpu"
     from flowlanes.flow.devices.cuda import open_processor
 
-    # Check before anything is prepared.
+    # Checked before anything is prepared.
     open_processor()
     return "gpu"
 
 
 def level_of(text: str) -> dict[str, float]:
-    """Parse integrals and their values.
+    """Integrals and their values.
 
     Raises
     ------
@@ -75,19 +75,19 @@ def check_store(output: Path) -> None:
     if output.suffix != ".zarr":
         raise InputError(f"--output {output}: its name must end in .zarr")
     status = status_of_target(output)
-    # A store that cannot be opened is also reported as none, once Zarr is imported.
+    # A folder that is not a store is detected later too, but only after the import of Zarr.
     foreign = output.is_dir() and any(output.iterdir()) and not (output / "zarr.json").exists()
     if foreign or (status is not None and not S_ISDIR(status.st_mode)):
         raise InputError(f"{output} is no store of a computation in blocks: choose another name")
 
 
 def vacate(output: Path, force: bool) -> None:
-    """Remove an existing store if that is allowed.
+    """Remove an existing store if this is allowed.
 
     Raises
     ------
     InputError
-        If that would destroy something that is not ours, or that is being written.
+        If it is not a store of this program, or is being written.
     """
     from flowlanes.flow.ensembles.zarr_store import remove_store
 
@@ -101,8 +101,8 @@ def vacate(output: Path, force: bool) -> None:
 def check_picture(output: Path, picture: Path, force: bool, by_user: bool = False) -> None:
     """Check that the figure of a store may be written.
 
-    The default figure of a store is redrawn with it, but one that is named `by_user` is only
-    replaced with `force`.
+    The default figure of a store is redrawn with the store, but a figure named `by_user` is
+    replaced only with `force`.
     """
     from ...experiment.files import check_target
 
@@ -110,7 +110,7 @@ def check_picture(output: Path, picture: Path, force: bool, by_user: bool = Fals
 
 
 def check_workers(workers: str | None) -> str | int | None:
-    """Parse the workers: None, a number of processes, or the address of a scheduler.
+    """Workers: None, a number of processes, or the address of a scheduler.
 
     Raises
     ------
@@ -131,12 +131,12 @@ def check_workers(workers: str | None) -> str | int | None:
 
 
 def require_processes(count: int) -> None:
-    """Reject more processes than a machine has processors and memory for.
+    """Raise InputError for more processes than are reasonable for the processors and memory.
 
     Raises
     ------
     InputError
-        If there are less than one, or more than four for each processor.
+        If there are fewer than one, or more than four per processor.
     """
     import os
 
@@ -178,15 +178,15 @@ def require_parameter(option: str, name: str, study: Study) -> None:
 
 @contextmanager
 def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
-    """For an interrupted command, report the progress of its store and how to resume.
+    """Progress of a store; after an interruption, a message on how to resume.
 
     Parameters
     ----------
     store : Path
     report : callable
-        Called with the share that is done.
+        Function that is called with the completed fraction.
     force : bool
-        Whether the command was to replace a store, which the next one is not to do.
+        True if the command replaces a store; the next command should not do so.
     """
     import shutil
 
@@ -212,19 +212,19 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
         with message_on_interrupt(words):
             yield update
     except InputError:
-        # If nothing could be computed, nothing is left, so that the command can be corrected.
+        # If nothing was computed, the store is removed, so that the command can be corrected.
         if not begun:
             shutil.rmtree(store, ignore_errors=True)
         raise
 
 
 def outcomes(variable: xr.DataArray) -> dict[str, int]:
-    """The number of members with each outcome.
+    """Number of members with each outcome.
 
     Parameters
     ----------
     variable : xarray.DataArray
-        With ``flag_values`` and ``flag_meanings``, as in the CF conventions.
+        Variable with ``flag_values`` and ``flag_meanings``, as in the CF conventions.
     """
     import numpy as np
 

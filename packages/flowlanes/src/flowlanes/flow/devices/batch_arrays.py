@@ -1,4 +1,4 @@
-"""The arrays that one call of the integration loop reads and writes."""
+"""Input and output arrays of one call of the integration loop."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ class BatchInput:
     parameters : array (motions or 1, parameters, words)
         One row for each motion, or one for all.
     times : array (samples or 1,)
-        Times of the samples; for sections the time after which to give up.
+        Times of the samples; for a section the time after which a motion ends.
     samples : int
-        Samples of each motion.
+        Number of samples for each motion.
     tolerance : float
     limit : int
-        Steps of a motion at most.
+        Maximum number of steps of a motion.
     sample_width : int
-        Numbers of a sample.
+        Number of values in a sample.
     """
 
     starts: FloatArray
@@ -46,7 +46,7 @@ class BatchInput:
 
     @property
     def stride(self) -> int:
-        """Doubles from the parameters of one motion to those of the next."""
+        """Number of doubles between the parameters of one motion and those of the next."""
         return self.parameters[0].size if len(self.parameters) > 1 else 0
 
 
@@ -57,14 +57,14 @@ class BatchOutput:
     Attributes
     ----------
     states : array (motions, samples, numbers, words)
-        Not a number beyond the end of a motion.
+        NaN after the end of a motion.
     times : array (motions, samples)
-        Of crossings.
+        Times of crossings.
     counts : array (motions,) of int
-        Samples of each motion.
+        Number of samples of each motion.
     outcome : array (motions,) of int
     end_times : array (motions,)
-        The time that was reached.
+        Last time reached.
     steps : array (motions,) of int
     """
 
@@ -81,13 +81,13 @@ class BatchOutput:
         return self.states, self.times, self.counts, self.outcome, self.end_times, self.steps
 
     def clear(self, first: int, last: int) -> None:
-        """Reset the results of some motions to NaN and zero."""
+        """Set the results of some motions to NaN and zero."""
         for array in self.arrays:
             array[first:last] = np.nan if array.dtype.kind == "f" else 0
 
 
 def empty_output(task: BatchInput) -> BatchOutput:
-    """Uninitialised memory for the results of a call."""
+    """Uninitialized memory for the results of a call."""
     motions, _, words = task.starts.shape
     counts, outcome, steps = (np.empty(motions, dtype=np.int64) for _ in range(3))
     return BatchOutput(
@@ -101,7 +101,7 @@ def empty_output(task: BatchInput) -> BatchOutput:
 
 
 class BatchLoop(Protocol):
-    """The compiled loop over motions on a device."""
+    """Compiled loop over motions on a device."""
 
     def run(self, task: BatchInput, threads: int | None) -> BatchOutput:
         """Integrate the motions, using `threads` processor threads (all if None)."""

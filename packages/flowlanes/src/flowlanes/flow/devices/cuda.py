@@ -31,7 +31,7 @@ ALIGNMENT = 256
 
 
 class GraphicsProcessor(Protocol):
-    """The operations of a graphics processor that are needed here."""
+    """Operations of a graphics processor that are used by the integration loop."""
 
     def run(
         self,
@@ -47,21 +47,22 @@ class GraphicsProcessor(Protocol):
         ----------
         ptx : str
         entry : str
-            The name of the kernel.
+            Name of the kernel.
         inputs : sequence of array, int or float
-            Its first arguments: arrays are copied to the device, 64-bit numbers passed as they are.
+            First arguments of the kernel: arrays are copied to the device, 64-bit numbers are
+            passed by value.
         outputs : sequence of array
-            The arrays that it writes, its further arguments.  Where it writes nothing, floats
-            become not a number and integers zero.
+            Further arguments: arrays written by the kernel.  Values that it does not write are NaN
+            for floats and zero for integers.
         most : int
-            Threads at most; as many as run at once are started, if these are fewer.
+            Maximum number of threads; not more are started than can run at the same time.
         """
         ...
 
 
 @dataclass(frozen=True)
 class CudaProcessor:
-    """A device opened with cuda-core.
+    """Device opened with cuda-core.
 
     Attributes
     ----------
@@ -69,8 +70,8 @@ class CudaProcessor:
         ``cuda.core``.
     device : cuda.core.Device
     staging : list of cuda.core.Buffer
-        Memory of the host that the device can copy from and to, and that no call uses now.  To lock
-        such memory takes longer than many a kernel.
+        Page-locked host memory for copies from and to the device that is not in use.  To lock
+        memory takes longer than many kernels, so it is kept.
     """
 
     core: Any
@@ -142,7 +143,7 @@ class CudaProcessor:
 
 
 def _places(arrays: Sequence[Array]) -> list[int]:
-    """The offset of each array in a common buffer, and the size of the buffer in bytes."""
+    """Offset of each array in a common buffer, and the size of the buffer in bytes."""
     sizes = [max(1, -(-array.nbytes // ALIGNMENT)) * ALIGNMENT for array in arrays]
     return [0, *itertools.accumulate(sizes)]
 
@@ -157,7 +158,7 @@ def _bytes(array: Array) -> npt.NDArray[np.uint8]:
 
 @lru_cache(maxsize=64)
 def _kernel(core: Any, _device: int, ptx: str, entry: str) -> Any:
-    """A kernel, compiled by the driver on first use."""
+    """Kernel, compiled by the driver on first use."""
     return core.ObjectCode.from_ptx(ptx.encode()).get_kernel(entry)
 
 
@@ -167,7 +168,7 @@ def open_processor() -> GraphicsProcessor:
     Raises
     ------
     InputError
-        If there is none, or cuda-core is not installed.
+        If there is no such processor, or cuda-core is not installed.
     """
     try:
         import cuda.core as core
@@ -177,7 +178,7 @@ def open_processor() -> GraphicsProcessor:
         ) from None
     try:
         return _first_device(core)
-    # A missing driver, a missing device and an old driver all raise different errors.
+    # A missing driver, a missing device and an old driver raise different errors.
     except Exception as error:
         reason = " ".join(str(error).split()).rstrip(".")
         raise InputError(
@@ -187,7 +188,7 @@ def open_processor() -> GraphicsProcessor:
 
 @lru_cache(maxsize=1)
 def _first_device(core: Any) -> CudaProcessor:
-    """The device, opened once per process, so that all calls share the page-locked memory."""
+    """Device, opened once per process, so that all calls share the page-locked memory."""
     device = core.Device()
     device.set_current()
     return CudaProcessor(core, device)

@@ -33,7 +33,7 @@ PIECES = 3
 
 @dataclass(frozen=True)
 class GraphicsLoop:
-    """The loop as PTX code, and the processor that runs it.
+    """Loop as PTX code, and the processor that runs it.
 
     Attributes
     ----------

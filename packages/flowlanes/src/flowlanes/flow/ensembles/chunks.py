@@ -1,4 +1,4 @@
-"""The chunk files of a store, and the check that they are the ones that were written."""
+"""Chunk files of a store, and the check that they are unchanged since they were written."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
     ZarrArray: TypeAlias = zarr.Array[Any]
 
-#: File with the sizes and modification times of all chunks, in the folder of the block marks: for
-#: each block a row of pairs of 64-bit integers.
+#: File with the sizes and modification times of all chunks, in the folder of the block marks: one
+#: row of pairs of 64-bit integers for each block.
 CHUNK_TABLE = Path("done", "chunks")
 
 
@@ -59,14 +59,14 @@ def _status(chunk: Path) -> tuple[int, int]:
 
 
 def flush(chunk: Path) -> None:
-    """Wait until a file is physically on disk, so that no mark can precede it."""
+    """Wait until a file is physically on disk, so that its mark is written later."""
     # Windows can only flush files opened for writing.
     with chunk.open("r+b") as stream:
         os.fsync(stream.fileno())
 
 
 def _is_complete(folder: Path, array: ZarrArray, block: int, status: tuple[int, ...]) -> bool:
-    """Whether the chunk of a block is the one that was written.
+    """True if the chunk of a block is the one that was written.
 
     Parameters
     ----------
@@ -74,7 +74,8 @@ def _is_complete(folder: Path, array: ZarrArray, block: int, status: tuple[int, 
     array : zarr.Array
     block : int
     status : (int, int)
-        Size and time of change when it was written; a chunk with others is read.
+        Size and modification time when it was written; a chunk with other values is read and
+        checked.
     """
     chunk = chunk_path(folder, array.basename, block, array.ndim)
     present = _status(chunk)
@@ -84,7 +85,7 @@ def _is_complete(folder: Path, array: ZarrArray, block: int, status: tuple[int, 
     try:
         array[first : first + array.chunks[0]]
     except Exception:
-        # Damaged data may make the library raise any exception.
+        # The library may raise any exception for damaged data.
         return False
     return True
 

@@ -1,4 +1,4 @@
-"""Execute a task block by block: in memory or into a Zarr store, locally or with Dask."""
+"""Execution of a task block by block: in memory or into a Zarr store, locally or with Dask."""
 
 from __future__ import annotations
 
@@ -28,35 +28,34 @@ def compute(
     client: Client | str | int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
-    """Execute a task.
+    """Result of a task, computed block by block.
 
     Parameters
     ----------
     task : Task
     store : path, optional
-        Folder of the Zarr store that is to hold the result, usually called ``….zarr``: written
-        block by block; created, or resumed if it exists.  Without it everything is kept
-        in memory.
+        Folder of the Zarr store for the result, usually called ``….zarr``.  It is created, or
+        resumed if it exists.  Without it the result is kept in memory.
     client : dask.distributed.Client, str or int, optional
-        The cluster that computes: a Dask client, the address of a scheduler
-        (``"tcp://host:8786"``), a number
-        of processes of this machine, or ``"local"`` for as many as it has processors.  Without
-        it this process does.
+        Cluster for the computation: a Dask client, the address of a scheduler
+        (``"tcp://host:8786"``), a number of processes of this machine, or ``"local"`` for one
+        process per processor.  By default the computation is done in this process.
     progress : callable, optional
-        Called with the fraction that is done.
+        Function that is called with the completed fraction.
 
     Returns
     -------
     xarray.Dataset
-        In memory; or, where there is a store, read from it when it is used.
+        In memory; with a store, its values are read from disk when they are used.
 
     Raises
     ------
     InputError
-        If the store cannot be written, is none of ours, or holds another experiment; if the
-        cluster cannot be reached.
+        If the store cannot be written, is not a store of this program or holds another experiment,
+        or if the cluster cannot be reached.
     IncompleteError
-        If the disk is full, or a block brings down the workers; what was written stays.
+        If the disk is full, or a block terminates the workers; the blocks already written are
+        kept.
 
     Examples
     --------
@@ -97,7 +96,7 @@ def _no_progress(share: float) -> None:
 def _results(
     task: Task, blocks: Sequence[int], client: Client | str | int | None, progress: Progress
 ) -> Iterator[tuple[int, Arrays]]:
-    """Yield the requested blocks with their numbers, as they become ready."""
+    """Requested blocks with their numbers, as they become ready."""
     progress(1 - len(blocks) / task.blocks)
     pace = Pace()
     if client is None:

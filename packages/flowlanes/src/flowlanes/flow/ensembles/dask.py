@@ -1,7 +1,7 @@
-"""Compute blocks on the workers of a Dask cluster.
+"""Computation of blocks on the workers of a Dask cluster.
 
-Workers only compute; this process alone writes.  So nothing but the network has to be shared, and a
-worker that disappears costs only its current block, which another worker recomputes.
+Workers only compute; only this process writes.  So no file system is shared, and the loss of a
+worker costs only its current block, which is computed again by another worker.
 """
 
 from __future__ import annotations
@@ -35,24 +35,24 @@ CONNECTION_TIMEOUT = "10s"
 def results(
     client: Client | str | int, work: Work, blocks: Mapping[int, tuple[int, int]]
 ) -> Iterator[tuple[int, Arrays]]:
-    """Yield blocks in the order in which they are ready.
+    """Blocks in the order in which they are ready.
 
     Parameters
     ----------
     client : dask.distributed.Client, str or int
         A client, the address of a scheduler, a number of processes of this machine, or ``"local"``
-        for as many as it has processors.
+        for one process per processor.
     work : callable
     blocks : mapping of int to (int, int)
-        First member of every block, and the one after its last.
+        First member of every block, and the next member after its last one.
 
     Raises
     ------
     InputError
-        If Dask is not installed, the client is none of these, the scheduler cannot be reached, or
-        its workers lack a module.
+        If Dask is not installed, the client is not one of these, the scheduler cannot be reached,
+        or its workers lack a module.
     IncompleteError
-        If a block brings down one worker after another, or the cluster disappears.
+        If a block terminates one worker after another, or the cluster is lost.
     """
     try:
         import cloudpickle
@@ -86,7 +86,7 @@ def results(
             try:
                 arrays: Arrays = future.result()
             except distributed.KilledWorker:
-                # Dask blames all blocks of a worker that disappears, not only its current one.
+                # Dask blames all blocks of a lost worker, not only its current one.
                 blamed[block] += 1
                 if blamed[block] == _MOST_FAILURES:
                     first, last = blocks[block]
@@ -123,7 +123,7 @@ def _compute(pickle: bytes, first: int, last: int) -> Arrays:
 
 @functools.lru_cache(maxsize=2)
 def _work_of(pickle: bytes) -> Work:
-    """The work, unpickled once per worker and not once per block."""
+    """Work, unpickled once per worker instead of once per block."""
     import cloudpickle
 
     work: Work = cloudpickle.loads(pickle)
@@ -132,7 +132,7 @@ def _work_of(pickle: bytes) -> Work:
 
 @contextmanager
 def _client(client: Client | str | int) -> Iterator[Client]:
-    """Connect to a cluster; a client opened here is closed again."""
+    """Connection to a cluster; a client that is opened here is closed at the end."""
     import dask
     import distributed
 
@@ -147,7 +147,7 @@ def _client(client: Client | str | int) -> Iterator[Client]:
         )
     if whole or client == "local":
         number = int(client) if whole else None
-        # A worker that is killed while being restarted is not given up.
+        # A worker that is killed while it is being restarted is restarted again.
         patient = {"distributed.deploy.lost-worker-timeout": "1 day"}
         with (
             dask.config.set(patient),
@@ -155,8 +155,8 @@ def _client(client: Client | str | int) -> Iterator[Client]:
                 n_workers=number,
                 threads_per_worker=1,
                 dashboard_address=":0",
-                # Failures arrive with the futures; a failed heartbeat to a closing scheduler is
-                # harmless.
+                # Failures are reported with the futures; a failed heartbeat to a closing scheduler
+                # is harmless.
                 silence_logs=logging.CRITICAL,
             ) as cluster,
             distributed.Client(cluster, set_as_default=False) as connected,
@@ -164,7 +164,8 @@ def _client(client: Client | str | int) -> Iterator[Client]:
             yield connected
     else:
         try:
-            # A client that fails during construction would remain the default of the process.
+            # Otherwise a client that fails in its constructor would remain the default of the
+            # process.
             connected = distributed.Client(client, timeout=CONNECTION_TIMEOUT, set_as_default=False)
         except (OSError, ValueError) as problem:
             raise InputError(

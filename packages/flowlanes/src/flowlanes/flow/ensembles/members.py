@@ -22,7 +22,7 @@ from ...system.arrays import FloatArray, IntArray
 
 @dataclass(frozen=True, eq=False)
 class ListedMembers:
-    """Values of some names, a row for each member.
+    """Values of some names, one row for each member.
 
     Parameters
     ----------
@@ -42,14 +42,14 @@ class ListedMembers:
 
 @dataclass(frozen=True)
 class SampledMembers:
-    """Starts drawn at random on a level of the integrals.
+    """Random starts on a level of the integrals.
 
     Parameters
     ----------
     size : int
         Number of starts.
     level : mapping of str to float
-        Values of the integrals held.
+        Given values of the integrals.
     seed : int
     """
 
@@ -108,7 +108,7 @@ class Members:
 
     @property
     def draw(self) -> SampledMembers | None:
-        """The random starts, or None."""
+        """Random starts, or None."""
         return next((factor for factor in self.factors if isinstance(factor, SampledMembers)), None)
 
     def rows(self, first: int, last: int) -> tuple[dict[str, FloatArray], IntArray | None]:
@@ -118,7 +118,7 @@ class Members:
         -------
         values : dict of str to array (last − first, …)
         points : array (last − first,) of int, or None
-            Their numbers among the starts drawn, if some are.
+            Numbers of the random starts, if there are any.
         """
         sizes = tuple(factor.size for factor in self.factors)
         places = np.unravel_index(np.arange(first, last), sizes)
@@ -134,7 +134,7 @@ class Members:
 
 @arguments_checked
 def from_lists(**values: npt.ArrayLike) -> Members:
-    """One member for every row: the first value of each name, then the second.
+    """One member for every row: the first value of each name, then the second, and so on.
 
     Parameters
     ----------
@@ -149,7 +149,7 @@ def from_lists(**values: npt.ArrayLike) -> Members:
     Raises
     ------
     InputError
-        If nothing is given, lengths differ, or a value is not a finite number.
+        If there are no values, lengths differ, or a value is not a finite number.
 
     Examples
     --------
@@ -174,7 +174,7 @@ def single(**values: npt.ArrayLike) -> Members:
     Parameters
     ----------
     **values : number or components
-        As for :func:`from_lists`.
+        As in :func:`from_lists`.
 
     Returns
     -------
@@ -183,7 +183,7 @@ def single(**values: npt.ArrayLike) -> Members:
     Raises
     ------
     InputError
-        If nothing is given, or a value is not a finite number.
+        If there are no values, or a value is not a finite number.
 
     Examples
     --------
@@ -201,7 +201,7 @@ def grid(**values: npt.ArrayLike) -> Members:
     Parameters
     ----------
     **values : array (n,) for a scalar, (n, components) for a vector
-        As for :func:`from_lists`.
+        As in :func:`from_lists`.
 
     Returns
     -------
@@ -210,7 +210,7 @@ def grid(**values: npt.ArrayLike) -> Members:
     Raises
     ------
     InputError
-        If nothing is given, or a value is not a finite number.
+        If there are no values, or a value is not a finite number.
 
     Examples
     --------
@@ -227,16 +227,16 @@ def grid(**values: npt.ArrayLike) -> Members:
 
 @arguments_checked
 def random_starts(count: int, level: Mapping[str, float], seed: int = 0) -> Members:
-    """Starts drawn on a level of the integrals; see :func:`flowlanes.sample_level`.
+    """Random starts on a level of the integrals; see :func:`flowlanes.sample_level`.
 
-    Start k depends on seed and k alone; where parameters vary, each start lies on the level at its
+    Start k depends only on seed and k; if parameters vary, each start lies on the level for its
     own parameters.
 
     Parameters
     ----------
     count : int
     level : mapping of str to float
-        Integrals by name, with their values.
+        Values of integrals by name.
     seed : int
 
     Returns
@@ -246,7 +246,7 @@ def random_starts(count: int, level: Mapping[str, float], seed: int = 0) -> Memb
     Raises
     ------
     InputError
-        If there are none.
+        If the number of starts is not positive.
 
     Examples
     --------

@@ -33,11 +33,11 @@ if TYPE_CHECKING:
     from distributed import Client
 
 
-#: Largest number of members of a block, and largest number of values.
+#: Largest number of members of a block, and largest number of its values.
 _MEMBERS: Mapping[Device, int] = {"cpu": 4096, "gpu": 1 << 17}
 _NUMBERS = 1 << 22
 
-#: Smallest number of blocks for a cluster.
+#: Smallest number of blocks on a cluster.
 SHARES = 64
 
 
@@ -61,42 +61,42 @@ def ensemble(
     Parameters
     ----------
     system : System
-        As it is to be integrated: ``system.lifted()`` carries the motion in space along.
+        The system to integrate; ``system.lifted()`` includes its motion in space.
     members : Members or array (n, size)
         Starts and parameters, by :func:`~flowlanes.flow.ensembles.members.from_lists`,
         :func:`~flowlanes.flow.ensembles.members.grid`,
         :func:`~flowlanes.flow.ensembles.members.single`,
         :func:`~flowlanes.flow.ensembles.members.random_starts` and products of them with ``*``; or
-        starts alone, in flat order.
+        only starts, in flat order.
     times : array (k,)
-        In s, increasing from 0 or later, or decreasing from 0 or before; motions begin at 0.
+        Times in s, all ≥ 0 and increasing, or all ≤ 0 and decreasing; motions begin at time 0.
     parameters : mapping of Symbol or name to float, optional
-        Values, the same for all, that replace the defaults.
+        Values that replace the defaults for all motions.
     record : sequence of str
-        Observables and integrals to be recorded too.
+        Observables and integrals to record as well.
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
-        Where the motions are computed; likewise.
+        Device for the computation.
     block : int, optional
-        Members computed, written and lost at once; chosen by their size unless given.
+        Number of members that are computed and written together; by default chosen by their size.
     store, client, progress
-        A store on disk, a cluster, a function that is called with the progress; see
+        Store on disk, cluster, and function for progress reports; see
         :func:`~flowlanes.flow.ensembles.compute`.
 
     Returns
     -------
-    xarray.Dataset
-        Variables of the state and what is recorded over ``run`` and ``time`` (and ``axis``, …);
-        ``outcome`` (why a motion ended, in its attributes), ``ended`` and ``steps`` over ``run``;
+    State variables and recorded quantities over ``run`` and ``time`` (and ``axis``, …);
+    ``outcome`` (the reason for the end of a motion, with a legend in its attributes), ``ended``
+    and ``steps`` over ``run``; varying parameters as coordinates of ``run``.
         parameters that vary as coordinates of ``run``.
 
     Raises
     ------
     InputError
-        If anything given cannot be used.
+        If an argument is not valid.
     IncompleteError
-        If a store could not be written to the end.
+        If a store could not be completed.
 
     Examples
     --------
@@ -139,8 +139,8 @@ def ensemble_task(
 ) -> Task:
     """Prepare an ensemble without computing it; see :func:`ensemble`.
 
-    Unless the block size is given, there are at least `shares` blocks, of 16 members or more, so
-    that several workers are kept busy.
+    Unless the block size is given, there are at least `shares` blocks with at least 16 members, so
+    that several workers have enough work.
     """
     everyone = members if isinstance(members, Members) else from_lists(state=members)
     work = EnsembleWork(
@@ -156,7 +156,7 @@ def ensemble_task(
     if twice:
         raise InputError(f"{system.name}: {', '.join(twice)} is given twice")
     lanes = work.lanes
-    # Check the first member now, so that a mistake shows before a store is created.
+    # The first member is checked now, so that a mistake is found before a store is created.
     first, parameters, points = work.starts(0, 1)
     try:
         lanes.require_reach(first[0], work.times[-1], parameters)
@@ -180,7 +180,7 @@ def ensemble_task(
 
 
 def _times(times: Numbers) -> tuple[float, ...]:
-    """The sampling times of an ensemble; raises InputError if they are invalid."""
+    """Sampling times of an ensemble; InputError if they are not valid."""
     row = np.atleast_1d(as_float_array("times", times))
     moments(row, backward=bool(row.size) and bool(row.flat[-1] < 0))
     return tuple(row.tolist())
@@ -201,7 +201,7 @@ def _constants(system: System, parameters: Parameters) -> dict[str, float]:
 
 
 def _variables(work: EnsembleWork, are_random: bool) -> dict[str, Variable]:
-    """The output variables of `EnsembleWork`."""
+    """Output variables of `EnsembleWork`."""
     system, moments = work.system, len(work.times)
     text = {str(p.symbol): p for p in system.parameters}
     variables = {
@@ -229,7 +229,7 @@ def _variables(work: EnsembleWork, are_random: bool) -> dict[str, Variable]:
 def sampled_variable(
     moments: int, size: int, frame: str, meaning: str, unit: str, source: str
 ) -> Variable:
-    """The description of a quantity sampled along the motions."""
+    """Description of a quantity sampled along the motions."""
     notes = cf_attributes(meaning, unit, source)
     if not frame:
         return Variable(("time",), (moments,), attributes=notes)
@@ -241,7 +241,7 @@ def sampled_variable(
 
 
 def _outcomes(work: EnsembleWork) -> dict[str, object]:
-    """Flag values that say why a motion ended."""
+    """Flag values for the reasons for the end of a motion."""
     codes = range(len(STATUS_MESSAGES) + len(work.system.guards))
     reasons = [
         "the last time was reached",
@@ -258,7 +258,7 @@ def _outcomes(work: EnsembleWork) -> dict[str, object]:
 def sample_coordinates(
     times: Sequence[float], variables: Mapping[str, Variable]
 ) -> dict[str, Coordinate]:
-    """The coordinates for the times and for the axes in use."""
+    """Coordinates for the times and for the axes in use."""
     used = {dimension for variable in variables.values() for dimension in variable.dimensions}
     axes = {
         axis: Coordinate((axis,), np.array(labels), cf_attributes(LABELS[axis], "1"))

@@ -1,9 +1,9 @@
-"""Long computations in blocks: in memory or streamed to a store, locally or on a cluster.
+"""Long computations in blocks: in memory or in a store, on one machine or on a cluster.
 
-A computation has many members (runs of an ensemble, cells of a chart), each of which depends only
-on its own index.  They are computed in contiguous blocks.  A finished block is kept, so a
-computation that was killed resumes where it stopped, and its numbers are the same bit for bit in
-whatever order, in whatever blocks and on however many machines they are computed.
+A computation has many members (runs of an ensemble, cells of a chart), and each member depends
+only on its own index.  The members are computed in contiguous blocks.  A finished block is kept,
+so a computation that was killed is resumed after the last one.  The numbers are the same, bit for
+bit, for any order and size of the blocks and any number of machines.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ Progress: TypeAlias = Callable[[float], Any]
 
 
 class Work(Protocol):
-    """A callable that computes blocks: first, last ↦ arrays by name, one row per member.
+    """Callable that computes blocks: first, last ↦ arrays by name, one row per member.
 
-    The rows belong to the members first, …, last − 1.
+    The rows are for the members first, …, last − 1.
 
-    It must be pure (the same numbers give the same bits, wherever and in whatever blocks),
-    picklable and identifiable by name: a function of a module, a :func:`functools.partial` of one,
-    or a frozen dataclass with ``__call__``.
+    It must be pure (the same numbers give the same bits in any block on any machine), picklable
+    and identifiable by name: a function of a module, a :func:`functools.partial` of such a
+    function, or a frozen dataclass with ``__call__``.
     """
 
     def __call__(self, first: int, last: int, /) -> Arrays:
@@ -44,29 +44,29 @@ class Work(Protocol):
 
 @runtime_checkable
 class Divisible(Work, Protocol):
-    """Work with so much data that each worker should receive only its share."""
+    """Work with so much data that each worker should receive only its own part."""
 
     def part(self, first: int, last: int, /) -> Work:
-        """Work that returns the same values for these members, with the same numbering."""
+        """Work with the same values for these members, with the same numbering."""
 
 
 @arguments_checked
 @dataclass(frozen=True)
 class Variable:
-    """An array of the result.
+    """Array of the result.
 
     Parameters
     ----------
     dimensions : tuple of str
         Names of the axes after the leading one.
     shape : tuple of int
-        Their lengths.
+        Lengths of these axes.
     dtype : str
         Such as ``"float64"``, ``"int8"``, ``"bool"``.
     attributes : mapping
         ``long_name``, ``units``, ``source`` and others.
     coordinate : bool
-        Whether it locates each member instead of holding a result.
+        True for a coordinate of the members, not a result.
 
     Examples
     --------
@@ -93,7 +93,7 @@ class Coordinate:
 
 @dataclass(frozen=True, repr=False)
 class Task(WithShortRepr):
-    """A computation of many members in blocks.
+    """Computation of many members in blocks.
 
     Parameters
     ----------
@@ -102,22 +102,22 @@ class Task(WithShortRepr):
     size : int
         Number of members.
     block : int
-        Members in a block: what is computed, written and lost at once.
+        Number of members in a block, which is computed and written as a whole.
     variables : mapping of str to Variable
-        The arrays that `work` computes.
+        Arrays computed by `work`.
     member : str
         Name of the leading axis: ``"run"``, ``"cell"``, …
     coordinates : mapping of str to Coordinate
-        Known beforehand.
+        Arrays that are known before the computation.
     attributes : mapping
-        Of the whole result: system, parameters, seed, tolerance, versions.  Together with `work`
-        they identify the experiment, so they must be the same when it is resumed: numbers,
-        texts, and lists of them.
+        Attributes of the whole result: system, parameters, seed, tolerance, versions.  Together
+        with `work` they identify the experiment, so they must be the same when it is resumed.
+        Allowed are numbers, texts and lists of these.
 
     Raises
     ------
     InputError
-        If size or block are no whole numbers from 1 on.
+        If size or block is not a positive integer.
 
     Examples
     --------
@@ -150,7 +150,7 @@ class Task(WithShortRepr):
                 raise InputError(f"the {name} is {number}: a whole number, at least 1, is needed")
 
     def members(self, block: int) -> tuple[int, int]:
-        """First member of a block, and the one after its last."""
+        """First member of a block, and the next member after its last one."""
         return block * self.block, min((block + 1) * self.block, self.size)
 
     @property
@@ -159,12 +159,12 @@ class Task(WithShortRepr):
         return math.ceil(self.size / self.block)
 
     def require_arrays(self, arrays: Arrays, first: int, last: int) -> Arrays:
-        """Check that names, shapes and dtypes of a block are as declared, and return its arrays.
+        """Arrays of a block, after a check of their names, shapes and dtypes.
 
         Raises
         ------
         InputError
-            If a name, a shape or a kind of number is another one.
+            If a name, a shape or a kind of number differs from the declared one.
         """
         if set(arrays) != set(self.variables):
             raise InputError(
@@ -182,7 +182,7 @@ class Task(WithShortRepr):
 
 
 class IncompleteError(RunError):
-    """A computation in blocks stopped early; the blocks already written are kept.
+    """Computation in blocks that stopped early; the blocks already written are kept.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The work of an ensemble: integrate some of its members."""
+"""Work of an ensemble: the integration of some of its members."""
 
 from __future__ import annotations
 
@@ -45,13 +45,13 @@ def quantities_by_name(system: System, names: Sequence[str]) -> tuple[RecordedQu
 
 
 def _is_observable(name: str) -> bool:
-    """Whether a recorded quantity is an observable, not an integral; integrals are listed first."""
+    """True for an observable, False for an integral; integrals are listed first."""
     return not name.startswith("law_")
 
 
 @dataclass(frozen=True, eq=False)
 class EnsembleWork:
-    """The work of an ensemble; see :class:`flowlanes.flow.ensembles.task.Work`.
+    """Work of an ensemble; see :class:`flowlanes.flow.ensembles.task.Work`.
 
     Parameters
     ----------
@@ -59,12 +59,12 @@ class EnsembleWork:
     members : Members
     times : tuple of float
     parameters : mapping of str to float
-        Values that all members share.
+        Values for all members.
     tolerance : float
     record : tuple of str
-        Observables and integrals, by name.
+        Names of observables and integrals.
     offset : int
-        Number of the first of the members.
+        Number of the first member.
     device : "cpu" or "gpu"
     """
 
@@ -79,7 +79,7 @@ class EnsembleWork:
 
     @property
     def lanes(self) -> BatchIntegrator:
-        """The compiled integrator."""
+        """Compiled integrator."""
         return batch_integrator(
             self.system,
             tolerance=self.tolerance,
@@ -89,12 +89,12 @@ class EnsembleWork:
 
     @property
     def varied_parameters(self) -> tuple[str, ...]:
-        """The parameters that vary between members."""
+        """Parameters that vary between members."""
         known = {str(p.symbol) for p in self.system.parameters}
         return tuple(name for name in self.members.names if name in known)
 
     def __call__(self, first: int, last: int) -> Arrays:
-        """Integrate the motions first, …, last − 1; arrays by name, one row per motion."""
+        """Motions first, …, last − 1 as arrays by name, one row per motion."""
         try:
             starts, parameters, points = self.starts(first, last)
             motions = self.lanes.propagate(starts, self.times, parameters)
@@ -118,7 +118,7 @@ class EnsembleWork:
         return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
 
     def part(self, first: int, last: int) -> EnsembleWork:
-        """The work restricted to these members, without the listed rows of others."""
+        """Work restricted to these members, without the listed rows of others."""
         if self.members.draw is not None:
             return self
         rows, _ = self.members.rows(first - self.offset, last - self.offset)
@@ -157,7 +157,7 @@ class EnsembleWork:
         return starts
 
     def level(self, parameters: Mapping[str, float]) -> LevelSampler:
-        """The level from which starts are drawn, for given values of the varying parameters."""
+        """Level for random starts, for given values of the varying parameters."""
         level = self.members.draw.level if self.members.draw is not None else {}
         values = {**self.parameters, **parameters}
         return _level(self.system, tuple(level.items()), tuple(values.items()))

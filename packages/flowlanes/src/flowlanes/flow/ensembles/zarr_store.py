@@ -1,15 +1,15 @@
-"""The Zarr store of a computation in blocks, written so that it can be killed at any moment.
+"""Zarr store of a computation in blocks, which may be killed at any moment.
 
-A block has one chunk of every variable.  Each chunk appears atomically.  Once all of them are on
-disk, their sizes and modification times are written to a table, and once that is on disk too, the
-block is marked in the array ``done``, again atomically.  So a marked block is complete, whatever
-happened; an unmarked one is computed again, to the same bits.
+A block has one chunk of every variable.  Each chunk is written atomically.  Once all of them are
+on disk, their sizes and modification times are written to a table, and once the table is on disk,
+the block is marked in the array ``done``, again atomically.  So a marked block is complete in any
+case; an unmarked block is computed again, to the same bits.
 
-Chunks may be deleted or damaged later.  When a store is opened, a chunk whose size and modification
-time agree with the table is the one that was written.  Any other one (in a copy of the store, or
+Chunks may be deleted or damaged later.  When a store is opened, a chunk whose size and
+modification time agree with the table is accepted.  Any other chunk (in a copy of the store, or
 after damage) is read with its checksum, and a block with a missing or damaged chunk is computed
-again.  So opening a store normally lists its files but reads none of its data.  The store itself is
-also created atomically, under a temporary name first.
+again.  So an unchanged store is opened without reading its data.  The store itself is also created
+atomically, under a temporary name first.
 """
 
 from __future__ import annotations
@@ -48,16 +48,16 @@ FORMAT = "chaplygin blocks 1"
 
 @dataclass
 class Store:
-    """A store that is being written, by this process only.
+    """Store that is being written by this process.
 
     Parameters
     ----------
     task : Task
-        The computation whose result it holds, in the blocks of the store.
+        Computation of the result, with the block size of the store.
     folder : Path
     arrays : mapping of str to zarr.Array
     complete : ndarray of bool
-        Which blocks are complete.
+        True for complete blocks.
     """
 
     task: Task
@@ -72,12 +72,12 @@ class Store:
         return blocks
 
     def write(self, block: int, arrays: Arrays) -> None:
-        """Write a block; it counts as done once it is completely on disk.
+        """Write a block and mark it when it is completely on disk.
 
         Raises
         ------
         IncompleteError
-            If it cannot be written (a full disk); the store stays as it was before.
+            If it cannot be written, for example to a full disk; the store is then unchanged.
         """
         first, last = self.task.members(block)
         try:
@@ -101,7 +101,7 @@ class Store:
     def _incomplete_error(self, problem: OSError) -> IncompleteError:
         return IncompleteError(
             f"{self.folder}: {_reason(problem)}; {self.complete.sum()} of {self.task.blocks} "
-            "blocks are written and stay: put right what is wrong, and run the same again"
+            "blocks are written and stay: remove the cause, and run the same again"
         )
 
 
@@ -111,14 +111,14 @@ def _reason(problem: OSError) -> str:
 
 @contextmanager
 def open_store(task: Task, folder: Path) -> Iterator[Store]:
-    """Create or resume the store of a task; no other process may write to it meanwhile.
+    """Create or resume the store of a task, to which no other process may write meanwhile.
 
-    An existing store keeps the block size with which it was created.
+    An existing store keeps its block size.
 
     Raises
     ------
     InputError
-        If it cannot be written, is none of ours, or holds another experiment.
+        If it cannot be written, is not a store of this program, or holds another experiment.
     """
     with ExitStack() as stack:
         try:
@@ -138,7 +138,7 @@ def remove_store(folder: Path) -> None:
     Raises
     ------
     InputError
-        If it is none of ours, or is being written.
+        If it is not a store of this program, or is being written.
     """
     with write_lock(folder):
         read_store(folder).close()
@@ -153,7 +153,7 @@ def read_store(folder: str | Path) -> xr.Dataset:
     Raises
     ------
     InputError
-        If there is none, it is none of ours, or part of it has been lost.
+        If it does not exist, is not a store of this program, or part of it is missing.
     """
     import xarray as xr
 
@@ -168,7 +168,7 @@ def read_store(folder: str | Path) -> xr.Dataset:
     try:
         dataset = xr.open_dataset(folder, engine="zarr", chunks=None, decode_times=False)
     except Exception as problem:
-        # Damaged data may make the libraries raise any exception.
+        # The libraries may raise any exception for damaged data.
         raise InputError(
             f"{path} is damaged: its coordinates cannot be read; delete it or choose another name "
             "for the store, and run the same again"
@@ -199,10 +199,11 @@ def _write_layout(task: Task, folder: Path) -> None:
     import zarr
     from zarr.codecs import ZstdCodec
 
-    # With a checksum, damage raises an error instead of giving a wrong number.
+    # With a checksum, damaged data raise an error instead of giving wrong numbers.
     compressor = ZstdCodec(checksum=True)
     with warnings.catch_warnings():
-        # Strings and consolidated metadata are widely supported, but not yet in the standard.
+        # Strings and consolidated metadata are widely supported, but are not yet part of the
+        # standard.
         warnings.simplefilter("ignore")
         coordinates = [name for name, item in task.variables.items() if item.coordinate]
         group = zarr.create_group(
@@ -257,7 +258,7 @@ def _attributes(notes: Mapping[str, object]) -> dict[str, Any]:
 
 
 def _fill_value(dtype: np.dtype[np.generic]) -> float:
-    """The value that stands for numbers not yet computed."""
+    """Placeholder for numbers that are not yet computed."""
     return {"f": float("nan"), "i": -1}.get(dtype.kind, 0)
 
 
@@ -274,7 +275,7 @@ def _description(task: Task) -> dict[str, str]:
 
 
 def _group(folder: Path) -> zarr.Group:
-    """The group in a folder, if this module has written it."""
+    """Group in a folder, if it was written by this module."""
     import zarr
 
     if not folder.exists():
@@ -287,7 +288,7 @@ def _group(folder: Path) -> zarr.Group:
             raise
         known = False
     except Exception:
-        # A foreign or damaged folder may make the library raise any exception.
+        # The library may raise any exception for a foreign or damaged folder.
         known = False
     if not known:
         raise InputError(f"{folder} is no store of a computation in blocks: choose another name")
@@ -295,19 +296,19 @@ def _group(folder: Path) -> zarr.Group:
 
 
 def _array(group: zarr.Group, name: str) -> ZarrArray:
-    """An array of a group."""
+    """Array of a group."""
     array: ZarrArray = group[name]  # type: ignore[assignment]
     return array
 
 
 def _variables(group: zarr.Group) -> list[ZarrArray]:
-    """The arrays of the variables of the task, in order."""
+    """Arrays of the variables of the task, in order."""
     texts = (name.partition("variable ") for name in _notes(group)["task"])
     return [_array(group, name) for before, prefix, name in texts if prefix and not before]
 
 
 def _marks(folder: Path, group: zarr.Group) -> BoolArray:
-    """The marks (blocks,) of complete blocks."""
+    """Marks (blocks,) of complete blocks."""
     try:
         return np.asarray(_array(group, MARKS)[:], dtype=bool)
     except Exception as problem:
@@ -318,12 +319,12 @@ def _marks(folder: Path, group: zarr.Group) -> BoolArray:
 
 
 def _notes(group: zarr.Group) -> Mapping[str, Any]:
-    """The attributes of the marks: format, block size, task and version of a store."""
+    """Attributes of the marks: format, block size, task and version of a store."""
     return group[MARKS].attrs
 
 
 def _resumed_store(task: Task, folder: Path, group: zarr.Group) -> Store:
-    """The existing store with its own block size, if it belongs to the task."""
+    """Existing store with its own block size, if it belongs to the task."""
     notes = _notes(group)
     stored, wanted = notes["task"], _description(task)
     for name in [*wanted, *stored]:
@@ -345,12 +346,12 @@ def _resumed_store(task: Task, folder: Path, group: zarr.Group) -> Store:
     return Store(replace(task, block=notes["block"]), folder, arrays, done)
 
 
-#: What a user can do if the store already exists.
+#: Possible actions of a user if the store already exists.
 _CHOICE = "choose another name for the store, or remove it (commands: --force)"
 
 
 def _difference(name: str, task: Task, group: zarr.Group) -> str:
-    """Describe the difference between two experiments, with both values if possible."""
+    """Description of the difference between two experiments, with both values if possible."""
     _, _, attribute = name.partition("attribute ")
     if not attribute:
         return f"its {name} is another one; {_CHOICE}"

@@ -1,10 +1,10 @@
-"""The coefficients of Dormand and Prince's method of order 8 to arbitrary precision.
+"""Coefficients of Dormand and Prince's method of order 8 with arbitrary precision.
 
-The coefficients were published to thirty digits, and SciPy has them with sixteen.  They are roots
-of the order conditions: one equation for each rooted tree, 200 up to order 8 (Butcher 1963; Hairer,
-Nørsett, Wanner 1993, II.2).  The nodes are known in closed form.  These leave one direction in the
-rows of the last four stages undetermined, and some of the error estimates; there the point closest
-to the published numbers is taken.
+The coefficients were published with thirty digits; SciPy has sixteen of them.  They are roots of
+the order conditions: one equation for each rooted tree, 200 up to order 8 (Butcher 1963; Hairer,
+Nørsett, Wanner 1993, II.2).  The nodes are known in closed form.  The equations leave one
+direction in the rows of the last four stages undetermined, and some of the error estimates; there
+the solution closest to the published numbers is taken.
 """
 
 from __future__ import annotations
@@ -40,16 +40,16 @@ STEPS = 20
 
 
 class Table(NamedTuple):
-    """Coefficients to 70 digits, as fractions.
+    """Coefficients with 70 digits, as fractions.
 
     Attributes
     ----------
     a : tuple of rows
-        Row i gives the state of stage i from the rates of the stages before it.
+        Row i: weights of the rates of earlier stages in the state of stage i.
     b, c : tuple
-        Weights of the result, and times of the stages.
+        Weights of the result, and nodes of the stages.
     e3, e5 : tuple
-        Weights of the two estimates of the error.
+        Weights of the two error estimates.
     """
 
     a: tuple[tuple[Fraction, ...], ...]
@@ -87,7 +87,7 @@ def _size(tree: Tree) -> int:
 
 @cache
 def _density(tree: Tree) -> int:
-    """The density γ(t): the product of the sizes of all subtrees."""
+    """Density γ(t): the product of the sizes of all subtrees."""
     product = _size(tree)
     for branch in tree:
         product *= _density(branch)
@@ -95,20 +95,20 @@ def _density(tree: Tree) -> int:
 
 
 def weights(a: Numbers, b: Numbers, order: int) -> Numbers:
-    """The left sides γ(t) Σ b_i Φ_i(t) of the order conditions, which should equal 1.
+    """Left sides γ(t) Σ b_i Φ_i(t) of the order conditions, which are equal to 1.
 
     Parameters
     ----------
     a : array (stages, stages)
     b : array (stages,)
-        Weights of a result; of an estimate of errors, for which the same should be 0.
+        Weights of a result, or of an error estimate, for which the sums are equal to 0.
     order : int
-        Of the largest trees.
+        Order of the largest trees.
     """
     known: dict[Tree, Any] = {}
 
     def branch(tree: Tree) -> Numbers:
-        """The factor A Φ(t) of a tree that is a branch of another."""
+        """Factor A Φ(t) of a tree that is a branch of another tree."""
         if tree not in known:
             known[tree] = a @ stages(tree)
         result: Numbers = known[tree]
@@ -133,10 +133,10 @@ def _root(
     right: Numbers | arb,
     start: Numbers,
 ) -> Numbers:
-    """The solution of f(x) = right closest to doubles that nearly solve it.
+    """Solution of f(x) = right that is closest to doubles that nearly solve it.
 
-    Newton's method with the Jacobian at the starting point and its pseudo-inverse, so that nothing
-    moves along the manifold of solutions.
+    Newton's method with the pseudo-inverse of the Jacobian at the starting point, so that there is
+    no motion along the manifold of solutions.
     """
     step = 1e-30
     columns = [function(start + 1j * step * unit).imag / step for unit in np.eye(len(start))]
@@ -172,7 +172,7 @@ def _fractions(values: Numbers) -> tuple[Fraction, ...]:
 
 
 def _nodes() -> Numbers:
-    """The nodes of the stages (Hairer, Nørsett, Wanner 1993, II.5)."""
+    """Nodes of the stages (Hairer, Nørsett, Wanner 1993, II.5)."""
     root = arb(6).sqrt()
     irrational = [arb(0), (12 - 2 * root) / 135, (6 - root) / 45, (6 - root) / 30, (6 + root) / 30]
     rational = [(1, 3), (1, 4), (4, 13), (127, 195), (3, 5), (6, 7), (1, 1)]
@@ -181,7 +181,7 @@ def _nodes() -> Numbers:
 
 @lru_cache
 def explicit_table() -> Table:
-    """Dormand and Prince's method to all digits, starting from SciPy's doubles."""
+    """Dormand and Prince's method with all digits, starting from the doubles of SciPy."""
     from scipy.integrate import DOP853
 
     doubles = DOP853.A[:STAGES, :STAGES]
@@ -216,14 +216,14 @@ def _array_of(
     indices: tuple[Sequence[int] | npt.NDArray[np.intp], ...],
     values: Numbers,
 ) -> Numbers:
-    """An array that is zero except at given indices."""
+    """Array that is zero except at given indices."""
     array = np.zeros(shape, values.dtype)
     array[indices] = values
     return array
 
 
 def _third_order(c: Numbers) -> Numbers:
-    """The weights of the result of order 3: a quadrature with the nodes 0, c₉ and 1."""
+    """Weights of the result of order 3: a quadrature with the nodes 0, c₉ and 1."""
     middle = c[8]
     inner = 1 / (6 * middle * (1 - middle))
     last = arb(1) / 2 - inner * middle
@@ -231,7 +231,7 @@ def _third_order(c: Numbers) -> Numbers:
 
 
 def _fifth_order(a: Numbers, doubles: Numbers) -> Numbers:
-    """The fifth-order estimate, which vanishes for all trees with at most 5 nodes."""
+    """Fifth-order error estimate, which vanishes for all trees with at most 5 nodes."""
     places = np.nonzero(doubles)
 
     def conditions(x: Numbers) -> Numbers:

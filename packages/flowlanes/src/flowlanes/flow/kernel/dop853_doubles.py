@@ -1,11 +1,11 @@
 """Dormand and Prince's method of order 8 in doubles, as in SciPy's `DOP853`.
 
-Importing it from SciPy takes 0.4 s, longer than everything else before the first section point.
+To import it from SciPy takes 0.4 s, longer than everything else before the first section point.
 """
 
 from __future__ import annotations
 
-#: Row i has the weights of the stages before stage i.
+#: Row i: weights of the stages before stage i.
 A: tuple[tuple[float, ...], ...] = (
     (),
     (0.05260015195876773,),

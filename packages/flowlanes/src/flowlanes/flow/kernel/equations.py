@@ -1,4 +1,4 @@
-"""The formulas of a System, of its variations and of a section, for code generation."""
+"""Formulas of a System, of its variations and of a section, for code generation."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from ...system.system import System
 @arguments_checked
 @dataclass(frozen=True)
 class Section:
-    """A Poincaré section: the zeros of a function, at which motions are recorded.
+    """Poincaré section: the zeros of a function, at which motions are recorded.
 
     Attributes
     ----------
     value : sympy.Expr
-        The function, in the state, definitions and parameters.
+        Function of the state, definitions and parameters.
     direction : int
-        +1 where it rises through zero, −1 where it falls, 0 for both.
+        +1 for crossings where it increases, −1 where it decreases, 0 for both.
     where : sympy.Expr or None
-        Only crossings where this is positive count.
+        Only crossings where this is positive are recorded.
 
     Examples
     --------
@@ -46,7 +46,7 @@ class Section:
 def poincare_section(
     system: System, quantity: Quantity, value: float = 0, direction: int = 1, angle: bool = False
 ) -> Section:
-    """The section on which a quantity has a value.
+    """Section on which a quantity has a given value.
 
     Parameters
     ----------
@@ -55,9 +55,9 @@ def poincare_section(
         See :func:`flowlanes.formulas.array_evaluation.formula`.
     value : float
     direction : int
-        +1 where the quantity rises through the value, −1 where it falls, 0 for both.
+        +1 for crossings where the quantity increases, −1 where it decreases, 0 for both.
     angle : bool
-        The quantity is an angle (rad), and has the value up to whole turns.
+        True if the quantity is an angle (rad), which has the value up to multiples of 2π.
 
     Returns
     -------
@@ -66,7 +66,7 @@ def poincare_section(
     Raises
     ------
     InputError
-        If the quantity cannot be read or does not change, or the direction is none of the three.
+        If the quantity cannot be parsed or is constant, or the direction is not one of these.
 
     Examples
     --------
@@ -101,12 +101,12 @@ class SectionChoice:
     Attributes
     ----------
     parameter : int
-        The place of that parameter.
+        Index of that parameter.
     value, slope : Term
-        A function that vanishes on the section, and its rate; the rates of the state follow the
-        state there.
+        Function that vanishes on the section, and its rate; in its arguments the rates of the
+        state come after the state.
     where : Term
-        What must be positive there.
+        Expression that must be positive at a crossing.
     """
 
     parameter: int
@@ -122,22 +122,24 @@ class Equations:
     Attributes
     ----------
     rates : tuple of Term
-        Time derivatives of the state; deviations follow the state itself.
+        Time derivatives of the state variables and then of the deviations.
     groups : tuple of tuple of int
-        State variables whose error is measured by their common size: the components of a vector.
+        State variables whose error is measured relative to a common size: components of a vector.
     parameters : int
     section, slope, where : Term or None
-        A function that vanishes on the section, its rate, and what must be positive there.
+        Function that vanishes on the section, its rate, and an expression that must be positive.
     direction : int or Term
-        +1 where the function rises, −1 where it falls, 0 for both; or the parameter that says it.
+        +1 for crossings where the function increases, −1 where it decreases, 0 for both; or the
+        parameter with this value.
     guards : tuple of Term
-        Positive as long as the equations hold.
+        Expressions that are positive as long as the equations are valid.
     deviations : tuple of tuple of int
-        The places of each component in all the deviations.
+        Indices of each component in all deviations.
     choices : tuple of SectionChoice
-        In place of one section, several.
+        Several sections instead of one.
     renewal : tuple of Term
-        New values of all numbers from each sample on, and what is recorded there in their place.
+        New values of all numbers after each sample, and the values recorded there instead of the
+        state.
     """
 
     graph: Graph
@@ -155,12 +157,12 @@ class Equations:
 
     @property
     def has_section(self) -> bool:
-        """Whether motions are recorded on a section."""
+        """True if motions are recorded on a section."""
         return self.section is not None or bool(self.choices)
 
     @property
     def clock(self) -> tuple[int, int] | None:
-        """Index of the state variable that is the time, and whether it runs forward (1)."""
+        """Index of the state variable that is the time, and 1 if it runs forward."""
         for i in range(sum(map(len, self.groups))):
             rate = self.rates[i]
             if rate.kind == "number" and abs(rate.args[0]) == 1:
@@ -169,14 +171,14 @@ class Equations:
 
     @property
     def acting(self) -> tuple[int, ...]:
-        """State variables on which some rate depends; a position on a plane is not among them."""
+        """State variables on which a rate depends; a position on a plane is not one of them."""
         controlled = {i for group in self.groups for i in group}
         used = {term.args[0] for term in topological_order(self.rates) if term.kind == "state"}
         return tuple(sorted(controlled & used))
 
     @property
     def pieces(self) -> dict[str, tuple[Term, ...]]:
-        """The formulas of each generated function, by name."""
+        """Formulas of each generated function, by name."""
         pieces = {"rates": self.rates}
         if self.section is not None and self.slope is not None:
             where = () if self.where is None else (self.where,)
@@ -194,7 +196,7 @@ class Equations:
 def equations_of(
     system: System, deviations: int, section: Section | None, backward: bool
 ) -> Equations:
-    """The formulas of a system, of its deviations and of a section, as terms."""
+    """Formulas of a system, of its deviations and of a section, as terms."""
     reader, forward = read_formulas(system)
     if not forward:
         raise InputError(f"{system.name}: a system without state has no motion")
@@ -228,7 +230,7 @@ def equations_of(
 
 
 def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Term]:
-    """The variational equations, one deviation after the other."""
+    """Variational equations, one deviation after the other."""
     size = len(rates)
     variations: list[Term] = []
     for k in range(1, deviations + 1):
@@ -243,7 +245,7 @@ def groups(system: System) -> tuple[tuple[int, ...], ...]:
 
 
 def serial(equations: Equations) -> str:
-    """Everything on which the generated code depends, as text."""
+    """Text that contains everything on which the generated code depends."""
     pieces = equations.pieces
     heads = [f"{name} {len(piece)}" for name, piece in pieces.items()]
     terms = serial_terms([term for piece in pieces.values() for term in piece])
@@ -252,7 +254,7 @@ def serial(equations: Equations) -> str:
 
 
 def serial_terms(terms: Sequence[Term]) -> str:
-    """Terms as text, in which each term is written once."""
+    """Text of terms, in which each term is written once."""
     nodes = topological_order(terms)
     place = {id(node): i for i, node in enumerate(nodes)}
     lines = [

@@ -666,18 +666,18 @@ class _Convergence:
 def gauss_loop(
     method: Gauss, equations: Equations, projection: ProjectionTerms | None, refine: bool
 ) -> tuple[str, int]:
-    """Generate the code of the loop; also return the number of doubles of memory it needs.
+    """Code of the loop, and the number of doubles of memory that it needs.
 
     Parameters
     ----------
     method : Gauss
-        Of 4, 8 or 16 stages.
+        Method with 4, 8 or 16 stages.
     equations : Equations
-        Without a section.
+        Equations without a section.
     projection : ProjectionTerms or None
-        The functions on whose level the state is held.
+        Functions on whose level the state is kept.
     refine : bool
-        Whether the stages are found to 32 digits.
+        True if the stages are computed with 32 digits.
     """
     loop = _LoopGenerator(method, equations, projection, refine)
     return loop.write(), loop.space.size

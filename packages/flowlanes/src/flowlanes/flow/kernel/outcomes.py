@@ -18,7 +18,7 @@ COLLAPSED, NOT_A_NUMBER, STEPS, OVER, IN_VAIN = range(1, len(STATUS_MESSAGES))
 
 
 def outcome_message(system: System, code: int) -> str:
-    """Why a motion ended; empty for code 0."""
+    """Reason for which a motion ended; empty for code 0."""
     if code < len(STATUS_MESSAGES):
         return STATUS_MESSAGES[code]
     return system.guards[code - len(STATUS_MESSAGES)].message

@@ -11,14 +11,15 @@ from ...formulas.graph import Graph, Term
 
 @dataclass(frozen=True)
 class ProjectionTerms:
-    """Functions of the state that keep their values along every motion.
+    """Functions of the state that are constant along every motion.
 
     Attributes
     ----------
     residuals : tuple of Term
-        Functions that vanish; the values of the level are state variables after the last one.
+        Functions that vanish; their variables are the state variables and then the values of the
+        level.
     correction : tuple of Term
-        The change of each state variable that makes them vanish, in terms of their residuals.
+        Change of each state variable that makes them vanish, in terms of their residuals.
     """
 
     residuals: tuple[Term, ...]
@@ -32,20 +33,20 @@ def projection_terms(
     groups: Sequence[Sequence[int]],
     residuals: Sequence[Term],
 ) -> ProjectionTerms:
-    """The projection onto given values of some functions and zeros of others.
+    """Projection onto given values of some functions and zeros of others.
 
-    The change is the shortest in which each vector of the state counts relative to its length:
-    −D Gᵀ(G D Gᵀ)⁻¹ c, with G the gradients, c the residuals and D the squared lengths.  Where
-    gradients are dependent, as in a steady motion, what they share is corrected once.
+    The change is the shortest one if each vector of the state is measured relative to its length:
+    −D Gᵀ(G D Gᵀ)⁻¹ c, with the gradients G, the residuals c and the squared lengths D.  Where
+    gradients are dependent, as in a steady motion, their common part is corrected once.
 
     Parameters
     ----------
     graph : Graph
     conserved, vanishing : sequence of Term
     groups : sequence of sequence of int
-        The places of the components of each vector of the state.
+        Indices of the components of each vector of the state.
     residuals : sequence of Term
-        By how much the functions miss their values, in this order.
+        Deviations of the functions from their values, in this order.
     """
     size = sum(map(len, groups))
     states = [graph.state(i) for i in range(size)]

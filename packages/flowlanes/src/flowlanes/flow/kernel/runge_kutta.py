@@ -1,12 +1,12 @@
 """Explicit Runge–Kutta integration of many motions, with one motion per vector lane.
 
-Every lane has its own time, step size and outcome.  When the motion of a lane has ended, the next
-motion of the batch takes its place, so all lanes are busy until few motions are left.  Lanes never
-influence each other.
+Every lane has its own time, step size and outcome.  When the motion of a lane has ended, the lane
+takes the next motion of the batch, so all lanes are busy until few motions are left.  Lanes do not
+affect each other.
 
-Crossings of a section are located within the steps.  A step across the section is rejected; instead
-the lane goes to the zero of the cubic interpolant, and then refines it by Newton's method in time,
-until the remaining distance is below rounding.
+Crossings of a section are located within the steps.  A step across the section is rejected;
+instead the lane steps to the zero of the cubic interpolant, and refines it by Newton's method in
+time until the remaining distance is below rounding.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from .hermite import crossing_step, double_crossing, side_after_crossing
 from .outcomes import COLLAPSED, IN_VAIN, NOT_A_NUMBER, OVER, STATUS_MESSAGES, STEPS
 from .tableaux import Explicit
 
-#: Number of steps without a crossing after which a motion ends: a motion at rest never crosses.
+#: Number of steps without a crossing after which a motion ends; a motion at rest never crosses.
 MAX_STEPS_WITHOUT_CROSSING = 1e6
 
 #: Safety factor for the error of the cubic interpolant, which is estimated at the stage near the
@@ -39,13 +39,13 @@ LOOSER = 100.0
 #: Indices of the variables that are summed, and their change divided by the step length.
 Component: TypeAlias = tuple[Sequence[int | str], V | None]
 
-#: Vectors that the lanes keep between steps.
+#: Vectors that are kept in memory between steps.
 _LANE_VECTORS = (
     "time target step floor saved g gdot g_here tries steps marked "
     "mode fault event fresh index samples"
 )
 
-# Events that a lane may have to handle.
+# Events of a lane.
 _SAMPLE, _POINT, _END = 1.0, 2.0, 3.0
 
 # States of a lane.
@@ -75,7 +75,7 @@ class RungeKuttaLoop(Generic[V]):
     method : Explicit
     equations : Equations
     lanes : int
-        Trajectories in a vector.
+        Number of motions in a vector.
     """
 
     def __init__(
@@ -85,7 +85,7 @@ class RungeKuttaLoop(Generic[V]):
         self.n = arithmetic(self.w)
         self.method, self.equations = method, equations
         self.dimension = len(equations.rates)
-        # Numbers of 30 digits need no second one.
+        # Numbers of 30 digits need no rounding errors in addition.
         self.clock, self.pace = None, 0
         if equations.clock is not None and self.n.words == 1:
             place, self.pace = equations.clock
@@ -131,7 +131,7 @@ class RungeKuttaLoop(Generic[V]):
         self.w.store(self.w.type, value, self.place(name))
 
     def lane_address(self, name: str, lane: str) -> str:
-        """The address of one lane of a vector."""
+        """Address of one lane of a vector."""
         return self.w.address("double", self.place(name), lane)
 
     def rates(self, stage: int, of: str) -> None:
@@ -152,7 +152,7 @@ class RungeKuttaLoop(Generic[V]):
         for number, choice in enumerate(self.equations.choices):
             chosen = n.leading(n.load(self.place("parameters"), choice.parameter))
             mask = w.compare("ogt", chosen, w.constant(0.0))
-            # Compute only sections that some lane has chosen.
+            # Only sections chosen by some lane are computed.
             with w.branch(w.any(mask)):
                 w.line(
                     f"call void @section_{number}(ptr {self.place('choice')}, "
@@ -193,7 +193,7 @@ class RungeKuttaLoop(Generic[V]):
         return self.pieces + "\n" + w.text(head, "#0")
 
     def live(self) -> str:
-        """The mask of lanes that have a motion."""
+        """Mask of lanes with a motion."""
         return self.w.compare("ogt", self.get("mode"), self.w.constant(_EMPTY))
 
     def start_lanes(self) -> None:
@@ -349,7 +349,7 @@ class RungeKuttaLoop(Generic[V]):
             self.evaluate_section("section", "y", 0)
             g = n.leading(n.load(self.place("section"), 0))
             gdot = n.leading(n.load(self.place("section"), 1))
-            # Starting on the section does not count as a return.
+            # A start on the section is not a return.
             reach = w.op("fmul", w.op("fmul", w.constant(1e-8), first), w.call("fabs", gdot))
             close = w.compare("ole", w.call("fabs", g), reach)
             self.put(
@@ -410,11 +410,11 @@ class RungeKuttaLoop(Generic[V]):
         section, the section function is close enough to its cubic interpolant (`_wavering`).  The
         next step is h·min(5, max(0.2, 0.9 err^{−1/p})) with the order p of the method.
 
-        Branches would serialise the lanes, so that everything is computed in all of them and masks
-        select what is stored:  `moved` marks lanes whose step is taken, `event` those that need
-        attention afterwards, `fault` says why a lane would end.  A step that would pass the next
-        sample is shortened to end there exactly.  A motion ends if its step falls below 1e-15 of
-        the time, or after `limit` steps.
+        Branches would serialize the lanes, so everything is computed in all lanes, and masks
+        select the stored values: `moved` marks lanes whose step is accepted, `event` those that
+        need attention afterwards, `fault` gives the reason for which a lane would end.  A step
+        that would pass the next sample is shortened to end there exactly.  A motion ends if its
+        step is below 1e-15 of the time, or after `limit` steps.
         """
         w, n, zero = self.w, self.n, self.w.constant(0.0)
         mode = self.get("mode")
@@ -519,7 +519,7 @@ class RungeKuttaLoop(Generic[V]):
                 self._renew(at_sample)
 
     def _renew(self, at_sample: str) -> None:
-        """Replace the numbers of some lanes by those that follow a sample."""
+        """Replace the numbers of some lanes by the new values after a sample."""
         n = self.n
         self.evaluate("renewal", "y")
         for i in range(self.dimension):
@@ -834,7 +834,7 @@ def runge_kutta_loop(
     method : Explicit
     equations : Equations
     lanes : int
-        Trajectories in a vector.
+        Number of motions in a vector.
     """
     loop = RungeKuttaLoop(arithmetic, method, equations, lanes)
     return loop.write(), loop.space.size * lanes

@@ -14,26 +14,26 @@ from ...system.tolerance import Precision
 from ..machine_code.arithmetic import Arithmetic, Double, Pair
 from . import dop853_doubles, verner_doubles
 
-#: Tolerance of a step below which rounding errors matter more than the error of the method.
+#: Tolerance below which rounding errors are larger than the errors of the method.
 FINE = 1e-15
 
 
 @dataclass(frozen=True)
 class Explicit:
-    """An explicit Runge–Kutta method with two estimates of its error.
+    """Explicit Runge–Kutta method with two error estimates.
 
     Attributes
     ----------
     a : tuple of rows
-        Row i gives the state of stage i from the rates of the stages before it.
+        Row i: weights of the rates of earlier stages in the state of stage i.
     b, e3, e5 : tuple
-        Weights of the result and of the two estimates.
+        Weights of the result and of the two error estimates.
     name : str
     halfway : int
-        The stage at which section and guards are evaluated inside a step, besides its ends.
+        Stage at which section and guards are evaluated inside a step, besides its ends.
     steady : bool
-        Whether it is meant for the last digits: then stages, too, know what rounding has taken
-        from the state.
+        True for a method for the last digits, where the rounding error of the state is also used
+        in the stages.
     order : int
     """
 
@@ -48,7 +48,7 @@ class Explicit:
 
     @property
     def middle(self) -> int:
-        """The stage with nonzero weight whose time is closest to the middle of a step."""
+        """Stage with nonzero weight whose node is closest to the middle of a step."""
         weighty = [i for i, weight in enumerate(self.b) if weight != 0]
         return min(weighty, key=lambda i: abs(sum(self.a[i]) - Fraction(1, 2)))
 
@@ -73,8 +73,9 @@ def explicit() -> Explicit:
 def explicit_steady() -> Explicit:
     """Verner's method of order 8 with 12 stages and positive weights.
 
-    The root of the sum of its squared weights is 0.39, against 7.6 for Dormand and Prince: this is
-    how errors of the rates are amplified within a step.  It needs more steps for the same accuracy.
+    The norm of its weights (the root of the sum of their squares) is 0.39, compared with 7.6 for
+    Dormand and Prince; errors of the rates are amplified by this factor within a step.  It needs
+    more steps for the same accuracy.
     """
     return Explicit(
         a=tuple(map(_fractions, verner_doubles.A)),
@@ -99,7 +100,7 @@ def explicit_fine() -> Explicit:
 def arithmetic_and_method(
     precision: Precision, tolerance: float
 ) -> tuple[type[Arithmetic[Any]], Explicit]:
-    """The arithmetic, of 16 or (quad) 30 digits, and the method for a step tolerance."""
+    """Arithmetic with 16 or (quad) 30 digits, and the method for a step tolerance."""
     if precision == "quad":
         return Pair, explicit_fine()
     return Double, explicit_steady() if tolerance < FINE else explicit()
@@ -118,11 +119,11 @@ class Gauss:
     c, b : tuple
         Nodes and weights on [0, 1].
     a : tuple of rows
-        Integrals of the cardinal polynomials up to each node.
+        Integrals of the Lagrange basis polynomials up to each node.
     ahead : tuple of rows
-        Values of the same polynomials at the nodes of the next step of the same length.
+        Values of these polynomials at the nodes of the next step of the same length.
     top : tuple
-        The coefficient of the highest Legendre polynomial in what the stages interpolate.
+        Coefficient of the highest Legendre polynomial in the interpolation through the stages.
     """
 
     c: tuple[Fraction, ...]
@@ -134,7 +135,7 @@ class Gauss:
 
 @lru_cache
 def gauss(stages: int) -> Gauss:
-    """The method with a given number of stages, to 70 digits.
+    """Method with a given number of stages, with 70 digits.
 
     A polynomial p of degree < s is Σ_k (2k + 1) L_k(x) Σ_j b_j L_k(c_j) p(c_j) with the Legendre
     polynomials L_k on [0, 1], because the quadrature with s nodes is exact to degree 2s − 1.  The
@@ -161,7 +162,7 @@ def gauss(stages: int) -> Gauss:
 
 
 def _roots(stages: int) -> list[mpmath.mpf]:
-    """The roots of the Legendre polynomial on [−1, 1], as eigenvalues of the Jacobi matrix."""
+    """Roots of the Legendre polynomial on [−1, 1], as eigenvalues of the Jacobi matrix."""
     jacobi = mpmath.matrix(stages)
     for k in range(1, stages):
         jacobi[k - 1, k] = jacobi[k, k - 1] = k / mpmath.sqrt(4 * k * k - 1)

@@ -2,8 +2,8 @@
 
 J. H. Verner, Numerically optimal Runge–Kutta pairs with interpolants, Numerical Algorithms 53
 (2010), 383–396: the efficient pair of orders 8 and 7 without its last stage.  Each coefficient is
-one of the two neighbouring doubles, chosen such that in every row the sums with powers of the nodes
-are as close as possible to the exact ones: their rounding error recurs in every step.
+one of the two neighbouring doubles, chosen so that in every row the sums with powers of the nodes
+are as close as possible to the exact values, because their rounding errors recur in every step.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
-"""Compile LLVM code to WebAssembly, the machine code of a page.
+"""Compilation of LLVM code to WebAssembly, the machine code of web pages.
 
-The code is that of :mod:`flowlanes.flow.machine_code.codegen`, in vectors of one or two lanes.  The
-one difference is that WebAssembly has no fused multiply-add, so the last bits differ from native
-code.
+The code is that of :mod:`flowlanes.flow.machine_code.codegen`, in vectors of one or two lanes.
+WebAssembly has no fused multiply-add, so the last bits differ from native code.
 """
 
 from __future__ import annotations
@@ -41,14 +40,14 @@ def wasm_module(texts: Sequence[str], exports: Sequence[str]) -> bytes:
     Parameters
     ----------
     texts : sequence of str
-        Functions in LLVM's language; names differ between them.
+        Functions in the language of LLVM, with different names.
     exports : sequence of str
-        Those that can be called from outside.
+        Functions that can be called from outside.
 
     Returns
     -------
     bytes
-        It imports a memory, ``env.memory``.
+        Module that imports a memory, ``env.memory``.
     """
     text = "\n".join(texts)
     # WebAssembly has neither of these; its own minimum also propagates NaN.
@@ -67,7 +66,7 @@ def with_prefix(prefix: str, text: str) -> str:
 def emit_integration_loop(
     prefix: str, equations: Equations, lanes: int, tolerance: float
 ) -> tuple[str, int]:
-    """Generate the loop ``<prefix>_march`` for a tolerance; also return its memory in doubles."""
+    """Code of the loop ``<prefix>_march`` for a tolerance, and its memory in doubles."""
     _, method = arithmetic_and_method("double", tolerance)
     text, work = runge_kutta_loop(WithoutFused, method, equations, lanes)
     return with_prefix(prefix, text), work
@@ -76,25 +75,25 @@ def emit_integration_loop(
 def emit_row_functions(
     prefix: str, pieces: Mapping[str, Sequence[Term]], inputs: int
 ) -> tuple[str, dict[str, str], int]:
-    """Generate functions that evaluate formulas on many rows.
+    """Functions that evaluate formulas on many rows.
 
-    ``<prefix>_<piece>_rows(n, rows, parameters, results, work)`` takes n rows of `inputs` numbers
-    and gives as many rows of results.
+    ``<prefix>_<piece>_rows(n, rows, parameters, results, work)`` computes n rows of results from n
+    rows of `inputs` numbers.
 
     Parameters
     ----------
     prefix : str
     pieces : mapping of str to sequence of Term
     inputs : int
-        Numbers of a row.
+        Number of values in a row.
 
     Returns
     -------
     text : str
     names : dict of str to str
-        The function of each piece.
+        Name of the function of each piece.
     work : int
-        Doubles of memory that a call needs.
+        Number of doubles of memory for a call.
     """
     text, constants = functions(WithoutFused, pieces, 1)
     names = {piece: f"{prefix}_{piece}_rows" for piece in pieces}

@@ -1,8 +1,8 @@
-"""Deviations along many motions, orthonormalised after every interval within the loop.
+"""Deviations along many motions, orthonormalized after every interval within the loop.
 
-The operations that :mod:`flowlanes.flow.linearisation.tangent_space` applies to arrays are terms
-here, and part of the machine code.  A motion is integrated to its end in one call, on any device,
-and only the factors by which deviations are normalised are returned.
+The operations of :mod:`flowlanes.flow.linearisation.tangent_space` on arrays are written here as
+terms, which become part of the machine code.  A motion is integrated to its end in one call, on
+any device, and only the normalization factors of the deviations are returned.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from .tangent_space import DEPENDENT, TangentSpace
 #: The components of a vector.
 Vector: TypeAlias = Sequence[Term]
 
-#: Deviations of unit length orthogonal to a basis, and the lengths that were divided out.
+#: Deviations of unit length orthogonal to a basis, and the normalization factors.
 Normalisation: TypeAlias = Callable[
     [Graph, Sequence[Vector], Sequence[Vector]], tuple[list[list[Term]], list[Term]]
 ]
@@ -41,7 +41,7 @@ Record: TypeAlias = Callable[[Graph, Sequence[Vector]], Sequence[Term]]
 def orthonormal_terms(
     graph: Graph, vectors: Sequence[Vector], basis: Sequence[Vector] = ()
 ) -> tuple[list[list[Term]], list[Term]]:
-    """Orthonormalise vectors one after the other; also return the lengths of the remainders.
+    """Orthonormal vectors by the Gram–Schmidt process, and the lengths of the remainders.
 
     The symbolic version of :func:`flowlanes.flow.linearisation.tangent_space.orthonormal`.
     """
@@ -68,18 +68,18 @@ def _norm(graph: Graph, vector: Vector) -> Term:
 
 @dataclass(frozen=True)
 class GrowthRun:
-    """The growth of deviations along some motions.
+    """Growth of deviations along some motions.
 
     Attributes
     ----------
     lengths : (n, intervals, d) array
-        What deviations have lost after each interval; not a number after the end of a motion.
+        Normalization factors of the deviations after each interval; NaN after the end of a motion.
     records : (n, intervals, numbers) array
-        Further numbers.
+        Further recorded numbers.
     outcome : (n,) array of int
-        0, or why a motion ended.
+        0, or the code of the reason for the end of a motion.
     end_times : (n,) array
-        The times reached.
+        Last times reached.
     """
 
     lengths: FloatArray
@@ -90,17 +90,17 @@ class GrowthRun:
 
 @dataclass(frozen=True)
 class DeviationGrowth:
-    """The growth of deviations along the motions of a system, as machine code.
+    """Growth of deviations along the motions of a system, as machine code.
 
     Attributes
     ----------
     space : TangentSpace
-        Deviations that count.
+        Space of the deviations.
     deviations : int
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
     record_width : int
-        Further numbers of every interval.
+        Number of further values for every interval.
     loop : BatchLoop
     """
 
@@ -117,16 +117,16 @@ class DeviationGrowth:
         times: FloatArray,
         parameters: Parameters = None,
     ) -> GrowthRun:
-        """Follow deviations along motions.
+        """Deviations followed along motions.
 
         Parameters
         ----------
         starts : (n, size) array
             In flat order, on the phase space.
         sizes : (n, size) array
-            By which deviations are measured.
+            Sizes of the variables for lengths of deviations.
         times : (intervals,) array
-            The ends of the intervals, of which the first begins at 0.
+            Ends of the intervals; the first interval begins at 0.
         parameters : mapping of Symbol or name to number or (n,) array, optional
         """
         system = self.space.system
@@ -161,12 +161,13 @@ def deviation_growth(
     space : TangentSpace
     deviations : int
     normalise : callable
-        Makes deviations of length one, without the span of a basis; `orthonormal_terms`, say.
+        Function that normalizes deviations and removes the span of a basis, such as
+        `orthonormal_terms`.
     record : callable
-        Further numbers that are recorded.
+        Function for further recorded numbers.
     tolerance : float
     device : "cpu" or "gpu"
-        Where the motions are computed.
+        Device for the computation.
     """
     system = space.system
     reader, _ = read_formulas(system)
@@ -181,7 +182,7 @@ def deviation_growth(
     frames, lengths = normalise(graph, measured, _excluded_basis(space, reader, sizes))
     relations = [reader(relation) for relation in system.relations]
     correction = projection_terms(graph, (), relations, equations.groups, relations).correction
-    # Return to the phase space.
+    # Rounding moves the state away from the phase space, so it is projected back.
     states = [graph.state(i) + change for i, change in enumerate(correction)]
     carried = [x * y for frame in frames for x, y in zip(frame, sizes, strict=True)]
     recorded = record(graph, frames)
@@ -199,7 +200,7 @@ def deviation_growth(
 
 
 def _excluded_basis(space: TangentSpace, reader: Reader, sizes: Vector) -> list[list[Term]]:
-    """An orthonormal basis, in measured lengths, of the excluded deviations."""
+    """Orthonormal basis, in rescaled variables, of the excluded deviations."""
     graph, places = reader.graph, range(len(sizes))
     slopes = graph.jacobian(
         [reader(condition) for condition in space.conditions], [graph.state(i) for i in places]

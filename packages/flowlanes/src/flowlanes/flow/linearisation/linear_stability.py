@@ -1,14 +1,14 @@
-"""Linear stability of a System near a steady motion, to any number of digits.
+"""Linear stability of a System near a steady motion, with any number of digits.
 
 At a point x of the phase space where the field v vanishes, or is a combination of symmetry fields
-(a relative equilibrium: it is at rest in a frame that the symmetries carry along), small deviations
-ξ obey
+(a relative equilibrium, at rest in a frame that moves along the symmetries), small deviations ξ
+satisfy
 
     ξ̇ = A ξ,    A = ∂v/∂x − Σ c_i ∂u_i/∂x,    v(x) = Σ c_i u_i(x).
 
 Deviations stay in the phase space: ξ is tangent to the relations, and A acts on the tangent space.
-State variables on which no rate depends (a position, a heading) are omitted, and directions along a
-family of steady motions can be divided out.  Derivatives are exact: formulas are differentiated
+State variables on which no rate depends (a position, a heading) are omitted, and directions along
+a family of steady motions can be excluded.  Derivatives are exact: formulas are differentiated
 symbolically, through the definitions by the chain rule.
 """
 
@@ -40,7 +40,7 @@ NEWTON_STEPS = 60
 State: TypeAlias = Mapping[Any, Any] | Sequence[Any]
 
 
-#: Growth rates that an overview shows.
+#: Number of growth rates in an overview.
 SHOWN = 12
 
 
@@ -52,20 +52,20 @@ class Linearisation(WithOverview):
     ----------
     system : System
     state : dict of Symbol to mpf
-        The steady motion.
+        Steady motion.
     variables : tuple of Symbol
-        State variables that take part, in the order of rows and columns of `matrix`.
+        State variables of the linear equations, in the order of rows and columns of `matrix`.
     matrix : mpmath.matrix (variables, variables)
-        A, before the relations are taken into account.
+        A, without the relations.
     basis : mpmath.matrix (variables, dimension)
-        Orthonormal basis of the deviations that count: tangent to the relations and orthogonal
-        to the family of steady motions that is divided out.
+        Orthonormal basis of the deviations that are tangent to the relations and orthogonal to the
+        given family of steady motions.
     reduced : mpmath.matrix (dimension, dimension)
         A in that basis.
     drift : dict of str to mpf
-        c_i: how fast the steady motion goes along each symmetry.
+        c_i, the speed of the steady motion along each symmetry.
     digits : int
-        Digits that were asked for.
+        Number of correct digits.
     """
 
     system: System
@@ -81,7 +81,7 @@ class Linearisation(WithOverview):
         raise TypeError("matrices of mpmath cannot be pickled: pickle the eigenvalues")
 
     def overview(self) -> Overview:
-        """System, dimension, and the growth rates."""
+        """System, dimension, and growth rates."""
         rates = [mpmath.nstr(rate, 8) for rate in self.eigenvalues]
         more = f", and {len(rates) - SHOWN} more" if len(rates) > SHOWN else ""
         return Overview(
@@ -105,19 +105,19 @@ class Linearisation(WithOverview):
 
     @property
     def eigenvalues(self) -> tuple[mpmath.mpc, ...]:
-        """The growth rates (1/s), the largest real part first; complex numbers of mpmath."""
+        """Growth rates (1/s), largest real part first, as complex numbers of mpmath."""
         with mpmath.workdps(self.digits):
             floor = mpmath.mpf(10) ** (-self.digits) * (1 + mpmath.mnorm(self.reduced, 1))
             return tuple(+_clean(value, floor) for value, _ in self._modes)
 
     @property
     def modes(self) -> tuple[dict[sp.Symbol, mpmath.mpc], ...]:
-        """The deviation that belongs to each of `eigenvalues`, by state variable."""
+        """Deviation for each of `eigenvalues`, by state variable."""
         return tuple(dict(zip(self.variables, vector, strict=True)) for _, vector in self._modes)
 
     @property
     def stable(self) -> bool:
-        """Whether all eigenvalues have a negative real part (exponential stability)."""
+        """True if all eigenvalues have a negative real part (exponential stability)."""
         return all(value.real < 0 for value in self.eigenvalues)
 
 
@@ -130,25 +130,25 @@ def linear_stability(
     along: Iterable[Mapping[Any, Any]] = (),
     digits: int = 30,
 ) -> Linearisation:
-    """Linearise a system near a steady motion and compute the eigenvalues.
+    """Linearize a system near a steady motion and compute the eigenvalues.
 
     Parameters
     ----------
     system : System
-        Symmetries among its laws may carry the steady motion along.
+        The steady motion may move along symmetries among its laws.
     state : mapping of Symbol or name to number or numbers, or sequence in flat order
         The steady motion, by the variables and vectors of the state, or by ω and γ where the rest
         follows from them in double precision.  Numbers of SymPy and mpmath, and strings, count
         with all their digits; a float means the shortest decimal that gives it.  Variables on
         which nothing depends may be left out.
     parameters : mapping of Symbol or name to number, optional
-        Values that replace the system's defaults.
+        Values that replace the defaults of the system.
     along : iterable of mappings of Symbol or name to number
-        Tangents to a family of steady motions through this one (such as faster and slower ones):
-        A annuls them, and their zero eigenvalues are divided out.
+        Tangents to a family of steady motions through this one (for example with other speeds).  A
+        is zero on them, and their zero eigenvalues are excluded.
     digits : int
-        Digits of the eigenvalues; four times as many are carried, so that double and fourfold
-        eigenvalues have them too, however defective.
+        Digits of the eigenvalues.  The computation uses four times as many, so that double and
+        fourfold eigenvalues have these digits too, even without a full set of eigenvectors.
 
     Returns
     -------
@@ -157,8 +157,8 @@ def linear_stability(
     Raises
     ------
     InputError
-        If the state misses the phase space or is not steady, if a name is unknown, or if A does
-        not annul a direction of `along`.
+        If the state is not in the phase space or not steady, if a name is unknown, or if A is not
+        zero on a direction of `along`.
 
     Examples
     --------
@@ -200,7 +200,7 @@ def relative_equilibrium(
     fixed_variables: Iterable[sp.Symbol | str] = (),
     digits: int = 30,
 ) -> dict[sp.Symbol, mpmath.mpf]:
-    """Find a steady motion near a guess, by Newton's method with steps of minimal norm.
+    """Steady motion near a guess, by Newton's method with steps of minimal norm.
 
     Parameters
     ----------
@@ -208,12 +208,12 @@ def relative_equilibrium(
         See :func:`linear_stability`.
     guess : mapping of Symbol or name to number or numbers, or sequence in flat order
     fixed_variables : iterable of Symbol or name
-        State variables that keep their guessed values; they choose one of a family.
+        State variables that keep their guessed values, which selects a member of a family.
 
     Returns
     -------
     dict of Symbol to mpf
-        The state where the field and the relations vanish, to be given to :func:`linear_stability`.
+        State where the field and the relations vanish, as input of :func:`linear_stability`.
 
     Raises
     ------
@@ -254,7 +254,7 @@ def relative_equilibrium(
 
 
 class _LinearisedSystem:
-    """A system at one state, with its derivatives."""
+    """System at one state, with its derivatives."""
 
     def __init__(
         self,
@@ -267,7 +267,7 @@ class _LinearisedSystem:
         self.variables = _variables(system)
         self.point = _state(system, state, parameters, self.variables)
         self.values = {**self.point, **_constants(system, parameters)}
-        # A state given as a float is accurate to about 16 digits.
+        # A state given as floats is accurate to about 16 digits.
         self.tolerance = mpmath.mpf(10) ** (-min(digits, 12))
         self._require_on_phase_space()
 
@@ -285,7 +285,7 @@ class _LinearisedSystem:
                 )
 
     def _carries(self, law: Symmetry) -> bool:
-        """Whether a symmetry is one on all of the phase space, with these parameters."""
+        """True if a symmetry is valid on the whole phase space for these parameters."""
         level = law.scalar.level
         moving = set(self.system.symbols) | {s for s, _ in self.system.scalar_definitions}
         if any(condition.free_symbols & moving for condition in level):
@@ -293,11 +293,11 @@ class _LinearisedSystem:
         return all(abs(value) < self.tolerance for value in self._field(level)[0])
 
     def slopes_of_relations(self) -> mpmath.matrix:
-        """The differentials of the relations, one per row."""
+        """Differentials of the relations, one per row."""
         return self._field(_relations(self.system))[1]
 
     def moving(self) -> tuple[mpmath.matrix, dict[str, mpmath.mpf]]:
-        """The matrix A, and the speeds along the symmetries."""
+        """Matrix A, and the speeds along the symmetries."""
         value, matrix = self._field(_rates(self.system, self.variables))
         symmetries = [law for law in self.system.laws_of(Symmetry) if self._carries(law)]
         drift: dict[str, mpmath.mpf] = {}
@@ -317,7 +317,7 @@ class _LinearisedSystem:
         return matrix, drift
 
     def vector(self, entries: Mapping[sp.Symbol | str, WorkingNumber], where: str) -> mpmath.matrix:
-        """A direction as a column."""
+        """Direction as a column."""
         named = {_symbol(self.system, key, where): number(x, where) for key, x in entries.items()}
         return mpmath.matrix([named.get(s, mpmath.mpf(0)) for s in self.variables])
 
@@ -330,7 +330,7 @@ def _working(digits: int) -> int:
 
 
 def _clean(value: mpmath.mpc, floor: mpmath.mpf) -> mpmath.mpc:
-    """The number without a part that is zero up to rounding."""
+    """Number without a real or imaginary part that is zero up to rounding."""
     return mpmath.mpc(
         0 if abs(value.real) < floor else value.real, 0 if abs(value.imag) < floor else value.imag
     )
@@ -350,13 +350,13 @@ def _rates(system: System, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
 
 
 def components(law: Symmetry, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
-    """The components of a symmetry field along some state variables."""
+    """Components of a symmetry field along some state variables."""
     named = dict(flat_pairs(law.field))
     return [sp.sympify(named.get(s, 0)) for s in variables]
 
 
 def essential_variables(system: System) -> tuple[sp.Symbol, ...]:
-    """The state variables without those on which nothing depends, removed one after the other."""
+    """State variables without those on which nothing depends, removed one after the other."""
     rates = dict(zip(system.symbols, system.rates, strict=True))
     while True:
         formulas = [*rates.values(), *_relations(system)]

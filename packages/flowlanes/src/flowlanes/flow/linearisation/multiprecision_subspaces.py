@@ -8,7 +8,7 @@ import mpmath
 
 
 def minimum_norm_solution(matrix: mpmath.matrix, right: mpmath.matrix) -> mpmath.matrix:
-    """The least-squares solution of a x = b of minimal norm, for any rank."""
+    """Least-squares solution of a x = b of minimal norm, for any rank."""
     left, sizes, other = mpmath.svd_r(matrix)
     floor = sizes[0] * mpmath.mpf(10) ** (-mpmath.mp.dps // 4)
     share = left.T * right
@@ -18,7 +18,7 @@ def minimum_norm_solution(matrix: mpmath.matrix, right: mpmath.matrix) -> mpmath
 
 
 def null_space_basis(rows: mpmath.matrix, size: int) -> mpmath.matrix:
-    """An orthonormal basis, in columns, of the null space of the rows."""
+    """Orthonormal basis, in columns, of the null space of the rows."""
     span = _orthonormal([rows[i, :].T for i in range(rows.rows)])
     units = [mpmath.matrix([int(i == j) for j in range(size)]) for i in range(size)]
     return _columns(_orthonormal(units, span), size)
@@ -42,7 +42,7 @@ def _columns(vectors: Sequence[mpmath.matrix], size: int) -> mpmath.matrix:
 def _orthonormal(
     vectors: Sequence[mpmath.matrix], beside: Sequence[mpmath.matrix] = ()
 ) -> list[mpmath.matrix]:
-    """An orthonormal basis by the Gram–Schmidt process done twice, largest remainder first."""
+    """Orthonormal basis by the Gram–Schmidt process done twice, largest remainder first."""
     basis: list[mpmath.matrix] = []
     remainders = [+v for v in vectors]
     scale = max((mpmath.norm(v) for v in remainders), default=mpmath.mpf(1))
@@ -58,7 +58,7 @@ def _orthonormal(
 
 
 def _remainder(vector: mpmath.matrix, span: Sequence[mpmath.matrix]) -> mpmath.matrix:
-    """A vector minus its projection onto an orthonormal span."""
+    """Vector minus its projection onto an orthonormal span."""
     for _ in range(2):
         for e in span:
             vector = vector - (e.T * vector)[0] * e

@@ -1,8 +1,8 @@
 """Sizes of the vectors of a state along a motion, covariant under a change of units.
 
-A momentum of 1e-10 kg m²/s beside the unit vector γ is not small, and a change of γ by one is not
-large beside a change of the momentum by 1e-10.  Deviations are therefore measured after dividing
-each vector of the state by a fixed size of its own.
+A momentum of 1e-10 kg m²/s is not small compared with the unit vector γ, and a change of γ by one
+is not large compared with a change of the momentum by 1e-10.  So each vector of the state is
+divided by a fixed size of its own before lengths of deviations are computed.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from ..kernel.equations import groups
 
 #: Fraction of a motion over which the sizes of its vectors are sampled, and the number of samples.
 STRETCH, LOOKS = 0.1, 32
-#: Fraction of the size by which it acts as strongly as others, below which a vector counts as zero.
+#: Fraction of the size of equal coupling below which a vector is taken as zero.
 SMALL = 1e-10
-#: Smallest coupling of two vectors, relative to the fastest rate, that counts.
+#: Smallest coupling of two vectors, relative to the fastest rate.
 COUPLING = 1e-4
 
 
@@ -34,7 +34,7 @@ def state_scales(
     tolerance: float = ENSEMBLE_TOLERANCE,
     device: Device = "cpu",
 ) -> FloatArray:
-    """The largest sizes of the vectors of the state over the first tenth of motions.
+    """Largest sizes of the vectors of the state over the first tenth of motions.
 
     Parameters
     ----------
@@ -42,18 +42,18 @@ def state_scales(
     starts : (n, size) array
         In flat order, on the phase space.
     t_end : float
-        Length of the motions.
+        Duration of the motions.
     parameters : mapping of Symbol or name to number or (n,) array, optional
         Parameters that replace the defaults.
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
     device : "cpu" or "gpu"
-        Where the motions are computed.
+        Device for the computation.
 
     Returns
     -------
     (n, size) array
-        The size of the vector of each variable, positive; see `state_scales_at`.
+        Positive size of the vector of each variable; see `state_scales_at`.
     """
     times = STRETCH * t_end * np.arange(1, LOOKS + 1) / LOOKS
     flow = batch_integrator(system, tolerance=tolerance, device=device)
@@ -65,17 +65,16 @@ def state_scales(
 def state_scales_at(
     system: System, states: FloatArray, parameters: Parameters = None
 ) -> FloatArray:
-    """The largest sizes of the vectors of the state among given states of each motion.
+    """Largest sizes of the vectors of the state among given states of each motion.
 
-    A vector u that is zero beside others v gets the size with which both act on each other equally
-    strongly, |v| √(|∂u̇/∂v| / |∂v̇/∂u|) at the first state, and 1 if no other vector is coupled to
-    it.
+    If a vector u is zero compared with other vectors v, its size is defined by equal coupling: |v|
+    √(|∂u̇/∂v| / |∂v̇/∂u|) at the first state, or 1 without coupling to another vector.
 
     Parameters
     ----------
     system : System
     states : (n, states, size) array
-        The first of a motion must be finite; others may be not a number.
+        The first state of a motion must be finite; others may be NaN.
     parameters : mapping of Symbol or name to number or (n,) array, optional
 
     Returns
@@ -83,7 +82,7 @@ def state_scales_at(
     (n, size) array
     """
     vectors = groups(system)
-    # Component by component, so that neighbours change no bit.
+    # Component by component, so that no bit depends on other motions.
     squares = [sum(states[..., i] ** 2 for i in part) for part in vectors]
     norms = np.stack([np.sqrt(np.fmax.reduce(square, axis=1)) for square in squares], axis=1)
     slopes = Formulas(system, system.rates).slopes(states[:, 0], parameters)

@@ -1,13 +1,14 @@
-"""Tangent vectors carried along many motions, and their growth.
+"""Tangent vectors along many motions, and their growth.
 
-The variational equations of :func:`flowlanes.flow.batch.batch_integrator` carry deviations over a
-short interval.  There they are orthonormalised, and the logarithms of the normalisation factors add
-up to the Lyapunov exponents (Benettin et al. 1980).  Directions that cannot grow are projected out
-at the end of every interval, so that rounding cannot reintroduce them: deviations stay tangent to
-relations and integrals, and are counted modulo the flow and the symmetries.
+The variational equations of :func:`flowlanes.flow.batch.batch_integrator` propagate deviations
+over a short interval.  Then they are orthonormalized, and the sums of the logarithms of the
+normalization factors give the Lyapunov exponents (Benettin et al. 1980).  Directions without
+growth are projected out at the end of every interval, so that rounding cannot reintroduce them:
+deviations stay tangent to relations and integrals, and are taken modulo the flow and the
+symmetries.
 
-Lengths and angles of deviations are measured after dividing each variable by a fixed size, so that
-they are the same in all units.  "Orthonormal" and "gradient" below refer to these measured
+Lengths and angles of deviations are computed after each variable has been divided by a fixed size,
+so they are the same in all units.  "Orthonormal" and "gradient" below refer to these rescaled
 variables; see :mod:`flowlanes.flow.linearisation.state_scales`.
 """
 
@@ -27,7 +28,7 @@ from ...system.system import System
 from ..batch import BatchIntegrator
 from ..level_projection import REDUNDANT, select_parameters
 
-#: Fraction of its length below which the remainder of a vector counts as zero (linear dependence).
+#: Fraction of its length below which the remainder of a vector is taken as zero (dependence).
 DEPENDENT = 1e-12
 #: Relative distance from its level above which a state is projected back.
 LARGEST_DRIFT = 1e-11
@@ -42,20 +43,20 @@ SEED = 20080830
 def orthonormal(
     vectors: FloatArray, basis: FloatArray | None = None
 ) -> tuple[FloatArray, FloatArray]:
-    """Orthonormalise vectors one after the other, for many states at once.
+    """Orthonormal vectors, one after the other, for many states at once.
 
-    Gram–Schmidt with every projection done twice, which is accurate to rounding.
+    Gram–Schmidt process with every projection done twice, which is accurate to rounding.
 
     Parameters
     ----------
     vectors : (n, d, size) array
     given : (n, k, size) array, optional
-        Orthonormal vectors, or zeros, to which the result is orthogonal as well.
+        Orthonormal vectors, or zeros, to which the result is orthogonal too.
 
     Returns
     -------
     frames : (n, d, size) array
-        A vector that depends on those before it becomes zero.
+        Orthonormal vectors; zero for a vector that depends on earlier ones.
     lengths : (n, d) array
         Lengths of the remainders: the diagonal of R in the QR decomposition.
     """
@@ -82,24 +83,26 @@ def _take_out(vector: FloatArray, others: FloatArray) -> None:
 
 
 def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
-    # Sum along each row, so that the bits do not depend on other rows, as they do with einsum.
+    # The sum is taken along each row, so that its bits do not depend on other rows, as with
+    # einsum.
     result: FloatArray = (a * b).sum(axis=1)
     return result
 
 
 @dataclass(frozen=True)
 class TangentSpace:
-    """The deviations that count along the motions of a system.
+    """Space of the deviations along the motions of a system.
 
     Attributes
     ----------
     system : System
     conditions : tuple of formulas
-        Relations and integrals, independent of each other: deviations are tangent to them.
+        Independent relations and integrals, to which deviations are tangent.
     directions : tuple of tuples of formulas
-        Fields, in flat order, that the motion carries into themselves: the flow, symmetries.
+        Fields, in flat order, that are invariant under the flow: the flow itself, symmetries.
     combinations : (directions, fields) array
-        Constant combinations of the fields, tangent to the conditions, that are divided out.
+        Constant combinations of the fields, tangent to the conditions, modulo which deviations are
+        taken.
 
     Examples
     --------
@@ -120,7 +123,7 @@ class TangentSpace:
 
     @property
     def dimension(self) -> int:
-        """The number of independent deviations."""
+        """Number of independent deviations."""
         return len(self.system.symbols) - len(self.conditions) - len(self.combinations)
 
     @cached_property
@@ -138,12 +141,12 @@ class TangentSpace:
     def normals(
         self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
     ) -> FloatArray:
-        """The gradients of the conditions, (n, conditions, size)."""
+        """Gradients of the conditions, (n, conditions, size)."""
         result: FloatArray = self._conditions.slopes(states, parameters) * sizes[..., None, :]
         return result
 
     def level(self, states: FloatArray, parameters: Parameters = None) -> FloatArray:
-        """The values of the conditions, (n, conditions): zero for relations."""
+        """Values of the conditions, (n, conditions): zero for relations."""
         result: FloatArray = self._conditions(states, parameters)
         return result
 
@@ -179,7 +182,7 @@ class TangentSpace:
     def fields(
         self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
     ) -> FloatArray:
-        """The directions that are divided out, (n, mixed, size)."""
+        """Excluded directions, (n, mixed, size)."""
         fields = self._directions(states, parameters)
         fields = fields.reshape(len(fields), len(self.directions), len(self.system.symbols))
         mixed = [sum(c * fields[:, j] for j, c in enumerate(row)) for row in self.combinations]
@@ -188,22 +191,22 @@ class TangentSpace:
     def excluded_basis(
         self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
     ) -> tuple[FloatArray, FloatArray]:
-        """An orthonormal basis of the excluded deviations.
+        """Orthonormal basis of the excluded deviations.
 
         Parameters
         ----------
         states : (n, size) array
         parameters : mapping, optional
         sizes : (size,) or (n, size) array, optional
-            By which deviations are measured.
+            Sizes of the variables for lengths of deviations.
 
         Returns
         -------
         basis : (n, conditions + mixed, size) array
         lengths : (n, conditions + mixed) array
-            Logarithms of what is left of each of these vectors beside the ones before it, with
-            the opposite sign for a gradient: how long a deviation is that changes its condition
-            by one.
+            Logarithms of the lengths of the remainders of these vectors after projection onto the
+            earlier ones, with the opposite sign for a gradient: the length of a deviation that
+            changes its condition by one.
         """
         normals, across = orthonormal(self.normals(states, parameters, sizes))
         fields, along = orthonormal(self.fields(states, parameters, sizes), normals)
@@ -218,16 +221,16 @@ class TangentSpace:
         count: int | None = None,
         sizes: FloatArray = ONE,
     ) -> FloatArray:
-        """Orthonormal initial deviations, in measured lengths; the same at the same state.
+        """Orthonormal initial deviations in rescaled variables, always the same at the same state.
 
         Parameters
         ----------
         states : (n, size) array
         parameters : mapping, optional
         count : int, optional
-            Number of deviations; `dimension` if left out.
+            Number of deviations; by default `dimension`.
         sizes : (size,) or (n, size) array, optional
-            By which deviations are measured.
+            Sizes of the variables for lengths of deviations.
 
         Returns
         -------
@@ -245,7 +248,7 @@ class TangentSpace:
         relations: Sequence[sp.Expr] = (),
         sizes: FloatArray = ONE,
     ) -> FloatArray:
-        """The divergence of the equations on the surface where the relations vanish, (n,).
+        """Divergence of the equations on the surface where the relations vanish, (n,).
 
         It is the logarithmic growth rate of a volume of deviations tangent to `relations`.
         """
@@ -266,19 +269,20 @@ class Stretch:
     Attributes
     ----------
     states : (n, nodes, size) array
-        The motions at the inner times of the interval.
+        States at the inner times of the interval.
     ends : (n, size) array
-        The motions at its end; not a number after a motion has failed.
+        States at its end; NaN after a motion has failed.
     frames : (n, d, size) array
-        Deviations, measured, orthonormal again.
+        Deviations in rescaled variables, again orthonormal.
     lengths : (n, d) array
-        The logarithms of the lengths divided out.
+        Logarithms of the normalization factors.
     sizes : (n, conditions + mixed) array
-        Logarithms of the sizes of what is excluded, at the end; see `TangentSpace.excluded`.
+        Logarithms of the sizes of the excluded vectors at the end; see `TangentSpace.excluded`.
     outcome : (n,) array of int
-        0, or why a motion ended; see ``BatchIntegrator.status_message``.
+        0, or the code of the reason for the end of a motion; see
+        ``BatchIntegrator.status_message``.
     end_times : (n,) array
-        When, counted from the start of the interval.
+        Last times reached, from the start of the interval.
     """
 
     states: FloatArray
@@ -302,25 +306,25 @@ def propagate(
     nodes: FloatArray | None = None,
     threads: int | None = None,
 ) -> Iterator[Stretch]:
-    """Follow deviations along motions.
+    """Deviations along motions, interval by interval.
 
-    Orthonormalise and yield them after each interval, endlessly.
+    They are orthonormalized and yielded after each interval, without end.
 
     Parameters
     ----------
     lanes : BatchIntegrator
-        Of ``space.system``, compiled for as many deviations as there are frames.
+        Integrator of ``space.system`` with as many deviations as there are frames.
     space : TangentSpace
     starts : (n, size) array
     interval : float
-        Its length.
+        Length of an interval.
     parameters : mapping of Symbol or name to number or (n,) array, optional
     sizes : (size,) or (n, size) array, optional
-        By which deviations are measured.
+        Sizes of the variables for lengths of deviations.
     frames : (n, d, size) array, optional
-        Deviations to start from, measured, orthonormal; those of ``space.frames`` if left out.
+        Orthonormal initial deviations in rescaled variables; by default those of ``space.frames``.
     nodes : (nodes,) array, optional
-        Inner times of the interval, between 0 and `interval`, at which states are wanted.
+        Inner times of the interval, between 0 and `interval`, for states in the result.
     threads : int, optional
 
     Yields

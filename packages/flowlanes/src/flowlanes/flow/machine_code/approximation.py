@@ -1,4 +1,4 @@
-"""Short polynomials for the smooth parts of functions, to a required accuracy."""
+"""Short polynomials for the smooth parts of functions, with a required accuracy."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ class Approximation:
     Attributes
     ----------
     coefficients : tuple of Fraction
-        From the constant term upwards.
+        From the constant term to the highest power.
     reach : float
-        The largest magnitude of the variable.
+        Largest magnitude of the variable.
     """
 
     coefficients: tuple[Fraction, ...]
@@ -32,7 +32,7 @@ class Approximation:
 
 
 def _odd(name: str) -> SmoothPart:
-    """The factor g = (f(√t)/√t − 1)/t of an odd function f(x) = x + x³ g(x²)."""
+    """Factor g = (f(√t)/√t − 1)/t of an odd function f(x) = x + x³ g(x²)."""
 
     def smooth(mp: MPContext, t: mpmath.mpf) -> mpmath.mpf:
         x = mp.sqrt(t)
@@ -41,8 +41,8 @@ def _odd(name: str) -> SmoothPart:
     return smooth
 
 
-#: Smooth parts of functions and the intervals on which they are needed, slightly widened for
-#: arguments whose reduction was rounded.
+#: Smooth parts of functions and the intervals on which they are needed, slightly widened because
+#: the reduction of arguments is rounded.
 PARTS: Mapping[str, tuple[SmoothPart, float, float]] = {
     # x = √t up to π/4
     "sin": (_odd("sin"), 0.0, 0.617),
@@ -60,7 +60,7 @@ PARTS: Mapping[str, tuple[SmoothPart, float, float]] = {
 
 @lru_cache
 def series(name: str, bits: int) -> Approximation:
-    """The shortest polynomial approximation of the smooth part of a function.
+    """Shortest polynomial approximation of the smooth part of a function.
 
     Interpolation at Chebyshev points is as good as the best polynomial up to a small factor.
 
@@ -81,14 +81,15 @@ def series(name: str, bits: int) -> Approximation:
         reached = -mp.mag(error)
         if reached >= bits:
             return Approximation(tuple(map(_fraction, reversed(coefficients))), max(-first, last))
-        # Increase by half of what the present rate predicts, so as not to overshoot.
+        # Only half of the predicted increase, because a degree that is too high costs time in
+        # every call.
         rate = max(1, reached // terms)
         terms += max(1, (bits - reached) // (2 * rate))
 
 
 @lru_cache
 def parts(name: str, bits: tuple[int, ...]) -> tuple[Fraction, ...]:
-    """A constant as a sum of short numbers of given lengths, and a remainder.
+    """Constant as a sum of short numbers of given lengths, and a remainder.
 
     Parameters
     ----------
@@ -108,12 +109,12 @@ def parts(name: str, bits: tuple[int, ...]) -> tuple[Fraction, ...]:
 
 
 def _nearest_short(value: Fraction, bits: int) -> Fraction:
-    """The nearest number with a given number of bits."""
+    """Nearest number with a given number of bits."""
     mp = MPContext()
     mp.prec = bits
     return _fraction(mp.mpf(value.numerator) / value.denominator)
 
 
 def _fraction(value: mpmath.mpf) -> Fraction:
-    """An mpmath number, exactly."""
+    """Exact value of an mpmath number."""
     return Fraction(*libmp.to_rational(value._mpf_))

@@ -8,14 +8,14 @@ from typing import Protocol, TypeAlias, TypeVar
 from ...errors import InputError
 from .ir_writer import IRWriter
 
-#: The name of one vector register, or of two that together hold a double-double number.
+#: Name of one vector register, or names of two that together hold a double-double number.
 V = TypeVar("V")
 #: The two registers of a double-double number.
 Registers: TypeAlias = tuple[str, str]
 
 
 class Arithmetic(Protocol[V]):
-    """An arithmetic whose operations are emitted as vector instructions."""
+    """Arithmetic whose operations are emitted as vector instructions."""
 
     def __init__(self, writer: IRWriter) -> None: ...
 
@@ -74,11 +74,11 @@ class Arithmetic(Protocol[V]):
         ...
 
     def difference(self, a: str, b: str) -> V:
-        """The difference of two registers, with all digits of the arithmetic."""
+        """Difference of two registers, with all digits of the arithmetic."""
         ...
 
     def leading(self, a: V) -> str:
-        """The number rounded to one register."""
+        """Number rounded to one register."""
         ...
 
     def whole(self, a: str) -> V:
@@ -91,7 +91,7 @@ class Arithmetic(Protocol[V]):
 
 
 def _nearest_double(value: Fraction) -> float:
-    """The double nearest to a constant of a formula.
+    """Double nearest to a constant of a formula.
 
     Raises InputError outside the range of doubles.
     """
@@ -183,8 +183,8 @@ class Double:
 class WithoutFused(Double):
     """Doubles on a machine without fused multiply-add.
 
-    Where a result must be rounded only once because its rounding error is needed, the product is
-    split (Dekker 1971); in formulas products and sums are rounded separately.
+    Where the rounding error of a product is needed, the product is split (Dekker 1971); in other
+    formulas products and sums are rounded separately.
     """
 
     def fma(self, a: str, b: str, c: str) -> str:

@@ -1,8 +1,8 @@
 """Compiled code stored on disk between processes.
 
-An entry is native code, so it is only read in the way :mod:`flowlanes.files.private_files` reads;
-its name is a digest of everything that determined it (formulas, tolerance, versions, processor).  A
-cache that cannot be used is not an error: the code is compiled again.
+An entry is native code, so it is read only through :mod:`flowlanes.files.private_files`.  Its name
+is a digest of everything on which it depends (formulas, tolerance, versions, processor).  A cache
+that cannot be read or written is not an error: the code is compiled again.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _STORED, _IN_MEMORY = 200, 32
 
 @lru_cache
 def _machine() -> str:
-    """The operating system and the processor, with its instruction sets."""
+    """Operating system and processor, with its instruction sets."""
     info = Path("/proc/cpuinfo")
     if info.exists():
         lines = info.read_text().splitlines()
@@ -40,7 +40,7 @@ def _machine() -> str:
 
 
 def code_name(*parts: str) -> str:
-    """The name of code determined by `parts`, for this machine and these versions."""
+    """Name of code determined by `parts`, for this machine and these versions."""
     return entry_name(*parts, _machine())
 
 
@@ -80,7 +80,7 @@ _in_memory: dict[Path, tuple[object, tuple[int, int] | None]] = {}
 
 
 def cached_entry(name: str, compute: Callable[[], Entry]) -> tuple[Entry, bool]:
-    """The entry called `name`, computed if missing, and whether it was present."""
+    """Entry called `name`, computed if it does not exist, and whether it existed."""
     path = folder() / f"{name}.code"
     if path in _in_memory and _in_memory[path][1] == _file_version(path):
         return cast("Entry", _in_memory[path][0]), True

@@ -1,8 +1,8 @@
-"""Compile terms to vector instructions: one lane per motion, stage, deviation or parameter.
+"""Compilation of terms to vector instructions: one lane per motion, stage, deviation or parameter.
 
-Every operation is correctly rounded, and products are fused with sums only where the graph says so,
-not where a compiler chooses.  So a lane gives the same bits at every vector width and beside any
-neighbours.
+Every operation is correctly rounded, and products are fused with sums only where the graph
+prescribes it, not by a choice of the compiler.  So a lane gives the same bits for every vector
+width and every content of other lanes.
 """
 
 from __future__ import annotations
@@ -16,23 +16,23 @@ from . import elementary as special
 from .arithmetic import Arithmetic, V, pair_of
 from .ir_writer import IRWriter
 
-#: The derivatives of the circular functions, and their signs.
+#: Derivatives of the circular functions, and their signs.
 _SLOPES = {"sin": ("cos", 1), "cos": ("sin", -1)}
 
 
 @dataclass(frozen=True)
 class Clock:
-    """The state variable that is the time, as the sum of two doubles.
+    """State variable that is the time, as the sum of two doubles.
 
-    Everything that depends only on the time is computed with twice the digits: a phase of many
-    turns exceeds the precision of a double.
+    Everything that depends only on the time is computed with twice the digits, because a phase of
+    many turns exceeds the precision of a double.
 
     Attributes
     ----------
     piece : str
-        The function of which this holds.
+        Name of the function with this state.
     place, rest : int
-        Where the state has both doubles.
+        Indices of both doubles in the state.
     """
 
     piece: str
@@ -50,7 +50,7 @@ def evaluate(
     arithmetic : Arithmetic
     terms : sequence of Term
     leaf : callable
-        The value of a term that is known; None if it is to be computed.
+        Value of a known term; None if it must be computed.
     """
     known: dict[int, V] = {}
 
@@ -122,7 +122,7 @@ def _compute(
 def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
     """Terms that depend only on parameters and are used by terms in the state.
 
-    They are computed once per motion; numbers are not among them.
+    They are computed once per motion; numbers are not included.
     """
     nodes = topological_order(terms)
     moving = _ids_with(nodes, lambda node: node.kind == "state")
@@ -130,7 +130,7 @@ def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
 
 
 def _clock_terms(terms: Sequence[Term], place: int) -> list[Term]:
-    """Terms in the time and parameters only that are used by others."""
+    """Terms in the time and parameters only that are used by other terms."""
     nodes = topological_order(terms)
     moving = _ids_with(nodes, lambda node: node.kind == "state" and node.args[0] != place)
     timed = _ids_with(nodes, lambda node: node.kind == "state")
@@ -138,7 +138,7 @@ def _clock_terms(terms: Sequence[Term], place: int) -> list[Term]:
 
 
 def _ids_with(nodes: Sequence[Term], among: Callable[[Term], bool]) -> set[int]:
-    """The given nodes and all that depend on them."""
+    """Given nodes and all nodes that depend on them."""
     found: set[int] = set()
     for node in nodes:
         if among(node) or any(id(a) in found for a in node.operands):
@@ -147,7 +147,7 @@ def _ids_with(nodes: Sequence[Term], among: Callable[[Term], bool]) -> set[int]:
 
 
 def _used_outside(terms: Sequence[Term], nodes: Sequence[Term], inside: set[int]) -> list[Term]:
-    """Nodes outside a set that are results or are used by the set."""
+    """Nodes outside a set that are results or are used in the set."""
     wanted: dict[int, Term] = {}
     for node in nodes:
         if id(node) in inside:
@@ -173,14 +173,14 @@ def functions(
     ----------
     arithmetic : Double or Pair
     pieces : mapping of str to sequence of Term
-        The formulas of each function, by its name.
+        Formulas of each function, by its name.
     lanes : int
     prepare : str
-        The name of the first function.
+        Name of the first function.
     clock : Clock, optional
     steady : bool
-        Whether what depends on parameters alone is computed with twice the digits and then rounded:
-        an error of it is the same in all steps.
+        True if terms in parameters alone are computed with twice the digits and then rounded,
+        because their errors are the same in all steps.
     """
     constants = parameter_only_terms([term for terms in pieces.values() for term in terms])
     slots = {id(term): i for i, term in enumerate(constants)}
@@ -263,7 +263,7 @@ def _timed_values(
         return None
 
     def circular(name: str, angle: tuple[str, str]) -> str:
-        """A circular function of an angle with twice the digits, from its value and slope."""
+        """Circular function of an angle with twice the digits, from its value and slope."""
         (other, sign), (head, rest) = _SLOPES[name], map(number.whole, angle)
         slope = special.FUNCTIONS[other](number, head)
         rest = rest if sign > 0 else number.neg(rest)

@@ -50,7 +50,7 @@ def is_odd(w: IRWriter, bits: str) -> str:
 
 
 def nearest(w: IRWriter, a: str, factor: Fraction) -> tuple[str, str]:
-    """The integer nearest to a multiple: as a double, and in the lowest bits."""
+    """Integer nearest to a multiple: as a double, and in the lowest bits."""
     magic = w.constant(MAGIC)
     moved = w.call("fma", a, w.constant(float(factor)), magic)
     return w.op("fsub", moved, magic), as_integers(w, moved)
@@ -103,10 +103,10 @@ def quotient(k: Arithmetic[V], a: HeadTail[V], b: HeadTail[V]) -> HeadTail[V]:
 
 
 def polynomial(k: Arithmetic[V], name: str, t: V) -> V:
-    """The smooth part of a function, by Horner's rule.
+    """Smooth part of a function, by Horner's rule.
 
-    High-order terms are so small that only their first 53 bits matter: they use one register in any
-    arithmetic.
+    High-order terms are so small that only their first 53 bits matter, so they use one register in
+    any arithmetic.
     """
     approximation = series(name, k.bits + 6)
     sizes = [
@@ -135,13 +135,13 @@ def difference(k: Arithmetic[V], a: HeadTail[V], b: HeadTail[V]) -> HeadTail[V]:
 
 
 def constant(k: Arithmetic[V], name: str, factor: Fraction) -> HeadTail[V]:
-    """A constant and its rounding error."""
+    """Constant and its rounding error."""
     head, tail = parts(name, (53 * k.words,))
     return HeadTail(k.number(head * factor), k.number(tail * factor))
 
 
 def where(k: Arithmetic[V], x: V, relation: str, limit: float) -> str:
-    """The mask of the lanes in which x satisfies a relation to a number."""
+    """Mask of the lanes in which x satisfies a relation with a number."""
     w = k.writer
     return w.compare(relation, k.leading(x), w.constant(limit))
 
@@ -152,7 +152,7 @@ def where_constant(k: Arithmetic[V], mask: str, value: float, result: V) -> V:
 
 
 def copy_sign(k: Arithmetic[V], x: V, magnitude: V) -> V:
-    """The number with the sign of x."""
+    """Number with the sign of x."""
     return k.choose(is_negative(k.writer, k.leading(x)), k.neg(magnitude), magnitude)
 
 

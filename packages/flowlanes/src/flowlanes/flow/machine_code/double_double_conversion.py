@@ -18,7 +18,7 @@ def as_pairs(name: str, values: npt.ArrayLike) -> FloatArray:
     Raises
     ------
     InputError
-        If they are not real numbers; the message calls them by `name`.
+        If they are not real numbers; `name` is used in the message.
     """
     first = as_float_array(name, values)
     numbers = np.asarray(values)
@@ -34,7 +34,7 @@ def parameter_pairs(system: System, parameters: Parameters, count: int) -> Float
     """Values of the parameters in order: (1 or count, parameters, 2).
 
     See :func:`flowlanes.formulas.array_evaluation.parameter_rows`; numbers of many digits keep 32
-    of them.
+    digits.
     """
     rows = parameter_rows(system, parameters, count)
     pairs = np.stack([rows, np.zeros_like(rows)], axis=-1)

@@ -1,10 +1,10 @@
 """Elementary functions in vector instructions, without branches, tables or calls.
 
 Every function is written once for any arithmetic, so doubles and double-doubles share it.  The
-argument is reduced to a short interval; there the function is an exact leading part plus a
+argument is reduced to a short interval, on which the function is an exact leading part plus a
 polynomial times a small factor.  Both parts are kept separate as long as possible (a `HeadTail`
-number), so that little more than one rounding occurs: results are within 0.9 units in the last
-place for doubles, and to 10⁻³¹ for double-doubles.  Circular functions of arguments above 2⁴⁰ are
+number), so there is little more than one rounding: errors are below 0.9 units in the last place
+for doubles, and about 10⁻³¹ for double-doubles.  Circular functions of arguments above 2⁴⁰ are
 NaN.
 """
 
@@ -57,7 +57,7 @@ def sign(k: Arithmetic[V], x: V) -> V:
 
 # --- circular functions -----------------------------------------------------------------------
 
-#: Argument beyond which the nearest multiple of π/2 can no longer be determined.
+#: Argument beyond which the nearest multiple of π/2 cannot be determined.
 FARTHEST = 2.0**40
 
 
@@ -82,12 +82,12 @@ def _shifted_sine(k: Arithmetic[V], x: V, quarters: int) -> V:
 
 
 def _within(k: Arithmetic[V], x: V, value: V) -> V:
-    """Replace by NaN where the angle is too large."""
+    """NaN where the angle is too large, else the value."""
     return where_constant(k, where(k, absolute(k, x), "ogt", FARTHEST), float("nan"), value)
 
 
 def _through_zero(k: Arithmetic[V], x: V, value: V) -> V:
-    """Return x itself where it is zero, to keep its sign."""
+    """x where it is zero, to keep its sign, else the value."""
     return k.choose(where(k, x, "oeq", 0.0), x, value)
 
 
@@ -213,7 +213,7 @@ def _exponential(k: Arithmetic[V], x: V, halvings: int) -> HeadTail[V]:
     top = fast_sum(k, unit(k), r)
     small = k.fma(k.mul(r, r), polynomial(k, "exp", r), tail)
     turns = w.op("fsub", turns, w.constant(float(halvings)))
-    # In two steps, for the last numbers before infinity and zero.
+    # Two factors, because 2ⁿ alone overflows or underflows before the result does.
     first, _ = nearest(w, turns, Fraction(1, 2))
     powers = (first, w.op("fsub", turns, first))
     near, far = (k.whole(power_of_two(w, power)) for power in powers)
@@ -273,7 +273,7 @@ def log(k: Arithmetic[V], x: V) -> V:
     tiny, huge = where(k, x, "olt", 2.0**-500), where(k, x, "ogt", 2.0**500)
     m = k.mul(x, where_constant(k, huge, 2.0**-600, where_constant(k, tiny, 2.0**600, one)))
     n = w.choose(huge, w.constant(600.0), w.choose(tiny, w.constant(-600.0), w.constant(0.0)))
-    # The exponent field, counted from √½ instead of 1.
+    # Exponent bits relative to √½ instead of 1.
     field = integers(
         w, "add", as_integers(w, k.leading(m)), 0x3FF0000000000000 - 0x3FE6A09E667F3BCD
     )
@@ -289,7 +289,7 @@ def log(k: Arithmetic[V], x: V) -> V:
     twice = HeadTail(*(k.add(part, part) for part in s))
     t = k.mul(s.head, s.head)
     cubic = k.mul(k.mul(twice.head, t), polynomial(k, "atanh", t))
-    # Short, so that its multiples are exact.
+    # A short constant, so that its multiples are exact.
     high, low = parts("ln2", (k.bits - 11,))
     total = fast_sum(k, k.mul(k.whole(n), k.number(high)), twice.head)
     tail = k.add(twice.tail, k.fma(k.whole(n), k.number(low), cubic))

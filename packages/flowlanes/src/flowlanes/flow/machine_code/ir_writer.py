@@ -9,12 +9,12 @@ from contextlib import contextmanager
 
 
 class IRWriter:
-    """The LLVM text of one function.
+    """LLVM text of one function.
 
     Parameters
     ----------
     lanes : int
-        Doubles in a vector.
+        Number of doubles in a vector.
     """
 
     def __init__(self, lanes: int) -> None:
@@ -27,7 +27,7 @@ class IRWriter:
         self._numbers = itertools.count()
 
     def narrow(self) -> IRWriter:
-        """A writer of the same function for vectors of one lane."""
+        """Writer of the same function for vectors of one lane."""
         other = IRWriter(1)
         other.entry, other.lines, other._numbers = self.entry, self.lines, self._numbers
         return other
@@ -49,7 +49,7 @@ class IRWriter:
     # --- memory and control ------------------------------------------------------------------
 
     def variable(self, kind: str, value: str) -> str:
-        """The address of a local variable, allocated in the first block even inside a loop."""
+        """Address of a local variable, allocated in the first block even inside a loop."""
         place = f"%{self.name()}"
         self.entry.append(f"  {place} = alloca {kind}, align 64")
         self.store(kind, value, place)
@@ -68,13 +68,13 @@ class IRWriter:
         return self.emit(f"getelementptr {kind}, ptr {base}, i64 {index}")
 
     def label(self, name: str) -> None:
-        """Begin a block that the previous one falls through to."""
+        """Begin a block that continues the previous one."""
         self.line(f"br label %{name}")
         self.lines.append(f"{name}:")
 
     @contextmanager
     def branch(self, condition: str) -> Iterator[None]:
-        """A branch: the instructions inside are executed only if a bit is set."""
+        """Branch whose instructions are executed only if a bit is set."""
         inside, after = self.name(), self.name()
         self.line(f"br i1 {condition}, label %{inside}, label %{after}")
         self.lines.append(f"{inside}:")
@@ -83,7 +83,7 @@ class IRWriter:
 
     @contextmanager
     def forever(self) -> Iterator[Callable[[str], None]]:
-        """A loop; call the yielded function with a bit to leave when it is set."""
+        """Loop; the yielded function leaves it if a bit is set."""
         head, after = self.name(), self.name()
         self.label(head)
 
@@ -98,7 +98,7 @@ class IRWriter:
 
     @contextmanager
     def count(self, end: str | int, start: str | int = 0) -> Iterator[str]:
-        """A loop over integers from `start` below `end`."""
+        """Loop over integers from `start` to below `end`."""
         place = self.variable("i64", str(start))
         with self.forever() as leave:
             index = self.load("i64", place)
@@ -124,17 +124,17 @@ class IRWriter:
     def choose(self, mask: str, yes: str, no: str) -> str:
         """`yes` where the mask is set, else `no`."""
         kind = self.type
-        # Break the dependence on the stored value: otherwise LLVM would turn a choice that is
-        # written back into a masked store, which is slow on AMD processors.
+        # A dependence on the stored value is removed here: otherwise LLVM would turn a choice that
+        # is written back into a masked store, which is slow on AMD processors.
         other = self.emit(f"freeze {kind} {no}")
         return self.emit(f"select {self.mask} {mask}, {kind} {yes}, {kind} {other}")
 
     def conjunction(self, a: str, b: str) -> str:
-        """The mask that is set where both are."""
+        """Mask that is set where both masks are set."""
         return self.emit(f"and {self.mask} {a}, {b}")
 
     def disjunction(self, a: str, b: str) -> str:
-        """The mask that is set where at least one of two is."""
+        """Mask that is set where at least one of two masks is set."""
         return self.emit(f"or {self.mask} {a}, {b}")
 
     def complement(self, a: str) -> str:
@@ -142,7 +142,7 @@ class IRWriter:
         return self.emit(f"xor {self.mask} {a}, splat (i1 true)")
 
     def any(self, mask: str) -> str:
-        """A bit that tells whether a mask is set anywhere."""
+        """Bit that is set if a mask is set anywhere."""
         return self.emit(f"call i1 @llvm.vector.reduce.or.v{self.lanes}i1({self.mask} {mask})")
 
     def inverse_root(self, value: str, degree: int) -> str:
@@ -157,17 +157,17 @@ class IRWriter:
         return self.emit(f"bitcast {self.whole} {turned} to {self.type}")
 
     def splat(self, value: str) -> str:
-        """A scalar in all lanes."""
+        """Scalar in all lanes."""
         one = self.emit(f"insertelement {self.type} poison, double {value}, i64 0")
         zeros = f"<{self.lanes} x i32> zeroinitializer"
         return self.emit(f"shufflevector {self.type} {one}, {self.type} poison, {zeros}")
 
     def constant(self, value: float) -> str:
-        """A number in all lanes."""
+        """Number in all lanes."""
         return f"splat (double {literal(value)})"
 
     def text(self, head: str, attributes: str = "") -> str:
-        """The finished function."""
+        """Complete function."""
         body = "\n".join(["entry:", *self.entry, *self.lines, "  ret void"])
         return f"define {head} {attributes} {{\n{body}\n}}\n"
 

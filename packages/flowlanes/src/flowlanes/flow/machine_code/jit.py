@@ -1,4 +1,4 @@
-"""Compile LLVM text for this processor; cache it on disk; call it without the GIL."""
+"""Compilation of LLVM text for this processor, with a cache on disk and calls without the GIL."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ import numpy as np
 from ...system.arrays import FloatArray
 from . import code_cache as cache
 
-#: Argument types of the functions of a text.
+#: Argument types of the functions.
 ATTRIBUTES = """
 attributes #0 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }
 attributes #1 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }
@@ -30,13 +30,13 @@ class Native:
     Attributes
     ----------
     functions : dict of str to callable
-        C functions by name; they return nothing and release Python's lock.
+        C functions by name; they return nothing and release the GIL.
     keeper : object
-        An object whose life is that of the code in memory.
+        Object that keeps the code in memory.
     from_cache : bool
-        Whether it came from the cache.
+        True if the code was read from the cache.
     work_size : int
-        Doubles of memory that a call needs.
+        Number of doubles of memory for a call.
     """
 
     functions: dict[str, Callable[..., None]]
@@ -47,14 +47,14 @@ class Native:
 
 @dataclass(frozen=True)
 class InstructionSets:
-    """The instruction sets that code may use.
+    """Instruction sets that code may use.
 
     Attributes
     ----------
     features : str
-        In LLVM's words, such as ``"+avx2,-avx512f"``.
+        LLVM names such as ``"+avx2,-avx512f"``.
     width : int
-        Doubles in two registers, which keeps the pipelines full.
+        Number of doubles in two registers, which is enough to keep the pipelines full.
     """
 
     features: str
@@ -62,12 +62,12 @@ class InstructionSets:
 
 
 def instruction_sets(*left_out: str) -> InstructionSets:
-    """The instruction sets of this processor, with some removed to emulate an older one.
+    """Instruction sets of this processor, with some removed to emulate an older one.
 
     Parameters
     ----------
     *left_out : str
-        Beginnings of LLVM's words: ``"avx512"`` leaves what there was with AVX2.
+        Prefixes of LLVM names to be removed: ``"avx512"`` leaves AVX2.
     """
     known = llvm.get_host_cpu_features()
     for name in known:
@@ -90,7 +90,7 @@ def _machine(sets: InstructionSets) -> llvm.TargetMachine:
     return target.create_target_machine(
         cpu=llvm.get_host_cpu_name(),
         features=sets.features,
-        # With level 2, compilation takes a sixth longer and the code is no faster.
+        # With level 2, compilation takes a sixth longer and the code is not faster.
         opt=1,
         reloc="pic",
         codemodel="small",
@@ -99,8 +99,8 @@ def _machine(sets: InstructionSets) -> llvm.TargetMachine:
 
 @lru_cache
 def _linker() -> llvm.LLJIT:
-    # LLVM's older linker places code and constants anywhere and aborts the process if they are more
-    # than 2 GiB apart; the newer one keeps them together, but does not support Windows.
+    # The older linker of LLVM places code and constants anywhere and aborts the process if they
+    # are more than 2 GiB apart; the newer one keeps them together, but does not support Windows.
     together = sys.platform != "win32"
     return llvm.create_lljit_compiler(_machine(instruction_sets()), use_jit_link=together)
 
@@ -111,7 +111,7 @@ def width() -> int:
 
 
 def _processor(sets: InstructionSets) -> str:
-    """The target of the code: processor, instruction sets, LLVM version."""
+    """Target of the code: processor, instruction sets, LLVM version."""
     return " ".join(
         (
             llvm.get_default_triple(),
@@ -140,7 +140,7 @@ def optimise(text: str, machine: llvm.TargetMachine) -> llvm.ModuleRef:
 
 
 def optimised_object(text: str, machine: llvm.TargetMachine) -> bytes:
-    """The object file of LLVM assembly text for a machine."""
+    """Object file of LLVM assembly text for a machine."""
     code: bytes = machine.emit_object(optimise(text, machine))
     return code
 
@@ -158,12 +158,12 @@ def load_code(
     Parameters
     ----------
     key : str
-        All that the text depends on.
+        Text that contains everything on which the code depends.
     text : callable
-        Returns the text, and the doubles of memory that a call needs; called only if the code is
-        not in the cache.
+        Returns the assembly text, and the number of doubles of memory for a call; it is called
+        only if the code is not in the cache.
     signatures : mapping of str to sequence of ctypes types
-        Of each function that is to be called from Python.
+        Argument types of each function that is called from Python.
     """
     name = code_name(key)
 
@@ -176,12 +176,12 @@ def load_code(
 
 
 def code_name(key: str) -> str:
-    """The name in the cache of code that depends on a key, for this processor."""
+    """Cache name of code that depends on a key, for this processor."""
     return cache.code_name(key, _processor(host()))
 
 
 def object_code(text: str) -> bytes:
-    """The object file of functions in LLVM assembly text, for this processor."""
+    """Object file of functions in LLVM assembly text, for this processor."""
     return optimised_object(text + ATTRIBUTES, _machine(host()))
 
 

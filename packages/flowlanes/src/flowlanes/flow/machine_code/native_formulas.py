@@ -44,12 +44,12 @@ end:
 
 @dataclass(frozen=True)
 class FormulaShape:
-    """The sizes of a compiled function.
+    """Sizes of a compiled function.
 
     Attributes
     ----------
     size, count, work : int
-        Of a state, of the values, and doubles of memory that a call needs.
+        Number of state variables, number of values, and doubles of memory for a call.
     """
 
     size: int
@@ -66,7 +66,7 @@ class NativeFormulas:
     shape : FormulaShape
     code : Native
     name : str
-        Of the function in the code.
+        Name of the function in the code.
     """
 
     shape: FormulaShape
@@ -76,11 +76,12 @@ class NativeFormulas:
     def __call__(self, states: FloatArray, parameters: FloatArray) -> FloatArray:
         """Values (count,) or (count, n) at a state (size,) or at states (size, n).
 
-        Not-a-number where a formula has no real value.
+        NaN where a formula has no real value.
         """
         rows = np.asarray(states, dtype=float).T
         many = 1 if rows.ndim == 1 else len(rows)
-        # A single piece of memory, since asking NumPy for an address takes longer than a formula.
+        # One array for everything, because the address of a NumPy array takes longer than a
+        # formula.
         ends = list(accumulate((rows.size, len(parameters), many * self.shape.count)))
         memory = np.empty(ends[2] + self.shape.work)
         memory[: ends[0]] = rows.ravel()
@@ -99,7 +100,7 @@ def emit_formulas(name: str, terms: Sequence[Term], size: int) -> tuple[str, For
     name : str
     terms : sequence of Term
     size : int
-        Of a state.
+        Number of state variables.
     """
     pieces, constants = functions(Double, {f"values_{name}": terms}, 1, f"prepare_{name}")
     loop = _LOOP.format(name=name, size=size, count=len(terms))
@@ -107,16 +108,16 @@ def emit_formulas(name: str, terms: Sequence[Term], size: int) -> tuple[str, For
 
 
 def native_formulas(key: str, size: int, terms: Callable[[], Sequence[Term]]) -> NativeFormulas:
-    """Formulas compiled, or from the cache.
+    """Formulas, compiled or from the cache.
 
     Parameters
     ----------
     key : str
-        All that the terms depend on.
+        Text that contains everything on which the terms depend.
     size : int
-        Of a state.
+        Number of state variables.
     terms : callable
-        Returns the terms; called only if the code is not in the cache.
+        Returns the terms; it is called only if the code is not in the cache.
     """
     name = code_name(f"formulas {size} {key}")
 

@@ -1,4 +1,4 @@
-"""Turn LLVM's object file for WebAssembly into a module that can be instantiated.
+"""Conversion of an LLVM object file for WebAssembly into a module that can be instantiated.
 
 An object made from one module needs no linker: calls within it already contain the function
 indices. It lacks a list of exports, whose names are in the symbol table of its section ``linking``;
@@ -28,12 +28,12 @@ _FUNCTION_INDEX, _TYPE_INDEX = 0, 6
 
 
 class NotSelfContainedError(ValueError):
-    """An object that refers to external symbols, or to memory of its own."""
+    """Raised for an object that refers to external symbols, or to memory of its own."""
 
 
 @dataclass
 class _Reader:
-    """Reads bytes one after another."""
+    """Reader of bytes one after another."""
 
     data: bytes
     at: int = 0
@@ -89,14 +89,14 @@ def module_of_object(code: bytes, exports: Sequence[str]) -> bytes:
     Parameters
     ----------
     code : bytes
-        As LLVM writes it, of one module.
+        Object file from LLVM, of one module.
     exports : sequence of str
         Functions that can be called from outside.
 
     Returns
     -------
     bytes
-        It imports the memory ``env.memory`` and nothing else.
+        Module that imports only the memory ``env.memory``.
 
     Raises
     ------
@@ -152,7 +152,7 @@ def _import_of_memory(body: bytes) -> bytes:
 
 
 def _functions(reader: _Reader) -> dict[str, int]:
-    """The function indices by name, from the section ``linking``."""
+    """Function indices by name, from the section ``linking``."""
     places: dict[str, int] = {}
     reader.number()
     while not reader.over:
@@ -173,7 +173,7 @@ def _functions(reader: _Reader) -> dict[str, int]:
 
 
 def _check_relocations(title: str, reader: _Reader) -> None:
-    """Raise an error for relocations that a linker would have to resolve."""
+    """Raise an error for relocations that would require a linker."""
     reader.number()
     for _ in range(reader.number()):
         kind = reader.number()

@@ -1,8 +1,8 @@
-"""Counter-based random numbers: they depend only on seed, member, attempt and slot.
+"""Counter-based random numbers, which depend only on seed, member, attempt and slot.
 
-Philox 4x32 with ten rounds (Salmon, Moraes, Dror & Shaw, "Parallel random numbers: as easy as 1, 2,
-3", SC 2011): a counter is mapped to four random words, for whole arrays of counters at once.  A
-generator with internal state would make member k depend on the members drawn before it.
+Philox 4x32 with ten rounds (Salmon, Moraes, Dror & Shaw, "Parallel random numbers: as easy as 1,
+2, 3", SC 2011) maps a counter to four random words, for whole arrays of counters at once.  With a
+generator that has internal state, member k would depend on the members drawn before it.
 """
 
 from __future__ import annotations
@@ -48,9 +48,9 @@ def uniforms(
     seed : int
         From 0 to 2⁶⁴ − 1.
     members, attempts : int arrays (k,)
-        Whose numbers they are, and for which of its attempts.
+        Members for which the numbers are drawn, and their attempts.
     many : int
-        Numbers for each.
+        Number of values for each member.
 
     Returns
     -------

@@ -1,10 +1,10 @@
-"""A level of integrals as fibres over a compact base.
+"""Level of integrals as fibres over a compact base.
 
-In the systems of rolling and turning bodies some variables lie on spheres (the normal γ) or are
-angles: they form the base.  In the remaining variables, the fibre, the relations and integrals are
-linear or quadratic: over every base point there are an ellipsoid (a level of the energy) and planes
-((M, γ) = const, (ω, γ) = 0).  Rays from the centre of their intersection reach every point of the
-level exactly once.
+In the systems of rolling and rotating bodies some variables lie on spheres (the normal γ) or are
+angles; they form the base.  In the other variables, the fibre, the relations and integrals are
+linear or quadratic: over every base point they define an ellipsoid (a level of the energy) and
+planes ((M, γ) = const, (ω, γ) = 0).  Rays from the centre of their intersection meet every point
+of the level exactly once.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns
 
 @dataclass(frozen=True)
 class LevelCondition:
-    """A formula that has a given value on the level.
+    """Formula with a given value on the level.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class LevelCondition:
         Name of the integral; empty for a relation.
     term : Term
     target : float or array (k,)
-        An array has a value for each point.
+        Value on the level; an array has a value for each point.
     """
 
     name: str
@@ -46,22 +46,22 @@ class Fibration:
     size : int
         Number of state variables.
     spheres : tuple of tuples of int
-        Places of the variables of each unit vector of the base; or of a vector on an ellipsoid.
+        Indices of the variables of each unit vector of the base, or of a vector on an ellipsoid.
     axes : tuple of float
-        For each variable of the base: the half axis, 1 for an angle.
+        Semi-axis for each variable of the base; 1 for an angle.
     angles : tuple of int
-        Places of the variables of period 2π.
+        Indices of the variables with period 2π.
     fibre : tuple of int
-        Places of the other variables.
+        Indices of the other variables.
     quadratic : LevelCondition
-        Quadratic in the fibre, and bounding it.
+        Condition that is quadratic in the fibre and makes it bounded.
     linear : tuple of LevelCondition
-        Linear in the fibre.
+        Conditions that are linear in the fibre.
     further : tuple of LevelCondition
-        Held besides, of any form.
+        Other conditions, of any form.
     coefficients : Compiled
-        Of the linear conditions: slopes row by row, values at zero; of the quadratic one: second
-        derivatives row by row, slopes at zero, value at zero.
+        Coefficients of the linear conditions: slopes row by row, values at zero; of the quadratic
+        condition: second derivatives row by row, slopes at zero, value at zero.
     """
 
     size: int
@@ -95,7 +95,7 @@ class Fibration:
 
     @property
     def numbers(self) -> int:
-        """The number of coordinates y of a point of the level."""
+        """Number of coordinates y of a point of the level."""
         return len(self.base) + len(self.fibre)
 
     def uniform_points(self, gauss: FloatArray) -> FloatArray:
@@ -113,7 +113,7 @@ class Fibration:
         return places
 
     def base_states(self, places: FloatArray) -> FloatArray:
-        """The base variables (b, k) of points y (y, k)."""
+        """Base variables (b, k) of points y (y, k)."""
         return np.array(self.axes)[:, None] * places[: len(self.base)]
 
     def gauss(self, places: FloatArray) -> FloatArray:
@@ -126,7 +126,7 @@ class Fibration:
         return numbers
 
     def over(self, places: FloatArray, parameters: FloatArray) -> FibrePoints:
-        """The points of the level for points y (y, k)."""
+        """Points of the level for points y (y, k)."""
         states = np.zeros((self.size, places.shape[1]))
         states[list(self.base)] = self.base_states(places)
         return self.fill(states, places[len(self.base) :], parameters)
@@ -134,14 +134,15 @@ class Fibration:
     def fill(
         self, states: FloatArray, directions: FloatArray, parameters: FloatArray
     ) -> FibrePoints:
-        """Compute points of the level over base points, along rays of given directions.
+        """Points of the level over base points, along rays of given directions.
 
         Parameters
         ----------
         states : array (size, k)
-            Base points; their fibre is filled in.
+            Base points; their fibre variables are computed.
         directions : array (f, k)
-            Vectors in the fibre; the rays are along their parts inside the linear conditions.
+            Vectors in the fibre; the rays are parallel to their projections onto the linear
+            conditions.
         parameters : array (p,)
         """
         n, a, A, b, c = self.parts(states, parameters)
@@ -201,24 +202,24 @@ class FibrePoints:
     Attributes
     ----------
     states : array (size, k)
-        Not-a-number in the fibre where there is no point.
+        NaN in the fibre where there is no point.
     excess : array (k,)
-        The level of the quadratic integral less its least value in the fibre; negative if no
-        point lies above this point of the base.
+        Level of the quadratic integral minus its minimum in the fibre; negative if there is no
+        point of the level over this base point.
     volume : array (k,)
-        The volume δ(conditions) d(fibre) for a unit solid angle of rays; zero where no point is.
+        Volume δ(conditions) d(fibre) for a unit solid angle of rays; zero where there is no point.
     centre, pull : arrays (k, f), (k, m)
-        The minimum of the quadratic integral in the fibre, and the multipliers of the linear
+        Minimum of the quadratic integral in the fibre, and the multipliers of the linear
         conditions there.
     ray, length : arrays (k, f), (k,)
         Unit vectors and lengths of the rays.
     share, span : arrays (k, m), (k,)
-        Coefficients of the part of the directions that the linear conditions take away, and the
-        length of what is left.
+        Coefficients of the projection of the directions that is removed by the linear conditions,
+        and the lengths of the remainders.
     normals : array (k, m, f)
         Slopes of the linear conditions.
     saddle : array (k, f + m, f + m)
-        The matrix of the equations for centre and pull.
+        Matrix of the equations for centre and pull.
     """
 
     states: FloatArray

@@ -1,9 +1,9 @@
 """Points where random great circles over a fibration satisfy an additional condition.
 
-Base points and ray directions make a point y of a product of spheres (and circles), and with it a
-state. A geodesic from a uniform point in a uniform direction intersects the hypersurface F(y) = c
-at points whose density is the surface measure (Crofton's formula; Santaló), that is |∇F| δ(F − c)
-dy.  Dividing by |∇F| gives the measure δ(F − c) exactly, tangencies included.
+Base points and ray directions form a point y of a product of spheres (and circles), which
+determines a state.  A geodesic from a uniform point in a uniform direction intersects the
+hypersurface F(y) = c at points whose density is the surface measure (Crofton's formula; Santaló),
+that is |∇F| δ(F − c) dy.  Division by |∇F| gives exactly the measure δ(F − c), also at tangencies.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from .proposals import WeightedPoints
 #: Length of a geodesic, and its initial number of pieces.
 LENGTH = 0.5
 PIECES = 1
-#: A piece is halved, up to the given number of times, while a cubic through its ends misses its
-#: midpoint by more than this, relative to the largest value on the curve.
+#: A piece is halved, up to the given number of times, while the cubic through its ends differs at
+#: its midpoint by more than this, relative to the largest value on the curve.
 _HALVINGS = 10
 _CUBIC = 0.01
 #: Accuracy of a crossing, before the state is projected onto its level.
@@ -37,7 +37,7 @@ Along = Callable[[IntArray, FloatArray], tuple[FloatArray, FloatArray]]
 
 @dataclass(frozen=True)
 class GreatCircleProposal:
-    """The further condition of a fibration, with the terms of its slopes.
+    """Additional condition of a fibration, with the terms of its slopes.
 
     Attributes
     ----------
@@ -47,8 +47,8 @@ class GreatCircleProposal:
     terms : Compiled
         At a point of the level: F, its slopes, the slopes of the quadratic condition.
     central : Compiled
-        At the centre of a fibre, for each variable of the base: the slope of the quadratic
-        condition and of each linear one, and the slopes of these in the fibre.
+        At the centre of a fibre, for each variable of the base: the slopes of the quadratic
+        condition and of each linear condition, and the slopes of these in the fibre.
     """
 
     fibration: Fibration
@@ -61,7 +61,7 @@ class GreatCircleProposal:
     def from_fibration(
         fibration: Fibration, sheet: SystemFormulas, parameters: FloatArray
     ) -> GreatCircleProposal:
-        """The proposal for a fibration with one further condition."""
+        """Proposal for a fibration with one additional condition."""
         (further,) = fibration.further
         own, outer = sheet.slopes([further.term, fibration.quadratic.term])
         conditions = [fibration.quadratic.term, *(c.term for c in fibration.linear)]
@@ -81,11 +81,12 @@ class GreatCircleProposal:
     # --- values and slopes ---------------------------------------------------------------------
 
     def excess(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """The excess of the level over base points, and its slopes in y (k, y)."""
+        """Excess of the level over base points, and its slopes in y (k, y)."""
         rays = self.fibration.over(places, self.parameters)
         base, _ = self._central(rays)
         slopes = np.zeros(places.shape[::-1])
-        # By the envelope theorem the minimum in a fibre has the slopes of the Lagrange function.
+        # By the envelope theorem the slopes of the minimum in a fibre are those of the Lagrange
+        # function.
         pulls = np.concatenate([np.ones((places.shape[1], 1)), rays.pull], axis=1)
         for j in range(len(self.fibration.base)):
             slopes[:, j] = -row_dots(pulls, base[:, :, j])
@@ -100,7 +101,7 @@ class GreatCircleProposal:
         fibre, base = list(fibration.fibre), list(fibration.base)
         with np.errstate(invalid="ignore", divide="ignore"):
             rise = row_dots(own[:, fibre], rays.ray) / row_dots(outer[:, fibre], rays.ray)
-        # Slopes of F along the level, at the adapted length of the ray.
+        # Slopes of F along the level, where the length of the ray changes with its direction.
         free = own - rise[:, None] * outer
         across = free[:, fibre]
         inside = across - batched_matvec(
@@ -163,7 +164,7 @@ class GreatCircleProposal:
 
     @property
     def most(self) -> float:
-        """Three: such a short geodesic rarely intersects a smooth surface more than once."""
+        """Three: such a short geodesic rarely intersects a smooth surface more often."""
         return 3.0
 
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
@@ -213,8 +214,8 @@ class GreatCircleProposal:
         which, low, high = _parts(reach, places.shape[1])
 
         def along(index: IntArray, angle: FloatArray) -> tuple[FloatArray, FloatArray]:
-            # At the edge of the level rays shrink like a square root, which the cosine substitution
-            # smooths.
+            # Near the edge of the level rays have the length of a square root, which is smooth in
+            # the new variable because of the cosine.
             half = (high[index] - low[index]) / 2
             way = low[index] + half * (1 - np.cos(np.pi * angle))
             there, speed = self.geodesic_points(
@@ -234,7 +235,7 @@ class GreatCircleProposal:
 
 
 def _parts(reach: Along, count: int) -> tuple[IntArray, FloatArray, FloatArray]:
-    """The parts of curves over which the level lies: curves, start and end parameters."""
+    """Parts of curves over which the level has points: curves, start and end parameters."""
     which, way = crossings(reach, count, np.linspace(0.0, LENGTH, PIECES + 1))
     curve = np.concatenate([np.arange(count), which, np.arange(count)])
     cut = np.concatenate([np.zeros(count), way, np.full(count, LENGTH)])
@@ -296,12 +297,12 @@ def crossings(along: Along, count: int, nodes: FloatArray) -> tuple[IntArray, Fl
     count : int
         Number of functions.
     nodes : array
-        Arguments to begin with; intervals in which a function is no cubic are halved.
+        Initial arguments; intervals in which a function is not nearly a cubic are halved.
 
     Returns
     -------
     int array, array
-        Functions and arguments, by function and in rising order.
+        Functions and arguments, by function and in increasing order.
     """
     steps = _cubic_steps(along, count, nodes)
     sure = steps[np.flatnonzero(steps.values[0] * steps.values[1] < 0)]

@@ -17,7 +17,7 @@ _ROUNDING = 1e-12
 
 
 def validate_level(system: System, level: Mapping[str, float], values: FloatArray) -> None:
-    """Raise an error for integrals that the system lacks, or that do not hold at these parameters.
+    """Raise an error for integrals that are unknown or not valid for these parameters.
 
     Raises
     ------
@@ -42,7 +42,7 @@ def validate_level(system: System, level: Mapping[str, float], values: FloatArra
 def _vanishes(
     system: System, formula: sp.Expr, level: Mapping[str, float], values: FloatArray
 ) -> bool:
-    """Whether a formula vanishes at these parameters, or is an integral with value zero."""
+    """True if a formula vanishes for these parameters, or is an integral with value zero."""
     written = system.expand(formula)
     parameters = [p.symbol for p in system.parameters]
     if written.free_symbols <= set(parameters):
@@ -56,7 +56,7 @@ def _vanishes(
 
 
 def measures(system: System, level: Mapping[str, float], values: FloatArray) -> list[Measure]:
-    """The invariant measures of a system whose conditions hold here."""
+    """Invariant measures of a system whose conditions are satisfied."""
     return [
         law
         for law in system.laws_of(Measure)
@@ -65,7 +65,7 @@ def measures(system: System, level: Mapping[str, float], values: FloatArray) -> 
 
 
 def measure_label(law: Measure | None) -> str:
-    """A description of a measure, with its source."""
+    """Description of a measure, with its source."""
     if law is None:
         return "surface measure"
     name = "invariant measure"
@@ -74,5 +74,5 @@ def measure_label(law: Measure | None) -> str:
 
 
 def level_label(level: Mapping[str, float]) -> str:
-    """The values of the integrals on a level, as text."""
+    """Values of the integrals on a level, as text."""
     return " and ".join(f"{name} = {value:.6g}" for name, value in level.items())

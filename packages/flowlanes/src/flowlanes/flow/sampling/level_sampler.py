@@ -53,12 +53,12 @@ def sample_level(
     count : int
         Number of points.
     level : mapping of str to float
-        Values of the held integrals by name; the relations of the system hold anyway.
+        Values of integrals by name; the relations of the system are always satisfied.
     parameters : mapping of Symbol or name to float, optional
         Values that replace the defaults.
     seed : int
     first : int
-        Number of the first point: point k depends on `seed` and k alone.
+        Number of the first point; point k depends only on `seed` and k.
 
     Returns
     -------
@@ -68,8 +68,8 @@ def sample_level(
     Raises
     ------
     InputError
-        If an integral is unknown or does not hold at these parameters, if the level is empty (the
-        message names the values that are reached) or not bounded.
+        If an integral is unknown or not valid for these parameters, or if the level is empty (the
+        message contains the possible values) or not bounded.
 
     Examples
     --------
@@ -87,7 +87,7 @@ def sample_level(
 
 @dataclass(frozen=True)
 class LevelSampler:
-    """A level of the integrals from which points can be drawn; see `level_sampler`.
+    """Level of the integrals for random points; see `level_sampler`.
 
     Attributes
     ----------
@@ -135,7 +135,7 @@ class LevelSampler:
     def _attempts(
         self, seed: int, members: IntArray, attempt: int, tries: int, low: int, high: int
     ) -> tuple[FloatArray, BoolArray]:
-        """The first accepted attempt for each of the members from `low` to `high`."""
+        """First accepted attempt for each of the members from `low` to `high`."""
         step = _BATCH // tries
         parts = [
             self._first(seed, members[start : min(start + step, high)], attempt, tries)
@@ -146,7 +146,7 @@ class LevelSampler:
     def _first(
         self, seed: int, members: IntArray, attempt: int, tries: int
     ) -> tuple[FloatArray, BoolArray]:
-        """The first accepted attempt of each member, and which members have one."""
+        """First accepted attempt of each member, and the members that have one."""
         from scipy.special import ndtr
 
         many = self.level.proposal.numbers
@@ -190,25 +190,25 @@ def level_sampler(
     level: Mapping[str, float],
     parameters: Parameters = None,
 ) -> LevelSampler:
-    """Prepare a level from which points can be drawn repeatedly; see :func:`draw`.
+    """Prepare a level for repeated draws of points; see :func:`sample_level`.
 
     Parameters
     ----------
     system : System
     level : mapping of str to float
-        Integrals by name, with their values.
+        Values of integrals by name.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the defaults.
 
     Returns
     -------
     LevelSampler
-        Its ``draw`` gives states (n, size) in flat order.
+        Its method ``draw`` returns states (n, size) in flat order.
 
     Raises
     ------
     InputError
-        If an integral is unknown, or the level has no point.
+        If an integral is unknown, or the level has no points.
 
     Examples
     --------

@@ -16,11 +16,11 @@ from ...system.system import System
 from .counter_rng import counter_normals
 from .fibration import Fibration, LevelCondition
 
-#: Integrals that are tried first as bounds of the fibre.
+#: Integrals that are first tried as bounds of the fibre.
 _BOUNDING = ("energy", "hamiltonian")
 #: Number of base points at which boundedness is tested.
 _SAMPLE = 256
-#: Changes below this count as zero.
+#: Changes below this are taken as zero.
 _SAME = 1e-10
 #: Smallest squared ratio of the axes of an ellipsoid.
 _DEFINITE = 1e-12
@@ -29,22 +29,22 @@ _DEFINITE = 1e-12
 def find_fibration(
     system: System, sheet: SystemFormulas, level: Mapping[str, float], values: FloatArray
 ) -> Fibration:
-    """The fibration of a level of the integrals over a compact base.
+    """Fibration of a level of the integrals over a compact base.
 
     Parameters
     ----------
     system : System
     sheet : SystemFormulas
-        Its formulas.
+        Formulas of the system.
     level : mapping of str to float
-        Held integrals by name.
+        Values of integrals by name.
     values : array (p,)
-        Parameters.
+        Values of the parameters.
 
     Raises
     ------
     InputError
-        If the level is not bounded, or is of a form for which no exact method is known here.
+        If the level is not bounded, or has a form without an exact method here.
     """
     spheres, others = _ellipsoids(system, values)
     relations = [LevelCondition("", sheet.term_of(relation), 0.0) for relation in others]
@@ -82,7 +82,7 @@ def _fibration_bounded_by(
     bound: LevelCondition,
     others: list[LevelCondition],
 ) -> Fibration | None:
-    """The fibration with `bound` as its quadratic condition, if there is one."""
+    """Fibration with `bound` as its quadratic condition, or None."""
     fibre, angles = _variables_off_ellipsoids(system, spheres), list[int]()
     terms = [bound.term, *(relation.term for relation in relations)]
     while curved := sheet.depends(_second_derivatives(sheet, terms, fibre)) & set(fibre):
@@ -92,7 +92,8 @@ def _fibration_bounded_by(
     if degree[id(bound)] != 2 or any(degree[id(relation)] != 1 for relation in relations):
         return None
     linear = [*relations, *(c for c in others if degree[id(c)] == 1)]
-    # A fibre needs at least two ray dimensions: two end points alone have no bounded density.
+    # A fibre needs at least two ray dimensions, because with two end points the density is not
+    # bounded.
     linear = linear[: max(len(relations), len(fibre) - 2)]
     further = [c for c in others if c not in linear]
     if len(fibre) - len(linear) < 2:
@@ -146,7 +147,7 @@ def _random_base_states(fibration: Fibration) -> FloatArray:
 
 
 def _periodic(fibration: Fibration, states: FloatArray, values: FloatArray) -> bool:
-    """Whether everything is periodic in the angles of the base."""
+    """True if all terms are periodic in the angles of the base."""
     turned = states.copy()
     turned[list(fibration.angles)] += 2 * np.pi
     here, there = (fibration.coefficients(s, values) for s in (states, turned))
@@ -154,7 +155,7 @@ def _periodic(fibration: Fibration, states: FloatArray, values: FloatArray) -> b
 
 
 def _is_bounded(fibration: Fibration, values: FloatArray) -> bool:
-    """Whether the quadratic condition is definite over a sample of base points."""
+    """True if the quadratic condition is definite at a sample of base points."""
     states = _random_base_states(fibration)
     if not _periodic(fibration, states, values):
         return False
@@ -169,7 +170,7 @@ def _is_bounded(fibration: Fibration, values: FloatArray) -> bool:
 def _ellipsoids(
     system: System, values: FloatArray
 ) -> tuple[dict[tuple[int, ...], tuple[float, ...]], list[sp.Expr]]:
-    """The variables on ellipsoids with their semi-axes, and the remaining relations.
+    """Variables on ellipsoids with their semi-axes, and the remaining relations.
 
     δ(∑ xᵢ²/aᵢ² − 1) dx is the uniform measure of the unit vectors xᵢ/aᵢ, up to a constant.
     """

@@ -1,4 +1,4 @@
-"""Random points of a level with the volume each represents, and the maximum of a quantity."""
+"""Random points of a level with the volume of each, and the maximum of a quantity."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .fibration import Fibration
 
 #: Seed of the trials, a number that users are unlikely to choose.
 _SEED = 0x9E3779B97F4A7C15
-#: Number of initial trials; the best ones are refined for some rounds, each in some directions.
+#: Number of initial trials; the best ones are refined in several rounds and directions.
 _PILOT = 1 << 12
 _BEST = 64
 _ROUNDS = 24
@@ -28,12 +28,12 @@ class WeightedPoints:
     Attributes
     ----------
     which : int array (n,)
-        The index of the proposal of each, in rising order.
+        Index of the proposal of each point, in increasing order.
     places : array (y, n)
-        Their unit vectors and angles; see :class:`~flowlanes.flow.sampling.fibration.Fibration`.
+        Unit vectors and angles; see :class:`~flowlanes.flow.sampling.fibration.Fibration`.
     states : array (size, n)
     volume : array (n,)
-        δ(relations and held integrals) dx over the density of the proposals, up to a constant.
+        δ(relations and given integrals) dx over the density of the proposals, up to a constant.
     """
 
     which: IntArray
@@ -43,22 +43,22 @@ class WeightedPoints:
 
 
 class Proposal(Protocol):
-    """A map from normal random numbers to weighted points of a level."""
+    """Map from normal random numbers to weighted points of a level."""
 
     @property
     def fibration(self) -> Fibration:
-        """The fibration of the level over its base."""
+        """Fibration of the level over its base."""
 
     @property
     def numbers(self) -> int:
-        """The number of normal random numbers per proposal."""
+        """Number of normal random numbers per proposal."""
 
     @property
     def most(self) -> float:
-        """Rough number of points of largest density in a proposal."""
+        """Approximate number of points of largest density in a proposal."""
 
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
-        """The points of proposals (numbers, k)."""
+        """Points of proposals (numbers, k)."""
 
     def nearby_proposals(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """Proposals near the points of `gauss` (y, k), from new random numbers (numbers, k)."""
@@ -66,23 +66,23 @@ class Proposal(Protocol):
 
 @dataclass(frozen=True)
 class RayProposal:
-    """The ends of random rays over random base points, if there is no additional condition."""
+    """Ends of random rays over random base points, for a level without an additional condition."""
 
     fibration: Fibration
     parameters: FloatArray
 
     @property
     def numbers(self) -> int:
-        """The number of normal random numbers per proposal."""
+        """Number of normal random numbers per proposal."""
         return self.fibration.numbers
 
     @property
     def most(self) -> float:
-        """One."""
+        """One, because a ray has one end."""
         return 1.0
 
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
-        """The points of proposals (numbers, k)."""
+        """Points of proposals (numbers, k)."""
         places = self.fibration.uniform_points(gauss)
         rays = self.fibration.over(places, self.parameters)
         real = np.flatnonzero(rays.volume > 0)
@@ -101,23 +101,23 @@ def maximise(
     many: int,
     first: FloatArray | None = None,
 ) -> tuple[float, FloatArray]:
-    """The largest value found of a quantity, and its location.
+    """Largest value of a quantity that was found, and its location.
 
     Parameters
     ----------
     fibration : Fibration
     height : callable
-        Throws (many, k) ↦ places (y, n) and values (n,), n arbitrary.
+        Random numbers (many, k) ↦ places (y, n) and values (n,), for any n.
     start : callable
         (places as normal numbers (y, k), normal numbers (many, k)) ↦ proposals near these points.
     many : int
     first : array (y, k), optional
-        Points to begin with besides random ones.
+        Initial points besides the random ones.
 
     Returns
     -------
     float, array (y,)
-        Minus infinity if no proposal has a point.
+        Value and location; −∞ if no proposal has a point.
     """
     places, values = height(counter_normals(_SEED, np.arange(_PILOT), np.zeros(_PILOT), many))
     if first is not None:

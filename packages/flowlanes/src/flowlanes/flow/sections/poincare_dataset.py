@@ -1,4 +1,4 @@
-"""Sections as datasets: the points of many motions, in memory or streamed to a store."""
+"""Sections as datasets: the points of many motions, in memory or in a store on disk."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from ..motion import by_name
 from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
 from .poincare_map import PoincareMap
 
-#: Approximate block size in bytes, and the number of points evaluated at once; together they bound
-#: memory use.
+#: Approximate block size in bytes, and number of points evaluated at once; both limit the use of
+#: memory.
 BLOCK, PIECE = 2**26, 2**15
 #: Approximate largest size of one motion in bytes.
 MOST = 2**29
@@ -31,17 +31,17 @@ MOST = 2**29
 
 @dataclass(frozen=True)
 class Quantity:
-    """A function on the section that is recorded at every point.
+    """Function on the section that is recorded at every point.
 
     Attributes
     ----------
     name : str
-        Under which it is recorded.
+        Name in the dataset.
     formula : sympy.Expr
-        In state, definitions and parameters.
+        Formula in state, definitions and parameters.
     meaning, unit : str
     label : str
-        The label in figures, in place of the name.
+        Label in figures, instead of the name.
     """
 
     name: str
@@ -54,7 +54,8 @@ class Quantity:
 class Columns(Protocol):
     """Functions on the section without a formula, such as coordinates defined by cases.
 
-    A frozen dataclass with ``__call__``, so that it can be pickled and identified by name.
+    An instance is a frozen dataclass with ``__call__``, so it can be pickled and identified by
+    name.
     """
 
     @property
@@ -62,20 +63,20 @@ class Columns(Protocol):
         """Names, meanings and units; the formulas are ignored."""
 
     def __call__(self, states: FloatArray) -> FloatArray:
-        """The columns (n, quantities) at states (n, size)."""
+        """Columns (n, quantities) at states (n, size)."""
 
 
 @dataclass(frozen=True)
 class Returns:
-    """The work of a section: the returns of the motions first, …, last − 1.
+    """Work of a section: the returns of the motions first, …, last − 1.
 
     Attributes
     ----------
     returns : PoincareMap
-        Its parameters are the same for all motions.
+        Map with the same parameters for all motions.
     starts : array (n, size)
     count : int
-        Returns of each.
+        Number of returns of each motion.
     quantities : tuple of Quantity
     columns : Columns, optional
     """
@@ -87,7 +88,7 @@ class Returns:
     columns: Columns | None = None
 
     def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.generic]]:
-        """The arrays of a block, by the names of the dataset."""
+        """Arrays of a block, by their names in the dataset."""
         crossed = self.returns.crossings(self.starts[first:last], self.count)
         arrays: dict[str, Any] = {
             "time": crossed.times,
@@ -109,7 +110,7 @@ class Returns:
         for quantities, columns in groups:
             for item in quantities:
                 arrays[item.name] = np.empty(crossed.times.shape)
-            # Piece by piece, since every operation of a formula allocates an array.
+            # In parts, because every operation of a formula allocates an array.
             for place in range(0, len(flat), PIECE):
                 values = columns(flat[place : place + PIECE])
                 for item, column in zip(quantities, values.T, strict=True):
@@ -126,21 +127,21 @@ def section_task(
     attributes: Mapping[str, object] | None = None,
     meanings: Mapping[str, tuple[str, str]] | None = None,
 ) -> Task:
-    """The task that computes the returns of many motions to a section.
+    """Task that computes the returns of many motions to a section.
 
-    The result has dimensions ``run`` and ``section_point``: the state at each point, the time
-    since the start, every known integral that holds without condition as ``law_<name>``, and the
-    `quantities`; for each run how many points it has (``points``), why it has no more
-    (``outcome``) and when it ended.  Where a run has fewer points the rest is not a number.
+    The result has the dimensions ``run`` and ``section_point``: the state at each point, the time
+    since the start, every unconditional integral as ``law_<name>``, and the `quantities`; for each
+    run the number of points (``points``), the reason for which there are not more (``outcome``)
+    and the time of its end.  Values after the last point of a run are NaN.
 
     Parameters
     ----------
     returns : PoincareMap
-        With the same parameters for all motions.
+        Map with the same parameters for all motions.
     starts : array (n, size)
         States, on the section or not.
     count : int
-        Returns of each motion.
+        Number of returns of each motion.
     quantities : sequence of Quantity, optional
         Further quantities to record.
     columns : Columns, optional
@@ -153,8 +154,8 @@ def section_task(
     Raises
     ------
     InputError
-        If there is no start, no return is asked for or too many, parameters differ from motion to
-        motion, or a quantity bears the name of something else.
+        If there are no starts, the number of returns is zero or too large, parameters differ
+        between motions, or a quantity has the name of another variable.
     """
     if count < 1:
         raise InputError(f"{count} points: there must be one at least")

@@ -1,9 +1,9 @@
-"""The Poincaré map of a flow: the first return to a surface.
+"""Poincaré map of a flow: the first return to a surface.
 
-Let a motion ẋ = f(x) leave a point x of the surface g = 0 and come back to it, through it in the
-same direction, after the time T(x).  P(x) = φ_T(x), the first return, is a map of the surface
-into itself: it is iterated, inverted, differentiated as any map.  Its derivative follows from that
-of the flow, Φ = ∂φ_t/∂x at t = T, by going along the flow onto the surface,
+Let a motion ẋ = f(x) start at a point x of the surface g = 0 and return to the surface, in the
+same direction, after the time T(x).  The first return P(x) = φ_T(x) is a map of the surface into
+itself, which can be iterated, inverted and differentiated.  Its derivative follows from that of
+the flow, Φ = ∂φ_t/∂x at t = T, by a projection along the flow onto the surface,
 
     ∂P = (1 − f ∇gᵀ/(∇g·f)) Φ,    ∂T = −∇gᵀ Φ/(∇g·f),    f and ∇g at P(x).
 
@@ -45,12 +45,13 @@ class Derivative:
     Attributes
     ----------
     images : array (n, size)
-        The returns of the points; NaN for those that do not return.
+        Returns of the points; NaN for points without a return.
     times : array (n,)
         Times of return.
     matrices : array (n, size, size)
         ∂(image)/∂(point), in flat order.  Its columns are tangent to the section at the image, and
-        it annuls the direction of the flow at the point; relations and integrals are kept.
+        it is zero on the direction of the flow at the point; relations and integrals are
+        conserved.
     time_slopes : array (n, size)
         ∂(time)/∂(point).
     """
@@ -64,29 +65,29 @@ class Derivative:
 @arguments_checked
 @dataclass(frozen=True)
 class PoincareMap:
-    """The first return to a section.
+    """First return to a section.
 
     Parameters
     ----------
     system : System
-        Points are its states in flat order; a system lifted to space carries its attitude along.
+        Points are its states in flat order; a lifted system includes its attitude.
     section : Section
-        The section at which motions are recorded.
+        Section to which the motions return.
     parameters : mapping of Symbol or name to number or array (n,), optional
-        Values that replace the defaults; an array has one for every point.
+        Values that replace the defaults; an array has a value for every point.
     tolerance : float
         See :mod:`flowlanes.system.tolerance`.
     backward : bool
-        Whether to go back in time: the inverse map.
+        True for the inverse map, backward in time.
     t_end : float
-        After so much time (s) without a return a point counts as one that does not return.
+        Time in s after which a point is regarded as a point without a return.
     device : "cpu" or "gpu"
-        Where the motions are computed; see :func:`flowlanes.flow.batch.batch_integrator`.
+        Device for the computation; see :func:`flowlanes.flow.batch.batch_integrator`.
 
     Raises
     ------
     InputError
-        If the section or a parameter is not one of the system.
+        If the section or a parameter does not belong to the system.
 
     Examples
     --------
@@ -117,7 +118,7 @@ class PoincareMap:
 
     @property
     def inverse(self) -> PoincareMap:
-        """The inverse map."""
+        """Inverse map."""
         return replace(self, backward=not self.backward)
 
     @property
@@ -127,17 +128,17 @@ class PoincareMap:
 
     @arguments_checked
     def __call__(self, points: npt.ArrayLike) -> FloatArray:
-        """The first return.
+        """First return of points.
 
         Parameters
         ----------
         points : array (n, size) or (size,)
-            On the section; elsewhere, where the motion meets it first.
+            Points on the section; for another point, the first crossing of its motion.
 
         Returns
         -------
         array of the same shape
-            NaN for a point that does not return; `returns` tells why.
+            NaN for a point without a return; `crossings` gives the reason.
         """
         rows = np.asarray(points, dtype=float)
         images = self.crossings(np.atleast_2d(rows), 1).states[:, 0]
@@ -147,14 +148,14 @@ class PoincareMap:
     def crossings(
         self, points: npt.ArrayLike, count: int, threads: int | None = None
     ) -> BatchCrossings:
-        """The next `count` returns of n points, with their times, and why some have fewer.
+        """Next `count` returns of n points, with their times, and the reasons for missing returns.
 
         Parameters
         ----------
         points : array (n, size)
         count : int
         threads : int, optional
-            All cores if left out; the result does not depend on it.
+            Number of threads, by default one per core; the result does not depend on it.
         """
         return self._integrator(0).crossings(
             points, count, self.parameters, t_end=self.t_end, threads=threads
@@ -164,7 +165,7 @@ class PoincareMap:
     def iterate(self, points: npt.ArrayLike, count: int) -> FloatArray:
         """Apply the map `count` times; array of the shape of `points`.
 
-        The motion is integrated in one piece, without stopping at the section.
+        The motion is integrated in one piece, without stops at the section.
         """
         rows = np.asarray(points, dtype=float)
         if count == 0:
@@ -196,7 +197,7 @@ class PoincareMap:
             starts, count, self.parameters, t_end=self.t_end, deviations=frame.copy()
         )
         images, times = crossed.states[:, -1], crossed.times[:, -1]
-        # Deviations are rows there, columns here.
+        # Deviations are rows there, but columns here.
         flow = np.swapaxes(np.asarray(crossed.deviations)[:, -1], 1, 2)
         rates = self._rates(images, self.parameters)
         normals = self._value.slopes(images, self.parameters)[:, 0]
@@ -207,27 +208,28 @@ class PoincareMap:
 
     @arguments_checked
     def status_message(self, code: int) -> str:
-        """Why a motion of `returns` ended; empty for code 0."""
+        """Reason for which a motion of `crossings` ended; empty for code 0."""
         return self._integrator(0).status_message(code)
 
     @arguments_checked
     def residual(self, points: npt.ArrayLike) -> FloatArray:
-        """The section function at points (..., size): zero on the section."""
+        """Section function at points (..., size); zero on the section."""
         result: FloatArray = self._value(points, self.parameters)[..., 0]
         return result
 
     @arguments_checked
     def dimension(self, point: npt.ArrayLike, *, integrals: bool = True) -> int:
-        """The dimension of the section near a point.
+        """Dimension of the section near a point.
 
-        Relations, the section itself and, unless they are to be left out, the known integrals
-        that hold without condition are counted by the rank of their derivatives.
+        It is the rank of the derivatives of relations, of the section function and, unless they
+        are excluded, of the known unconditional integrals, subtracted from the number of
+        variables.
 
         Parameters
         ----------
         point : array (size,)
         integrals : bool
-            Whether the section of one level of the integrals is meant.
+            True for the section within one level of the integrals.
         """
         fixed = [*self.system.relations, self.section.value]
         if integrals:
@@ -243,11 +245,12 @@ class PoincareMap:
 
     @arguments_checked
     def within(self, quantity: Quantity, width: float) -> PoincareMap:
-        """A section of the section: the returns to a slab ``|quantity| < width``.
+        """Section of the section: the returns to a slab ``|quantity| < width``.
 
-        The points of a map jump, so they do not cross a second surface but come close to it.  The
-        returns to a thin slab around it ("double section", after F. C. Moon and W. T. Holmes, 1985)
-        form again a map, smooth as long as the number of intermediate returns does not change.
+        The points of a map are discrete, so they do not cross a second surface but only come close
+        to it.  The returns to a thin slab around it ("double section", after F. C. Moon and W. T.
+        Holmes, 1985) form a map again, which is smooth as long as the number of intermediate
+        returns does not change.
 
         Parameters
         ----------
@@ -281,7 +284,7 @@ class PoincareMap:
 
 
 def slab(section: Section, quantity: sp.Expr, width: float) -> Section:
-    """The section with the condition ``|quantity| < width``; see `PoincareMap.within`.
+    """Section with the condition ``|quantity| < width``; see `PoincareMap.within`.
 
     Raises
     ------
@@ -297,12 +300,12 @@ def slab(section: Section, quantity: sp.Expr, width: float) -> Section:
 
 
 def _least(a: sp.Expr, b: sp.Expr) -> sp.Expr:
-    """The smaller of two numbers: positive where both are."""
+    """Smaller of two numbers, which is positive where both are positive."""
     return (a + b - sp.Abs(a - b)) / 2
 
 
 def _mapping_at(parameters: Mapping[Any, Any], index: int) -> dict[Any, Any]:
-    """The parameters of one point."""
+    """Parameters of one point."""
     return {
         name: value if np.ndim(value) == 0 else value[index] for name, value in parameters.items()
     }

@@ -23,61 +23,61 @@ from .recurrences import SERIES_SIGNATURES, emit_series
 from .state_series import SeriesLayout, Step, TaylorSeries, series_order
 from .working_numbers import Direction, WorkingArray, WorkingNumber
 
-#: Residuals by name, with the columns of the state that they move.
+#: Residuals by name, with the columns of the state that are corrected.
 Residuals: TypeAlias = dict[str, tuple[list[sp.Expr], slice]]
 #: Argument types of the formula functions, by name.
 Shapes: TypeAlias = dict[str, FormulaShape]
 
-#: Finest tolerance that the working precision allows.
+#: Smallest tolerance for the working precision.
 FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
 
 
 class StateSeries(Protocol):
-    """A state that advances by steps of its Taylor series; see :class:`TaylorSeries`."""
+    """State that advances by steps of its Taylor series; see :class:`TaylorSeries`."""
 
     order: int
     time: WorkingNumber
 
     @property
     def state(self) -> WorkingArray:
-        """The state (size,); may be changed in place."""
+        """State (size,); it may be changed in place."""
         ...
 
     @property
     def parameters(self) -> WorkingArray:
-        """The parameters; may be changed in place."""
+        """Parameters; they may be changed in place."""
         ...
 
     @property
     def series(self) -> WorkingArray:
-        """Coefficients (size, order + 1) of the powers of time since the last step began."""
+        """Coefficients (size, order + 1) of the powers of time since the start of the last step."""
         ...
 
     def reset(self) -> None:
-        """Reset the events of the last step and the carried rounding errors."""
+        """Reset the events of the last step and the stored rounding errors."""
         ...
 
     def copy(self) -> StateSeries:
-        """A copy that advances independently with the same code."""
+        """Copy that advances independently with the same code."""
         ...
 
     def step(self, limit: WorkingNumber) -> Step:
-        """Make one step, no longer than `limit`."""
+        """Make one step, not longer than `limit`."""
         ...
 
     def state_at(self, time: WorkingNumber) -> WorkingArray:
-        """The state at a time within the last step."""
+        """State at a time within the last step."""
         ...
 
 
 @dataclass(frozen=True)
 class SignedOutputs:
-    """The compiled outputs of a system without corners; the last outputs are its σu.
+    """Compiled outputs of a system without corners; the last outputs are the values σu.
 
     Attributes
     ----------
     outputs : callable
-        From states and parameters, with the signs.
+        Function of states and parameters, with the signs.
     arguments : tuple of sympy.Expr
     """
 
@@ -100,17 +100,17 @@ class CompiledSystem:
     outputs : callable
         From states and parameters to observables, laws and guards.
     core, lift : tuple of Block
-        The relations of the reduced state and of its lift to space; at most one block each.
+        Relations of the reduced state and of its lift to space; at most one block each.
     laws : callable
-        That of the integrals, which is compiled when it is asked for.
+        Function that returns the block of the integrals, which are compiled on first use.
     variable_guards : tuple of int
-        Guards that can change during a motion; others are the same in every state.
+        Guards that may change during a motion; others are the same in every state.
     from_cache : bool
-        Whether the code came from the cache.
+        True if the code was read from the cache.
     signed : SignedOutputs, optional
-        If the equations have absolute values or signs; the series are then those of the system
-        without corners, with the signs as parameters after its own, and events after those of the
-        guards are changes of signs.
+        Given if the equations contain absolute values or signs.  Then the series are those of the
+        system without corners, which has the signs as parameters after its own, and changes of
+        signs as events after those of the guards.
     """
 
     series: StateSeries
@@ -125,7 +125,7 @@ class CompiledSystem:
 
 @dataclass(frozen=True)
 class _Layout:
-    """The sizes of the functions of a system.
+    """Sizes of the functions of a system.
 
     Attributes
     ----------
@@ -142,7 +142,7 @@ class _Layout:
 
 @dataclass(frozen=True)
 class _Plan:
-    """A system to be compiled, and the name of its code in the cache."""
+    """System to be compiled, and the name of its code in the cache."""
 
     system: System
     tolerance: float
@@ -156,7 +156,7 @@ class _Plan:
     @cached_property
     def name(self) -> str:
         system = self.system_in_space
-        # Each part has a list of its own: an observable is compiled differently from a guard.
+        # Each part has its own list, because an observable is compiled differently from a guard.
         shape = [
             self.system.symbols,
             self.system.scalar.relations,
@@ -175,14 +175,14 @@ class _Plan:
 
     @cached_property
     def _output_formulas(self) -> list[sp.Expr]:
-        """The recorded quantities of a motion, and the guards."""
+        """Recorded quantities of a motion, and guards."""
         system = self.system_in_space
         groups = system.observables, system.integrals, system.guards
         return [item.value for group in groups for item in group]
 
     @cached_property
     def _blocks(self) -> Residuals:
-        """The relations with the columns that they move."""
+        """Relations with the columns that they correct."""
         core = slice(0, len(self.system.symbols))
         lift = self.system.reconstruction
         blocks = {
@@ -193,12 +193,12 @@ class _Plan:
 
     @cached_property
     def _law_blocks(self) -> Residuals:
-        """The integrals, which move the reduced state."""
+        """Integrals, which correct the reduced state."""
         laws = [law.value for law in self.system_in_space.integrals]
         return {"laws": (laws, slice(0, len(self.system.symbols)))} if laws else {}
 
     def code(self) -> tuple[bytes, _Layout]:
-        """The machine code and its layout."""
+        """Machine code and its layout."""
         system = self.system_in_space
         graph = Graph()
         reader = Reader(system, graph)
@@ -206,8 +206,8 @@ class _Plan:
         guards = reader.components([guard.value for guard in system.guards])
         variable = tuple(i for i, guard in enumerate(guards) if _depends_on_state(guard))
         first = len(system.parameters)
-        # Step sizes depend on events as well as on the state: a guard that is large beside the
-        # state would change them, and is therefore divided by its initial size.
+        # Step sizes depend on events as well as on the state.  A guard that is large compared with
+        # the state would change them, so it is divided by its initial size.
         events = [
             graph.mul(graph.parameter(first + place), guards[i]) for place, i in enumerate(variable)
         ]
@@ -222,7 +222,7 @@ class _Plan:
         return jit.object_code(f"{series.text}\n{text}"), _Layout(layout, variable, shapes)
 
     def law_code(self) -> tuple[bytes, Shapes]:
-        """The machine code of the integrals and their derivatives."""
+        """Machine code of the integrals and their derivatives."""
         system = self.system_in_space
         graph = Graph()
         text, shapes = _with_slopes(
@@ -231,7 +231,7 @@ class _Plan:
         return jit.object_code(text), shapes
 
     def laws(self) -> tuple[Block, ...]:
-        """The block of the integrals in doubles."""
+        """Block of the integrals in doubles."""
         if not self._law_blocks:
             return ()
         name = jit.code_name(f"{self.name} laws")
@@ -245,7 +245,7 @@ class _Plan:
         return (Block(values, slopes, values.shape.count),)
 
     def compile(self) -> CompiledSystem:
-        """The system compiled in doubles."""
+        """System compiled in doubles."""
         name = jit.code_name(self.name)
         (code, layout), from_cache = cache.cached_entry(name, self.code)
         native = _functions_of(name, code, tuple(layout.formulas))
@@ -267,7 +267,7 @@ class _Plan:
         )
 
     def compile_wide(self) -> CompiledSystem:
-        """The system with 34 digits, compiled by heyoka; derivatives of relations in doubles."""
+        """System compiled by heyoka with 34 digits; derivatives of relations in doubles."""
         from .heyoka_series import HeyokaFormulas, HeyokaSeries, heyoka_code
 
         double = replace(self, precision="double", tolerance=TOLERANCE["double"]).compile()
@@ -305,7 +305,7 @@ class _Plan:
 def _with_slopes(
     graph: Graph, reader: Reader, size: int, blocks: Residuals, more: Mapping[str, list[Term]]
 ) -> tuple[str, Shapes]:
-    """Emit residuals and their derivatives, with additional formulas, as LLVM assembly text."""
+    """LLVM assembly text of residuals and their derivatives, with additional formulas."""
     formulas = dict(more)
     for name, (residuals, columns) in blocks.items():
         formulas[name] = reader.components(residuals)
@@ -321,7 +321,7 @@ def _with_slopes(
 
 @lru_cache(maxsize=64)
 def _functions_of(name: str, code: bytes, formulas: tuple[str, ...]) -> jit.Native:
-    """The functions of a system, linked once, however often the system is integrated."""
+    """Functions of a system, linked once and used for all its integrations."""
     signatures = {**dict.fromkeys(formulas, SIGNATURE), **SERIES_SIGNATURES}
     return jit.Native(*jit.link(name, code, signatures), from_cache=True)
 
@@ -336,23 +336,23 @@ def compile_system(
     precision: Precision = "double",
     direction: Direction = "forward",
 ) -> CompiledSystem:
-    """Compile a system, or fetch its code from the cache.
+    """Compile a system, or read its code from the cache.
 
     Parameters
     ----------
     system : System
-        Lifted to space if it has a motion.
+        Lifted to space if it has a motion in space.
     tolerance : float
         See :mod:`flowlanes.system.tolerance`; limited by the working precision.
     precision : ``"double"`` or ``"quad"``
         16 or 34 digits.
     direction : ``"forward"`` or ``"backward"``
-        Of time: a guard is passed where it falls to zero in this direction.
+        Direction of time; a guard is violated where it decreases to zero in this direction.
 
     Raises
     ------
     InputError
-        If the tolerance is not between 0 and 1, or finer than the precision allows.
+        If the tolerance is not between 0 and 1, or too small for the precision.
     """
     if not 0 < tolerance < 1:
         raise InputError(f"tolerance {tolerance}: it must lie between 0 and 1")
@@ -367,5 +367,5 @@ def compile_system(
 
 @lru_cache(maxsize=32)
 def _plan(system: System, tolerance: float, precision: Precision, direction: Direction) -> _Plan:
-    """The plan of a system, cached because computing its name is slow."""
+    """Plan of a system, cached because its name takes long to compute."""
     return _Plan(system, tolerance, precision, direction)

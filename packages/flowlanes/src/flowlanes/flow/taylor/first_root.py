@@ -9,13 +9,13 @@ import numpy as np
 
 from ...system.arrays import FloatArray
 
-#: Interval length below which the interval counts as a single point.
+#: Interval length below which the interval is taken as a single point.
 _SHORTEST = 2.0**-50
 
 
 @lru_cache
 def _to_bernstein(degree: int) -> FloatArray:
-    """The matrix that maps power coefficients to Bernstein coefficients."""
+    """Matrix that maps power coefficients to Bernstein coefficients."""
     matrix = np.zeros((degree + 1, degree + 1))
     for j in range(degree + 1):
         for k in range(j + 1):
@@ -24,23 +24,24 @@ def _to_bernstein(degree: int) -> FloatArray:
 
 
 def first_falling_root(coefficients: FloatArray, after: float = 0.0) -> float | None:
-    """The first point in (after, 1] where a polynomial falls from positive values to zero.
+    """First point in (after, 1] where a polynomial decreases from positive values to zero.
 
-    A polynomial has no more roots in an interval than its Bernstein coefficients have sign changes
-    (Descartes' rule of signs).  Intervals with several sign changes are bisected (de Casteljau),
-    which isolates simple roots; a multiple root is found when the interval has shrunk to a point.
+    A polynomial has at most as many roots in an interval as its Bernstein coefficients have sign
+    changes (Descartes' rule of signs).  Intervals with several sign changes are bisected (de
+    Casteljau), which isolates simple roots; a multiple root is found when the interval has become
+    a point.
 
     Parameters
     ----------
     coefficients : array (n,)
-        Of the powers of x, the constant first; finite.
+        Finite coefficients of the powers of x, constant first.
     after : float
         From 0 to 1.
 
     Returns
     -------
     float or None
-        None if there is none.
+        None if there is no such point.
     """
     whole = _to_bernstein(len(coefficients) - 1) @ coefficients
     pending = [(after, 1.0, _parts(whole, after)[1] if after else whole)]
@@ -49,7 +50,7 @@ def first_falling_root(coefficients: FloatArray, after: float = 0.0) -> float | 
         signs = np.sign(b[b != 0])
         changes = int(np.count_nonzero(signs[1:] != signs[:-1]))
         if changes == 0:
-            # A root at the end counts, one at the start does not.
+            # A root at the end is included, a root at the start is not.
             if b[-1] == 0 and np.any(signs > 0):
                 return last
         elif (changes == 1 and b[0] != 0) or last - first < _SHORTEST:
@@ -63,7 +64,7 @@ def first_falling_root(coefficients: FloatArray, after: float = 0.0) -> float | 
 
 
 def _parts(b: FloatArray, x: float) -> tuple[FloatArray, FloatArray]:
-    """The Bernstein coefficients on both sides of a point of the interval (de Casteljau)."""
+    """Bernstein coefficients on both sides of a point of the interval (de Casteljau)."""
     degree = len(b) - 1
     left, right = np.empty_like(b), np.empty_like(b)
     for k in range(degree + 1):
@@ -73,8 +74,8 @@ def _parts(b: FloatArray, x: float) -> tuple[FloatArray, FloatArray]:
 
 
 def _root(coefficients: FloatArray, first: float, last: float) -> float:
-    """The root between two points of opposite sign, or the nearer one if rounding hides it."""
-    # Imported when an event occurs, since the import takes longer than most motions.
+    """Root between two points of opposite sign, or the nearer point if rounding hides the root."""
+    # Imported only for an event, because the import takes longer than most motions.
     from scipy.optimize import brentq
 
     numbers = coefficients[::-1].tolist()

@@ -1,4 +1,4 @@
-"""Translate the SymPy formulas of a System to heyoka, sharing every named quantity."""
+"""Translation of the SymPy formulas of a System to heyoka, with shared named quantities."""
 
 from __future__ import annotations
 
@@ -28,16 +28,16 @@ _FUNCTIONS: Mapping[type[sp.Function], Callable[..., hy.expression]] = {
     sp.Abs: lambda x: hy.sqrt(x * x),
 }
 
-# The widest number type of this heyoka build, so that 1/3 is exact to working precision.
+# The widest number type of this heyoka build makes 1/3 exact to working precision.
 _WIDE = getattr(hy, "real128", float)
 
 
 class Translator(Evaluation[hy.expression]):
-    """Translates the formulas of one system to heyoka expressions.
+    """Translator of the formulas of one system to heyoka expressions.
 
-    The flat state becomes heyoka variables of the same name, the parameters ``par[i]`` in the
-    order of ``system.parameters``.  Definitions are translated when first needed, so that
-    unused ones cost nothing.
+    The flat state becomes heyoka variables with the same names, the parameters ``par[i]`` in the
+    order of ``system.parameters``.  Definitions are translated on first use, so unused definitions
+    cost nothing.
     """
 
     def __init__(self, system: System) -> None:
@@ -49,11 +49,11 @@ class Translator(Evaluation[hy.expression]):
         super().__init__({**variables, **parameters}, dict(system.scalar_definitions))
 
     def __call__(self, formula: sp.Expr) -> hy.expression:
-        """The heyoka expression of a scalar formula."""
+        """Heyoka expression of a scalar formula."""
         return self._visit(*scalars(formula))
 
     def all(self, formulas: Iterable[sp.Expr]) -> list[hy.expression]:
-        """Several at once; vectors are flattened."""
+        """Heyoka expressions of several formulas; vectors are flattened."""
         return list(map(self._visit, scalars(tuple(formulas))))
 
     def _constant(self, number: sp.Expr) -> hy.expression:

@@ -15,7 +15,8 @@ from .heyoka_expressions import Translator
 from .state_series import Step
 from .working_numbers import Direction, WorkingArray, WorkingNumber
 
-# heyoka prints warnings to the terminal directly, bypassing Python; its errors say the same.
+# heyoka prints warnings directly to the terminal, outside Python; its errors contain the same
+# information.
 hy.set_logger_level_error()
 
 # Outcomes of a step: failures are below these values, events above.
@@ -29,7 +30,7 @@ class HeyokaFormulas:
     Attributes
     ----------
     function : heyoka.cfunc
-        Of the formulas, and of one more that does not count.
+        Function of the formulas and of an additional formula that is ignored.
     """
 
     function: hy.cfunc
@@ -45,9 +46,9 @@ class HeyokaFormulas:
 
 
 class HeyokaSeries:
-    """A state that advances by steps of its Taylor series.
+    """State that advances by steps of its Taylor series.
 
-    As :class:`~flowlanes.flow.taylor.state_series.TaylorSeries`, with 34 digits.
+    Like :class:`~flowlanes.flow.taylor.state_series.TaylorSeries`, with 34 digits.
 
     Parameters
     ----------
@@ -55,31 +56,31 @@ class HeyokaSeries:
     """
 
     def __init__(self, integrator: hy.taylor_adaptive) -> None:
-        # A copy, since stepping changes it and the code is shared.
+        # A copy, because steps change it and the code is shared.
         self._integrator = copy.copy(integrator)
         self.order: int = integrator.order
 
     @property
     def state(self) -> WorkingArray:
-        """The state (size,); may be changed in place."""
+        """State (size,); it may be changed in place."""
         state: WorkingArray = self._integrator.state
         return state
 
     @property
     def parameters(self) -> WorkingArray:
-        """The parameters that occur; may be changed in place."""
+        """Parameters in use; they may be changed in place."""
         parameters: WorkingArray = self._integrator.pars
         return parameters
 
     @property
     def series(self) -> WorkingArray:
-        """Coefficients (size, order + 1) of the powers of time since the last step began."""
+        """Coefficients (size, order + 1) of the powers of time since the start of the last step."""
         series: WorkingArray = self._integrator.tc
         return series
 
     @property
     def time(self) -> WorkingNumber:
-        """The time; it can be set."""
+        """Time; it can be set."""
         return self._integrator.time
 
     @time.setter
@@ -87,7 +88,7 @@ class HeyokaSeries:
         self._integrator.time = value
 
     def copy(self) -> HeyokaSeries:
-        """A copy that advances independently with the same code."""
+        """Copy that advances independently with the same code."""
         return HeyokaSeries(self._integrator)
 
     def reset(self) -> None:
@@ -95,7 +96,7 @@ class HeyokaSeries:
         self._integrator.reset_cooldowns()
 
     def step(self, limit: WorkingNumber) -> Step:
-        """Make one step, no longer than `limit`."""
+        """Make one step, not longer than `limit`."""
         outcome, length = self._integrator.step(max_delta_t=limit, write_tc=True)
         code = int(outcome)
         if code > _SUCCESS:
@@ -103,7 +104,7 @@ class HeyokaSeries:
         return Step(float(length), is_failure=code not in (_SUCCESS, _LIMIT))
 
     def state_at(self, time: WorkingNumber) -> WorkingArray:
-        """The state at a time within the last step."""
+        """State at a time within the last step."""
         self._integrator.update_d_output(time)
         state: WorkingArray = self._integrator.d_output
         return state
@@ -111,7 +112,7 @@ class HeyokaSeries:
 
 @dataclass(frozen=True)
 class HeyokaCode:
-    """The code that heyoka compiles for a system; it can be stored on disk.
+    """Code compiled by heyoka for a system; it can be stored on disk.
 
     Attributes
     ----------
@@ -135,20 +136,20 @@ def heyoka_code(
     Parameters
     ----------
     system : System
-        With its motion in space.
+        System with its motion in space.
     formulas : mapping of str to sequence of Expr
-        Formulas of which functions are wanted.
+        Formulas to be compiled as functions.
     variable_guards : sequence of int
-        Guards that are terminal events, times a factor that follows the parameters.
+        Guards that are terminal events, each with a factor after the parameters.
     tolerance : float
     direction : ``"forward"`` or ``"backward"``
-        Of time.
+        Direction of time.
     """
     kind = hy.real128
     translate = Translator(system)
     variables = translate.variables
     guards = translate.all([guard.value for guard in system.guards])
-    # heyoka tests the derivative in time, whatever the direction of integration.
+    # heyoka tests the derivative with respect to time, for any direction of integration.
     falling = {
         "forward": hy.event_direction.negative,
         "backward": hy.event_direction.positive,
@@ -165,7 +166,7 @@ def heyoka_code(
         ],
         compact_mode=True,
     )
-    # A variable makes every list non-empty.
+    # A variable is added, because lists must not be empty.
     functions = {
         name: hy.cfunc([*translate.all(items), variables[0]], variables, fp_type=kind)
         for name, items in formulas.items()

@@ -1,9 +1,9 @@
-"""Projection of a state back onto its phase space.
+"""Projection of a state onto its phase space.
 
-The relations (γ² = 1, (ω, γ) = 0, …) are left alone while their residuals are at rounding level,
-and otherwise restored by Newton's method with steps of minimal norm.  The lift to space is
-projected onto the reduced state, never the reverse, so an error of the attitude cannot affect the
-dynamics.
+The relations (γ² = 1, (ω, γ) = 0, …) are not corrected while their residuals are at rounding
+level; otherwise they are restored by Newton's method with steps of minimal norm.  The lift to
+space is projected onto the reduced state, not conversely, so an error of the attitude cannot
+affect the dynamics.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ class Block:
     Attributes
     ----------
     residual : callable
-        From a state and the parameters to the residuals, in working precision.
+        Residuals from a state and the parameters, in working precision.
     slope : callable
-        Their derivatives with respect to the moved columns, in double, row by row.
+        Derivatives with respect to the corrected columns, in doubles, row by row.
     count : int
         Number of residuals.
     """
@@ -38,19 +38,19 @@ class Block:
 
 @dataclass(frozen=True)
 class Projector:
-    """Projects some columns of a state until residuals have their target values.
+    """Projection of some columns of a state, such that residuals have their target values.
 
     Attributes
     ----------
     blocks : tuple of Block
     columns : slice
-        The part of the state that is moved.
+        Columns of the state that are corrected.
     parameters : array
         Parameter values in working precision.
     threshold : float
-        Residuals below this are left alone.
+        Smaller residuals are not corrected.
     target : array or None
-        Values that the residuals should have instead of zero.
+        Target values of the residuals instead of zero.
     """
 
     blocks: tuple[Block, ...]
@@ -60,16 +60,16 @@ class Projector:
     target: WorkingArray | None = None
 
     def values(self, state: WorkingArray) -> WorkingArray:
-        """All residual functions at a state."""
+        """All residuals at a state."""
         return np.concatenate([b.residual(state, self.parameters) for b in self.blocks])
 
     def defect(self, state: WorkingArray) -> WorkingArray:
-        """The residuals minus their targets."""
+        """Residuals minus their targets."""
         values = self.values(state)
         return values if self.target is None else values - self.target
 
     def __call__(self, state: WorkingArray) -> bool:
-        """Project `state` in place; return whether it had to be moved."""
+        """Project `state` in place; True if it was changed."""
         if not self.blocks:
             return False
         defect = self.defect(state).astype(float)

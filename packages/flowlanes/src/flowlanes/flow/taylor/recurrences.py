@@ -1,9 +1,9 @@
-"""Taylor coefficients of solutions: the recurrences of automatic differentiation as machine code.
+"""Taylor coefficients of solutions: recurrences of automatic differentiation in machine code.
 
-With x = Σ xₙ tⁿ the coefficients of every term follow from those of its operands: of a product by
-Cauchy's formula, of a quotient, a root and a function f(u) from its derivative f′ (Moore 1966;
-Jorba, Zou 2005). Sums of products, Σ a_j b_{n−j} for 0 < j < n, are scalar products of one series
-with another in reversed order, in vectors of eight; both are stored in memory padded with zeros.
+With x = Σ xₙ tⁿ the coefficients of every term follow from those of its operands: for a product by
+Cauchy's formula, for a quotient, a root and a function f(u) from the derivative f′ (Moore 1966;
+Jorba, Zou 2005).  Sums of products, Σ a_j b_{n−j} for 0 < j < n, are scalar products of one series
+with another in reversed order, in vectors of eight; both are stored with padding by zeros.
 """
 
 from __future__ import annotations
@@ -36,22 +36,21 @@ SERIES_SIGNATURES: Mapping[str, tuple[type, ...]] = {
 
 @dataclass(frozen=True)
 class SeriesText:
-    """The code of the functions for the series of a system, and their memory layout.
+    """Code of the functions for the series of a system, and their memory layout.
 
     Attributes
     ----------
     text : str
-        ``@prepare_series(memory, parameters)`` once for given parameters,
-        ``@series(memory, state)`` for the coefficients at a state;
-        ``@sums(memory, rest, time, result, lost)`` for the state after a time, where `rest` is to
-        be added to the first state and `lost` to the last; and
-        ``@step(memory, state, before, rest, ends, result, control)`` for a step, unless an event
-        may happen in it.
+        ``@prepare_series(memory, parameters)`` once for given parameters; ``@series(memory,
+        state)`` for the coefficients at a state; ``@sums(memory, rest, time, result, lost)`` for
+        the state after a time, where `rest` is added to the first state and `lost` to the last;
+        and ``@step(memory, state, before, rest, ends, result, control)`` for a step, unless an
+        event is possible within it.
     doubles : int
-        Size of the memory.
+        Size of the memory in doubles.
     stride : int
-        Doubles from the series of a state variable to the next; these come first, in flat order,
-        and then those of the events.
+        Distance in doubles between the series of two state variables; these come first, in flat
+        order, and then those of the events.
     """
 
     text: str
@@ -61,13 +60,13 @@ class SeriesText:
 
 @dataclass(frozen=True)
 class _Integral:
-    """A term y with y′ = Σ q u′, as pairs (q, u)."""
+    """Term y with y′ = Σ q u′, as pairs (q, u)."""
 
     pairs: tuple[tuple[Term, Term], ...]
 
 
 def _derivative(graph: Graph, node: Term) -> _Integral:
-    """The derivative of a function, as such a term."""
+    """Derivative of a function, as such a term."""
     if node.kind == "atan2":
         y, x = node.args
         inverse = graph.recip(graph.add(graph.mul(x, x), graph.mul(y, y)))
@@ -82,24 +81,24 @@ _LEAVES = frozenset(("state", "parameter", "number"))
 
 
 def emit_series(rates: Sequence[Term], events: Sequence[Term], size: int, order: int) -> SeriesText:
-    """Emit functions that compute the Taylor series of a motion.
+    """Functions that compute the Taylor series of a motion, as code.
 
     Parameters
     ----------
     rates : sequence of Term
-        The right-hand sides of the equations of motion.
+        Right-hand sides of the equations of motion.
     events : sequence of Term
-        Values of events, of which the series are computed as well.
+        Values of events, whose series are computed as well.
     size : int
         Number of state variables.
     order : int
-        Of the series, at least 2.
+        Order of the series, at least 2.
     """
     return _Writer(rates, events, size, order).text()
 
 
 class _Writer:
-    """The terms of one system, in order, and the addresses of their series."""
+    """Terms of one system, in order, and the addresses of their series."""
 
     def __init__(
         self, rates: Sequence[Term], events: Sequence[Term], size: int, order: int
@@ -197,7 +196,7 @@ class _Writer:
     # --- text --------------------------------------------------------------------------------
 
     def text(self) -> SeriesText:
-        """The code of all functions."""
+        """Code of all functions."""
         functions = [
             emit_scalar_product(self.groups),
             self._prepare(),
@@ -291,7 +290,7 @@ class _Writer:
         number.store(value, "%memory", index)
 
     def _inner(self, number: Double, forward: int, backward: int, n: str) -> str:
-        """The sum of a_j b_{n−j} over 0 < j < n."""
+        """Sum of a_j b_{n−j} over 0 < j < n."""
         w = number.writer
         a = w.address("double", "%memory", forward + 1)
         start = w.emit(f"sub i64 {backward + self.order + 1}, {n}")
@@ -299,7 +298,7 @@ class _Writer:
         return w.emit(f"call {_ONE} @scalar_product(ptr {a}, ptr {b})")
 
     def _first(self, number: Double, term: Term) -> str:
-        """The value of a term."""
+        """Value of a term."""
         places = self.first if id(term) in self.moving else self.constant_places
         if id(term) in places:
             return number.load("%memory", places[id(term)])
@@ -308,7 +307,7 @@ class _Writer:
     def _coefficient(
         self, number: Double, node: Term, coefficients: Mapping[int, str], n: str, order: str
     ) -> str:
-        """The coefficient of order n of a term that depends on the state."""
+        """Coefficient of order n of a term that depends on the state."""
         w, args = number.writer, node.operands
         zero = number.number(Fraction(0))
         moving = [id(a) in self.moving for a in args]
@@ -358,7 +357,7 @@ class _Writer:
     def _function(
         self, number: Double, node: Term, coefficients: Mapping[int, str], n: str, order: str
     ) -> str:
-        """The coefficient of a term with known derivative.
+        """Coefficient of a term with known derivative.
 
         y′ = Σ q u′ gives n y_n = Σ_{j=1}^n j u_j q_{n−j} for each pair (q, u); the q have lower
         order than y, so their coefficients are known.
@@ -378,7 +377,7 @@ class _Writer:
             part = number.fma(w.op("fmul", order, coefficients[id(u)]), first, part)
             total = part if total is None else number.add(total, part)
         if total is None:
-            # A term that depends on the state has an operand that does.
+            # A term that depends on the state has an operand that depends on it.
             return exact or number.number(Fraction(0))
         total = w.op("fdiv", total, order)
         return total if exact is None else number.add(total, exact)

@@ -7,7 +7,7 @@ WIDTH = 8
 _VECTOR, _ONE = f"<{WIDTH} x double>", "<1 x double>"
 _HALF, _QUARTER = f"<{WIDTH // 2} x double>", f"<{WIDTH // 4} x double>"
 
-# A single copy, so that the code of large systems stays small; halves are added in a fixed order.
+# Only one copy, so that the code of large systems stays small; halves are added in a fixed order.
 _TEXT = f"""
 define internal {_ONE} @scalar_product(ptr %a, ptr %b) #1 {{
 entry:
@@ -27,12 +27,12 @@ BODY
 
 
 def emit_scalar_product(groups: int) -> str:
-    """Emit a function of two addresses: the scalar product of the vectors stored there.
+    """Function of two addresses: the scalar product of the vectors stored there, as code.
 
     Parameters
     ----------
     groups : int
-        Vectors of eight in each factor.
+        Number of vectors of eight in each factor.
     """
     lines: list[str] = []
     total = ""

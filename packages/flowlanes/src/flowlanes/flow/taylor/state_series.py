@@ -11,14 +11,14 @@ from ...system.arrays import FloatArray
 from ..machine_code.jit import Native, aligned_zeros
 from .first_root import first_falling_root
 
-#: Number of roundings within which another zero of an event counts as the same zero.
+#: Number of roundings within which another zero of an event is taken as the same zero.
 _ROUNDINGS = 100.0
 _EPS = float(np.finfo(float).eps)
 
 
 @dataclass(frozen=True)
 class SeriesLayout:
-    """The sizes of compiled series.
+    """Sizes of compiled series.
 
     Attributes
     ----------
@@ -38,15 +38,15 @@ class SeriesLayout:
 
 @dataclass(frozen=True)
 class Step:
-    """The result of a step.
+    """Result of a step.
 
     Attributes
     ----------
     length : float
     event : int or None
-        The terminal event that ended it.
+        Terminal event at the end of the step.
     is_failure : bool
-        Whether the state or its series is no number; the state is that before the step.
+        True if the state or its series is not finite; then the state is that before the step.
     """
 
     length: float
@@ -55,19 +55,19 @@ class Step:
 
 
 def series_order(tolerance: float) -> int:
-    """The order that reaches a tolerance with the fewest operations (Jorba, Zou 2005)."""
+    """Order that reaches a tolerance with the fewest operations (Jorba, Zou 2005)."""
     return max(2, math.ceil(1 - math.log(tolerance) / 2))
 
 
 class TaylorSeries:
-    """A state that advances by steps of its Taylor series.
+    """State that advances by steps of its Taylor series.
 
-    An event occurs where its formula falls to zero along the motion; it ends the step.
+    An event occurs where its formula decreases to zero along the motion; it ends the step.
 
     Parameters
     ----------
     code : Native
-        The functions of :mod:`flowlanes.flow.taylor.recurrences`.
+        Functions of :mod:`flowlanes.flow.taylor.recurrences`.
     layout : SeriesLayout
 
     Attributes
@@ -78,7 +78,7 @@ class TaylorSeries:
         Values of the parameters.
     order : int
     series : array (size, order + 1)
-        Coefficients of the powers of time since the last step began.
+        Coefficients of the powers of time since the start of the last step.
     """
 
     def __init__(self, code: Native, layout: SeriesLayout) -> None:
@@ -97,7 +97,7 @@ class TaylorSeries:
         self._rest_before, self._rest = np.zeros(layout.size), np.zeros(layout.size)
         self._result = np.zeros(layout.size)
         # For each event: value at the end of the last step, time of its last occurrence, and the
-        # interval during which it is then ignored.
+        # interval in which it is then ignored.
         self._ends, self._moments, self._quiet = (np.zeros(layout.events) for _ in range(3))
         self._time, self._time_rest, self._begin = 0.0, 0.0, 0.0
         self._parameter_bytes = b""
@@ -110,7 +110,7 @@ class TaylorSeries:
 
     @property
     def time(self) -> float:
-        """The time; it can be set."""
+        """Time; it can be set."""
         return self._time
 
     @time.setter
@@ -118,7 +118,7 @@ class TaylorSeries:
         self._time, self._time_rest = value, 0.0
 
     def copy(self) -> TaylorSeries:
-        """A copy that advances independently with the same code."""
+        """Copy that advances independently with the same code."""
         other = TaylorSeries(self._code, self._layout)
         other.parameters[:], other.state[:] = self.parameters, self.state
         other.time = self.time
@@ -130,7 +130,7 @@ class TaylorSeries:
             array[:] = 0.0
 
     def step(self, limit: float) -> Step:
-        """Make one step, no longer than `limit`.
+        """Make one step, not longer than `limit`.
 
         Parameters
         ----------
@@ -158,13 +158,13 @@ class TaylorSeries:
         return Step(length, event)
 
     def state_at(self, time: float) -> FloatArray:
-        """The state at a time within the last step."""
+        """State at a time within the last step."""
         self._sum(time - self._begin)
         return self._result.copy()
 
     def _prepare(self) -> None:
         """Compute everything that depends only on the parameters, if they have changed."""
-        # Even without parameters, the memory is prepared before the first step.
+        # The first preparation is necessary even without parameters.
         values = b"." + self.parameters.tobytes()
         if values != self._parameter_bytes:
             self._parameter_bytes = values
@@ -181,7 +181,7 @@ class TaylorSeries:
     def _step_to_event(self, length: float) -> tuple[float, int | None]:
         """Make a step that ends at the first event within a length; return the event, if any.
 
-        The length is NaN if the state is.
+        The length is NaN if the state is NaN.
         """
         terms = self._event_series * length**self._powers
         event, fraction = self._first_event(terms, abs(length))
@@ -200,16 +200,16 @@ class TaylorSeries:
         return fraction * length, event
 
     def _first_event(self, terms: FloatArray, length: float) -> tuple[int | None, float]:
-        """The first event within a step, if any, and the fraction of the step until then.
+        """First event within a step, if any, and the fraction of the step until then.
 
         Parameters
         ----------
         terms : array (events, order + 1)
-            Of the series of the events at the end of the step.
+            Terms of the series of the events at the end of the step.
         length : float
-            Of the step.
+            Length of the step.
         """
-        # A zero can be hidden by rounding between two steps.
+        # Between two steps a zero may be hidden by rounding.
         hidden = (self._ends > 0) & (terms[:, 0] <= 0)
         if hidden.any():
             return int(np.argmax(hidden)), 0.0

@@ -46,11 +46,12 @@ def emit_step(size: int, events: int, stride: int, order: int) -> str:
 
     An event with series e_k cannot occur within the step h if |e_0| > Σ_{k≥1} |e_k| hᵏ.  All
     others, and those whose sign has changed by rounding since the last step, are counted in
-    ``control``; if there are any, the step is left to the caller, who isolates their roots.
+    ``control``.  If the number is positive, no step is made, and the caller isolates the roots of
+    the events.
 
-    ``control`` holds the limit of the length, then the chosen length (NaN if there is none), and
-    the number of events that may occur; the step is made if this number is zero.  ``ends`` holds
-    the event values at the end of the previous step.
+    ``control`` contains the maximum length, then the chosen length (NaN if there is none), and the
+    number of possible events; the step is made if this number is zero.  ``ends`` contains the
+    event values at the end of the previous step.
     """
     w = IRWriter(1)
     number = Double(w)
@@ -127,6 +128,6 @@ def emit_step(size: int, events: int, stride: int, order: int) -> str:
 
 
 def _size_at(number: Double, row: str, k: int) -> str:
-    """The magnitude of a coefficient."""
+    """Magnitude of a coefficient."""
     w = number.writer
     return w.call("fabs", number.load("%memory", w.emit(f"add i64 {row}, {k}")))

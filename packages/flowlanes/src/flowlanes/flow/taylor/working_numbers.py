@@ -17,11 +17,11 @@ WorkingArray: TypeAlias = npt.NDArray[Any]
 
 
 class PrecisionError(InputError):
-    """The number type of a precision is not available here."""
+    """Raised if the number type of a precision is not available."""
 
 
 def number_type(precision: Precision) -> type[WorkingNumber]:
-    """The number type of a precision: float, or 34 digits.
+    """Number type of a precision: float, or 34 digits.
 
     Raises
     ------

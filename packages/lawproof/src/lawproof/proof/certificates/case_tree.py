@@ -1,9 +1,9 @@
-"""Why numerators vanish wherever equations do: a tree of cases, each step an identity.
+"""Proof that numerators vanish on a variety, as a tree of cases whose steps are identities.
 
-At a node equations are made triangular, every polynomial of the chain with its cofactors in the
-equations, and the numerators are divided by it.  Where that leaves a remainder, or multiplies by
-something that may vanish, the node is parted: by the factors of an equation, by a sum of squares,
-or by whether an initial vanishes.
+At each node the equations are made triangular (every polynomial of the chain is kept with its
+cofactors in the equations) and the numerators are divided by the chain. If a remainder is left, or
+a multiplier may vanish, the node branches: over the factors of an equation, over the terms of a
+sum of squares, or over whether an initial vanishes.
 """
 
 from __future__ import annotations
@@ -23,21 +23,21 @@ from .sign_reasons import Term, monic
 
 MOST_NODES = 120
 MOST_FOR_A_BASIS = 80
-"""Terms of the equations together, up to which a Gröbner basis is tried."""
+"""Maximum number of terms of all equations together for which a Gröbner basis is tried."""
 
 
 @dataclass
 class Cases:
-    """The tree for some numerators.
+    """The tree of cases that proves that the numerators vanish.
 
     Parameters
     ----------
     chains : Chains
-        Of the ring, with what is known of signs.
+        Chains of the ring, with the known signs.
     write : callable
-        A polynomial as text.
+        Writes a polynomial as text.
     exclusion : callable
-        The condition of the verdict that excludes the zeros of a polynomial, if one does.
+        The condition of the verdict that excludes the zeros of a polynomial, or None.
     """
 
     chains: Chains
@@ -47,12 +47,12 @@ class Cases:
     _nodes: int = field(default=0, init=False)
 
     def tree(self, equations: Sequence[Poly], nonzero: Sequence[Poly] = ()) -> Text:
-        """The tree at a node.
+        """The subtree for these equations, where the polynomials `nonzero` do not vanish.
 
         Raises
         ------
         OutOfReachError
-            If there is none, as far as is tried.
+            If no tree was found within the limits.
         """
         self._nodes += 1
         if self._nodes > MOST_NODES:
@@ -64,6 +64,7 @@ class Cases:
         chain, contradiction = self.chains.chain(equations, nonzero)
         if contradiction is not None:
             return self._empty(contradiction, equations)
+        # m · p = Σ q_i e_i + r for each numerator p: it vanishes if r = 0 and no multiplier does.
         divisions = [
             self.chains.with_conjugate(self.chains.division(poly, chain), chain, nonzero)
             for poly in self.numerators
@@ -72,8 +73,11 @@ class Cases:
         doubtful = list(self._doubtful(divisions, nonzero))
         if exact and not doubtful:
             return self._zero(divisions, equations)
+        # A product of non-vanishing factors in the ideal: the node has no points.
         if (multiple := self._vanishing_divisor(chain, nonzero)) is not None:
             return self._empty(multiple, equations)
+        # The chain multiplies by initials; a Gröbner basis may represent the numerators without
+        # them.
         if (direct := self._direct(divisions, equations)) is not None:
             return self._zero(direct, equations)
         polys = [Combination(e, {i: self.chains.ring.constant(1)}) for i, e in enumerate(equations)]
@@ -91,7 +95,7 @@ class Cases:
     def _direct(
         self, divisions: Sequence[Division], equations: Sequence[Poly]
     ) -> list[Division] | None:
-        """The numerators as sums of multiples of equations, without a factor."""
+        """The numerators as combinations of the equations without multipliers, or None."""
         if sum(map(len, equations)) > MOST_FOR_A_BASIS:
             return None
         basis = Basis(self.chains.ring, equations, self.chains.budget)
@@ -107,7 +111,7 @@ class Cases:
         return exact_divisions
 
     def _doubtful(self, divisions: Iterable[Division], nonzero: Sequence[Poly]) -> Iterator[Poly]:
-        """Factors of multipliers that may vanish, each once."""
+        """Factors of the multipliers that may vanish, without repetition."""
         seen = set()
         for division in divisions:
             for multiplier in division.multipliers:
@@ -119,7 +123,7 @@ class Cases:
     def _vanishing_divisor(
         self, chain: Sequence[Step], nonzero: Sequence[Poly]
     ) -> Combination | None:
-        """A multiple of the equations that is a product of what does not vanish."""
+        """A combination of the equations equal to a product of non-vanishing factors, or None."""
         for poly in (*nonzero, *self.chains.reasons.divisors):
             division = self.chains.division(poly, chain)
             if not division.rest and all(
@@ -184,6 +188,7 @@ class Cases:
         if len(parts) == 1 and parts[0][1] == 1:
             return None
         open_parts = [part for part, _ in parts if not self.chains.is_nonzero(part, nonzero)]
+        # A factor that is an equation already would lead back to this node.
         known = {monic(e)[0] for e in equations if not e.is_constant()}
         if any(monic(part)[0] in known for part in open_parts):
             return None
@@ -223,7 +228,7 @@ class Cases:
         return None
 
     def _new(self, terms: Sequence[Term], equations: Sequence[Poly]) -> bool:
-        """Whether the bases of squares say something that the equations do not."""
+        """Whether a base is new, that is, not among the equations up to a constant."""
         known = {monic(e)[0] for e in equations if e and not e.is_constant()}
         return any(t.base.is_constant() or monic(t.base)[0] not in known for t in terms)
 

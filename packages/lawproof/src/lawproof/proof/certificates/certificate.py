@@ -1,9 +1,10 @@
-"""Certificates: what another program needs in order to check a verdict.
+"""Certificates: the data from which an independent program can check a verdict.
 
-A certificate of a proof holds the claim in full, a ring with what its generators stand for, every
-residual as a fraction of polynomials, and a tree of identities by which the numerators vanish; a
-certificate of a refutation holds a point.  The format is that of :mod:`certificate_checker`, which
-shares no code with this; every certificate passes its check before it is handed out.
+A certificate of a proof contains the complete claim, a ring with the meanings of its generators,
+every residual as a fraction of polynomials, and a tree of identities which shows that the
+numerators vanish; a certificate of a refutation contains a point. The format is defined by
+:mod:`certificate_checker`, which shares no code with the prover; every certificate is checked
+before it is returned.
 """
 
 from __future__ import annotations
@@ -43,13 +44,13 @@ from ..witness_points import witness_point
 from .identities import ExclusionOf, proof_text
 from .proof_setting import ProofSetting
 
-#: The part of the effort that is spent on a certificate of a law that a theorem proves already.
+#: Divisor of the effort for the direct certificate of a law that a theorem proves already.
 BESIDE_THEOREM = 50
 
 
 @arguments_checked
 def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Verdict:
-    """Prove or refute a law, with a certificate that checks.
+    """Prove or refute a law and return the verdict with a checked certificate.
 
     Parameters
     ----------
@@ -61,9 +62,9 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
     Returns
     -------
     Verdict
-        Without a certificate where the law is undecided, or where none can be made: then
-        `no_certificate` says why, and `identities` are the certificates of those that a theorem
-        needs for it.
+        Without a certificate if the law is undecided or no certificate could be made; then
+        `no_certificate` gives the reason, and `identities` holds the certificates of the
+        identities to which a theorem reduces the law.
 
     Raises
     ------
@@ -115,7 +116,7 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
 
 
 def _in_ranges(verdict: Verdict, each: list[Verdict]) -> Verdict:
-    """A verdict with the certificates of its law in each range of the parameters."""
+    """The verdict with one certificate for each range of the parameters."""
     if verdict.decision == "refuted":
         failed = next((one for one in each if one.decision == "refuted"), verdict)
         return replace(failed, effort=verdict.effort, seconds=verdict.seconds)
@@ -146,7 +147,7 @@ def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Tex
 def _by_power(
     system: System, law: Law, theorem: PowerTheorem, verdict: Verdict, effort: int
 ) -> Text:
-    """The certificate of an integral that the theorem on energy proves, or else its own."""
+    """The certificate of an integral by the energy theorem; a direct one if the theorem fails."""
     wholes = identities_of(theorem, system, law) if verdict else ()
     parts = [prove_with_certificate(whole, whole.laws[0], effort) for whole in wholes]
     if not parts or not all(parts):
@@ -196,7 +197,7 @@ def _condition_texts(verdict: Verdict) -> tuple[str, ...]:
 
 
 def _sample(system: System, law: Law, read: CheckedClaim, conditions: Sequence[str]) -> Text:
-    """A point of the level at which the law is defined and conditions hold, as text."""
+    """A point of the level, as text, at which the law is defined and the conditions hold."""
     for alternative in alternatives(system, law):
         claim = polynomial_problems(alternative.system, alternative.law)[-1]
         for level in LevelSet(claim.system, claim.law.level).components:
@@ -233,7 +234,7 @@ def _proofs(
     ]
 
     def excluding_condition(setting: ProofSetting, poly: Poly) -> str | None:
-        """The condition of the verdict that excludes the zeros of a polynomial."""
+        """The condition of the verdict that excludes the zeros of a polynomial, or None."""
         return next((words for words, formula in conditions if setting.states(formula, poly)), None)
 
     def setting_for(kind: type[UnreducedField], signs: Mapping[str, int]) -> ProofSetting:
@@ -256,7 +257,7 @@ def _by_signs(
     setting_for: Callable[[type[UnreducedField], Mapping[str, int]], ProofSetting],
     excluding_condition: ExclusionOf,
 ) -> list[Text]:
-    """A proof for every choice of signs for which the law is defined and holds."""
+    """One proof for every choice of signs for which the law is defined and holds."""
     proofs = []
     if not first.void:
         proofs.append(proof_text(first, excluding_condition, with_decisions=True))
@@ -268,7 +269,8 @@ def _by_signs(
         if runs > MOST_RUNS:
             raise OutOfReachError(f"its roots have signs in more than {MOST_RUNS} ways")
         setting = setting_for(UnreducedField, signs)
-        # where the law needs a sign, the check finds that a condition asks for it
+        # A choice without a proof is skipped: the checker accepts that only if a condition
+        # excludes it.
         with contextlib.suppress(OutOfReachError):
             if not setting.void:
                 proofs.append(proof_text(setting, excluding_condition, with_decisions=True))

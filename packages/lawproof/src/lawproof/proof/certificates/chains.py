@@ -1,4 +1,4 @@
-"""Triangular chains of polynomials, each with its cofactors in given equations."""
+"""Triangular chains of polynomials, with the cofactors of each element in the given equations."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ MOST_TERMS = 400_000
 
 @dataclass(frozen=True)
 class Combination:
-    """A polynomial Σ multiple · equation."""
+    """A polynomial Σ multiplier_i · equation_i with its multipliers."""
 
     poly: Poly
     by: Mapping[int, Poly]
 
     def times(self, factor: Poly) -> Combination:
-        """The polynomial times another."""
+        """The product with a polynomial."""
         return Combination(self.poly * factor, {i: m * factor for i, m in self.by.items()})
 
     def minus(self, other: Combination) -> Combination:
-        """The polynomial less another."""
+        """The difference of two combinations."""
         by = dict(self.by)
         for i, m in other.by.items():
             by[i] = by[i] - m if i in by else -m
@@ -39,7 +39,7 @@ class Combination:
 
 @dataclass(frozen=True)
 class Division:
-    """multipliers · poly = Σ multiple · equation + rest."""
+    """A pseudo-division: ∏ multipliers · poly = Σ by_i · equation_i + rest."""
 
     multipliers: tuple[Poly, ...]
     by: Mapping[int, Poly]
@@ -48,7 +48,7 @@ class Division:
 
 @dataclass(frozen=True)
 class Step:
-    """An element of a chain: its main variable, degree and initial."""
+    """An element of a chain, with its main variable, degree in it and initial."""
 
     main: int
     combination: Combination
@@ -63,7 +63,7 @@ class Chains:
     Parameters
     ----------
     reasons : Reasons
-        What is known of signs, and what does not vanish.
+        Known signs and non-vanishing polynomials.
     moving : set of int
         Generators that are state variables.
     """
@@ -74,7 +74,7 @@ class Chains:
     budget: Budget
 
     def quotients(self, poly: Poly, equations: Sequence[Poly]) -> Mapping[int, Poly] | None:
-        """Quotients of a polynomial by equations, or None where it is not found to be a sum."""
+        """Quotients of a polynomial by the equations; None if no exact division was found."""
         if not poly:
             return {}
         chain, contradiction = self.chain(tuple(equations), ())
@@ -86,10 +86,12 @@ class Chains:
     def chain(
         self, equations: Sequence[Poly], nonzero: Sequence[Poly]
     ) -> tuple[list[Step], Combination | None]:
-        """Steps from the highest main variable to the lowest; or what cannot be zero, but is."""
+        """The chain, highest main variable first, or a combination that is zero but cannot be."""
         one = self.ring.constant(1)
         waiting = [Combination(e, {i: one}) for i, e in enumerate(equations)]
         chain: list[Step] = []
+        # Ritt's procedure: reduce the remaining equations by the chain, then extend the chain by
+        # the equation and main variable of least cost, until nothing is left.
         while True:
             waiting = [self._remainder(g, chain) for g in waiting]
             waiting = [g for g in waiting if g.poly]
@@ -121,6 +123,8 @@ class Chains:
 
     def _merit(self, poly: Poly, main: int, nonzero: Sequence[Poly]) -> tuple[int, int, int]:
         degree = int(poly.degrees()[main])
+        # Constant initials first (no case distinction), then initials of parameters alone, then
+        # initials of state variables; an initial that may vanish costs a case and comes last.
         lead = initial_of(poly, main)
         if lead.is_constant():
             kind = 0 if degree == 1 else degree - 1
@@ -131,6 +135,7 @@ class Chains:
         return kind, len(lead), -main
 
     def _remainder(self, combination: Combination, chain: Sequence[Step]) -> Combination:
+        # The combination times all multipliers, minus its part in the chain, is the remainder.
         division = self.division(combination.poly, chain)
         total = self.ring.constant(1)
         for multiplier in division.multipliers:
@@ -140,7 +145,10 @@ class Chains:
         )
 
     def division(self, poly: Poly, chain: Sequence[Step]) -> Division:
-        """Division by a chain, whose quotients are those by the equations."""
+        """Pseudo-division by a chain, with quotients by the original equations."""
+        # At each step lc(poly) = t and the initial l of the step are made equal: poly is
+        # multiplied by l / gcd(t, l), so that multipliers stay as small as possible, and the
+        # leading term cancels.
         multipliers: list[Poly] = []
         quotients: list[Poly] = [self.ring.constant(0)] * len(chain)
         for number, step in enumerate(chain):
@@ -162,6 +170,7 @@ class Chains:
                 quotients[number] = quotients[number] + factor
                 if len(poly) > MOST_TERMS:
                     raise OutOfReachError(f"a remainder has more than {MOST_TERMS:,} terms")
+        # Substitute step = Σ m_i e_i to obtain the quotients by the equations.
         by: Multiples = {}
         for quotient, step in zip(quotients, chain, strict=True):
             if quotient:
@@ -174,9 +183,10 @@ class Chains:
     def with_conjugate(
         self, division: Division, chain: Sequence[Step], nonzero: Sequence[Poly]
     ) -> Division:
-        """A division without rest, where the rest times a conjugate that is not zero has none.
+        """An exact division of poly times a conjugate of the rest, or the given division.
 
-        The conjugate has the other sign of a generator, whose square the equations may give.
+        The conjugate r̄ of the rest r has the opposite sign of one generator g. If the equations
+        fix g², the product r r̄ may reduce to zero; where r̄ ≠ 0 this proves r = 0.
         """
         rest, gens = division.rest, self.ring.gens()
         if not rest or len(rest) > MOST_TERMS_OF_CONJUGATES:
@@ -210,12 +220,12 @@ class Chains:
 
 
 def variables(poly: Poly) -> list[int]:
-    """Numbers of the variables that occur in a polynomial."""
+    """Indices of the variables that occur in a polynomial."""
     return [i for i, degree in enumerate(poly.degrees()) if degree]
 
 
 def _order_of_mains(chain: Sequence[tuple[int, Poly]]) -> list[int] | None:
-    """Main variables from the highest to the lowest; None if they need each other in a circle."""
+    """Main variables from highest to lowest; None if they depend on each other cyclically."""
     mains = {main for main, _ in chain}
     needs = {main: (set(variables(poly)) & mains) - {main} for main, poly in chain}
     done: list[int] = []

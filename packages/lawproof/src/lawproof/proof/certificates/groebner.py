@@ -1,4 +1,4 @@
-"""Small Gröbner bases whose elements are known as combinations of the equations."""
+"""Small Gröbner bases with the cofactors of every element in the equations."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from flint import Ordering, fmpq_mpoly_ctx
 from ..fields.budget import Budget
 from ..fields.quotient_ring import Poly
 
-#: Polynomials by the number of the equation with which they are multiplied.
+#: Polynomials by the index of the equation that they multiply.
 Multiples = dict[int, Poly]
 
 MOST_ELEMENTS = 90
@@ -20,7 +20,7 @@ MOST_TERMS = 300
 
 @dataclass(frozen=True)
 class _Element:
-    """Σ multiple · equation, with its leading exponents."""
+    """A basis element Σ by_i · equation_i with the exponents of its leading monomial."""
 
     poly: Poly
     by: Multiples
@@ -28,7 +28,7 @@ class _Element:
 
 
 class Basis:
-    """A Gröbner basis, by Buchberger's algorithm, as far as it is needed and not too large."""
+    """A Gröbner basis by Buchberger's algorithm, extended only as far as a division needs."""
 
     def __init__(self, ring: fmpq_mpoly_ctx, equations: Sequence[Poly], budget: Budget) -> None:
         self._input_ring = ring
@@ -40,27 +40,33 @@ class Basis:
         self._waiting = list(combinations(range(len(self._elements)), 2))
 
     def _grow(self, size: int) -> None:
-        """Add elements until there are so many, or the basis is complete."""
+        """Add elements until the basis has `size` elements or is complete."""
         waiting = self._waiting
         while waiting and len(self._elements) < size:
+            # Normal selection: the pair with the least degree of lcm(lm f, lm g) first.
             waiting.sort(key=self._degree, reverse=True)
             first, second = waiting.pop()
+            # Buchberger's criteria: coprime leading monomials, and pairs covered by a third
+            # element.
             if self._apart(first, second) or self._is_superfluous(first, second, waiting):
                 continue
             remainder, by = self._reduction(*self._difference(first, second))
+            # Remainders that are too long are dropped: the result may be an incomplete basis, but
+            # every element still lies in the ideal.
             if remainder and len(remainder) <= MOST_TERMS:
                 self._add(remainder, by)
                 last = len(self._elements) - 1
                 waiting += [(i, last) for i in range(last)]
 
     def quotients(self, poly: Poly) -> Multiples | None:
-        """A polynomial as Σ quotient · equation; None where the basis does not show one."""
+        """Quotients q_i with poly = Σ q_i · equation_i; None if the basis does not provide them."""
         remainder, by = self._reduction(self._inside(poly), {})
         while remainder and self._waiting and len(self._elements) < MOST_ELEMENTS:
             self._grow(len(self._elements) + 10)
             remainder, by = self._reduction(remainder, by)
         if remainder:
             return None
+        # The reduction subtracts multiples of basis elements, hence the minus sign.
         return {i: -self._input_ring.from_dict(part.to_dict()) for i, part in by.items() if part}
 
     def _inside(self, poly: Poly) -> Poly:
@@ -83,7 +89,7 @@ class Basis:
         return not any(x and y for x, y in zip(a, b, strict=True))
 
     def _is_superfluous(self, first: int, second: int, waiting: Sequence[tuple[int, int]]) -> bool:
-        """Whether a third element, whose pairs with both are done, makes a pair superfluous."""
+        """Buchberger's second criterion: a third element covers the pair."""
         common, left = self._common(first, second), set(waiting)
         return any(
             k not in (first, second)
@@ -94,7 +100,7 @@ class Basis:
         )
 
     def _difference(self, first: int, second: int) -> tuple[Poly, Multiples]:
-        """The S-polynomial of two elements, with its multiples of the equations."""
+        """The S-polynomial of two elements, with its cofactors."""
         common = self._common(first, second)
         total: Poly = self._ring.constant(0)
         by: Multiples = {}
@@ -113,7 +119,7 @@ class Basis:
             by[i] = by[i] + product if i in by else product
 
     def _reduction(self, poly: Poly, by: Multiples) -> tuple[Poly, Multiples]:
-        """The remainder of Σ by · equation, in the same form."""
+        """The remainder on division by the basis, with the cofactors updated."""
         by = dict(by)
         while poly:
             before = poly

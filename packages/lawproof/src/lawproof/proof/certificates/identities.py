@@ -1,4 +1,4 @@
-"""One proof of a certificate: the residuals of a law over a ring, and why they vanish."""
+"""One proof of a certificate: the residuals of a law in a ring and why they vanish."""
 
 from __future__ import annotations
 
@@ -14,30 +14,32 @@ from .proof_equations import equation_sources, meaning_text, signed_equations
 from .proof_setting import ProofSetting
 from .proof_signs import positive_texts, sign_reasons
 
-#: The condition of a verdict that excludes the zeros of a polynomial; None if none does.
+#: The condition of a verdict that excludes the zeros of a polynomial, or None.
 ExclusionOf = Callable[[ProofSetting, Poly], str | None]
 
 
 def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bool) -> Text:
-    """A proof, in the format of a certificate.
+    """A proof in the format of a certificate.
 
     Parameters
     ----------
     with_decisions : bool
-        Whether the proof takes the signs that were decided, for one of several proofs.
+        Whether the decided signs are stated as assumptions, for one proof among several.
 
     Raises
     ------
     OutOfReachError
-        If it cannot be completed.
+        If no complete proof was found.
     """
     field, level = setting.field, setting.level
     sources = equation_sources(setting)
     polys = [poly for poly, _ in sources]
     assumed = list(field.decisions.values()) if with_decisions else []
     reasons, entries = sign_reasons(setting, signed_equations(sources), assumed)
-    numerators = [field.reduce(value.poly) for _, value in _whole(setting)]
-    for _, value in _whole(setting):
+    numerators = [field.reduce(value.poly) for _, value in _multiplied_out(setting)]
+    # Recording a denominator as non-zero may add sums to `reasons`, which must happen before the
+    # positive quantities are written.
+    for _, value in _multiplied_out(setting):
         for number, power in value.powers.items():
             if power < 0:
                 reasons.is_nonzero(field.factors[number])
@@ -74,13 +76,13 @@ def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bo
             for entry in entries
         ],
         "positive": positive_texts(setting, reasons, len(sources)),
-        "residuals": [_residual(setting, what, value) for what, value in _whole(setting)],
+        "residuals": [_residual(setting, what, value) for what, value in _multiplied_out(setting)],
         "tree": tree,
     }
 
 
-def _whole(setting: ProofSetting) -> list[tuple[str, Element]]:
-    """The residuals, with no factor in the numerator that is not multiplied out."""
+def _multiplied_out(setting: ProofSetting) -> list[tuple[str, Element]]:
+    """The residuals with positive powers of named factors multiplied into the numerator."""
     residuals = []
     for what, value in setting.residuals:
         poly, below = value.poly, {}

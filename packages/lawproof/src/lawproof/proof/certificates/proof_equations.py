@@ -1,4 +1,4 @@
-"""The equations of a proof: conditions, roots, circles, and values with equal arguments."""
+"""The equations of a proof: conditions, roots, circles and equal function values."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .sign_reasons import Reasons
 
 
 def equation_sources(setting: ProofSetting) -> list[tuple[Poly, Text]]:
-    """The polynomials that vanish, each with the text that says why."""
+    """The vanishing polynomials, each with the text that justifies it."""
     sources: list[tuple[Poly, Text]] = []
     for formula, value in setting.conditions:
         poly = numerator(setting.field, value)
@@ -41,7 +41,7 @@ def equation_sources(setting: ProofSetting) -> list[tuple[Poly, Text]]:
 
 
 def signed_equations(sources: Sequence[tuple[Poly, Text]]) -> dict[int, Poly]:
-    """The equations by their numbers that hold wherever the law is defined, whatever the signs."""
+    """The equations, by index, that hold on the whole domain for every choice of signs."""
     words = ("root", "one", "same", "argument")
     return {
         number: poly
@@ -50,16 +50,16 @@ def signed_equations(sources: Sequence[tuple[Poly, Text]]) -> dict[int, Poly]:
     }
 
 
-#: Known functions that take each value once.
+#: Known functions that are injective.
 ONE_TO_ONE = ("exp", "log", "asin", "atan")
 
 
 def _with_equal_arguments(
     setting: ProofSetting, equations: list[tuple[Poly, Text]]
 ) -> list[tuple[Poly, Text]]:
-    """Equations, and those of arguments that are equal where values of a function are.
+    """Add a = b for every equation f(a) = f(b) of an injective function f.
 
-    Where q · (f(a) − f(b)) vanishes for a one-to-one function f, so does q · (a − b).
+    If q · (f(a) − f(b)) vanishes, so does q · (a − b).
     """
     field = setting.field
     values = [(name, m) for name, m in field.record.items() if m.name in ONE_TO_ONE]
@@ -91,7 +91,7 @@ def _with_equal_arguments(
 def _with_equal_values(
     setting: ProofSetting, equations: list[tuple[Poly, Text]]
 ) -> list[tuple[Poly, Text]]:
-    """Equations, and those of values that are equal because their arguments are on the level."""
+    """Add f(a) = f(b) for arguments a and b that the equations make equal."""
     field = setting.field
     sources = list(equations)
     record = list(field.record.items())
@@ -130,7 +130,7 @@ def _gens(setting: ProofSetting, poly: Poly) -> list[Poly]:
 
 
 def meaning_text(setting: ProofSetting, meaning: Meaning) -> Text:
-    """The meaning of an auxiliary symbol, in the format of a certificate."""
+    """The meaning of an auxiliary symbol in the format of a certificate."""
     of = [_fraction(setting, element) for element in meaning.of]
     if meaning.kind in ("root", "formal root"):
         text = {

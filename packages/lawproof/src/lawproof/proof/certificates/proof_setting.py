@@ -1,4 +1,4 @@
-"""The setting of a proof: a field, with conditions, residuals and divisors."""
+"""The field of a proof with its conditions, residuals and divisors."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ from .sign_reasons import monic
 
 
 class ProofSetting:
-    """A field in which a proof is written, with what is known in it.
+    """The field in which a proof is written, with the quantities evaluated in it.
 
     Parameters
     ----------
     claim : certificate_checker.claim.claim.Claim
-        As the check reads it.
+        The claim as the checker reads it.
     level : LevelSet
-        The whole level.
+        The whole level, not a component.
     sample : mapping of str to float
-        A point of the level, by the names of the generators.
+        A point of the level, by generator.
     signs : mapping of str to int
-        Signs of factors under roots that are to be taken.
+        Signs to be taken for factors under roots.
     """
 
     def __init__(
@@ -52,7 +52,7 @@ class ProofSetting:
         signs: Mapping[str, int],
     ) -> None:
         spare = 8
-        #: Whether nothing is proved with these signs: the law is defined nowhere, or has a power
+        #: Whether the proof is empty for these signs: the law is nowhere defined, or has a power
         #: of a negative base.
         self.void = False
         while True:
@@ -88,13 +88,13 @@ class ProofSetting:
 
     @property
     def ring(self) -> tuple[str, ...]:
-        """The generators: auxiliary symbols that are used, and all others."""
+        """The generators of the certificate: auxiliary symbols in use, then all others."""
         plain = self.field.names[self.field.spare :]
         return (*reversed(list(self.field.record)), *plain)
 
     @property
     def places(self) -> list[int | None]:
-        """The places of the generators of the field in the ring."""
+        """Index in the ring of every generator of the field; None if it is not used."""
         index = {name: i for i, name in enumerate(self.ring)}
         return [index.get(name) for name in self.field.names]
 
@@ -107,7 +107,7 @@ class ProofSetting:
         return powers_text(powers, self.places)
 
     def states(self, formula: Formula, poly: Poly) -> bool:
-        """Whether a formula of the check vanishes or is positive where a polynomial is."""
+        """Whether a formula of the checker is a multiple of a polynomial."""
         value = self.level.evaluator(self.field).value(
             sympy_formula(formula, self.level.symbols_by_name)
         )
@@ -115,7 +115,7 @@ class ProofSetting:
         return bool(own) and monic(own)[0] == monic(poly)[0]
 
     def product(self, element: Element) -> tuple[fmpq, list[tuple[Poly, int]]]:
-        """Content, and factors with their powers, of an element."""
+        """Content of an element, and its factors with their powers."""
         content, parts = self.field.factorisation(element.poly)
         total = dict(element.powers)
         for number, power in parts:

@@ -1,4 +1,4 @@
-"""Quantities that a proof takes to be positive or not zero, and why."""
+"""Positive and non-zero quantities of a proof, with reasons."""
 
 from __future__ import annotations
 
@@ -34,12 +34,13 @@ class FactoredDivisor:
 def sign_reasons(
     setting: ProofSetting, equations: Mapping[int, Poly], assumptions: Sequence[tuple[Poly, int]]
 ) -> tuple[Reasons, list[FactoredDivisor]]:
-    """Signs known on the domain, from the divisors and those assumed; and the divisors."""
+    """The signs known on the domain from divisors and assumptions, and the factored divisors."""
     reasons = _reasons(setting, equations)
     entries = [
         FactoredDivisor(formula, where, *setting.product(value), positive)
         for formula, where, value, positive in setting.divisors
     ]
+    # Order matters: non-zero factors, then assumed signs, then those that follow from both.
     _find_nonzero(reasons, entries)
     for poly, sign in assumptions:
         reasons.learn(poly, sign)
@@ -72,6 +73,7 @@ def _reasons(setting: ProofSetting, equations: Mapping[int, Poly]) -> Reasons:
         if positive or meaning.kind == "formal root":
             reasons.nonzero.add(monic(field.generators[name])[0])
     for inversion in level.exchanged_inverses:
+        # The determinant of a symmetric 3 × 3 matrix, which has an inverse by assumption.
         a, b, c, d, e, f = (field.generators[str(s)] for s in inversion.name)
         determinant = a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d)
         reasons.nonzero.add(monic(determinant)[0])
@@ -79,7 +81,7 @@ def _reasons(setting: ProofSetting, equations: Mapping[int, Poly]) -> Reasons:
 
 
 def _polynomial(level: LevelSet, field: FunctionField, formula: sp.Expr) -> Poly | None:
-    """The polynomial that a formula is, if it is one and no number."""
+    """The polynomial equal to a formula; None if it is a fraction, a constant or has a root."""
     try:
         value = level.evaluator(field).value(formula)
     except (OutOfReachError, NeedMoreGeneratorsError, ZeroDivisionError):
@@ -92,7 +94,8 @@ def _polynomial(level: LevelSet, field: FunctionField, formula: sp.Expr) -> Poly
 
 
 def _find_nonzero(reasons: Reasons, entries: Sequence[FactoredDivisor]) -> None:
-    """Note the factors that do not vanish if those in denominators do not."""
+    """Mark the numerator factors of a non-zero quantity as non-zero."""
+    # p/q ≠ 0 with q ≠ 0 gives that no factor of p vanishes; repeat until nothing changes.
     changed = True
     while changed:
         changed = False
@@ -106,7 +109,7 @@ def _find_nonzero(reasons: Reasons, entries: Sequence[FactoredDivisor]) -> None:
 
 
 def _force(reasons: Reasons, entries: Sequence[FactoredDivisor]) -> None:
-    """The sign of a factor that follows from the signs of all others and of the product."""
+    """Find the sign of the one unknown odd factor of a positive product."""
     changed = True
     while changed:
         changed = False
@@ -128,7 +131,7 @@ def _root_signs(setting: ProofSetting, reasons: Reasons) -> None:
 
 
 def positive_texts(setting: ProofSetting, reasons: Reasons, size: int) -> list[Text]:
-    """The positive quantities in a certificate of so many equations: facts, then sums."""
+    """The positive quantities of a certificate with `size` equations: facts, then sums."""
     facts = [
         {"poly": setting.terms(poly), "strict": strict, "from": source}
         for poly, source, strict in reasons.facts

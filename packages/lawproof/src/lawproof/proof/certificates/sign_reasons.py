@@ -1,8 +1,7 @@
-"""Reasons for the signs of polynomials, as a certificate states them.
+"""Reasons for the signs of polynomials, in the form a certificate states them.
 
-The known signs (see :mod:`lawproof.proof.fields.signs`) are written as sums: a polynomial is
-a sum of terms c ∏ part^power · base² with c > 0 and parts that are positive themselves, up to
-multiples of equations.
+The known signs (see :mod:`lawproof.proof.fields.signs`) are written as sums: modulo the equations,
+a polynomial is a sum of terms c ∏ part^power · base² with c > 0 and positive parts.
 """
 
 from __future__ import annotations
@@ -27,14 +26,14 @@ Powers = tuple[tuple[Poly, int], ...]
 
 
 def monic(poly: Poly) -> tuple[str, int]:
-    """A key that a polynomial shares with its multiples, and its leading sign."""
+    """A key that is common to all multiples of a polynomial, and its leading sign."""
     lead = poly.leading_coefficient()
     return str(poly / lead), 1 if lead > 0 else -1
 
 
 @dataclass(frozen=True)
 class Term:
-    """constant · ∏ weight^power · base²."""
+    """The term constant · ∏ weight^power · base²."""
 
     weights: Powers
     constant: fmpq
@@ -43,9 +42,9 @@ class Term:
 
 @dataclass(frozen=True)
 class Sum:
-    """A positive polynomial as a sum of terms, plus factors times equations by their number.
+    """A positive polynomial as Σ terms + Σ multiplier_i · equation_i.
 
-    A sum that is not strict may be zero.
+    If `strict` is False the sum may be zero.
     """
 
     poly: Poly
@@ -56,7 +55,7 @@ class Sum:
 
 @dataclass(frozen=True)
 class InOneVariable:
-    """A polynomial that is positive wherever others in the same variable are, strictly or not."""
+    """A polynomial that is positive wherever other polynomials in the same variable are."""
 
     poly: Poly
     facts: tuple[Poly, ...]
@@ -64,19 +63,19 @@ class InOneVariable:
 
 @dataclass
 class Reasons:
-    """Signs of polynomials of one ring, with what shows them.
+    """Signs of polynomials of one ring, with the reasons for them.
 
     Parameters
     ----------
     facts : list of (polynomial, str, bool)
-        Positive (strictly or not), and the reason.
+        Positive or non-negative polynomials, their sources, and whether they are strict.
     equations : mapping of number to polynomial
-        Vanish, whatever signs are to be found: the equation of a root, which is real only where
-        its radicand is not negative, is none of them.
+        Polynomials that vanish for every choice of signs. The equation of a root is not among
+        them, since the root is real only where its radicand is non-negative.
     nonzero : set of str
-        Keys of polynomials that do not vanish where the law is defined.
+        Keys of polynomials that do not vanish on the domain of the law.
     divisors : list of polynomials
-        The polynomials themselves.
+        The non-vanishing polynomials themselves.
     """
 
     ring: fmpq_mpoly_ctx
@@ -84,9 +83,9 @@ class Reasons:
     equations: Mapping[int, Poly] = field(default_factory=dict)
     nonzero: set[str] = field(default_factory=set)
     divisors: list[Poly] = field(default_factory=list)
-    #: Strict signs by key, once they are known.
+    #: Strict signs by key, as far as they are known.
     known_signs: dict[str, int] = field(default_factory=dict)
-    #: Sums that show them, in the order in which they were found.
+    #: Sums that prove them, in the order in which they were found.
     sums: list[Sum | InOneVariable] = field(default_factory=list)
     _open: set[str] = field(default_factory=set)
     _unknown: set[str] = field(default_factory=set)
@@ -97,13 +96,14 @@ class Reasons:
                 self.learn(poly, 1)
 
     def learn(self, poly: Poly, sign: int) -> None:
-        """A sign that is known or assumed."""
+        """Store a sign that is known or assumed."""
         key, lead = monic(poly)
         self.known_signs[key] = sign * lead
+        # A new sign may decide polynomials that were undecided before.
         self._unknown.clear()
 
     def is_nonzero(self, poly: Poly) -> bool:
-        """Whether a polynomial does not vanish where the law is defined."""
+        """Whether a polynomial does not vanish on the domain of the law."""
         if poly.is_constant():
             return bool(poly)
         key = monic(poly)[0]
@@ -115,12 +115,13 @@ class Reasons:
         return key in self.nonzero
 
     def sign(self, poly: Poly) -> int:
-        """The strict sign of a polynomial; 0 if it is not known."""
+        """The strict sign of a polynomial; 0 if unknown."""
         if poly.is_constant():
             return 0 if not poly else 1 if poly.leading_coefficient() > 0 else -1
         key, lead = monic(poly)
         if key in self.known_signs:
             return self.known_signs[key] * lead
+        # Polynomials in work are skipped, so that the recursion ends.
         if key in self._open or key in self._unknown or len(poly) > MANY:
             return 0
         self._open.add(key)
@@ -159,7 +160,7 @@ class Reasons:
         return None
 
     def _in_one_variable(self, poly: Poly) -> bool:
-        """Whether other polynomials in its only variable make a polynomial positive."""
+        """Whether other polynomials in its only variable imply that a polynomial is positive."""
         position, key = only_variable(poly), str(poly)
         if position is None or key in self._unknown:
             return False
@@ -179,7 +180,7 @@ class Reasons:
         return True
 
     def _part(self, of: Term | tuple[int, Poly], position: int, strict: bool) -> list[Sum]:
-        """The terms of something positive in one variable alone, if all others are not positive."""
+        """The univariate part of a positive polynomial, if all other terms are non-positive."""
         whole = of.weights[0][0] if isinstance(of, Term) else of[1]
         own = {
             exponents: number
@@ -196,7 +197,7 @@ class Reasons:
         return [Sum(part, others, ((of[0], self.ring.constant(ratio)),), False)]
 
     def _by_multiples(self, poly: Poly) -> Sum | None:
-        """A multiple of a fact or an equation, and squares."""
+        """A positive polynomial as a multiple of a fact or an equation plus squares."""
         one = self.ring.constant(1)
         open_parts = list(self._open_parts(poly))
         known: list[tuple[Poly, int | None, bool]] = [(f, None, s) for f, _, s in self.facts]
@@ -239,6 +240,7 @@ class Reasons:
                 elif exponent % 2 == 0:
                     base = base * generator ** (exponent // 2)
                 else:
+                    # An odd power of a generator without a sign decides nothing.
                     return None
             if number < 0:
                 return None
@@ -247,7 +249,7 @@ class Reasons:
         return tuple(terms) if certain else None
 
     def _weak_sign(self, generator: Poly) -> int:
-        """The sign of a generator that is zero at most besides, by a fact."""
+        """The sign of a generator that a non-strict fact gives."""
         key = monic(generator)[0]
         return next((monic(fact)[1] for fact, _, _ in self.facts if monic(fact)[0] == key), 0)
 
@@ -295,7 +297,7 @@ class Reasons:
         return Sum(poly, terms)
 
     def squares(self, poly: Poly) -> tuple[Term, ...] | None:
-        """A polynomial as a sum of terms none of which is negative."""
+        """A polynomial as a sum of non-negative terms; None if not found."""
         terms = self._by_terms(poly, strict=False)
         if terms is not None:
             return terms
@@ -306,13 +308,13 @@ class Reasons:
         return None
 
     def _is_positive(self, term: Term) -> bool:
-        """Whether a term is not only not negative."""
+        """Whether a term is strictly positive."""
         return term.base.is_constant() and all(self.is_nonzero(part) for part, _ in term.weights)
 
     def _open_parts(self, poly: Poly) -> Iterator[tuple[list[Term], Poly]]:
-        """A polynomial, and it less the terms that are positive by signs of generators.
+        """A polynomial, and the rest of it after removing terms of known positive sign.
 
-        Each with the terms that were left out.
+        Each with the terms that were removed.
         """
         yield [], poly
         signed: list[Term] = []

@@ -1,7 +1,7 @@
-"""The cost of a computation, counted alike on every machine.
+"""The cost of a computation, counted in machine-independent units.
 
-The unit is a term operation: about one product of a term by a term.  A present-day core does ten
-million of them in a second.
+The unit is one term operation, roughly the product of two terms. A current core does about ten
+million of them per second.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from flowlanes.formulas.errors import EffortSpentError, OutOfReachError
 Poly: TypeAlias = fmpq_mpoly
 
 EFFORT = 2_000_000_000
-"""Term operations that one proof may take, by default: some minutes of one core."""
+"""Default number of term operations for one proof: a few minutes on one core."""
 STEP = 200
-"""The cost of a step besides its terms, in term operations."""
+"""Fixed cost of an operation, in term operations."""
 
 
 def checked_effort(effort: int) -> int:
-    """An effort that a user gives, which must be positive.
+    """An effort given by a user, checked to be positive.
 
     Raises
     ------
@@ -35,24 +35,24 @@ def checked_effort(effort: int) -> int:
 
 
 def budget_message(effort: int) -> str:
-    """The error for an effort that was too small."""
+    """The message for an effort that was too small."""
     return f"not decided with an effort of {effort:,} term operations"
 
 
 @dataclass
 class Budget:
-    """Limits of the size of polynomials and of the number of operations.
+    """Limits on the size of polynomials and on the number of operations.
 
     Parameters
     ----------
     effort : int
-        Term operations allowed.
+        Maximum number of term operations.
     terms : int
-        Terms that a polynomial may have.
+        Maximum number of terms of a polynomial.
     used : int
-        Term operations done so far.
+        Term operations used so far.
     largest : int
-        Terms of the largest polynomial so far.
+        Number of terms of the largest polynomial so far.
     """
 
     effort: int = EFFORT
@@ -61,14 +61,14 @@ class Budget:
     largest: int = 0
 
     def charge(self, operations: int) -> None:
-        """Count term operations; EffortSpentError when they are more than are left."""
+        """Add term operations; raise EffortSpentError if the effort is exceeded."""
         if operations > self.effort - self.used:
             self.used = self.effort
             raise EffortSpentError(budget_message(self.effort))
         self.used += operations
 
     def spend(self, poly: Poly) -> None:
-        """Note a polynomial that was made; OutOfReachError when it is too large."""
+        """Charge for a computed polynomial; raise OutOfReachError if it is too large."""
         size = len(poly)
         self.largest = max(self.largest, size)
         if size > self.terms:
@@ -78,7 +78,7 @@ class Budget:
         self.charge(size + STEP)
 
     def foresee(self, first: Poly, second: Poly) -> None:
-        """Count a product before it is made; OutOfReachError when it would be too large."""
+        """Charge for a product in advance; raise OutOfReachError if it would be too large."""
         pairs = len(first) * len(second)
         if pairs > 200 * self.terms:
             raise OutOfReachError(

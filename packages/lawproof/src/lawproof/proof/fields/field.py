@@ -1,4 +1,4 @@
-"""The operations of a field: function fields, rational numbers and balls."""
+"""Protocols for fields: function fields, rational numbers and balls."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Field(Protocol):
 
     @property
     def exact(self) -> bool:
-        """Whether what does not vanish is certain not to."""
+        """Whether a non-zero result is certain to be non-zero."""
 
     @property
     def zero(self) -> FieldElement:
@@ -35,14 +35,14 @@ class Field(Protocol):
         """A generator, or its value at a point."""
 
     def vanishes(self, element: Any) -> bool:
-        """Whether an element is zero; of a ball, whether it may be."""
+        """Whether an element is zero; for a ball, whether it contains zero."""
 
 
 E = TypeVar("E", bound=FieldElement)
 
 
 def dot(zero: E, first: Sequence[E], second: Sequence[E]) -> E:
-    """The sum of products of elements, beginning with the zero of their field."""
+    """The inner product of two sequences of field elements."""
     total = zero
     for a, b in zip(first, second, strict=True):
         total = total + a * b

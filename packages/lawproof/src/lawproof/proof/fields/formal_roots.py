@@ -1,9 +1,9 @@
-"""Roots that are not split: what is proved with them needs no sign of a factor.
+"""Formal roots: proofs that use no sign of a factor under a root.
 
-With u = c ∏ f^e a root r = u^(1/q) is ∏ f^(e // q) times a quantity whose q-th power is
-c ∏ f^(e mod q).  Whatever the signs of the factors f are, such a quantity exists; for an even q
-its own sign is not said.  A computation that comes to zero with these quantities as symbols, one
-for each radicand, therefore holds for all signs.
+With u = c ∏ f^e, a root r = u^(1/q) is ∏ f^(e // q) times a quantity whose q-th power is c ∏ f^(e
+mod q). Such a quantity exists whatever the signs of the factors f are; for even q its own sign is
+left open. A residual that reduces to zero with these quantities as symbols, one for each radicand,
+therefore vanishes for all signs.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from .root_field import power_of_zero
 
 
 class FormalRoots(FunctionField):
-    """Fractions in which every radicand has one root, known by its power alone."""
+    """Fractions in which each radicand has one root, known only by its power."""
 
     def __init__(self, *arguments: Any) -> None:
         super().__init__(*arguments)
@@ -32,7 +32,7 @@ class FormalRoots(FunctionField):
         exponents: Iterable[tuple[sp.Expr, sp.Rational]],
         value: Element | None,
     ) -> Element:
-        """The product of powers; the base is not split where all exponents are numbers."""
+        """The product of powers; the base is not factored if all exponents are numbers."""
         exponents = tuple(exponents)
         if self.vanishes(element):
             raise power_of_zero(exponents)
@@ -42,7 +42,7 @@ class FormalRoots(FunctionField):
         return self._formal_root(element, int(exponent.q)) ** int(exponent.p)
 
     def logarithm(self, element: Element) -> Element:
-        """The logarithm of an element as a whole."""
+        """The logarithm of an element, without splitting it into factors."""
         if self.vanishes(element):
             raise ZeroDivisionError
         return self.function_value("log", [element])
@@ -67,7 +67,8 @@ class FormalRoots(FunctionField):
         inner = self.ring.constant(content)
         for number, power in left:
             inner = inner * self.factors[number] ** power
-        # of an even degree what is taken out may be the negative of the root
+        # For even q, ∏ f^(e // q) may be the negative of the root; then a symbol of its own is
+        # needed.
         even = degree % 2 == 0 and any(
             p % 2 and self.signs.of(self.factors[n]) <= 0 for n, p in whole.items()
         )

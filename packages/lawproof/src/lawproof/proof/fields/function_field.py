@@ -1,7 +1,7 @@
 """The field in which laws are proved: fractions with roots, powers and functions.
 
-Sines and cosines come in pairs with s² + c² = 1; an unspecified function is a symbol for each of
-its derivatives; roots and powers are those of :mod:`.root_field`.
+Sines and cosines come in pairs with s² + c² = 1; every derivative of an unspecified function is a
+symbol; for roots and powers see :mod:`.root_field`.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from flint import fmpq
 from .quotient_ring import Element, Poly
 from .root_field import LOGARITHM, RootField
 
-#: Ratios of arguments that make one exponential a power of another.
+#: Ratios of arguments for which one exponential is a power of another.
 MULTIPLES = tuple(
     fmpq(sign * above, below)
     for above, below in ((1, 1), (2, 1), (3, 1), (4, 1), (1, 2), (3, 2), (1, 3), (1, 4))
@@ -25,18 +25,18 @@ MULTIPLES = tuple(
 
 
 class FunctionField(RootField):
-    """Fractions in named generators, roots, powers and values of functions, modulo relations."""
+    """Fractions in generators, roots, powers and function values, modulo relations."""
 
     def __init__(self, *arguments: Any, **keywords: Any) -> None:
         super().__init__(*arguments, **keywords)
-        #: Into how many parts angles are divided whose sines and cosines are generators.
+        #: Number of parts of each angle: sine and cosine of one part are generators.
         self.angle_parts: Mapping[sp.Expr, int] = {}
         self._circles: set[str] = set()
         self._arguments: list[tuple[Element, str]] = []
         self._exponentials: list[tuple[Element, Element]] = []
 
     def exponential(self, element: Element) -> Element:
-        """The exponential; those of whole multiples of one argument are powers of each other."""
+        """The exponential, as a power of the exponential of a rational multiple if one is known."""
         if self.vanishes(element):
             return self.one
         for argument, known in self._exponentials:
@@ -48,10 +48,9 @@ class FunctionField(RootField):
         return value
 
     def logarithm(self, element: Element) -> Element:
-        """The logarithm of something positive: the sum of those of its factors.
+        """The logarithm of a positive element, as the sum of the logarithms of its factors.
 
-        log(c ∏ f^n) is log c + Σ n log|f|; that of a root or an exponential is a part or the
-        exponent of it.
+        log(c ∏ f^n) = log c + Σ n log|f|; log(u^(1/q)) = log(u)/q, and log(exp(a)) = a.
         """
         if self.vanishes(element):
             raise ZeroDivisionError
@@ -65,9 +64,11 @@ class FunctionField(RootField):
         return total
 
     def _logarithm_of_factor(self, base: Poly) -> Element:
+        # log(u^(1/q)) = log(u)/q.
         if str(base) in self._roots:
             inner, degree = self._roots[str(base)]
             return self.rational(sp.Rational(1, degree)) * self._logarithm_of_factor(inner)
+        # log(exp(a)) = a.
         for argument, known in self._exponentials:
             if known.poly == base and not known.powers:
                 return argument
@@ -93,7 +94,7 @@ class FunctionField(RootField):
         return Element(self, symbol, {})
 
     def function_value(self, name: str, arguments: Sequence[Element]) -> Element:
-        """A value of a function such as the logarithm, of which only derivatives are known."""
+        """A value of a known function, such as log, of which only derivatives are used."""
         keys = tuple(map(self._key, arguments))
         value = getattr(math, name)
         symbol = self._new(
@@ -118,11 +119,11 @@ class FunctionField(RootField):
         return Element(self, symbol, {})
 
     def same(self, first: Sequence[Element], second: Sequence[Element]) -> bool:
-        """Whether a function has one value at two places."""
+        """Whether two lists of arguments are equal."""
         return all(self.vanishes(a - b) for a, b in zip(first, second, strict=True))
 
     def _key(self, element: Element) -> str:
-        """A name that equal elements share."""
+        """A name shared by equal elements."""
         poly, powers = self.reduce(element.poly), dict(element.powers)
         for number in sorted(powers):
             while powers[number] > 0:
@@ -143,5 +144,5 @@ class FunctionField(RootField):
 
 
 def derivative_name(function: str, orders: Sequence[int]) -> str:
-    """A partial derivative of an unspecified function, for a reader."""
+    """The name of a partial derivative of an unspecified function, for a reader."""
     return f"D{list(orders)} {function}" if any(orders) else function

@@ -1,10 +1,10 @@
-"""Exact ways in which the sign of a polynomial is seen.
+"""Exact methods for the sign of a polynomial.
 
-Three of them.  *Completed squares*: a polynomial is written as a sum of squares with positive
-weights, from its highest term downwards.  The *S-lemma* (Yakubovich): where g > 0 implies p ≥ 0
-for quadratic polynomials, p − λ g is a sum of squares for a number λ ≥ 0, which is sought among
-the roots of a determinant and between them.  And *one variable*: what other polynomials in it
-imply is read off at their real roots and at points between these.
+There are three. *Completing squares*: a polynomial is written as a sum of squares with positive
+weights, starting from its leading term. The *S-lemma* (Yakubovich): if g > 0 implies p ≥ 0 for
+quadratic polynomials, p − λ g is a sum of squares for some λ ≥ 0, which is sought among the roots
+of a determinant and between them. *One variable*: the sign is read off at the real roots of all
+polynomials and at points between them.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from flint import acb, arb, ctx, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly, fmpz
 
 from .quotient_ring import Poly
 
-#: Steps in which squares are completed.
+#: Maximum number of squares to complete.
 MOST_SQUARES = 30
-#: Variables of quadratic polynomials that are compared.
+#: Maximum number of variables for the S-lemma.
 MOST_VARIABLES = 10
-#: Degree of polynomials in one variable, together.
+#: Maximum total degree of the polynomials in one variable.
 MOST_DEGREE = 40
 PRECISIONS = (128, 512, 2048)
 
@@ -29,10 +29,10 @@ Squares = list[tuple[fmpq, Poly]]
 
 
 def completed_squares(poly: Poly, ring: fmpq_mpoly_ctx) -> Squares | None:
-    """Weights and polynomials whose weighted squares add up to a polynomial.
+    """Weights and polynomials with poly = Σ weight · polynomial², or None.
 
-    Squares are completed from the highest term downwards, in one way; None unless all weights are
-    positive.  The last polynomial is 1 where a positive number remains.
+    Squares are completed from the leading term downwards, in one way only; the result is None
+    unless all weights are positive. The last polynomial is 1 if a positive constant remains.
     """
     squares: Squares = []
     remainder = poly
@@ -43,6 +43,8 @@ def completed_squares(poly: Poly, ring: fmpq_mpoly_ctx) -> Squares | None:
             return None
         half = tuple(n // 2 for n in lead)
         mixed = {}
+        # With leading term w m² and other terms r m, w (m + Σ r / (2w))² removes all terms
+        # divisible by m except those that are squares with positive coefficients already.
         for exponents, number in remainder.to_dict().items():
             rest = tuple(int(n) - h for n, h in zip(exponents, half, strict=True))
             square = number > 0 and not any(n % 2 for n in exponents)
@@ -61,12 +63,12 @@ def completed_squares(poly: Poly, ring: fmpq_mpoly_ctx) -> Squares | None:
 def less_a_multiple(
     poly: Poly, other: Poly, ring: fmpq_mpoly_ctx, either_sign: bool
 ) -> tuple[fmpq, Squares] | None:
-    """A number λ and squares with poly = λ · other + squares, for quadratic polynomials.
+    """λ and squares with poly = λ · other + squares, for quadratic polynomials; or None.
 
     Parameters
     ----------
     either_sign : bool
-        Whether λ may be negative: where `other` is zero, not where it is positive.
+        Whether λ may be negative: True if `other` is zero, False if it is positive.
     """
     if poly.total_degree() > 2 or other.total_degree() > 2:
         return None
@@ -84,7 +86,7 @@ def less_a_multiple(
 
 
 def _matrix(poly: Poly, places: Sequence[int]) -> list[list[fmpq]]:
-    """The symmetric matrix of a quadratic polynomial, with its constant in the first place."""
+    """The symmetric matrix of a quadratic polynomial, with the constant term in row 0."""
     size = len(places) + 1
     rows = [[fmpq(0)] * size for _ in range(size)]
     for exponents, number in poly.to_dict().items():
@@ -98,11 +100,12 @@ def _matrix(poly: Poly, places: Sequence[int]) -> list[list[fmpq]]:
 
 
 def _ratios(first: list[list[fmpq]], second: list[list[fmpq]]) -> Iterator[fmpq]:
-    """Numbers λ at which first − λ second may be positive semidefinite.
+    """Candidates λ for which first − λ second may be positive semidefinite.
 
-    Where it is, it stays so up to a root of its determinant.
+    The set of such λ is an interval that ends at roots of the determinant.
     """
     size = len(first)
+    # Lagrange interpolation of det(first − λ second), a polynomial in λ of degree ≤ size.
     points = [fmpq(k) for k in range(size + 1)]
     determinant = fmpq_poly([])
     for at in points:
@@ -128,14 +131,14 @@ def _ratios(first: list[list[fmpq]], second: list[list[fmpq]]) -> Iterator[fmpq]
 
 @dataclass(frozen=True)
 class _Root:
-    """A real root: a ball around it, and its value where it is rational."""
+    """A real root: an enclosing ball, and the exact value if it is rational."""
 
     ball: arb
     value: fmpq | None
 
 
 def _real_roots(polys: Sequence[fmpq_poly]) -> list[tuple[_Root, fmpz_poly]]:
-    """The real roots of polynomials, in order, each once, with the irreducible factor it solves."""
+    """The distinct real roots of polynomials in order, each with its irreducible factor."""
     factors: dict[str, fmpz_poly] = {}
     for poly in polys:
         for part, _ in poly.numer().factor()[1]:
@@ -149,7 +152,7 @@ def _real_roots(polys: Sequence[fmpq_poly]) -> list[tuple[_Root, fmpz_poly]]:
 
 
 def _between(balls: Sequence[arb]) -> list[fmpq]:
-    """Rational numbers below, between and above balls that are apart and in order."""
+    """Rational numbers below, between and above disjoint balls in increasing order."""
     if not balls:
         return [fmpq(0)]
     middles = [_exact(ball.mid()) for ball in balls]
@@ -161,7 +164,7 @@ def _between(balls: Sequence[arb]) -> list[fmpq]:
 
 
 def _simplest(low: fmpq, high: fmpq) -> fmpq:
-    """The rational number of the least denominator between two others, by continued fractions."""
+    """The rational number with the smallest denominator in an interval, by continued fractions."""
     if low < 0 < high:
         return fmpq(0)
     if high <= 0:
@@ -183,9 +186,9 @@ def _exact(number: arb) -> fmpq:
 def signs_in_one_variable(
     poly: fmpq_poly, facts: Sequence[tuple[fmpq_poly, bool]]
 ) -> frozenset[int]:
-    """The signs that a polynomial takes where others are positive, strictly or not.
+    """The signs of a polynomial where other polynomials are positive, strictly or not.
 
-    Exact; the empty set where it is not decided, or where there are no such points.
+    The result is exact; it is empty if undecided or if there are no such points.
     """
     polys = [poly, *(fact for fact, _ in facts)]
     if any(p.degree() < 1 for p in polys) or sum(p.degree() for p in polys) > MOST_DEGREE:
@@ -205,6 +208,7 @@ def _signs(polys: Sequence[fmpq_poly], strict: Sequence[bool]) -> frozenset[int]
     if any(not a < b for a, b in pairwise(balls)):
         return None
     found = set()
+    # All signs are constant between adjacent roots, so one point in each interval suffices.
     for at in _between(balls):
         own, *others = (_sign(poly(at)) for poly in polys)
         if all(sign > 0 for sign in others):
@@ -224,7 +228,7 @@ def _divides(factor: fmpz_poly, poly: fmpq_poly) -> bool:
 
 
 def _ball_sign(poly: fmpq_poly, at: arb) -> int | None:
-    """The sign at a ball; None where the ball is too wide."""
+    """The sign at a ball; None if the ball is too wide."""
     total = arb(0)
     for number in reversed(list(poly)):
         total = total * at + arb(number)
@@ -236,7 +240,7 @@ def _sign(number: fmpq | arb) -> int:
 
 
 def in_one_variable(poly: Poly, position: int) -> fmpq_poly:
-    """A polynomial in one generator by its coefficients."""
+    """A polynomial in one generator as a univariate polynomial."""
     coefficients = [fmpq(0)] * (int(poly.degrees()[position]) + 1)
     for exponents, number in poly.to_dict().items():
         coefficients[int(exponents[position])] = number
@@ -244,11 +248,11 @@ def in_one_variable(poly: Poly, position: int) -> fmpq_poly:
 
 
 def only_variable(poly: Poly) -> int | None:
-    """The place of the only generator of a polynomial; None where there are several or none."""
+    """The index of the only variable of a polynomial; None if there are several or none."""
     places = [i for i, degree in enumerate(poly.degrees()) if degree]
     return places[0] if len(places) == 1 else None
 
 
 def meets(first: Poly, second: Poly) -> bool:
-    """Whether two polynomials have a generator in common."""
+    """Whether two polynomials have a variable in common."""
     return any(a and b for a, b in zip(first.degrees(), second.degrees(), strict=True))

@@ -1,11 +1,10 @@
 """Fractions of polynomials modulo relations.
 
-Elements are ``poly · ∏ factor^power`` with polynomials over the rationals (FLINT); whatever was
-once divided by stays a named factor, so that quotients cancel without a greatest common divisor.
-
-Relations form a triangular set: each has a main variable that occurs in no relation below it.
-Products are reduced at once by the leading terms; what is left in the end is reduced by
-pseudo-division, whose multipliers are known not to vanish at the witness point.
+Elements are ``poly · ∏ factor^power`` with polynomials over the rationals (FLINT). Every divisor
+is kept as a named factor, so that quotients cancel without a greatest common divisor. The
+relations form a triangular set: the main variable of each occurs in no relation below it. Products
+are reduced at once by the leading terms; the final result is reduced by pseudo-division, whose
+multipliers do not vanish at the sample point.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ from .budget import Budget
 Poly: TypeAlias = fmpq_mpoly
 
 FACTORED_UP_TO = 1500
-"""Polynomials of more terms are divided by as they are."""
+"""Maximum number of terms of a divisor that is factored."""
 
 
 class Element:
@@ -57,7 +56,7 @@ class QuotientRing:
     Parameters
     ----------
     names : sequence of str
-        Generators, highest first; a relation's main variable must be its highest.
+        Generators, highest first; the main variable of a relation must be its highest.
     """
 
     exact = True
@@ -79,11 +78,11 @@ class QuotientRing:
         return Element(self, self.ring.constant(fmpq(int(number.p), int(number.q))), {})
 
     def generator(self, name: str) -> Element:
-        """A generator by its name, reduced where a relation gives its value."""
+        """A generator by name, reduced modulo the relations."""
         return Element(self, self.reduce(self.generators[name]), {})
 
     def multiply(self, first: Element, second: Element) -> Element:
-        """Product, reduced."""
+        """The reduced product."""
         if not second.poly or not first.poly:
             return self.zero
         powers = dict(first.powers)
@@ -96,7 +95,7 @@ class QuotientRing:
         return self.preferred_form(Element(self, self.product(first.poly, second.poly), powers))
 
     def preferred_form(self, element: Element) -> Element:
-        """An element in the form preferred; here as it is."""
+        """An element in normal form; subclasses simplify roots here."""
         return element
 
     def product(self, first: Poly, second: Poly) -> Poly:
@@ -107,7 +106,7 @@ class QuotientRing:
         return product
 
     def add(self, first: Element, second: Element) -> Element:
-        """Sum over the common denominator."""
+        """The sum over the common denominator."""
         if not first.poly:
             return second
         if not second.poly:
@@ -124,7 +123,7 @@ class QuotientRing:
         return self._cancelled_generators(poly, common) if poly else self.zero
 
     def _cancelled_generators(self, poly: Poly, powers: dict[int, int]) -> Element:
-        """An element in which generators are cancelled against the denominator."""
+        """An element with generators cancelled between numerator and denominator."""
         single = [n for n, p in powers.items() if p < 0 and len(self.factors[n]) == 1]
         if single:
             shared = poly.term_content().monoms()[0]
@@ -157,7 +156,7 @@ class QuotientRing:
         return result
 
     def invert(self, element: Element) -> Element:
-        """Reciprocal; ZeroDivisionError if the element vanishes modulo the relations."""
+        """The reciprocal; ZeroDivisionError if the element vanishes modulo the relations."""
         if self.vanishes(element):
             raise ZeroDivisionError
         content, parts = self.factorisation(element.poly)
@@ -168,7 +167,7 @@ class QuotientRing:
         return self.preferred_form(Element(self, self.ring.constant(1 / content), nonzero))
 
     def factorisation(self, poly: Poly) -> tuple[fmpq, list[tuple[int, int]]]:
-        """Content and named factors with their powers."""
+        """Content, and the factors by index with their powers."""
         if poly.is_constant():
             return poly.leading_coefficient(), []
         if len(poly) > FACTORED_UP_TO:
@@ -176,13 +175,14 @@ class QuotientRing:
         content, parts = poly.factor()
         named = []
         for part, power in parts:
+            # Factors are stored as monic polynomials, so that multiples share one index.
             lead = part.leading_coefficient()
             content *= lead ** int(power)
             named.append((self.factor_number(part / lead), int(power)))
         return content, named
 
     def factor_number(self, poly: Poly) -> int:
-        """The number under which a factor is known."""
+        """The index of a factor, which is added if it is new."""
         key = str(poly)
         if key not in self._factor_numbers:
             self._factor_numbers[key] = len(self.factors)
@@ -201,12 +201,13 @@ class QuotientRing:
         return tuple(self._chain)
 
     def reduce(self, poly: Poly) -> Poly:
-        """Remainder after division by the relations, by leading terms."""
+        """The remainder on division by the leading terms of the relations."""
         if not self._chain or not poly:
             return poly
         while True:
             highest = poly.degrees()
             before = poly
+            # A division can only change poly if every exponent of the leading term is reached.
             for _, relation, lead in self._chain:
                 if all(highest[i] >= n for i, n in lead):
                     poly = divmod(poly, relation)[1]
@@ -226,7 +227,7 @@ class QuotientRing:
         return not poly
 
     def pseudo_remainder(self, poly: Poly, relation: Poly, main: str) -> Poly:
-        """Remainder in the variable `main`, up to powers of the leading coefficient."""
+        """The pseudo-remainder in `main`; poly is multiplied by powers of the initial."""
         position = self.names.index(main)
         degree = int(relation.degrees()[position])
         lead = initial_of(relation, position)
@@ -239,7 +240,7 @@ class QuotientRing:
 
 
 def initial_of(poly: Poly, position: int) -> Poly:
-    """The coefficient of the highest power of a generator in a polynomial that is not zero."""
+    """The coefficient of the highest power of a generator in a non-zero polynomial."""
     generator = poly.context().gen(position)
-    # every other term is less than the divisor, and falls to the remainder
+    # In lexicographic division by g^n, all terms of lower degree go to the remainder.
     return divmod(poly, generator ** int(poly.degrees()[position]))[0]

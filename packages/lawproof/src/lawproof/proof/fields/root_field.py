@@ -1,7 +1,8 @@
-"""Fractions with roots and powers of positive quantities.
+"""Fields with roots and powers of positive quantities.
 
-Every root and every symbolic power is an auxiliary symbol, roots with the relation they satisfy.
-A product is raised to a power factor by factor, each with its sign.
+Every root and every symbolic power is an auxiliary symbol; a root also has the relation that it
+satisfies. A power of a product is the product of the powers of its factors, each taken with its
+sign.
 """
 
 from __future__ import annotations
@@ -20,24 +21,24 @@ from .quotient_ring import Element, Poly, QuotientRing
 from .sign_choices import contradict
 from .signs import Sign, Signs
 
-#: The meaning of an auxiliary generator: a word, and what sets it apart.
+#: Identifies an auxiliary generator: its kind, and the data that distinguish it.
 Key: TypeAlias = tuple[Any, ...]
 
-#: Polynomials of more terms are not multiplied by conjugates.
+#: Maximum number of terms of a polynomial that is multiplied by conjugates.
 MOST_TERMS_OF_CONJUGATES = 12
 
-#: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator, with θ a
+#: Denominator of the exponents of symbolic powers: the generator is base^(θ/4), where θ is a
 #: multiple of a symbol.
 FINENESS = 4
 
-#: Stands for the exponent of a power whose derivative by it, at zero, is a logarithm.
+#: Exponent whose derivative at zero turns a power into a logarithm.
 LOGARITHM = sp.Dummy("logarithm")
 
 
 def power_of_zero(exponents: Iterable[tuple[sp.Expr, sp.Rational]]) -> Exception:
-    """Why a power of zero with fractional or symbolic exponents is not to be had.
+    """The error for a power of zero with fractional or symbolic exponents.
 
-    A root of zero is real, so that the level has such points, but it has no derivative there.
+    A root of zero is real, so the level has such points, but the root has no derivative there.
     """
     if any(theta == 1 and number < 0 for theta, number in exponents):
         return ZeroDivisionError()
@@ -45,22 +46,22 @@ def power_of_zero(exponents: Iterable[tuple[sp.Expr, sp.Rational]]) -> Exception
 
 
 class _NegativeBaseError(Exception):
-    """A negative base with a symbolic exponent, for the signs that are taken."""
+    """The base of a symbolic power is negative for the chosen signs."""
 
 
 class RootField(QuotientRing):
-    """Fractions in named generators and in roots and powers, modulo relations.
+    """Fractions in generators, roots and powers, modulo relations.
 
     Parameters
     ----------
     names : sequence of str
-        Generators, highest first; a relation's main variable must be its highest.
+        Generators, highest first; the main variable of a relation must be its highest.
     spare : int
-        Number of places for auxiliary symbols, which come before all others.
+        Number of auxiliary symbols, which come before all others.
     sample : mapping of str to float
-        A point of the phase space, where signs under roots are taken that nothing else tells.
+        A point of the phase space that determines signs under roots that are not known.
     choices : mapping of str to int
-        Signs of factors under roots to be taken in place of those at the sample point.
+        Signs of factors under roots that replace those at the sample point.
     """
 
     def __init__(
@@ -79,25 +80,25 @@ class RootField(QuotientRing):
         self.spare = spare
         self.sample: dict[str, float] | None = None if sample is None else dict(sample)
         self.meanings: dict[str, str] = {}
-        #: Known signs; set by the level on which the field is used.
+        #: Known signs; set by the level that uses the field.
         self.signs = Signs(self.ring, {})
-        #: Signs of factors under roots that nothing known tells, as they were taken.
+        #: Signs of factors under roots that were chosen, since nothing determines them.
         self.decisions: dict[str, tuple[Poly, int]] = {}
-        #: Whether a negative base has been raised to a symbolic exponent.
+        #: Whether a negative base was raised to a symbolic exponent.
         self.has_negative_base = False
         self._choices = dict(choices or {})
         self._implied_signs: dict[str, int] = {}
-        #: A root raised to its degree: content, factors with powers; and the degree.
+        #: For each root: content, factors with powers, and degree, of root^degree.
         self._root_of: dict[int, tuple[fmpq, tuple[tuple[int, int], ...], int]] = {}
         self._roots: dict[str, tuple[Poly, int]] = {}
         self._auxiliary: dict[Key, Poly] = {}
-        #: Multiples of symbols in exponents that take their place.
+        #: Multiples of symbols that replace them as units of exponents.
         self._exponent_units: dict[sp.Expr, sp.Rational] = {}
 
     def _new(
         self, key: Key, meaning: str, value: Callable[[], float], positive: bool = False
     ) -> Poly:
-        """The auxiliary generator that stands for `key`, made when first asked for."""
+        """The auxiliary generator for `key`, created on first use."""
         if key not in self._auxiliary:
             count = len(self._auxiliary)
             if count == self.spare:
@@ -112,14 +113,14 @@ class RootField(QuotientRing):
         return self._auxiliary[key]
 
     def readable_polynomial(self, poly: Poly) -> str:
-        """A polynomial for a reader, with what its auxiliary symbols stand for."""
+        """A polynomial for a reader, with the auxiliary symbols written out."""
         words = str(poly)
         while used := [n for n in self.meanings if re.search(rf"\b{n}\b", words)]:
             words = re.sub(rf"\b{used[-1]}\b", lambda _: f"({self.meanings[used[-1]]})", words)
         return words
 
     def preferred_form(self, element: Element) -> Element:
-        """Powers of a root written as powers of what it is a root of, where they are."""
+        """An element in which powers of a root are replaced by powers of its radicand."""
         if not any(n in self._root_of for n in element.powers):
             return element
         poly, powers = element.poly, dict(element.powers)
@@ -133,7 +134,7 @@ class RootField(QuotientRing):
         return Element(self, poly, {n: p for n, p in powers.items() if p})
 
     def at_sample(self, poly: Poly) -> float:
-        """Value of a polynomial at the sample point, which settles signs."""
+        """The value of a polynomial at the sample point, which determines signs."""
         if self.sample is None:
             return 1.0
         values = [self.sample.get(name, 1.0) for name in self.names]
@@ -147,7 +148,7 @@ class RootField(QuotientRing):
         return total
 
     def value_at_sample(self, element: Element) -> float:
-        """Value of an element at the sample point."""
+        """The value of an element at the sample point."""
         value = self.at_sample(element.poly)
         for number, power in element.powers.items():
             value *= self.at_sample(self.factors[number]) ** power
@@ -156,8 +157,8 @@ class RootField(QuotientRing):
     def vanishes(self, element: Element) -> bool:
         """Whether an element is zero modulo the relations, or by the sign of a conjugate.
 
-        Where p(g) p(−g) is zero and the conjugate p(−g) has a strict sign, p(g) is zero: thus
-        z − √u where z² = u and z > 0.
+        If p(g) p(−g) = 0 and the conjugate p(−g) has a strict sign, then p(g) = 0. Example: z −
+        √u, where z² = u and z > 0.
         """
         if super().vanishes(element):
             return True
@@ -169,7 +170,7 @@ class RootField(QuotientRing):
         )
 
     def _conjugates(self, poly: Poly) -> Iterator[Poly]:
-        """A polynomial with the sign of a generator turned whose square a relation gives."""
+        """Polynomials with the sign of one generator reversed, whose square a relation gives."""
         for main, relation, lead in self.relations:
             position = self.names.index(main)
             power = (position, 2) if relation.degrees()[position] == 2 else None
@@ -181,11 +182,12 @@ class RootField(QuotientRing):
     def _positive_parts(
         self, element: Element, exponents: Sequence[tuple[sp.Expr, sp.Rational]]
     ) -> tuple[fmpq, list[tuple[Poly, int]]]:
-        """Content and factors with powers of the base of a power, all of them positive.
+        """Content and factors, made positive, of the base of a power.
 
-        Where exponents are numbers, the base is positive wherever the power is real and smooth; so
-        is the argument of a logarithm.  With a symbolic exponent, which may be a whole number, the
-        base may be negative: that it is positive is decided then, like the signs of its factors.
+        If the exponents are numbers, the base is positive wherever the power is real and smooth;
+        so is the argument of a logarithm. With a symbolic exponent, which may be an integer, the
+        base may be negative; that it is positive is then a decision, as are the signs of its
+        factors.
         """
         content, parts = self.factorisation(self.reduce(element.poly))
         total: dict[int, int] = dict(element.powers)
@@ -199,12 +201,14 @@ class RootField(QuotientRing):
             poly = self.factors[number]
             if not power:
                 continue
+            # An even integer power needs no sign of its base.
             if is_number and all((sp.Rational(n) * power / 2).is_Integer for _, n in exponents):
                 signed.append((poly, power))
                 continue
             sign = self._known_sign(poly)
             if not sign and power % 2 and odd is None:
-                # its sign will follow from those of the others
+                # The product is positive, so this sign follows from the signs of the other
+                # factors.
                 odd = poly, power
                 continue
             sign = sign or self._decision(poly, 0 if is_positive else 1)
@@ -226,7 +230,7 @@ class RootField(QuotientRing):
         return abs(content), signed
 
     def _known_sign(self, poly: Poly) -> int:
-        """The sign of a factor of something positive, if known or taken before; 0 otherwise."""
+        """The sign of a factor of a positive product, if known or chosen before; else 0."""
         key = str(poly)
         if key in self._implied_signs:
             return self._implied_signs[key]
@@ -236,7 +240,7 @@ class RootField(QuotientRing):
         return 0 if sign is Sign.UNKNOWN else (1 if sign > 0 else -1)
 
     def _decision(self, poly: Poly, default: int = 0) -> int:
-        """The sign that is taken for a factor, here and wherever it stands under a root."""
+        """Choose the sign of a factor, here and under all other roots."""
         key = str(poly)
         sign = self._choices.get(key) or default or (-1 if self.at_sample(poly) < 0 else 1)
         if self._is_contradicted(poly, sign):
@@ -247,7 +251,7 @@ class RootField(QuotientRing):
         return sign
 
     def _is_contradicted(self, poly: Poly, sign: int) -> bool:
-        """Whether a factor cannot have a sign by those that were taken before."""
+        """Whether earlier decisions exclude a sign of a factor."""
         return any(contradict(poly * sign, known * own) for known, own in self.decisions.values())
 
     def root(self, element: Element, degree: int) -> Element:
@@ -269,7 +273,7 @@ class RootField(QuotientRing):
         try:
             content, parts = self._positive_parts(element, exponents)
         except _NegativeBaseError:
-            # roots that follow may show that the law is not defined for these signs
+            # Not raised at once: a later root may show that the law is undefined for these signs.
             self.has_negative_base = True
             key = ("negative base", len(self._auxiliary))
             return Element(self, self._new(key, "a power of a negative base", lambda: 0.7), {})
@@ -284,7 +288,7 @@ class RootField(QuotientRing):
         return result
 
     def as_rational(self, element: Element) -> sp.Rational | None:
-        """The number that an element is, if it is one."""
+        """The rational number equal to an element, or None."""
         poly = self.reduce(element.poly)
         if element.powers or not poly.is_constant():
             return None
@@ -296,11 +300,13 @@ class RootField(QuotientRing):
             inner, degree = self._roots[str(base)]
             return self._one_power(inner, theta, exponent / degree)
         if theta == 1:
+            # base^(whole + p/q) = base^whole · (base^(1/q))^p with the integer part whole =
+            # ⌊exponent⌋.
             whole = exponent.p // exponent.q
             result = self.integer_power(Element(self, base, {}), int(whole))
             part = exponent - whole
             return result * self._root(base, int(part.q)) ** int(part.p) if part else result
-        # the first exponent says which part of θ takes its place, as units may ask for
+        # The first exponent met fixes the unit in which later multiples of θ are measured.
         is_multiple = (exponent * FINENESS).is_Integer
         unit = self._exponent_units.setdefault(theta, sp.S.One if is_multiple else abs(exponent))
         fine = exponent / unit * FINENESS
@@ -321,6 +327,7 @@ class RootField(QuotientRing):
     def _root(self, base: Poly, degree: int) -> Element:
         if base.is_one():
             return self.one
+        # A known root of a multiple of the degree expresses this one as its power.
         for known in sorted(k[2] for k in self._auxiliary if k[:2] == ("root", str(base))):
             if known % degree == 0:
                 higher = Element(self, self._auxiliary["root", str(base), known], {})
@@ -343,7 +350,7 @@ class RootField(QuotientRing):
 
 
 def number_or(value: Callable[[], float], otherwise: float = 0.7) -> float:
-    """A number, or another one where it is not real or too large: it serves for signs alone."""
+    """The value of a function, or a default if it is undefined; used only for signs."""
     try:
         return value()
     except (ValueError, OverflowError, ZeroDivisionError):

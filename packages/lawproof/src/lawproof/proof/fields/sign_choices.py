@@ -1,4 +1,4 @@
-"""Choices of signs that contradict each other."""
+"""Detection of contradictory sign choices."""
 
 from __future__ import annotations
 
@@ -6,16 +6,17 @@ from .quotient_ring import Poly
 
 
 def contradict(first: Poly, second: Poly) -> bool:
-    """Whether two polynomials cannot both be positive, seen from their terms.
+    """Whether the terms of two polynomials show that both cannot be positive.
 
-    So it is where a sum of positive multiples of them has no terms but even powers with negative
-    factors, as with x and -x - 1.
+    This is so if a positive combination of them has only even powers with negative coefficients,
+    as with x and −x − 1.
     """
     mine, others = first.to_dict(), second.to_dict()
     for exponents, number in mine.items():
         other = others.get(exponents)
         if other is None or not number / other < 0:
             continue
+        # number/other < 0, so this is first plus a positive multiple of second.
         rest = first - second * (number / other)
         if all(c < 0 and not any(n % 2 for n in e) for e, c in rest.to_dict().items()):
             return True

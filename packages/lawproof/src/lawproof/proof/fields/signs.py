@@ -1,8 +1,8 @@
 """Signs of polynomials on the domain of a system.
 
-Known are the signs of parameters and of other quantities that the system declares (admissible
-sets, guards, assumptions of symbols), and what follows from them term by term or in one of the ways
-of :mod:`.positive_forms`.
+The signs of parameters and other quantities are declared by the system (admissible sets, guards,
+assumptions on symbols); further signs follow term by term or by one of the methods of
+:mod:`.positive_forms`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from .positive_forms import (
 from .quotient_ring import Poly
 
 MANY = 400
-"""Polynomials of more terms are not compared with facts."""
+"""Maximum number of terms of a polynomial that is compared with facts."""
 
 
 class Sign(IntEnum):
@@ -46,16 +46,16 @@ class Sign(IntEnum):
 
 @dataclass(frozen=True)
 class Signs:
-    """Known signs in one ring of polynomials.
+    """The known signs in a ring of polynomials.
 
     Parameters
     ----------
     symbol_signs : mapping of str to Sign
         Signs of generators.
     facts : sequence of (polynomial, Sign)
-        Further polynomials with a known sign.
+        Other polynomials of known sign.
     nonzero : sequence of polynomials
-        Polynomials that do not vanish, whatever their sign.
+        Polynomials that do not vanish but whose sign may be unknown.
     conditions : sequence of polynomials
         Polynomials that vanish.
     """
@@ -67,15 +67,15 @@ class Signs:
     conditions: Sequence[Poly] = ()
 
     def with_condition(self, poly: Poly) -> Signs:
-        """The signs where one more polynomial vanishes."""
+        """The signs on the zero set of one more polynomial."""
         return replace(self, conditions=(*self.conditions, poly))
 
     def with_positive(self, name: str) -> Signs:
-        """The signs, with one more positive generator."""
+        """The signs with one more positive generator."""
         return replace(self, symbol_signs={**self.symbol_signs, name: Sign.POSITIVE})
 
     def of(self, poly: Poly) -> Sign:
-        """The sign of a polynomial wherever the facts and the conditions hold."""
+        """The sign of a polynomial where the facts and the conditions hold."""
         sign = self._of_one(poly)
         if abs(sign) < Sign.POSITIVE and poly and len(poly) <= MANY:
             content, parts = poly.factor()
@@ -87,7 +87,7 @@ class Signs:
         return sign
 
     def never_zero(self, poly: Poly) -> bool:
-        """Whether a polynomial is certainly not zero."""
+        """Whether a polynomial is certainly non-zero."""
         if abs(self.of(poly)) == Sign.POSITIVE:
             return True
         signs = self._in_one_variable(poly)
@@ -109,7 +109,7 @@ class Signs:
     def squares(self, poly: Poly) -> list[Poly] | None:
         """Polynomials that all vanish where `poly` does, if it is a sum of terms of one sign.
 
-        ``[1]`` where it cannot vanish; None where it is no such sum.
+        ``[1]`` if it cannot vanish; None if it is not such a sum.
         """
         terms = [self._term(exponents, number) for exponents, number in poly.to_dict().items()]
         if all(sign > 0 for sign, _ in terms) or all(sign < 0 for sign, _ in terms):
@@ -137,7 +137,7 @@ class Signs:
         return _sum(signs)
 
     def _term(self, exponents: Sequence[int], number: fmpq) -> tuple[Sign, Poly]:
-        """The sign of a term where it does not vanish, and a monomial that vanishes with it."""
+        """The sign of a term where it does not vanish, and a monomial with the same zeros."""
         sign, base = _number(number), self.ring.constant(1)
         for index, exponent in enumerate(exponents):
             if not exponent:
@@ -153,7 +153,7 @@ class Signs:
         return sign, base
 
     def _by_facts(self, poly: Poly) -> Sign:
-        """A fact times a term of known sign, and further terms of the same sign."""
+        """The sign if poly is a signed multiple of a fact plus terms of the same sign."""
         for fact, sign in self.facts:
             for share in multiples(poly, fact):
                 part = sign.times(self._by_terms(share))
@@ -166,7 +166,7 @@ class Signs:
         return Sign.UNKNOWN
 
     def _by_conditions(self, poly: Poly) -> Sign:
-        """The sign after a multiple of a condition by a term has taken one term away."""
+        """The sign after a multiple of a condition has cancelled one term."""
         for condition in self.conditions:
             for share in multiples(poly, condition):
                 sign = self._by_terms(poly - share * condition)
@@ -184,9 +184,9 @@ class Signs:
         return Sign.UNKNOWN
 
     def _open_parts(self, poly: Poly, sign: Sign) -> Iterator[tuple[bool, Poly]]:
-        """± a polynomial, and ± it less the terms that are positive by signs of generators.
+        """±poly, and the rest of it after removing terms of known positive sign.
 
-        Each with whether something strictly positive was left out.
+        Each with whether a removed term is strictly positive.
         """
         yield False, poly if sign > 0 else -poly
         strict, left = False, {}
@@ -200,7 +200,7 @@ class Signs:
             yield strict, self.ring.from_dict(left)
 
     def _by_multiples(self, poly: Poly) -> Sign:
-        """The sign by a multiple of a fact or a condition, and squares."""
+        """The sign from a multiple of a fact or a condition plus squares."""
         known = [(fact, sign) for fact, sign in self.facts]
         known += [(condition, Sign.UNKNOWN) for condition in self.conditions]
         for other, sign in known:
@@ -217,7 +217,7 @@ class Signs:
         return Sign.UNKNOWN
 
     def _in_one_variable(self, poly: Poly) -> frozenset[int]:
-        """The signs of a polynomial in one variable, by what the facts say of it."""
+        """The possible signs of a univariate polynomial, given the facts."""
         position = only_variable(poly)
         if position is None:
             return frozenset()
@@ -231,8 +231,9 @@ class Signs:
         return signs_in_one_variable(in_one_variable(poly, position), facts)
 
     def part_in_one_variable(self, poly: Poly, position: int) -> Poly | None:
-        """The terms in one variable alone, if all others are negative or zero."""
+        """The terms in one variable, if all other terms are negative or zero."""
         own = {}
+        # fact = own + others ≥ 0 with others ≤ 0 implies own ≥ 0.
         for exponents, number in poly.to_dict().items():
             if not any(n for i, n in enumerate(exponents) if i != position):
                 own[exponents] = number
@@ -247,7 +248,7 @@ def _number(value: fmpq) -> Sign:
 
 
 def _common(signs: frozenset[int]) -> Sign:
-    """The sign that covers all those that a quantity takes."""
+    """The weakest sign that covers a set of signs."""
     if not signs or {1, -1} <= signs or signs == {0}:
         return Sign.UNKNOWN
     sign = max(signs, key=abs)
@@ -267,7 +268,7 @@ def _sum(signs: Iterable[Sign]) -> Sign:
 
 
 def multiples(poly: Poly, other: Poly) -> Iterator[Poly]:
-    """Terms by which one polynomial has a term of another; of many terms, numbers alone."""
+    """Monomials m such that m · other has a term of poly; constants only for long polynomials."""
     long = len(other) * len(poly) > MANY
     seen = set()
     for exponents, number in other.to_dict().items():
@@ -281,7 +282,7 @@ def multiples(poly: Poly, other: Poly) -> Iterator[Poly]:
 
 
 def _ratio(poly: Poly, other: Poly) -> fmpq | None:
-    """The number by which one polynomial is a multiple of another."""
+    """The constant ratio of two polynomials; None if they are not proportional."""
     if not other or not poly or len(poly) != len(other):
         return None
     ratio = poly.leading_coefficient() / other.leading_coefficient()

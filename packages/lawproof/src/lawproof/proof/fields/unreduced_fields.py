@@ -1,7 +1,8 @@
-"""Fields for the residuals of a certificate, in which the level reduces nothing.
+"""Fields for the residuals of a certificate, without reduction by the level.
 
-A certificate compares its residuals with the law at points off the level.  So numerators stay as
-they come; only what holds everywhere is used, the relations of roots and circles.
+The checker compares the residuals of a certificate with the law at points off the level.
+Numerators are therefore not reduced; only the relations of roots and circles are used, which hold
+everywhere.
 """
 
 from __future__ import annotations
@@ -30,17 +31,17 @@ class Meaning:
         ``"root"``, ``"formal root"``, ``"power"``, ``"sin"``, ``"cos"``, ``"pi"``, ``"known"`` or
         ``"function"``.
     of : tuple of Element
-        What it is a root, a power or a function of.
+        The radicand, base or arguments.
     name : str
-        Of a function.
+        Name of the function.
     number : int
         Degree of a root.
     orders : tuple of int
-        How often an unspecified function is differentiated by each of its places.
+        Order of the derivative of an unspecified function in each argument.
     exponent : sympy.Expr, optional
-        Of a symbolic power, the base being raised to a quarter of it.
+        Exponent of a symbolic power; the generator is the base to a quarter of it.
     whole : tuple of (polynomial, int)
-        What is taken out of a formal root.
+        Factors taken out of a formal root.
     """
 
     kind: str
@@ -52,18 +53,18 @@ class Meaning:
     whole: tuple[tuple[Poly, int], ...] = ()
 
     def agrees(self, other: Meaning) -> bool:
-        """Whether it is the same function, whatever its arguments."""
+        """Whether it is the same function, regardless of the arguments."""
         mine = (self.kind, self.name, self.number, self.orders, self.exponent, len(self.of))
         theirs = (other.kind, other.name, other.number, other.orders, other.exponent)
         return mine == (*theirs, len(other.of))
 
 
 class UnreducedField(FunctionField):
-    """Fractions modulo the relations of roots and circles alone, with what each symbol means."""
+    """Fractions modulo the relations of roots and circles, with the meaning of each symbol."""
 
     def __init__(self, *arguments: Any) -> None:
         super().__init__(*arguments)
-        #: Meaning of each auxiliary symbol, in the order in which they were made.
+        #: Meaning of each auxiliary symbol, in order of creation.
         self.record: dict[str, Meaning] = {}
         self._pending: list[Meaning] = []
 
@@ -97,13 +98,13 @@ class UnreducedField(FunctionField):
         return pending
 
     def circle(self, angle: Element) -> tuple[Element, Element]:
-        """Sine and cosine."""
+        """Sine and cosine of an angle."""
         return self._with_meaning(
             Meaning("", (angle,)), lambda: super(UnreducedField, self).circle(angle)
         )
 
     def function_value(self, name: str, arguments: Sequence[Element]) -> Element:
-        """A value of a function of which only derivatives are known."""
+        """A value of a known function of which only derivatives are used."""
         return self._with_meaning(
             Meaning("known", tuple(arguments), name),
             lambda: super(UnreducedField, self).function_value(name, arguments),
@@ -133,7 +134,7 @@ class UnreducedField(FunctionField):
 
 
 class UnreducedFormal(UnreducedField, FormalRoots):
-    """An unreduced field with roots that are not split."""
+    """An unreduced field with formal roots."""
 
     def _new_root(self, element: Element, degree: int) -> Element:
         content, parts = self.factorisation(self.reduce(element.poly))

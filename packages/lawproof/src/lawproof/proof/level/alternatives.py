@@ -1,9 +1,8 @@
-"""Alternatives of a law: ranges of its parameters, and factors of conditions with functions.
+"""Case distinctions of a law: ranges of its parameters and factors of its conditions.
 
-What is asked of parameters may leave them several ranges, such as a < −1 or a > 1: a law holds if
-it holds in each.  A condition such as y sin x = 0 or f(x) y = 0 says that one of its factors
-vanishes.  Conditions that are polynomials are decomposed exactly, see
-:mod:`lawproof.proof.level.components`.
+The conditions on the parameters may admit several ranges, such as a < −1 or a > 1; a law holds if
+it holds in each. A condition such as y sin x = 0 or f(x) y = 0 means that one of its factors
+vanishes. Polynomial conditions are decomposed exactly, see :mod:`lawproof.proof.level.components`.
 """
 
 from __future__ import annotations
@@ -27,9 +26,9 @@ from .level_set import LevelSet
 ONE_TO_ONE = (sp.exp, sp.log, sp.sinh, sp.tanh, sp.asin, sp.acos, sp.atan)
 
 MOST = 32
-"""Alternatives that are followed."""
+"""Maximum number of alternatives."""
 _SIMPLE = tuple(sp.Rational(s * n, 2) for n in (2, 4, 6, 1, 8, 20, 0, 200) for s in (1, -1))
-"""Numbers that are tried as defaults."""
+"""Numbers tried as default values."""
 
 
 @dataclass(frozen=True)
@@ -39,9 +38,9 @@ class Alternative:
     Attributes
     ----------
     law : Law
-        With factors in place of the conditions they are factors of.
+        The law with factors in place of the conditions that have several.
     defining_factors : tuple of sympy.Expr
-        The factors, of those conditions that have several.
+        The chosen factors of the conditions that have several.
     """
 
     system: System
@@ -50,9 +49,9 @@ class Alternative:
 
 
 def ranges_of_parameters(system: System) -> tuple[System, ...]:
-    """The system with parameters in each of the ranges that are admissible.
+    """Copies of the system, one for each range of the parameters.
 
-    Together the ranges are all that is admissible; in each, only conjunctions are asked.
+    The union of the ranges is the admissible set; within each, all conditions are conjunctions.
     """
     conditions = [
         c for p in system.parameters for condition in p.admissible for c in conjuncts(condition)
@@ -72,7 +71,7 @@ def ranges_of_parameters(system: System) -> tuple[System, ...]:
 
 
 def _is_empty(conditions: Sequence[sp.Basic]) -> bool:
-    """Whether conditions contradict each other in what they ask of one parameter alone."""
+    """Whether the conditions on some single parameter contradict each other."""
     alone: dict[sp.Basic, sp.Set] = {}
     for condition in conditions:
         if len(condition.free_symbols) == 1:
@@ -85,9 +84,9 @@ def _is_empty(conditions: Sequence[sp.Basic]) -> bool:
 def _within(
     parameters: tuple[Parameter, ...], conditions: tuple[sp.Basic, ...]
 ) -> tuple[Parameter, ...]:
-    """The parameters with a conjunction of conditions, and with defaults that meet it.
+    """The parameters with a conjunction of conditions and with defaults that satisfy it.
 
-    A default that does not is replaced by a simple number; where none of a few does it stays.
+    A default that violates it is replaced by a simple number if one of a few satisfies it.
     """
     defaults = {p.symbol: sp.Rational(repr(float(p.default))) for p in parameters}
     wrong = sorted(
@@ -105,7 +104,7 @@ def _within(
 
 
 def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
-    """The parts of the domain and of the level of a law that are decided one by one."""
+    """The parts of the domain and the level that are decided separately."""
     parts = [_of_factors(each, law) for each in ranges_of_parameters(system)]
     return tuple(alternative for part in parts for alternative in part)
 
@@ -120,7 +119,7 @@ def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
         changed = arguments != factors
         factors = arguments
     if law.of_volume:
-        # a factor without zeros, such as an exponential, goes into the density
+        # For measures a non-vanishing factor, such as an exponential, contributes to the density.
         changed = any(len(f) == 1 and f != (c,) for f, c in zip(factors, conditions, strict=True))
     if not changed and all(len(choices) == 1 for choices in factors):
         return (Alternative(system, law),)
@@ -142,16 +141,16 @@ def _of_factors(system: System, law: Law) -> tuple[Alternative, ...]:
 
 
 def _shares_of_volume(conditions: list[sp.Expr], choice: tuple[sp.Expr, ...]) -> Pairs:
-    """The volume that conditions cut out in units of that of their factors, as powers.
+    """Volume density of the conditions relative to that of their factors, as powers.
 
-    Where f = 0 is a part of f g = 0, the volume that f g cuts out is 1/|g| times that of f.
+    On the part f = 0 of f g = 0, the volume defined by f g is 1/|g| times that defined by f.
     """
     ratios = [sp.cancel(c / factor) for c, factor in zip(conditions, choice, strict=True)]
     return tuple((g**2, -sp.Rational(1, 2)) for g in ratios if g.free_symbols)
 
 
 def _of_equal_arguments(condition: sp.Expr) -> sp.Expr:
-    """The condition f(a) = f(b) of a one-to-one function as a = b; any other as it is."""
+    """The condition a = b for f(a) = f(b) with injective f; any other condition unchanged."""
     constant, terms = condition.as_coeff_add()
     if len(terms) == 1 and constant != 0 and isinstance(-terms[0] / constant, sp.exp):
         return (-terms[0] / constant).args[0]
@@ -164,7 +163,7 @@ def _of_equal_arguments(condition: sp.Expr) -> sp.Expr:
 
 
 def _that_may_vanish(system: System, choices: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
-    """The factors whose signs on the domain leave it open; all of them if none is left."""
+    """The factors that may vanish on the domain; all of them if none is left."""
     if len(choices) == 1:
         return choices
     domain = LevelSet(replace(system, relations=(), laws=()))
@@ -179,22 +178,22 @@ def _few(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ...]
 
 
 def _in_sight(condition: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """A condition without names that hide functions; a polynomial as it is stated."""
+    """A condition with its definitions expanded if they contain functions."""
     written = expand(condition, steps)
     return written if _holds_functions(written) else condition
 
 
 def _holds_functions(condition: sp.Expr) -> bool:
-    """Whether a condition holds functions or roots."""
+    """Whether a condition contains functions or roots."""
     functions = condition.atoms(sp.Function, sp.Derivative, sp.Subs)
     return bool(functions) or any(not p.exp.is_Integer for p in condition.atoms(sp.Pow))
 
 
 def _factors(condition: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The factors of a condition with functions; a polynomial condition itself."""
+    """The factors of a condition with functions; a polynomial condition as a single factor."""
     if not _holds_functions(condition):
         return (condition,)
-    # functions and roots are symbols here: they are factored with, not into
+    # Functions and roots are replaced by symbols, so that their arguments are not factored.
     names = {
         part: sp.Dummy(real=True)
         for part in sp.preorder_traversal(condition)

@@ -1,9 +1,10 @@
-"""Whether the equations of a reduction are closed: whether they determine the rates.
+"""Whether the equations of a reduction are closed, that is, determine the rates.
 
-The unknowns are the rates of all variables in the equations; where an equation holds a second rate,
-the first one is a variable too.  Each equation, differentiated where it holds no rate, gives a row:
-its derivatives by the unknowns at the motion itself.  So do the conditions between the variables
-and the formulas of quantities that are functions of the other variables.
+The unknowns are the rates of all variables in the equations; if an equation contains a second
+rate, the first rate is a variable too. Each equation, differentiated first if it contains no rate,
+gives a row: its derivatives by the unknowns along the motion. Further rows come from the
+conditions between the variables and from the definitions of quantities that are functions of the
+other variables.
 """
 
 from __future__ import annotations
@@ -29,9 +30,9 @@ class _Rates:
     Attributes
     ----------
     equations : tuple of sympy.Expr
-        Without definitions.
+        The equations with definitions expanded.
     meaning : mapping of Symbol to Rate
-        What the symbols stand for.
+        The rates for which the symbols stand.
     unknowns : tuple of Symbol
         The highest rate of every variable.
     first : mapping of Symbol to Symbol
@@ -45,7 +46,7 @@ class _Rates:
 
     @property
     def homogeneous(self) -> bool:
-        """Whether the equations leave the time open: each is homogeneous in first rates."""
+        """Whether all equations are homogeneous in the first rates and leave time open."""
         return (
             len(self.unknowns) > 1
             and len(self.first) == len(self.unknowns) == len(self.meaning)
@@ -54,19 +55,19 @@ class _Rates:
 
 
 def up_to_time(law: Reduction, level: LevelSet) -> bool:
-    """Whether the equations speak of paths alone: they are homogeneous in the rates."""
+    """Whether the equations are homogeneous in the rates and so determine paths only."""
     return _rates(law, level).homogeneous
 
 
 def rows_of_equations_and_identities(
     law: Reduction, level: LevelSet, field: Field
 ) -> tuple[list[list[FieldElement]], list[list[FieldElement]], int]:
-    """Rows of the equations, rows of identities, and the number of unknown rates.
+    """Rows of the equations, rows of the identities, and the number of unknown rates.
 
     Raises
     ------
     InputError
-        If the equations hold nothing that moves.
+        If the equations contain no variable.
     """
     rates = _rates(law, level)
     quantities = quantities_in_order(law, level)
@@ -95,7 +96,7 @@ def _rates(law: Reduction, level: LevelSet) -> _Rates:
         return symbols[rate]
 
     def rate_of(formula: sp.Expr) -> sp.Expr:
-        """By the chain rule; ∂/∂x ẋ for every variable and every rate of one."""
+        """The time derivative Σ ∂f/∂x ẋ over all variables and rates in a formula."""
         moving = [s for s in formula.free_symbols if s in variables or s in meaning]
         return sp.Add(
             *(
@@ -105,7 +106,7 @@ def _rates(law: Reduction, level: LevelSet) -> _Rates:
         )
 
     def with_symbols(formula: sp.Expr) -> sp.Expr:
-        """A formula with symbols for the rates, the innermost first."""
+        """A formula with symbols for its rates, starting from the innermost."""
         while rates := [r for r in formula.atoms(Rate) if not r.args[0].has(Rate)]:
             formula = formula.xreplace({r: rate_of(r.args[0]) for r in rates})
         return formula
@@ -113,7 +114,7 @@ def _rates(law: Reduction, level: LevelSet) -> _Rates:
     equations = tuple(with_symbols(level.expand(e)) for e in law.scalar.equations)
     seen = {s for e in equations for s in e.free_symbols}
     moving = {s for s in seen if s in variables}
-    # a rate that occurs alone stands for its variable
+    # A variable may occur only through its rate.
     moving |= {r for r in _below(meaning[s] for s in seen if s in meaning) if r in variables}
     if not moving:
         raise InputError(f"the equations of the law {law.name!r} hold nothing that moves")
@@ -129,7 +130,7 @@ def _rates(law: Reduction, level: LevelSet) -> _Rates:
 
 
 def _below(rates: Iterable[sp.Expr]) -> Iterator[sp.Expr]:
-    """The variables of rates."""
+    """The variables whose rates are given."""
     for rate in rates:
         inner = rate
         while isinstance(inner, Rate):
@@ -148,7 +149,7 @@ def _equation_rows(rates: _Rates) -> Iterator[list[sp.Expr]]:
 def _identity_rows(
     rates: _Rates, quantities: dict[sp.Symbol, sp.Expr], level: LevelSet
 ) -> Iterator[list[sp.Expr]]:
-    """Rows from the formulas of the quantities and from the conditions."""
+    """Rows from the definitions of the quantities and from the conditions."""
     own = {s for rate in rates.meaning.values() for s in rate.free_symbols}
     own |= {s for e in rates.equations for s in e.free_symbols} - set(rates.meaning)
     for symbol, formula in quantities.items():
@@ -170,7 +171,7 @@ def _derivatives(formula: sp.Expr, rates: _Rates) -> list[sp.Expr]:
 def _within(
     formula: sp.Expr, own: set[sp.Symbol], quantities: dict[sp.Symbol, sp.Expr], level: LevelSet
 ) -> bool:
-    """Whether a formula moves with the variables of the equations alone."""
+    """Whether all variables of a formula are variables of the equations."""
     moving: set[sp.Symbol] = formula.free_symbols & {*level.system.symbols, *quantities}
     return moving <= own
 

@@ -1,15 +1,16 @@
-"""A level is a variety: its conditions decomposed into components.
+"""Decomposition of the zero set of the conditions into components.
 
-The real points where the conditions vanish are the union of *components*, each with a triangular
-chain of polynomials whose initials (leading coefficients in the main variables) vanish on no part
-of it that would be a component of its own.  Then a polynomial whose pseudo-remainder by the chain
-is zero vanishes on the whole component: multiplied by initials it lies in the ideal of the chain,
-and where an initial is zero the component is the closure of the points where none is.
+The real points at which the conditions vanish are a union of *components*, each with a triangular
+chain of polynomials. The initials (leading coefficients in the main variables) of a chain vanish
+on no part of its component that would be a component itself. A polynomial whose pseudo-remainder
+by the chain is zero therefore vanishes on the whole component: times a product of initials it lies
+in the ideal of the chain, and the component is the closure of its points at which no initial
+vanishes.
 
-The steps are exact.  A condition that factors stands for one component a factor; a factor that
-cannot vanish on the domain is dropped; a sum of terms of one sign vanishes only with all of them.
-Where an initial could vanish on a component of its own, as the dimensions show, its zeros are
-decomposed as well.
+All steps are exact. A condition that factors gives one branch for each factor; a factor that
+cannot vanish on the domain is dropped; a sum of terms of one sign vanishes only if all terms do.
+If the zeros of an initial could contain a component, as the dimensions show, they are decomposed
+as well.
 """
 
 from __future__ import annotations
@@ -28,24 +29,24 @@ from .triangular_set import chain
 Polys: TypeAlias = tuple[Poly, ...]
 
 MOST_STEPS = 600
-"""Systems of conditions that are looked at before a decomposition is out of reach."""
+"""Maximum number of systems of conditions that a decomposition may visit."""
 
 
 @dataclass(frozen=True)
 class Component:
-    """A part of a level.
+    """A component of a level.
 
     Attributes
     ----------
     equations : tuple of polynomials
-        They vanish on it, and on it alone.
+        Polynomials whose common zero set is the component.
     defining_factors : tuple of polynomials
-        The factors and initials whose vanishing sets it apart from the other components.
+        The factors and initials whose vanishing distinguishes it from the other components.
     parent : Component, optional
-        Of a part where an initial vanishes: the component whose initial it is.
+        For a part where an initial vanishes, the component with this initial.
     inner : bool
-        Whether it lies in the closure of other components, its dimension being less than that
-        which every component of the whole has.
+        Whether the part lies in the closure of other components, because its dimension is below
+        the lower bound for components of the whole.
     """
 
     equations: Polys
@@ -56,7 +57,7 @@ class Component:
 
 @dataclass(frozen=True)
 class _Part:
-    """Equations on the way to a component; `squared` where real points alone were kept."""
+    """Intermediate equations; `squared` if complex zeros were dropped."""
 
     equations: Polys
     defining_factors: Polys = ()
@@ -73,11 +74,11 @@ class Decomposition:
     draft : FunctionField
         The field to which the conditions belong.
     names : sequence of str
-        Variables that may be main ones.
+        Variables that may be main variables.
     moving : set of str
         Names of the state variables.
     signs : Signs
-        What is known of signs on the domain.
+        Known signs on the domain.
     """
 
     draft: FunctionField
@@ -87,14 +88,14 @@ class Decomposition:
     _steps: int = field(default=0, init=False)
 
     def components(self, conditions: Sequence[Poly]) -> tuple[Component, ...]:
-        """The components, those that restrict the state before those that restrict parameters.
+        """The components; those that restrict the state precede those that restrict parameters.
 
         Raises
         ------
         OutOfReachError
-            If there are too many of them, or a condition cannot be made triangular.
+            If there are too many, or a condition cannot be made triangular.
         """
-        # no component has less dimensions than this, by Krull's height theorem
+        # By Krull's height theorem every component has at least this dimension.
         least = len(self.names) - len(conditions)
         waiting = [_Part(tuple(conditions))]
         components: list[Component] = []
@@ -125,7 +126,7 @@ class Decomposition:
         return self._without_repeated(components)
 
     def _without_repeated(self, components: Sequence[Component]) -> tuple[Component, ...]:
-        """The parts of no other part; those on which an initial vanishes stay."""
+        """The components that are contained in no other; parts of a kept component stay."""
         own = [part for part in components if part.parent is None]
         distinct: list[Component] = []
         for index, part in enumerate(own):
@@ -139,7 +140,7 @@ class Decomposition:
         )
 
     def _within(self, part: Component, other: Component) -> bool:
-        """Whether the equations of the other vanish on all of a part, by its chain."""
+        """Whether the equations of `other` vanish on a component, by its chain."""
         triangular = self._chain(part.equations)
         return all(not self._remainder(poly, triangular) for poly in other.equations)
 
@@ -153,7 +154,7 @@ class Decomposition:
     def _forks(
         self, equations: Polys, alternatives: Callable[[Poly], list[Polys]]
     ) -> list[_Part] | None:
-        """Systems whose zeros together are those of the equations, or None if nothing factors."""
+        """Systems whose zeros together are those of the equations; None if nothing factors."""
         self._steps += 1
         if self._steps > MOST_STEPS:
             raise OutOfReachError(
@@ -171,7 +172,7 @@ class Decomposition:
         known = {str(poly) for poly in equations}
         for _, poly in triangular:
             choices = alternatives(poly)
-            # where a factor is an equation already, nothing is left to choose
+            # A factor that is among the equations already would lead back to the same system.
             if choices != [(poly,)] and not any({*map(str, polys)} <= known for polys in choices):
                 return self._parts_of_fork(equations, choices)
         return None
@@ -196,7 +197,7 @@ class Decomposition:
         ]
 
     def _complex(self, poly: Poly) -> list[Polys]:
-        """The factors that can vanish on the domain; [(poly,)] if it is one itself."""
+        """The factors that can vanish on the domain; [(poly,)] if poly is irreducible."""
         if not poly:
             return [()]
         if poly.is_constant():
@@ -208,7 +209,7 @@ class Decomposition:
         return [(part,) for part in real]
 
     def _real(self, poly: Poly) -> list[Polys]:
-        """Equations with those that hold at the real zeros of a sum of squares."""
+        """Alternatives over the reals: a sum of squares becomes several equations."""
         real: list[Polys] = []
         for polys in self._complex(poly):
             squares = self.signs.squares(polys[0]) if polys else None
@@ -242,10 +243,11 @@ class Decomposition:
     def _thin(
         self, equations: Polys, triangular: Sequence[tuple[str, Poly]], initial: Poly
     ) -> bool:
-        """Whether the zeros of an initial hold no component of their own.
+        """Whether the zeros of an initial contain no component.
 
-        The chain's polynomials are as many as its codimension m, so that all components of their
-        zeros have n - m dimensions or more; likewise for the equations, if they are m.
+        If the chain has m polynomials, all components of its zero set have dimension n − m or
+        more; likewise for the equations if there are m of them. A set of codimension m + 1 or more
+        therefore contains none.
         """
         bound = len(triangular) + 1
         bases = [tuple(poly for _, poly in triangular)]
@@ -254,7 +256,7 @@ class Decomposition:
         return any(self.within((*base, initial), bound) for base in bases)
 
     def within(self, equations: Sequence[Poly], codimension: int) -> bool:
-        """Whether the zeros have at least a codimension everywhere."""
+        """Whether the zero set has at least the given codimension everywhere."""
         waiting = [tuple(equations)]
         budget = MOST_STEPS // 4
         while waiting:
@@ -277,6 +279,6 @@ class Decomposition:
 
 
 def _alike(first: Poly, second: Poly) -> bool:
-    """Whether two polynomials differ by a number alone."""
+    """Whether two polynomials are proportional."""
     ratio = first.leading_coefficient() / second.leading_coefficient()
     return bool(first == ratio * second)

@@ -1,8 +1,9 @@
-"""Conditions that hold functions but are linear in a variable: the phase space as a graph.
+"""Elimination of variables by conditions that contain functions but are linear in a variable.
 
-Where a relation or a level is not polynomial, such as z = f(x, y) or (ω, ∇f) = 0, but linear in a
-state variable on which none of its functions depends, that variable is expressed by the others and
-leaves the state.  That its own rate agrees with this is proved along with the law.
+A relation or level condition such as z = f(x, y) or (ω, ∇f) = 0 is not polynomial. If it is linear
+in a state variable on which none of its functions depends, this variable is expressed by the
+others and removed from the state: the phase space is a graph. That the rate of the variable agrees
+with its expression is proved together with the law.
 """
 
 from __future__ import annotations
@@ -26,19 +27,19 @@ from .components import Decomposition
 from .triangular_set import numerator
 
 MOST_ORDERS = 24
-"""Orders in which conditions are tried."""
+"""Maximum number of orders in which the conditions are tried."""
 
 
 @dataclass(frozen=True)
 class Graph:
-    """A system and a law without the variables that conditions express.
+    """A system and a law without the eliminated variables.
 
     Attributes
     ----------
     consistency : Identity
-        That the variables that are gone move as their expressions do.
+        States that the eliminated variables move as their expressions do.
     excluded_factors : tuple of sympy.Expr
-        Factors of these variables that could vanish on a part of the level that is not in the
+        Coefficients of these variables that could vanish on a part of the level outside the
         closure of the rest.
     """
 
@@ -49,12 +50,12 @@ class Graph:
 
 
 def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None:
-    """Express variables by conditions that are not polynomial, or None where there are none.
+    """Eliminate variables by non-polynomial conditions; None if there are no such conditions.
 
     Parameters
     ----------
     tame : tuple of type
-        Functions that are no obstacle in a condition.
+        Functions that are allowed in polynomial conditions.
     """
     if law.by_components:
         return None
@@ -76,7 +77,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     agreement = tuple(Rate(s) - rates[s] for s in gone)
     consistency = Identity("the conditions are kept", agreement)
     excluded = _excluded_factors(system, (*system.relations, *law.level), factors)
-    # the volume is d^n x divided by the differentials of the conditions
+    # d^n x / dF with F = a z − … contributes 1/|∂F/∂z| = 1/|a| to the density.
     there = replace(law, level=(), as_printed=None)
     there = there.weighted(tuple((factor, -sp.S.One) for factor in factors))
     return Graph(reduced, there, consistency, excluded)
@@ -85,10 +86,10 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
 def _choices(
     system: System, law: Law, steps: Mapping[sp.Symbol, sp.Expr], tame: tuple[type, ...]
 ) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr], list[sp.Expr]]:
-    """Variables with their values, the factors of these, and the conditions that are left.
+    """Eliminated variables with their values, the coefficients, and the remaining conditions.
 
-    One condition may take a variable that another needs: where the order of the file leaves
-    conditions with functions, other orders are tried.
+    One condition may use up a variable that another needs, so that several orders are tried until
+    all conditions with functions are used.
     """
     conditions = [*system.scalar.relations, *law.scalar.level]
     wild = [i for i, c in enumerate(conditions) if not _polynomial(expand(c, steps), tame)]
@@ -116,10 +117,10 @@ def _choices(
 def _excluded_factors(
     system: System, conditions: Iterable[sp.Expr], factors: Iterable[sp.Expr]
 ) -> tuple[sp.Expr, ...]:
-    """Factors whose zeros could hold a component of the level.
+    """Coefficients whose zeros could contain a component of the level.
 
-    Values of functions are variables here like any other: what holds for all their values holds
-    for those that the functions have.
+    Function values are treated as independent variables: a statement that holds for all values
+    holds in particular for those of the functions.
     """
     factors = [factor for factor in factors if not factor.is_number]
     spare = 8
@@ -149,7 +150,7 @@ def _thin(system: System, conditions: tuple[sp.Expr, ...], factor: sp.Expr, spar
 
 
 def _polynomial(formula: sp.Expr, tame: tuple[type, ...]) -> bool:
-    """Whether no function or root occurs, but for tame ones; or it is a value of one alone."""
+    """Whether a formula has no functions or roots but tame ones, or is a single function value."""
     if isinstance(formula, AppliedUndef):
         return True
     functions = formula.atoms(sp.Function, sp.Derivative, sp.Subs)
@@ -163,13 +164,13 @@ def _linear(
     steps: Mapping[sp.Symbol, sp.Expr],
     expressions: Mapping[sp.Symbol, sp.Expr],
 ) -> tuple[sp.Symbol, sp.Expr, sp.Expr] | None:
-    """A variable in which a condition is linear, its value, and its factor."""
+    """A variable in which a condition is linear, its value, and its coefficient."""
     known = {**steps, **expressions}
     reached = expand(formula, steps).free_symbols
     for symbol in reversed(list(symbols)):
         if symbol not in reached:
             continue
-        # names that do not hide the variable stay
+        # Definitions that do not depend on the variable stay as names.
         written = expand(formula, _names_that_hide(symbol, steps))
         factor = sp.diff(written, symbol)
         remainder = written.xreplace({symbol: sp.S.Zero})
@@ -182,9 +183,9 @@ def _linear(
 def _names_that_hide(
     symbol: sp.Symbol, steps: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr]:
-    """The definitions in which a symbol occurs, itself or through others."""
+    """The definitions that depend on a symbol, directly or through others."""
     hiding: dict[sp.Symbol, sp.Expr] = {}
-    # each definition stands after those that it uses
+    # Definitions are in dependency order, so one pass is enough.
     for name, value in steps.items():
         if value.free_symbols & {symbol, *hiding}:
             hiding[name] = value
@@ -192,7 +193,7 @@ def _names_that_hide(
 
 
 def _in_order(steps: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-    """Definitions in an order in which each can be computed."""
+    """Definitions in dependency order."""
     done: dict[sp.Symbol, sp.Expr] = {}
     waiting = dict(steps)
     while waiting:

@@ -1,4 +1,4 @@
-"""The formulas of a level: definitions, conditions, generators, evaluators."""
+"""The formulas of a level: definitions, conditions, generators and evaluators."""
 
 from __future__ import annotations
 
@@ -22,27 +22,27 @@ from ..fields.field import Field, FieldElement
 
 
 class EmptyLevelSetError(InputError):
-    """The conditions of a level have no common real point on the domain."""
+    """The conditions of a level have no common real zero on the domain."""
 
 
 @dataclass(frozen=True)
 class LevelFormulas:
-    """The conditions of a level, and the symbols in which they are written.
+    """The conditions of a level and the symbols that they use.
 
     Parameters
     ----------
     level : tuple of sympy.Expr
-        The level: further expressions that vanish.
+        Level: expressions that vanish in addition to the relations.
     equations : tuple of sympy.Expr, optional
-        Of a component of the level: the polynomials in state and parameters that vanish on it,
-        in place of the relations and of `level`.
+        For a component: polynomials in state and parameters that vanish on it; they replace the
+        relations and `level`.
     parent : tuple of sympy.Expr, optional
-        Of a part of a component where an initial of it vanishes: the component's equations.
+        For a part where an initial of a component vanishes: the equations of the component.
     defining_factors : tuple of sympy.Expr
-        What sets a component apart from the others.
+        The factors that distinguish a component from the others.
     inner : bool
-        Whether this part lies in the closure of other components, so that motions may leave it:
-        they are tangent to the parent alone.
+        Whether this part lies in the closure of other components; then motions may leave it, and
+        only the parent must be invariant.
 
     Raises
     ------
@@ -59,7 +59,7 @@ class LevelFormulas:
 
     @cached_property
     def steps(self) -> dict[sp.Symbol, sp.Expr]:
-        """The definitions, by symbol; and parameters that the level gives in terms of others."""
+        """The definitions, and the parameters fixed by the level, by symbol."""
         return {**self._definitions, **self.fixed_parameters}
 
     @cached_property
@@ -68,12 +68,12 @@ class LevelFormulas:
 
     @cached_property
     def fixed_parameters(self) -> dict[sp.Symbol, sp.Expr]:
-        """Parameters that conditions on parameters alone settle, such as k = −1."""
+        """Parameters determined by conditions on parameters alone, such as k = −1."""
         return self._settlement[0]
 
     @cached_property
     def _settlement(self) -> tuple[dict[sp.Symbol, sp.Expr], tuple[sp.Expr, ...]]:
-        """The settled parameters, and the conditions that remain."""
+        """The fixed parameters and the remaining conditions."""
         parameters = {p.symbol for p in self.system.parameters}
         settled: dict[sp.Symbol, sp.Expr] = {}
         remaining = []
@@ -92,7 +92,8 @@ class LevelFormulas:
 
     @cached_property
     def swapped_generators(self) -> tuple[GeneratorSwap, ...]:
-        """Definitions that take the place of a parameter as generators."""
+        """Definitions that replace a parameter as generators."""
+        # With D = A + μ as a generator in place of A, expressions in D stay short.
         parameters = {p.symbol for p in self.system.parameters} - set(self.fixed_parameters)
         for condition in self._settlement[1]:
             parameters -= self._reach(condition, set())
@@ -123,7 +124,7 @@ class LevelFormulas:
 
     @cached_property
     def exchanged_inverses(self) -> tuple[Inversion, ...]:
-        """Inverses of full symmetric tensors whose entries are exchanged."""
+        """Inverses of full symmetric tensors whose entries replace the entries of the tensor."""
         names = {e.name for e in self.swapped_generators}
         inversions = []
         for name, formula in self.system.definitions:
@@ -135,7 +136,7 @@ class LevelFormulas:
 
     @cached_property
     def generators(self) -> tuple[sp.Symbol, ...]:
-        """Independent symbols: state and parameters, some of them exchanged."""
+        """Independent symbols: state and parameters, some of them replaced."""
         inverse = {j: a for i in self.exchanged_inverses for a, j in zip(i.name, i.of, strict=True)}
         instead = {e.parameter: inverse.get(e.name, e.name) for e in self.swapped_generators}
         return tuple(instead.get(s, s) for s in self.symbols if s not in self.fixed_parameters)
@@ -163,14 +164,14 @@ class LevelFormulas:
         return (*self.system.scalar.relations, *scalars(self.level))
 
     def _in_sight(self, condition: sp.Expr) -> sp.Expr:
-        """A condition that is a mere name, as the formula that the name stands for."""
+        """A condition that is a mere name, replaced by its definition."""
         while condition in self._definitions:
             condition = self._definitions[condition]
         return condition
 
     @cached_property
     def moving(self) -> tuple[sp.Expr, ...]:
-        """The conditions that involve the state, in terms of state and parameters alone."""
+        """The conditions that involve the state, in terms of state and parameters."""
         state = set(self.system.symbols)
         conditions = self.parent if self.inner and self.parent else self.conditions
         expanded = (self.expand(c) for c in conditions)
@@ -178,11 +179,11 @@ class LevelFormulas:
 
     @cached_property
     def volume_conditions(self) -> tuple[sp.Expr, ...]:
-        """The relations and the level as they are written, where they involve the state.
+        """The relations and the level conditions that involve the state, as stated.
 
-        The volume that they cut out is that of these formulas, not of the equations of a
-        component: by g F = 0 it is 1/|g| times that by F = 0.  One that is zero for the parameters
-        of a component stays: it cuts out no volume there.
+        The conditions as stated define the volume on the level, not the equations of a component:
+        g F = 0 gives 1/|g| times the volume of F = 0. A condition that vanishes identically for
+        the parameters of a component is kept; no volume is defined there.
         """
         state = set(self.system.symbols)
         moving = [c for c in self._written if expand(c, self._definitions).free_symbols & state]
@@ -190,22 +191,22 @@ class LevelFormulas:
 
     @cached_property
     def zeros(self) -> tuple[sp.Expr, ...]:
-        """Values of unspecified functions that the conditions say are zero."""
+        """Values of unspecified functions that vanish by the conditions."""
         return tuple(c for c in self.conditions if isinstance(c, AppliedUndef))
 
     def expand(self, formula: sp.Expr) -> sp.Expr:
-        """A formula in which the definitions are written out."""
+        """A formula with its definitions expanded."""
         return expand(formula, self.steps)
 
     def without_rates(
         self, formula: sp.Expr, quantities: Mapping[sp.Symbol, sp.Expr] | None = None
     ) -> sp.Expr:
-        """A formula in which every time derivative is written out as a formula in the state.
+        """A formula with all time derivatives replaced by formulas in the state.
 
         Parameters
         ----------
         quantities : mapping of Symbol to formula, optional
-            Further names that may stand under a time derivative.
+            Further names whose time derivatives may occur.
         """
         while rates := formula.atoms(Rate):
             innermost = [rate for rate in rates if not rate.args[0].has(Rate)]
@@ -217,7 +218,7 @@ class LevelFormulas:
     def without_second_rates(
         self, formula: sp.Expr, quantities: Mapping[sp.Symbol, sp.Expr]
     ) -> sp.Expr:
-        """A formula in which no time derivative stands under another."""
+        """A formula without nested time derivatives."""
         deep = {rate for rate in formula.atoms(Rate) if rate.args[0].has(Rate)}
         outermost = {r for r in deep if not any(r in o.args[0].atoms(Rate) for o in deep - {r})}
         return formula.xreplace(
@@ -253,7 +254,7 @@ class LevelFormulas:
         return Rationals(values) if exact else Balls(values)
 
     def evaluator(self, field: Field) -> Evaluator:
-        """Values alone."""
+        """Evaluator of values."""
         seed = self._seeds(field, set(self.generators) - set(self.steps))
         return Evaluator(
             field, seed, self.steps, self.swapped_generators, self.zeros, self.exchanged_inverses
@@ -267,13 +268,13 @@ class LevelFormulas:
         return seed
 
     def along(self, field: Field) -> Evaluator:
-        """Values with their time derivatives along the field of the system."""
+        """Evaluator of values and time derivatives along the vector field of the system."""
         plain = self.evaluator(field)
         rates = dict(zip(self.system.symbols, self.system.rates, strict=True))
         return self._with_slopes(plain, lambda symbol: {-1: plain.value(rates[symbol])}, True)
 
     def along_field(self, field: Field, components: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
-        """Values with their derivatives along another field, given by its components."""
+        """Evaluator of values and derivatives along a vector field given by its components."""
         plain = self.evaluator(field)
 
         def slopes(symbol: sp.Symbol) -> dict[int, FieldElement]:
@@ -283,7 +284,7 @@ class LevelFormulas:
         return self._with_slopes(plain, slopes)
 
     def partial(self, field: Field) -> Evaluator:
-        """Values with their partial derivatives by the state variables, numbered."""
+        """Evaluator of values and partial derivatives by the state variables, by index."""
         number = {s: i for i, s in enumerate(self.system.symbols)}
         return self._with_slopes(self.evaluator(field), lambda s: {number[s]: field.one})
 
@@ -293,7 +294,7 @@ class LevelFormulas:
         slopes: Callable[[sp.Symbol], dict[int, FieldElement]],
         moving: bool = False,
     ) -> Evaluator:
-        """Values with the derivatives that follow from those of the state variables."""
+        """Evaluator of values and derivatives that follow from those of the state variables."""
         state = set(self.system.symbols)
 
         def seed(symbol: sp.Symbol) -> Jet | None:
@@ -307,7 +308,7 @@ class LevelFormulas:
 
 
 def _number_times(formula: sp.Expr, parameter: sp.Symbol) -> sp.Rational:
-    """The number c of a formula written as c·parameter and terms without it; 0 of another."""
+    """The rational coefficient c of a formula c · parameter + terms without it; 0 if none."""
     for term in sp.Add.make_args(formula):
         number, rest = term.as_coeff_Mul()
         if rest == parameter and number.is_Rational:
@@ -316,7 +317,7 @@ def _number_times(formula: sp.Expr, parameter: sp.Symbol) -> sp.Rational:
 
 
 def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:
-    """A symbol in which a formula is linear with a number as factor, and its value at zero."""
+    """A symbol with a rational coefficient in a linear formula, and its solution; or None."""
     for symbol in sorted(formula.free_symbols, key=str):
         factor = sp.diff(formula, symbol)
         if factor.is_Rational and factor != 0:
@@ -325,7 +326,7 @@ def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:
 
 
 def assumed_relations(symbol: sp.Symbol) -> list[sp.Basic]:
-    """The signs that a symbol is assumed to have, the strongest first."""
+    """The sign assumptions of a symbol as relations, strongest first."""
     return [
         relation
         for known, relation in (

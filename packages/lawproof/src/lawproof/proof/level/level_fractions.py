@@ -1,4 +1,4 @@
-"""Fractions of polynomials on a level, with what is known of signs there."""
+"""Fields of fractions on a level, with the signs known there."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ Kind = TypeVar("Kind", bound=FunctionField)
 
 @dataclass(frozen=True)
 class LevelFractions(LevelFormulas):
-    """A level with its triangular set and the field of fractions modulo it."""
+    """A level with its triangular set and fields of fractions modulo it."""
 
     @cached_property
     def requirements(self) -> tuple[sp.Expr, ...]:
-        """The relations that are known to hold on the domain."""
+        """The relations known to hold on the domain."""
         relations = [guard.value > 0 for guard in self.system.scalar.guards if not guard.lift_off]
         for parameter in self.system.parameters:
             for condition in parameter.admissible:
@@ -54,7 +54,8 @@ class LevelFractions(LevelFormulas):
         """The sign of a formula on the domain, as far as it is known."""
         if any(r.func is sp.Gt and r.lhs - r.rhs == formula for r in self.requirements):
             return Sign.POSITIVE
-        # as it is written, then reduced by the conditions: either may show what the other hides
+        # Either form, as written or reduced by the conditions, may show a sign that the other
+        # hides.
         plain = replace(self, system=replace(self.system, relations=(), laws=()), level=())
         written = replace(plain, equations=None)._sign(formula)
         return self._sign(formula) if written is Sign.UNKNOWN else written
@@ -78,7 +79,7 @@ class LevelFractions(LevelFormulas):
 
     @cached_property
     def _names_of_known_sign(self) -> frozenset[str]:
-        """State variables and parameters whose sign is settled."""
+        """State variables and parameters of known sign."""
         names = set()
         for relation in self.requirements:
             if isinstance(relation, sp.Gt | sp.Ge | sp.Lt | sp.Le) and 0 in relation.args:
@@ -90,7 +91,7 @@ class LevelFractions(LevelFormulas):
         return self.signs_with(field, [poly for _, poly, _ in field.relations])
 
     def signs_with(self, field: FunctionField, conditions: Sequence[Poly]) -> Signs:
-        """The known signs where some polynomials vanish."""
+        """The known signs on the zero set of given polynomials."""
         return self._signs_in(field, self.evaluator(field), conditions)
 
     def _signs_in(
@@ -99,12 +100,12 @@ class LevelFractions(LevelFormulas):
         known: dict[str, Sign] = {}
         facts: list[tuple[Poly, Sign]] = []
         nonzero: list[Poly] = []
-        # signs of single symbols first, on which those of other quantities may rest
+        # Signs of single symbols first, since others may follow from them.
         for relation in sorted(self.requirements, key=lambda r: len(r.free_symbols)):
             decided = len(field.decisions)
             poly = _as_polynomial(field, evaluate, relation)
             if len(field.decisions) > decided:
-                # it holds for one choice of signs only
+                # The relation was evaluated with a chosen sign under a root, so it proves nothing.
                 for key in list(field.decisions)[decided:]:
                     del field.decisions[key]
                 continue
@@ -148,7 +149,7 @@ class LevelFractions(LevelFormulas):
         budget: Budget,
         choices: Mapping[str, int] | None = None,
     ) -> Kind:
-        """The field of fractions modulo the conditions, of the class given."""
+        """The field of fractions, of the given class, modulo the conditions."""
         field = kind(self._triangle.order, spare, sample, budget, choices)
         for main, terms in self._triangle.relations:
             polynomial = {}
@@ -161,7 +162,7 @@ class LevelFractions(LevelFormulas):
 
 
 def polynomial_of(draft: FunctionField, element: Element, condition: sp.Expr) -> Poly:
-    """The polynomial whose vanishing a condition states."""
+    """The polynomial that a condition states to vanish."""
     poly = numerator(draft, element)
     if poly and any(poly.degrees()[: draft.spare]):
         raise OutOfReachError(
@@ -171,9 +172,9 @@ def polynomial_of(draft: FunctionField, element: Element, condition: sp.Expr) ->
 
 
 def _as_polynomial(field: FunctionField, evaluate: Evaluator, relation: sp.Basic) -> Poly | None:
-    """A polynomial with the sign of the greater side less the smaller one, if any.
+    """A polynomial with the sign of greater side minus smaller side; None if there is none.
 
-    What a relation is divided by is multiplied with where its power is odd.
+    Odd powers of a denominator f are replaced by a factor f, which has the same sign.
     """
     if isinstance(relation, sp.Ne):
         formula = relation.lhs - relation.rhs

@@ -1,4 +1,4 @@
-"""Level sets: the phase space of a system, cut down to a level, made triangular."""
+"""Level sets: the phase space of a system restricted to a level, in triangular form."""
 
 from __future__ import annotations
 
@@ -24,26 +24,26 @@ from .level_fractions import LevelFractions, polynomial_of
 from .sample_points import number_near_default, number_text, point_on_sphere, real_root
 
 DECOMPOSITION = 5_000_000
-"""Term operations for the components of a level."""
+"""Maximum number of term operations for the components of a level."""
 
-#: A random number from a default, a generator, and whether its sign is settled.
+#: A random number, given a default, a generator and whether the sign is known.
 Draw: TypeAlias = Callable[[float | None, random.Random, bool], fmpq]
 
 
 @dataclass(frozen=True)
 class LevelSet(LevelFractions):
-    """The points at which a law is claimed: their components, and random ones among them."""
+    """The set on which a law is claimed, with its components and random points."""
 
     @cached_property
     def components(self) -> tuple[LevelSet, ...]:
-        """The components of the level; this level alone where it is a single one.
+        """The components of the level; the level itself if there is only one.
 
         Raises
         ------
         InputError
             If the level is empty.
         OutOfReachError
-            If it cannot be decomposed.
+            If the decomposition exceeds its limits.
         """
         if self.equations is not None:
             return (self,)
@@ -86,17 +86,17 @@ class LevelSet(LevelFractions):
     ) -> tuple[dict[str, fmpq | arb], bool]:
         """A random point that satisfies the conditions, and whether it is exactly rational.
 
-        Of a level with several components, it is a point of the first.
+        If the level has several components, the point lies on the first.
 
         Parameters
         ----------
         draw : callable
-            How free numbers are drawn, from a default and the generator.
+            Draws the free numbers, from a default and the generator.
 
         Raises
         ------
         OutOfReachError
-            If none was found.
+            If no point was found.
         """
         component: LevelSet = self._first_component
         for _ in range(60):
@@ -108,7 +108,7 @@ class LevelSet(LevelFractions):
 
     @cached_property
     def _first_component(self) -> LevelSet:
-        """The first component; the level itself where it cannot be decomposed."""
+        """The first component; the level itself if it cannot be decomposed."""
         try:
             return self.components[0]
         except OutOfReachError:
@@ -144,7 +144,7 @@ class LevelSet(LevelFractions):
     def _with_exchanged(
         self, values: dict[str, fmpq | arb], generator: random.Random, draw: Draw, exact: bool
     ) -> tuple[dict[str, fmpq | arb], bool]:
-        """The point with its exchanged definitions, whose parameters stay near their defaults."""
+        """The point with the replaced parameters drawn near their defaults."""
         defaults = {str(p.symbol): p.default for p in self.system.parameters}
         known = {
             str(s): s for s in (*self.generators, *(e.parameter for e in self.swapped_generators))
@@ -167,13 +167,13 @@ class LevelSet(LevelFractions):
                 exchanged = {str(n): evaluate.value(n) for n in names}
             except NotExactError:
                 continue
-            # parameters that were drawn, beside what takes their place
+            # Include the parameters that were drawn in place of generators.
             drawn = {n: v for n, v in numbers.items() if n not in values}
             return {**drawn, **values, **exchanged}, rational
         raise ZeroDivisionError
 
     def inside(self, values: Mapping[str, fmpq | arb], exact: bool) -> bool:
-        """Whether a point lies in the domain of the system: guards and admissible parameters."""
+        """Whether a point satisfies the guards and the conditions on the parameters."""
         for rational in (True, False) if exact else (False,):
             field = self.numbers(values, rational)
             evaluate = self.evaluator(field)
@@ -191,10 +191,10 @@ class LevelSet(LevelFractions):
         return {str(s): number_text(evaluate.value(s)) for s in self.symbols}
 
     def roots(self, values: Mapping[str, fmpq | arb]) -> dict[str, dict[str, object]]:
-        """The main variables at a point that are not rational: roots of polynomials.
+        """The irrational main variables at a point, as roots of polynomials.
 
-        Each is given by the polynomial, in the rational numbers put in, and by an interval that
-        holds one root.
+        Each is given by a polynomial, with the rational values substituted, and an interval that
+        contains one root.
         """
         roots: dict[str, dict[str, object]] = {}
         for main, terms in self._triangle.relations:
@@ -226,7 +226,7 @@ class LevelSet(LevelFractions):
 
 
 def _as_formula(poly: Poly, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
-    """A polynomial as a formula."""
+    """A polynomial as a SymPy expression."""
     names = poly.context().names()
     return sp.Add(
         *(
@@ -238,7 +238,7 @@ def _as_formula(poly: Poly, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
 
 
 def certain(condition: sp.Basic, evaluate: Evaluator) -> bool:
-    """Whether a condition certainly holds at a point, whose field the evaluator has."""
+    """Whether a condition certainly holds at the point of an evaluator."""
     if isinstance(condition, sp.Or):
         return any(certain(part, evaluate) for part in condition.args)
     if isinstance(condition, sp.And):
@@ -247,7 +247,7 @@ def certain(condition: sp.Basic, evaluate: Evaluator) -> bool:
 
 
 def _holds(relation: sp.Basic, difference: fmpq | arb) -> bool:
-    """Whether a relation certainly holds, by the difference of its sides."""
+    """Whether a relation certainly holds, given the difference of its sides."""
     exact = isinstance(difference, fmpq)
     if isinstance(relation, sp.Ne):
         return bool(difference != 0) if isinstance(difference, fmpq) else 0 not in difference

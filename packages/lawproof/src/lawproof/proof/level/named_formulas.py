@@ -1,4 +1,4 @@
-"""Named formulas of a law as scalar symbols with scalar formulas."""
+"""Named formulas of a law in scalar form."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .level_set import LevelSet
 def components(
     pairs: Sequence[tuple[sp.Symbol | Vector, sp.Expr]], level: LevelSet
 ) -> dict[sp.Symbol, sp.Expr]:
-    """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
+    """Pairs (name, formula) as scalar symbols with scalar formulas, rates expanded."""
     formulas_by_symbol: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in pairs:
         formulas = (level.without_rates(scalar) for scalar in scalars(formula))
@@ -26,12 +26,12 @@ def components(
 
 
 def quantities_in_order(law: Law, level: LevelSet) -> dict[sp.Symbol, sp.Expr]:
-    """The quantities that a law names, each in terms of the system and of earlier ones.
+    """The quantities named by a law, in terms of the system and of earlier quantities.
 
     Raises
     ------
     InputError
-        If a quantity has the name of something else, or uses itself or a later one.
+        If the name of a quantity is taken, or its formula uses itself or a later one.
     """
     quantities = components(getattr(law, "quantities", ()), level)
     system = level.system

@@ -1,4 +1,4 @@
-"""The claims that make up a law, on phase spaces with polynomial conditions."""
+"""Reduction of a law to claims on phase spaces with polynomial conditions."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from .trigonometric import Circles, circles, formulas_of
 
 @dataclass(frozen=True)
 class Claim:
-    """A law of a system whose conditions are polynomials.
+    """A law of a system with polynomial conditions.
 
     Attributes
     ----------
     excluded_zeros : tuple of sympy.Expr
-        Formulas whose zeros the claim leaves aside.
+        Formulas whose zeros the claim excludes.
     circles : tuple of (angle, sine, cosine, unit)
-        Angles whose multiples by their unit have become sine and cosine.
+        Angles that were replaced by the sine and cosine of a multiple.
     expressions : tuple of (Symbol, Expr)
-        Variables that conditions give in terms of others.
+        Variables expressed by others.
     """
 
     system: System
@@ -38,11 +38,11 @@ class Claim:
     expressions: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
 
     def original(self, formula: sp.Expr) -> sp.Expr:
-        """A formula in the variables of the system, with the functions of its angles."""
+        """A formula with the functions of angles of the original system."""
         return formula.xreplace(self._functions)
 
     def original_words(self, words: str) -> str:
-        """A text about the claim, with the functions of angles in place of their names."""
+        """A text about the claim with the functions of angles in place of their symbols."""
         for symbol, function in self._functions.items():
             words = re.sub(rf"\b{symbol}\b", str(function), words)
         return words
@@ -57,14 +57,14 @@ class Claim:
 
 
 def polynomial_problems(system: System, law: Law) -> tuple[Claim, ...]:
-    """The claims that make up a law, on phase spaces with polynomial conditions.
+    """The claims equivalent to a law, on phase spaces with polynomial conditions.
 
     Raises
     ------
     OutOfReachError
-        If there is no such phase space.
+        If there are no such claims.
     """
-    # conditions with sines and cosines go best with circles, others with graphs
+    # Trigonometric conditions become polynomial on circles; other functions need elimination.
     reduced = graph(system, law, tame=(TrigonometricFunction,))
     try:
         base = _on_circles(system, law, reduced)
@@ -100,6 +100,6 @@ def _on_circles(system: System, law: Law, reduced: Graph | None) -> Claim:
 
 
 def _expressed_variables(system: System, reduced: Graph) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-    """The variables that a graph takes from the state, with their formulas."""
+    """The variables that were eliminated from the state, with their formulas."""
     gone = set(system.symbols) - set(reduced.system.symbols)
     return tuple((s, value) for s, value in reduced.system.scalar_definitions if s in gone)

@@ -1,8 +1,7 @@
-"""Conditions of positivity under which a law is defined.
+"""Positivity conditions under which a law is defined.
 
-A formula is positive on a whole level, or the law makes sense only where it is.  What is positive
-by its form wherever it is real is left out: roots, exponentials, positive numbers, and squares in
-denominators.
+Left out are factors that are positive by their form wherever they are real: roots, exponentials,
+positive numbers, and squares in denominators.
 """
 
 from __future__ import annotations
@@ -22,27 +21,27 @@ NamedFormula = tuple[str, sp.Expr]
 
 
 def positive_formulas(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
-    """Quantities that a law needs to be positive, each in words and as a formula.
+    """Quantities that must be positive for a law, each in words and as a formula.
 
-    Of an isomorphism it is dτ/dt; of a measure every base of its density that stands under a root,
-    so that the density is real.
+    For an isomorphism this is dτ/dt; for a measure, every base of its density with a fractional
+    exponent, so that the density is real.
 
     Returns
     -------
     tuple of (str, sympy.Expr)
-        Formulas in state, definitions and parameters whose signs their forms do not settle; one
-        that is a number is negative or zero.
-        Where all of them are positive the law makes sense, provided that its formulas are real.
+        Formulas in state, definitions and parameters whose signs are not determined by their form;
+        a formula that is a number is negative or zero. Where all are positive the law is defined,
+        provided that its formulas are real.
     """
     bases = _bases(law, level, lambda power: not power.is_Integer)
     return tuple((what, formula) for what, formula in bases if formula != 1)
 
 
 def sign_determining_bases(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
-    """The bases of a density with odd exponents, which decide its sign.
+    """The bases of a density with odd exponents, which determine its sign.
 
-    Where the product of all of them has one sign, the density or its negative is positive; where it
-    has either sign, the measure is a signed one.
+    If their product has one sign, the density or its negative is positive; otherwise the measure
+    is signed.
     """
     bases = _bases(law, level, lambda power: power.is_Integer and power % 2 == 1)
     return tuple((what, formula) for what, formula in bases if not formula.is_number)
@@ -51,14 +50,14 @@ def sign_determining_bases(law: Law, level: LevelSet) -> tuple[NamedFormula, ...
 def unmet_conditions(
     law: Law, level: LevelSet, field: Field
 ) -> tuple[tuple[str, FieldElement], ...]:
-    """Quantities that are not positive at a point though a law needs them.
+    """Quantities that a law needs to be positive but are not at a point.
 
     Raises
     ------
     NotExactError
-        If a value is not rational, in `Rationals`.
+        If a value is irrational, in `Rationals`.
     ZeroDivisionError
-        If a formula has no value at the point, or if a ball leaves the sign open.
+        If a formula is undefined at the point, or a ball contains zero.
     """
     evaluate = level.evaluator(field)
     failures = []
@@ -73,9 +72,9 @@ def unmet_conditions(
 
 
 def _bases(law: Law, level: LevelSet, meets: Callable[[sp.Expr], bool]) -> Iterator[NamedFormula]:
-    """The bases in a law whose exponents, as they are on the level, meet a condition.
+    """The bases of a law whose exponents on the level satisfy a condition.
 
-    Each in words, and by its factors of unknown sign; a base with exponent zero is left out.
+    Each in words, and by its factors of unknown sign; exponents equal to zero are left out.
     """
     for words, base, exponent in law.powers:
         power = level.expand(sp.sympify(exponent))
@@ -89,14 +88,14 @@ def _without_rates(formula: sp.Expr, level: LevelSet) -> sp.Expr:
 
 
 def _factors_of_open_sign(formula: sp.Expr, level: LevelSet) -> sp.Expr:
-    """The factors whose signs count: a formula that is positive where the given one is."""
+    """The product of the factors of unknown sign, positive exactly where the formula is."""
     steps = level.steps
     left = []
     for factor in sp.Mul.make_args(sp.sympify(formula)):
         if factor.is_positive:
             continue
         base, exponent = factor.as_base_exp()
-        # with an exponent that is no number, as with a root, it is positive where it is real
+        # A fractional or symbolic power is positive wherever it is real.
         if (
             not exponent.is_Rational
             or exponent.q % 2 == 0

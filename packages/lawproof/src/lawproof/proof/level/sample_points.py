@@ -1,4 +1,4 @@
-"""Points of a phase space: rational where possible, else balls around real numbers."""
+"""Points of a phase space: rational if possible, else balls around real numbers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .triangular_set import Terms
 def number_near_default(
     default: float | None, generator: random.Random, both_signs: bool = False
 ) -> fmpq:
-    """A random rational number, near the default of a parameter; not 1."""
+    """A random rational number near the default of a parameter; never 1."""
     if default is None or default == 0:
         reach = generator.choice([17, 17, 60])
         sign, above = generator.choice([-1, 1]), generator.randint(3, reach)
@@ -32,9 +32,9 @@ def number_near_default(
 def moderate_number(
     default: float | None, generator: random.Random, both_signs: bool = False
 ) -> fmpq:
-    """A random rational number of any size, with small whole numbers among them.
+    """A random rational number of moderate size, sometimes a small integer.
 
-    Of either sign, unless the default has the only sign that is admissible.
+    The sign is random unless it is known; then it is that of the default.
     """
     if default and generator.random() < (0.5 if both_signs else 0.2):
         return number_near_default(default, generator)
@@ -48,10 +48,10 @@ def moderate_number(
 
 
 def small_number(default: float | None, generator: random.Random, both_signs: bool = False) -> fmpq:
-    """A random half of a small whole number, in units of 1 or of a power of ten near the default.
+    """A random multiple of 1/2, in units of 1 or of a power of ten near the default.
 
-    A parameter in an exponent makes that a whole number often, so that bases may be negative.  The
-    signs are those of `moderate_number`.
+    For a parameter in an exponent this often gives an integer, so that bases may be negative. The
+    sign is chosen as in `moderate_number`.
     """
     sign = -1 if default and default < 0 else 1
     if not both_signs:
@@ -63,7 +63,7 @@ def small_number(default: float | None, generator: random.Random, both_signs: bo
 def number_of_any_magnitude(
     default: float | None, generator: random.Random, both_signs: bool = False
 ) -> fmpq:
-    """A random rational number of any order of magnitude, for quantities in whatever units."""
+    """A random rational number of any order of magnitude, for quantities in any units."""
     value = moderate_number(default, generator, both_signs)
     power = generator.randint(-13, 13)
     return value * fmpq(10) ** power if default is None else value
@@ -72,7 +72,7 @@ def number_of_any_magnitude(
 def point_on_sphere(
     main: str, terms: Terms, fixed: set[str], generator: random.Random
 ) -> dict[str, fmpq] | None:
-    """A rational point of x² + y² + … = c, if the relation is one and c is a square."""
+    """A rational point of x² + y² + … = c, if the relation has this form and c is a square."""
     members, constant, scale = [], fmpq(0), None
     for named, number in terms.items():
         present = [(n, p) for n, p in named if p]
@@ -89,6 +89,7 @@ def point_on_sphere(
         radius = exact_root(-constant / scale, 2)
     except NotExactError:
         return None
+    # Inverse stereographic projection maps rational points to rational points of the sphere.
     shares = [fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in members[1:]]
     square = sum((s * s for s in shares), fmpq(0))
     point = [2 * s / (1 + square) for s in shares] + [(square - 1) / (1 + square)]
@@ -100,7 +101,7 @@ def point_on_sphere(
 def real_root(
     main: str, terms: Terms, values: Mapping[str, fmpq | arb], generator: random.Random
 ) -> fmpq | arb:
-    """A real value of the main variable, the others being given."""
+    """A real value of the main variable, given the values of the other variables."""
     coefficients: dict[int, fmpq | arb] = {}
     for named, number in terms.items():
         total: fmpq | arb = number
@@ -137,7 +138,7 @@ def real_root(
 
 
 def number_text(value: fmpq | arb) -> str:
-    """A number for a reader."""
+    """A number as text for a reader."""
     return str(value) if isinstance(value, fmpq) else str(value.str(20))
 
 

@@ -1,8 +1,8 @@
-"""Whether equations separate: each for one quantity, with a factor in common.
+"""Conditions for equations to separate: one for each quantity, with a common factor.
 
-From the equations of a `Separation` follow the rates r_i of its quantities.  Up to a common factor
-they are functions f_i(u_i) if and only if the logarithm of r_i/r_k has no mixed derivative by u_i
-and u_k and no derivative by anything else that moves.
+The equations of a `Separation` determine the rates r_i of its quantities u_i. Up to a common
+factor these are functions f_i(u_i) if and only if log(r_i/r_k) has no mixed derivative by u_i and
+u_k and no derivative by any other variable.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .named_formulas import quantities_in_order
 
 @dataclass(frozen=True)
 class _Parts:
-    """The quantities that separate with the squares of their rates, and the constants."""
+    """The separated quantities with the squares of their rates, and the constants."""
 
     squares: dict[sp.Symbol, sp.Expr]
     constants: frozenset[sp.Symbol]
@@ -35,7 +35,7 @@ def separation_residuals(law: Separation, level: LevelSet) -> Iterator[tuple[str
     Raises
     ------
     InputError
-        If the equations are not one for each quantity.
+        If there is not one equation for each quantity.
     """
     parts = _parts(law, level)
     still = {*parts.constants, *(p.symbol for p in level.system.parameters)}
@@ -56,7 +56,7 @@ def separation_residuals(law: Separation, level: LevelSet) -> Iterator[tuple[str
 def of_separation(
     law: Separation, level: LevelSet, field: Field
 ) -> tuple[list[list[FieldElement]], list[list[FieldElement]]]:
-    """Gradients of the conditions and the constants, and of the quantities that separate."""
+    """Gradients of the conditions and constants, and of the separated quantities."""
     parts = _parts(law, level)
     partial = level.partial(field).with_steps(quantities_in_order(law, level))
     size = len(level.system.symbols)
@@ -103,7 +103,8 @@ def _parts(law: Separation, level: LevelSet) -> _Parts:
 
 
 def _square(equation: sp.Expr, rate: sp.Expr) -> sp.Expr | None:
-    """The square of the rate that an equation gives, if it gives it."""
+    """The square of the rate as given by an equation; None if it does not give it."""
+    # a r + b = 0 gives r² = (b/a)²; a r² / 2 + b = 0 gives r² = −2 b / a.
     symbol = sp.Dummy(real=True)
     above = sp.fraction(sp.together(equation.xreplace({rate: symbol})))[0]
     slope = sp.diff(above, symbol)
@@ -120,7 +121,7 @@ def _square(equation: sp.Expr, rate: sp.Expr) -> sp.Expr | None:
 def _mixed_part(
     ratio: sp.Expr, first: sp.Symbol, second: sp.Symbol, still: set[sp.Symbol]
 ) -> sp.Expr | None:
-    """A ratio without its factors that hold one of two quantities alone."""
+    """A ratio without the factors that depend on only one of two quantities."""
     left = []
     for factor in sp.Mul.make_args(sp.factor(ratio)):
         moving = factor.free_symbols - still

@@ -1,8 +1,7 @@
-"""What an isomorphism asks of the parameters of its target.
+"""Conditions of an isomorphism on the parameters of its target.
 
-The target is a system only for parameters that are admissible there.  An isomorphism says nothing
-where the parameters that it gives the target are not, as it says nothing where time would run
-backward.
+The target is defined only for its admissible parameters. An isomorphism states nothing where it
+maps the parameters to inadmissible values, or where time would run backwards.
 """
 
 from __future__ import annotations
@@ -22,14 +21,14 @@ from .named_formulas import components
 
 
 def has_target(law: Law) -> TypeGuard[Isomorphism]:
-    """Whether a law leads to another system, of which more is asked than formulas that vanish."""
+    """Whether a law maps to another system, which imposes conditions on its parameters."""
     return isinstance(law, Isomorphism)
 
 
 def target_conditions(law: Law, level: LevelSet) -> tuple[sp.Basic, ...]:
-    """The conditions on the parameters of the target, in terms of this system.
+    """The conditions on the parameters of the target, in terms of the source system.
 
-    One that is true already is left out; one that is false stays.
+    Conditions that are true are left out; false ones are kept.
     """
     if not has_target(law):
         return ()
@@ -42,7 +41,7 @@ def target_conditions(law: Law, level: LevelSet) -> tuple[sp.Basic, ...]:
 
 
 def is_admissible_target(law: Law, level: LevelSet, field: Field) -> bool:
-    """Whether the target's parameters are certainly admissible at a point."""
+    """Whether the parameters of the target are certainly admissible at a point."""
     evaluate = level.evaluator(field)
     return all(
         condition != sp.false and certain(condition, evaluate)
@@ -51,7 +50,7 @@ def is_admissible_target(law: Law, level: LevelSet, field: Field) -> bool:
 
 
 def open_conditions(law: Law, level: LevelSet) -> tuple[sp.Basic, ...]:
-    """The conditions on the parameters of the target that are not known to hold on a level."""
+    """The conditions on the parameters of the target that are not known to hold."""
     return tuple(c for c in target_conditions(law, level) if not _is_known(c, level))
 
 
@@ -73,7 +72,7 @@ def _is_known(condition: sp.Basic, level: LevelSet) -> bool:
 
 
 def _by_assumptions(condition: sp.Basic, level: LevelSet) -> sp.Basic:
-    """A condition with its definitions written out and the known signs of single parameters."""
+    """A condition with definitions expanded and known signs of parameters substituted."""
     assumed = {
         sp.Gt: {"positive": True},
         sp.Lt: {"negative": True},
@@ -90,7 +89,7 @@ def _by_assumptions(condition: sp.Basic, level: LevelSet) -> sp.Basic:
             names.setdefault(left, sp.Dummy(str(left), real=True, **assumed[type(known)]))
     written = [level.expand(side).xreplace(names) for side in condition.args]
     if isinstance(condition, sp.Ne):
-        # a quotient vanishes with its numerator
+        # A quotient is non-zero if and only if its numerator is.
         above, _ = sp.fraction(sp.together(written[0] - written[1]))
         return sp.Ne(above, 0)
     return condition.func(*written)

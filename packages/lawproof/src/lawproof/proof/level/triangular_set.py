@@ -1,4 +1,4 @@
-"""Conditions made triangular: each with a main variable that no condition below it has."""
+"""Triangular sets: each condition has a main variable that occurs in no condition below it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from flowlanes.formulas.errors import EmptyLevelError, OutOfReachError
 from ..fields.function_field import FunctionField
 from ..fields.quotient_ring import Element, Poly, initial_of
 
-#: A polynomial as a mapping of named exponents to coefficients, in whatever order of variables.
+#: A polynomial as a mapping from (name, exponent) pairs to coefficients, in any order.
 Terms = Mapping[tuple[tuple[str, int], ...], fmpq]
 
 
@@ -35,14 +35,14 @@ class TriangularSet:
 def triangle(
     draft: FunctionField, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
 ) -> TriangularSet:
-    """A triangular set that has the same zeros as the conditions, wherever it is regular.
+    """A triangular set with the same zeros as the conditions where its initials do not vanish.
 
     Parameters
     ----------
     draft : FunctionField
         The field to which the conditions belong.
     names : sequence of str
-        Variables that may be main ones.
+        Variables that may be main variables.
     moving : set of str
         Names of the state variables.
 
@@ -62,13 +62,13 @@ def triangle(
 def chain(
     draft: FunctionField, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
 ) -> list[tuple[str, Poly]]:
-    """Main variables and polynomials of a triangular set, from the lowest to the highest.
+    """Main variables and polynomials of a triangular set, lowest first.
 
     Parameters and errors are those of `triangle`.
     """
     relations = _chain(draft, names, conditions, moving, _merit)
     if relations is None:
-        # orthonormal frames: the linear conditions must come first
+        # Needed for orthonormal frames, where the linear conditions must come first.
         relations = _chain(draft, names, conditions, moving, _merit_by_degree)
     if relations is None:
         raise OutOfReachError("the conditions of the level cannot be made triangular")
@@ -89,7 +89,9 @@ def _chain(
     moving: set[str],
     merit: Callable[[FunctionField, Poly, str, set[str]], tuple[int, int, int]],
 ) -> list[tuple[str, Poly]] | None:
-    """Conditions with a main variable each, best first; None where the choice leads nowhere."""
+    """A chain built greedily by merit; None if no main variable is left for a condition."""
+    # Ritt's procedure: each relation gets a main variable, and the conditions that remain are
+    # pseudo-divided by the chain until none is left.
     waiting = list(conditions)
     chain: list[tuple[str, Poly]] = []
     while True:
@@ -113,7 +115,7 @@ def _chain(
 
 
 def numerator(draft: FunctionField, element: Element) -> Poly:
-    """The polynomial that vanishes where an element does."""
+    """The polynomial whose zeros are those of an element."""
     poly = element.poly
     for number, power in element.powers.items():
         for _ in range(max(power, 0)):
@@ -126,14 +128,14 @@ def _variables(draft: FunctionField, poly: Poly) -> set[str]:
 
 
 def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tuple[int, int, int]:
-    """The merit of a variable as the main one of a relation; smaller is better."""
+    """The cost of a variable as main variable of a relation; smaller is better."""
     position = draft.names.index(name)
     degree = int(poly.degrees()[position])
     lead = initial_of(poly, position)
     if lead.is_constant():
         kind = 0 if degree == 1 else degree - 1
     else:
-        # a coefficient of parameters alone vanishes for special bodies, one of the state anywhere
+        # An initial in parameters vanishes only for special bodies, one in the state anywhere.
         kind = 10 * degree + (len(lead) > 1) + 4 * bool(_variables(draft, lead) & moving)
     return kind, len(lead), -position
 
@@ -141,13 +143,13 @@ def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tup
 def _merit_by_degree(
     draft: FunctionField, poly: Poly, name: str, moving: set[str]
 ) -> tuple[int, int, int]:
-    """The merit with linear relations first."""
+    """The cost with linear relations first."""
     degree = int(poly.degrees()[draft.names.index(name)])
     return (degree, *_merit(draft, poly, name, moving)[:2])
 
 
 def _possible(draft: FunctionField, poly: Poly, name: str, chain: list[tuple[str, Poly]]) -> bool:
-    """Whether the variable can be the main one: in the relation, free, and without a circle."""
+    """Whether a variable may be main: it occurs, is not main yet, and gives no cycle."""
     if name in {main for main, _ in chain} or name not in _variables(draft, poly):
         return False
     try:

@@ -1,8 +1,8 @@
-"""Replacement of angles in the conditions of a phase space by points of the unit circle.
+"""Replacement of angles in the conditions by points of the unit circle.
 
-Where a relation or a level holds sines or cosines of a state variable or a parameter φ, the prover
-works with s = sin φ and c = cos φ as variables in place of φ, with s² + c² = 1.  Nothing else of φ
-may occur in the system and the law.
+If a relation or level contains sines or cosines of a state variable or parameter φ, the prover
+uses s = sin φ and c = cos φ with s² + c² = 1 as variables in place of φ. The angle must not occur
+in any other way in the system and the law.
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ from flowlanes.system.vectors import real_symbol
 
 @dataclass(frozen=True)
 class Circles:
-    """A system whose angles have become points of circles.
+    """A system whose angles are replaced by points of circles.
 
     Attributes
     ----------
     system : System
-        With scalar state; ``sin_phi`` and ``cos_phi`` in place of ``phi``.
+        With scalar state; ``sin_phi`` and ``cos_phi`` replace ``phi``.
     meaning : mapping of Symbol to Expr
-        What the new variables stand for.
+        The functions of angles for which the new variables stand.
     table : mapping of Expr to Expr
-        Trigonometric functions by what they became.
+        Replacements of the trigonometric functions.
     replaced_angles : mapping of Symbol to (Symbol, Symbol, Rational)
-        Sine, cosine and the multiple of the angle they belong to, by angle; the multiple is a
-        number or, such as the frequency in sin νt, a formula in parameters.
+        For each angle: symbols of sine and cosine, and the multiple of the angle in them, which is
+        a number or a formula in parameters, such as the frequency in sin νt.
     """
 
     system: System
@@ -46,11 +46,11 @@ class Circles:
     replaced_angles: Mapping[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Expr]]
 
     def law(self, law: Law) -> Law:
-        """A law of the system in the new variables."""
+        """A law in the new variables."""
         return law.under(self)
 
     def formula(self, value: Any) -> Any:
-        """The formulas in a value in the new variables."""
+        """A value with its formulas in the new variables."""
         if isinstance(value, tuple):
             return tuple(self.formula(part) for part in value)
         if isinstance(value, sp.Basic) and not isinstance(value, sp.Symbol):
@@ -102,13 +102,13 @@ class Circles:
 
     @property
     def _old(self) -> tuple[sp.Symbol, ...]:
-        """The state in the old variables, in its order."""
+        """The state in the old variables, in order."""
         back = {s: angle for angle, (s, _, _) in self.replaced_angles.items()}
         gone = {c for _, c, _ in self.replaced_angles.values()}
         return tuple(back.get(n, n) for n in self.new if n not in gone)
 
     def _old_of(self, symbol: sp.Symbol) -> list[tuple[sp.Symbol, sp.Expr]]:
-        """The differential of a new variable in terms of those of the old ones."""
+        """The differential of a new variable in terms of the differentials of the old ones."""
         for angle, (s, c, unit) in self.replaced_angles.items():
             if symbol == s:
                 return [(angle, unit * c)]
@@ -120,19 +120,19 @@ class Circles:
 def circles(
     system: System, on: Iterable[sp.Expr] = (), also: Iterable[sp.Expr] = ()
 ) -> Circles | None:
-    """The system with points of circles for the angles of its conditions, if any.
+    """The system with circles for the angles in its conditions; None if there are none.
 
     Parameters
     ----------
     on : iterable of formulas
-        The level, beside the relations.
+        The level, in addition to the relations.
     also : iterable of formulas
-        Further formulas in which the angles may occur.
+        Other formulas in which the angles may occur.
 
     Raises
     ------
     OutOfReachError
-        If an angle occurs otherwise than in sines and cosines, or beside something else.
+        If an angle occurs outside sines and cosines, or in combination with another symbol.
     """
     steps = dict(system.scalar_definitions)
     conditions = [expand(c, steps) for c in (*system.scalar.relations, *scalars(tuple(on)))]
@@ -161,7 +161,7 @@ def circles(
 
 
 def without_angles(system: System, law: Law) -> tuple[System, Law]:
-    """A system and a law of it with points of circles for the angles of the conditions.
+    """A system and a law with circles for the angles in the conditions.
 
     Raises
     ------
@@ -173,7 +173,7 @@ def without_angles(system: System, law: Law) -> tuple[System, Law]:
 
 
 def _angles(system: System, nodes: Iterable[sp.Expr]) -> list[sp.Symbol]:
-    """State variables in the arguments, and parameters that shift them."""
+    """State variables in the arguments of the functions, and parameters that shift them."""
     state = set(system.symbols)
     symbols = {
         s
@@ -192,7 +192,7 @@ def formulas_of(value: object) -> list[sp.Expr]:
         return [f for part in value for f in formulas_of(part)]
     if isinstance(value, Law):
         if value.by_components:
-            # an angle that is moved does not stand there by itself
+            # The scalar form has the functions of a moved angle, not the angle by itself.
             return list(value.scalar.formulas)
         skip = {"target", "as_printed", "onto"}
         parts = [getattr(value, f.name) for f in fields(value) if f.name not in skip]
@@ -201,7 +201,7 @@ def formulas_of(value: object) -> list[sp.Expr]:
 
 
 def angle_parts(system: System, law: Law) -> dict[sp.Expr, int]:
-    """Into how many parts an angle is to be divided whose multiples a law and its system hold.
+    """Number of parts of each angle whose multiples occur in a law and its system.
 
     Sines and cosines of x and x/2 are polynomials in those of x/2, so that x has two parts.
     """
@@ -226,7 +226,7 @@ def _rates_on_circle(
 def _replacements(
     nodes: Iterable[sp.Expr], angles: Iterable[sp.Symbol], steps: Mapping[sp.Symbol, sp.Expr]
 ) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Expr]]]:
-    """Trigonometric functions by formulas in sines and cosines, one circle for each angle."""
+    """Trigonometric functions as formulas in sines and cosines, with one circle for each angle."""
     angles = list(angles)
     concerned = [n for n in nodes if n.free_symbols & set(angles)]
     lost = {}
@@ -243,7 +243,7 @@ def _replacements(
     halves = {angle: sp.Dummy(real=True) for angle in angles}
     table = {}
     for node in concerned:
-        # in terms of the unit angles, so that only whole multiples are taken apart
+        # In units of the common divisor, so that only integer multiples have to be expanded.
         multiples = [abs(sp.diff(node.args[0], a) / lost[a][2]) for a in angles]
         if any(m.is_Rational and m > MOST_MULTIPLES for m in multiples):
             raise OutOfReachError(f"{node} holds a high multiple of an angle that stands elsewhere")
