@@ -43,7 +43,7 @@ Residuals: TypeAlias = Iterator[tuple[Name, FieldElement]]
 
 
 def in_words(name: Name) -> str:
-    """The name of a residual for a reader."""
+    """Name of a residual in messages."""
     return name if isinstance(name, str) else f"invariance of {text(name)} = 0"
 
 

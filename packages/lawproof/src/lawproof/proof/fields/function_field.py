@@ -144,5 +144,5 @@ class FunctionField(RootField):
 
 
 def derivative_name(function: str, orders: Sequence[int]) -> str:
-    """The name of a partial derivative of an unspecified function, for a reader."""
+    """Text of a partial derivative of an unspecified function."""
     return f"D{list(orders)} {function}" if any(orders) else function

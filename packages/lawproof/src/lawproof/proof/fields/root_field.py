@@ -113,7 +113,7 @@ class RootField(QuotientRing):
         return self._auxiliary[key]
 
     def readable_polynomial(self, poly: Poly) -> str:
-        """A polynomial for a reader, with the auxiliary symbols written out."""
+        """Text of a polynomial, with the auxiliary symbols replaced by their definitions."""
         words = str(poly)
         while used := [n for n in self.meanings if re.search(rf"\b{n}\b", words)]:
             words = re.sub(rf"\b{used[-1]}\b", lambda _: f"({self.meanings[used[-1]]})", words)

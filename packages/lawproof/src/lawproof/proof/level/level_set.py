@@ -186,7 +186,7 @@ class LevelSet(LevelFractions):
         return False
 
     def point_shown(self, field: Rationals | Balls) -> dict[str, str]:
-        """State and parameters at a point, for a reader."""
+        """Texts of state and parameters at a point."""
         evaluate = self.evaluator(field)
         return {str(s): number_text(evaluate.value(s)) for s in self.symbols}
 

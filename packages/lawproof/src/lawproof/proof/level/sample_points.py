@@ -138,7 +138,7 @@ def real_root(
 
 
 def number_text(value: fmpq | arb) -> str:
-    """A number as text for a reader."""
+    """Text of a number."""
     return str(value) if isinstance(value, fmpq) else str(value.str(20))
 
 
