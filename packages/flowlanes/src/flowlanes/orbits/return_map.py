@@ -139,7 +139,7 @@ class ReturnMap:
         )
 
     def _holds(self, law: Integral) -> bool:
-        """Whether an integral has only conditions on parameters, and these are satisfied."""
+        """True if an integral has only conditions on parameters, and these are satisfied."""
         system = self.section.system
         parameters = {str(name): value for name, value in self.section.parameters.items()}
         values = {s: parameters.get(str(s), default) for s, default in system.defaults.items()}

@@ -249,7 +249,7 @@ def _shown(value: object) -> list[sp.Basic]:
 
 
 def _names(value: object) -> bool:
-    """Whether a value is a pair of a name and a formula."""
+    """True if a value is a pair of a name and a formula."""
     return (
         isinstance(value, tuple)
         and len(value) == 2

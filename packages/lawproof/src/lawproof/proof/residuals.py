@@ -178,7 +178,7 @@ def _transverse(
 
 
 def conditions_are_independent(level: LevelSet, field: Field) -> bool:
-    """Whether the gradients of the stated conditions are independent and define a volume."""
+    """True if the gradients of the stated conditions are independent and define a volume."""
     partial = level.partial(field)
     normals = [
         [partial(sp.diff(condition, s)).value for s in level.system.symbols]

@@ -49,7 +49,7 @@ def identities_of(theorem: Theorem, system: System, law: Law) -> tuple[System, .
 
 
 def _applies(theorem: PowerTheorem, system: System, law: Law) -> bool:
-    """Whether the theorem has velocities and constraints of the system."""
+    """True if the theorem has velocities and constraints of the system."""
     relations = set(system.scalar.relations)
     known = {*theorem.constraints, *(relation for relation, _ in theorem.positions)}
     return (

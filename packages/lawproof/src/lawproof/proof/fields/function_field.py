@@ -119,7 +119,7 @@ class FunctionField(RootField):
         return Element(self, symbol, {})
 
     def same(self, first: Sequence[Element], second: Sequence[Element]) -> bool:
-        """Whether two lists of arguments are equal."""
+        """True if two lists of arguments are equal."""
         return all(self.vanishes(a - b) for a, b in zip(first, second, strict=True))
 
     def _key(self, element: Element) -> str:

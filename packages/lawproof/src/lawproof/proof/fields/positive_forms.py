@@ -254,5 +254,5 @@ def only_variable(poly: Poly) -> int | None:
 
 
 def meets(first: Poly, second: Poly) -> bool:
-    """Whether two polynomials have a variable in common."""
+    """True if two polynomials have a variable in common."""
     return any(a and b for a, b in zip(first.degrees(), second.degrees(), strict=True))

@@ -155,7 +155,7 @@ class RootField(QuotientRing):
         return value
 
     def vanishes(self, element: Element) -> bool:
-        """Whether an element is zero modulo the relations, or by the sign of a conjugate.
+        """True if an element is zero modulo the relations, or by the sign of a conjugate.
 
         If p(g) p(−g) = 0 and the conjugate p(−g) has a strict sign, then p(g) = 0. Example: z −
         √u, where z² = u and z > 0.
@@ -251,7 +251,7 @@ class RootField(QuotientRing):
         return sign
 
     def _is_contradicted(self, poly: Poly, sign: int) -> bool:
-        """Whether earlier decisions exclude a sign of a factor."""
+        """True if earlier decisions exclude a sign of a factor."""
         return any(contradict(poly * sign, known * own) for known, own in self.decisions.values())
 
     def root(self, element: Element, degree: int) -> Element:

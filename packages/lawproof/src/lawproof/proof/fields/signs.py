@@ -87,7 +87,7 @@ class Signs:
         return sign
 
     def never_zero(self, poly: Poly) -> bool:
-        """Whether a polynomial is certainly non-zero."""
+        """True if a polynomial is certainly non-zero."""
         if abs(self.of(poly)) == Sign.POSITIVE:
             return True
         signs = self._in_one_variable(poly)
