@@ -132,7 +132,7 @@ class LevelSampler:
 
     @_MINDING_RESULTS
     def draw(self, count: int, *, seed: int = 0, first: int = 0) -> FloatArray:
-        """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
+        """Points `first` to `first` + `count`; array (count, size).  See :func:`sample_level`."""
         if count < 0:
             raise InputError(f"count = {count}: it must not be negative")
         size = len(self.system.symbols)
@@ -178,6 +178,7 @@ class LevelSampler:
         )
         weighted_points = self._proposal.weighted_points(gauss[:many])
         density = self.density(weighted_points)
+        # A uniform number below the bound selects a point with the probability density/bound.
         thresholds = self._density_bound * ndtr(gauss[many])
         # At most one point of a proposal is accepted, each with the probability of its density.
         rank = np.arange(weighted_points.which.size) - np.searchsorted(
@@ -188,6 +189,8 @@ class LevelSampler:
         for turn in range(rank.max(initial=-1) + 1):
             here = np.flatnonzero(rank == turn)
             throw = weighted_points.which[here]
+            # The intervals of the points of a proposal are adjacent, so at most one of them
+            # contains the threshold.
             below = passed[throw] <= thresholds[throw]
             passed[throw] += density[here]
             hit[here] = below & (thresholds[throw] < passed[throw])
@@ -219,6 +222,7 @@ class LevelSampler:
             density: FloatArray = np.abs(self._density(states, self.parameters)[0])
             return density
         slopes = self._gradients(states)
+        # The surface measure is √det(G Gᵀ) ∏ δ(…) dx.
         gram: FloatArray = slopes @ np.swapaxes(slopes, 1, 2)
         result: FloatArray = np.sqrt(np.linalg.det(gram))
         return result
@@ -233,6 +237,7 @@ class LevelSampler:
         for _ in range(_NEWTON):
             defect = self._held_terms(states, self.parameters) - self._targets[:, None]
             slopes = self._gradients(states)
+            # Newton's method with the step −Gᵀ(G Gᵀ)⁻¹ c, which is orthogonal to the level.
             gram = slopes @ np.swapaxes(slopes, 1, 2)
             if not np.isfinite(gram).all():
                 raise self._too_far()
@@ -319,6 +324,7 @@ def _density(
     states = proposal.weighted_points(
         counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     ).states
+    # A density that changes its sign, or is singular on the level, is not a probability.
     for law in measures(system, level, values):
         density = CompiledTerms([sheet.term_of(law.value)])
         signs = np.sign(density(states, values))
@@ -343,6 +349,8 @@ def _proposal(
     def same(gauss: FloatArray, _: FloatArray) -> FloatArray:
         return gauss
 
+    # The minimum of the quadratic integral over all base points is found by maximization of the
+    # excess.
     spare, top = maximise(fibration, excess, same, fibration.numbers)
     if not spare > 0:
         names = {c.name for c in (fibration.quadratic, *fibration.further)}
