@@ -61,6 +61,7 @@ def parameters_to_state(system: System, *names: str) -> System:
         system,
         field=(*system.field, *((p.symbol, sp.S.Zero) for p in chosen)),
         parameters=tuple(p for p in system.parameters if p not in chosen),
+        # The parameter is constant along the motion, hence an integral.
         laws=(*system.laws, *(Integral(str(p.symbol), p.symbol, p.meaning) for p in chosen)),
     )
 
@@ -281,6 +282,7 @@ def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int =
         angles = formula(crossed.states, parameters)[..., 0]
         for i in np.flatnonzero(crossed.outcome == 0):
             try:
+                # The angle is known modulo 2π; consecutive returns determine its continuous lift.
                 mean, error = average(np.diff(unwrapped_turns(angles[i])))
             except InputError:
                 outcome[first + i] = -1
