@@ -1,7 +1,7 @@
-"""The audit of the paper: every claim judged as printed, and as corrected.
+"""Audit of the paper: every claim is checked as printed, and as corrected.
 
-Claims are judged in parallel processes.  Verdicts are stored, so an interrupted audit resumes, and
-a second one takes seconds.
+Claims are checked in parallel processes.  Verdicts are stored, so an interrupted audit can be
+resumed, and a second one takes seconds.
 """
 
 from __future__ import annotations
@@ -157,9 +157,9 @@ class Audit:
     Attributes
     ----------
     judgements : tuple of Judgement
-        In reading order; those that were done, if the audit was interrupted.
+        In the order of the paper; after an interruption, those that were finished.
     unjudged : int
-        Number of claims left unjudged by an interruption.
+        Number of claims without a decision because of an interruption.
 
     Examples
     --------
@@ -194,7 +194,7 @@ def audit(
     workers : int, optional
         Processes; by default one for each processor, but not more than claims.
     progress : callable
-        Called with the share of claims that are judged.
+        Function that is called with the completed fraction.
 
     Returns
     -------

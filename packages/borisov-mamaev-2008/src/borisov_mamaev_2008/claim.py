@@ -1,19 +1,18 @@
 """Claims of the paper: the printed and the corrected form, and their decisions.
 
-Rules by which every printed statement is read:
+Every printed statement is read by these rules:
 
-1. Words and formulas are judged as they stand. A lost "not", a sign, an index, another letter:
-   what they state is what is decided.
-2. The number of a formula, a theorem or a figure states nothing itself. A wrong one is read as
-   the one that the context leaves no doubt of, and is an *erratum*; so is a name or a mark that
-   stands for nothing where it is printed. An erratum is told beside the verdict; it refutes
-   nothing.
-3. A constant of which nothing is said but that it is constant, such as "h = const", is any
-   number: its sign, its scale and its letter are no part of the statement. A constant whose value
-   or range is given is that one, and the statement must hold for all of the range.
-4. A slip counts where it is printed. What a statement takes from an earlier one is taken as put
-   right there; if the wrong formula is printed again, it is wrong again. Where two statements
-   contradict each other, the reading with the fewest slips is taken.
+1. Words and formulas are checked exactly as printed. A missing "not", a wrong sign, index or
+   letter is part of the statement.
+2. The number of a formula, a theorem or a figure is not a statement. A wrong number is replaced
+   by the one that is clear from the context, and is an *erratum*; so is a name or a mark without
+   a meaning in its place. An erratum is reported together with the verdict; it refutes nothing.
+3. A constant without further information, such as "h = const", is any number: its sign, its
+   scale and its letter are not part of the statement. A constant with a given value or range has
+   this value or range, and the statement must be valid in the whole range.
+4. An error is reported where it is printed. Where a later statement depends on it, the corrected
+   form is used; if the wrong formula is printed again, it is wrong again. If two statements
+   contradict each other, the reading with the smallest number of errors is used.
 """
 
 from __future__ import annotations
@@ -58,10 +57,10 @@ class Claim:
     note : str
         What was wrong with the printed form, in one phrase; or how it had to be read.
     erratum : str
-        A slip of the print that changes no statement, and how it is read: rules 2 and 3 above.
+        Printing error that changes no statement, and its correction: rules 2 and 3 above.
     argument : str
-        What carries the computation over to all that the statement speaks of, such as any number
-        of coordinates; empty where the computation covers it.
+        Argument that extends the computation to the whole statement, such as any number of
+        coordinates; empty if the computation itself is sufficient.
     where : tuple of str
         Conditions under which the form that holds is proven, and which the statement lacks. With
         any of them the verdict is "proven where" at best.

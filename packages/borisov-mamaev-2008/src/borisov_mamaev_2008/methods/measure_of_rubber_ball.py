@@ -66,7 +66,7 @@ def curl(place: Point, offset: Point = kappa, moments: Point = J) -> sp.Expr:
 
 
 def necessary() -> bool:
-    """Whether the two values of the curl stated above are correct."""
+    """True if the two values of the curl stated above are correct."""
     n = [j - kappa[2] for j in J]
     at_pole = kappa[0] * kappa[1] * (J[1] - J[0]) * (n[0] + n[1]) / (2 * (n[0] * n[1]) ** 2)
     along = (sp.S.Zero, sp.S.Zero, kappa[2])

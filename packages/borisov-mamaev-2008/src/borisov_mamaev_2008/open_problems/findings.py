@@ -1,6 +1,6 @@
 """Findings on questions that the paper leaves open, keyed by rows of docs/open-problems.md.
 
-Remarks of the audit refer to them. They are judged like claims, and docs/open-problems.md quotes
+Remarks of the audit refer to them. They are checked like claims, and docs/open-problems.md quotes
 their statements and decisions.
 """
 

@@ -79,7 +79,7 @@ def unknowns(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> 
 
 
 def lifts(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> bool:
-    """Whether the equations have a solution at :data:`ATTITUDE`; if not, no bracket lifts.
+    """True if the equations have a solution at :data:`ATTITUDE`; if not, no bracket lifts.
 
     Examples
     --------

@@ -26,7 +26,7 @@ SLOW, FAST = sp.Integer(20), sp.Integer(180)
 
 
 def derived() -> bool:
-    """Whether the characteristic polynomial follows from the equations, and the minors from it."""
+    """True if the characteristic polynomial follows from the equations, and the minors from it."""
     minors = zip(top.hermitian_minors(), top.expected_minors(), strict=True)
     equal = all(sp.expand(minor - product) == 0 for minor, product in minors)
     return equal and top.characteristic_difference(tippe_top()) == 0
@@ -96,7 +96,7 @@ def _inverted_share() -> sp.Rational:
 
 
 def steady_under_dry_friction() -> tuple[bool, sp.Rational]:
-    """Whether a rotation that is unstable under viscous friction is stable under dry friction.
+    """True if a rotation that is unstable under viscous friction is stable under dry friction.
 
     Near it the slip ends soon, since the friction is μN but the force needed for rolling is small.
     The rolling top has the oscillations η ~ e^{iwt} with

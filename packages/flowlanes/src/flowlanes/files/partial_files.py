@@ -2,7 +2,7 @@
 
 The name of a partial file contains the process and the machine that write it.  The next process
 that writes to the same folder removes the partial files of processes that no longer run, and locks
-that nobody holds.
+that are not held.
 """
 
 from __future__ import annotations
@@ -185,7 +185,7 @@ def _is_abandoned(entry: os.DirEntry[str]) -> bool:
 
 
 def _is_free(lock: Path) -> bool:
-    """True if nobody holds a lock; it is then removed while it is held here."""
+    """True if a lock is not held by another process; it is then removed while it is held here."""
     import filelock
 
     try:

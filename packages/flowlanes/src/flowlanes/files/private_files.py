@@ -2,17 +2,17 @@
 
 They hold machine code and verdicts, so a file is read only if
 
-- every folder on the way to it, links followed, belongs to this user or to root, and nobody else
-  can write to it (save in folders such as ``/tmp``, where the sticky bit keeps others from
-  removing or renaming what is not theirs);
-- the folder it is in and the file itself belong to this user, and nobody else can write to them;
-  on Windows, where modes do not say who can write, the folder is inside this user's home instead,
-  which Windows keeps others out of;
+- every folder in its path, after links are resolved, belongs to this user or to root, and no
+  other user can write to it (except in folders such as ``/tmp``, where because of the sticky bit
+  other users cannot remove or rename files of this user);
+- its folder and the file itself belong to this user, and no other user can write to them; on
+  Windows, where modes contain no information on write access, the folder is inside the home of
+  this user instead, to which other users have no access;
 - its first line is the digest of its name and content, so that a file that was truncated, changed
   or renamed by accident is not read.
 
-The digest is no signature: whoever can write as this user, or as root, can compute one, and can
-change the program as well.  An untrusted file is no error: its content is computed again.
+The digest is not a signature: a process of this user, or of root, can compute one, and can also
+change the program.  An untrusted file is not an error: its content is computed again.
 """
 
 from __future__ import annotations

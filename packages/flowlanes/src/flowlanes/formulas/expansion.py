@@ -140,6 +140,7 @@ class TaylorExpansion(Evaluation[Series]):
             raise InputError(f"no value is given for {symbol}")
         series = self.constant(self.values[symbol])
         if symbol in self.variables and self.order:
+            # a variable is its value plus the generator of the ring
             series.parts[1] = self.ring.gens()[self.variables.index(symbol)]
         return series
 
@@ -148,6 +149,7 @@ class TaylorExpansion(Evaluation[Series]):
         total = (zero, one)
         for core, factor in combination(formula.args[0], self.steps).items():
             unit = self.circles[core]
+            # The angle is a multiple of the unit α/n, whose sine and cosine are given.
             total = add_angle(total, unit, int(factor * self.units[core]), (zero, one))
         s, c = self(formula.args[0]).circle(*total)
         return s if isinstance(formula, sp.sin) else c if isinstance(formula, sp.cos) else s / c
@@ -183,6 +185,8 @@ class TaylorExpansion(Evaluation[Series]):
         parts = []
         for degree in range(self.order + 1):
             total = self.ring.constant(0)
+            # Every partial derivative at the point is a free number; divided by the factorials it
+            # is a Taylor coefficient.
             for chosen in combinations_with_replacement(range(len(indices)), degree):
                 powers = [chosen.count(i) for i, _ in enumerate(indices)]
                 raised = [

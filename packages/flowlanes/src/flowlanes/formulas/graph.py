@@ -87,6 +87,7 @@ class Graph:
         self._terms: dict[tuple[Any, ...], Term] = {}
 
     def _term(self, kind: str, *args: Any) -> Term:
+        # Terms are compared by identity, because each is created only once.
         key = (kind, *(id(a) if isinstance(a, Term) else a for a in args))
         term = self._terms.get(key)
         if term is None:
@@ -145,10 +146,12 @@ class Graph:
             return b
         if a.number == -1:
             return self.neg(b)
+        # Signs are moved outwards, so that terms that differ only in sign share the rest.
         if a.kind == "neg":
             return self.neg(self.mul(a.args[0], b))
         if b.kind == "neg":
             return self.neg(self.mul(a, b.args[0]))
+        # a b and b a are the same term.
         if self._terms.get(("mul", id(b), id(a))) is not None:
             a, b = b, a
         return self._term("mul", a, b)
@@ -272,6 +275,7 @@ def topological_order(
     seen: set[int] = set()
     order: list[Term] = []
     for root in terms:
+        # An explicit stack, because formulas may be deeper than the limit of recursion.
         pending: list[tuple[Term, bool]] = [(root, False)]
         while pending:
             node, ready = pending.pop()
@@ -336,6 +340,7 @@ class Reader(Evaluation[Term]):
     def _constant(self, number: sp.Expr) -> Term:
         if number.is_Rational or number.is_Float:
             return self.graph.number(Fraction(*map(int, sp.Rational(number).as_numer_denom())))
+        # more digits than any arithmetic of the machine code uses
         decimal = sp.N(number, 50)
         if not (decimal.is_real and decimal.is_finite):
             raise InputError(f"{number}: a number in a formula must be real and finite")

@@ -158,6 +158,7 @@ class Evaluator(Evaluation[Jet]):
             return self._of_inverse(*self._inverse[symbol])
         if symbol in self._inversions:
             return self._of_inverted(*self._inversions[symbol])
+        # The name is the generator, so its derivatives are those of the rest.
         if symbol in self._by_name:
             remainder = self(self._by_name[symbol].rest)
             return Jet(self.field.generator(str(symbol)), remainder.slopes)
@@ -193,6 +194,7 @@ class Evaluator(Evaluation[Jet]):
         A = [self.field.generator(str(s)) for s in inversion.name]
         remainders = [self(self._by_name[s].rest) for s in inversion.of]
         row, column = next((i, j) for i in range(3) for j in range(3) if _SIX[i][j] == number)
+        # dA = −A dJ A for A = J⁻¹
         slopes = {}
         for direction in {d for remainder in remainders for d in remainder.slopes}:
             total = self.field.zero
@@ -206,6 +208,7 @@ class Evaluator(Evaluation[Jet]):
 
     def _of_inverted(self, inversion: Inversion, number: int) -> Jet:
         """Entry of J = A⁻¹."""
+        # Cofactors of the symmetric matrix (a b c; b d e; c e f).
         a, b, c, d, e, f = (self.field.generator(str(s)) for s in inversion.name)
         minors = (
             d * f - e * e,
@@ -229,6 +232,7 @@ class Evaluator(Evaluation[Jet]):
                 raise ZeroDivisionError
             if not inner.slopes:
                 return Jet(inner.value**n, {})
+            # (fⁿ)' = n fⁿ⁻¹ f'
             lower = inner.value ** (n - 1)
             return inner.through(lower * inner.value, field.rational(n) * lower)
         outer = self(exponent)
@@ -249,6 +253,7 @@ class Evaluator(Evaluation[Jet]):
 
     def _exponential(self, formula: sp.Expr) -> Jet:
         exponent = sp.expand(formula.args[0])
+        # e^(x + y) = e^x e^y, so that each term has one generator.
         if exponent.is_Add:
             return reduce(operator.mul, (self(sp.exp(term)) for term in exponent.args))
         inner = self(exponent)
@@ -267,6 +272,7 @@ class Evaluator(Evaluation[Jet]):
             return self.field.unspecified_value(function, counts, values)
 
         slopes: dict[int, Element] = {}
+        # Chain rule over the arguments of the function.
         for j, jet in enumerate(inner):
             if jet.slopes:
                 raised = tuple(n + (i == j) for i, n in enumerate(orders))

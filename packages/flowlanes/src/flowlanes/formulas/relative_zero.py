@@ -172,12 +172,14 @@ def _product(factors: Sequence[SizedNumber]) -> SizedNumber:
 
 def _inverse(number: SizedNumber) -> SizedNumber:
     value, size = _alike(number.value, number.size)
+    # d(1/x) = −dx/x², so the size is divided by x².
     return SizedNumber(1 / value, size / (value * value))
 
 
 def _root(number: SizedNumber) -> SizedNumber:
     value, size = _mpf(number.value), _mpf(number.size)
     root = mpmath.sqrt(value)
+    # d√x = dx/(2 √x); at zero the root of the size is used.
     return SizedNumber(root, size / abs(root) if root else mpmath.sqrt(size))
 
 

@@ -113,6 +113,8 @@ class Tape:
             return sp.S.Zero
         key = (derivation, symbol)
         if key not in self._memo:
+            # The rate of a name gets a name itself, once, so that repeated differentiation does
+            # not grow.
             self._memo[key] = self.name(self.short(self.along(derivation, self._values[symbol])))
         return self._memo[key]
 
@@ -124,6 +126,7 @@ class Tape:
         if value.is_Atom:
             return value
         written = value
+        # Names are substituted until only input symbols are left, or the formula is too large.
         while True:
             inner = {
                 s: self._values[s]
@@ -136,6 +139,7 @@ class Tape:
             if _operations(written) > LARGEST:
                 return value
         shortened = simplify_small(written)
+        # A longer result is used only if it is small in any case.
         limit = max(SMALL // 2, _operations(value))
         return shortened if _operations(shortened) <= limit else value
 
@@ -168,6 +172,7 @@ def simplify_small(value: sp.Expr) -> sp.Expr:
     angles = sorted({f.args[0] for f in value.atoms(sp.sin, sp.cos)}, key=str)
     if angles:
         candidates.append(_on_circles(value, angles))
+    # Each form is also tried in lowest terms; the shortest one is taken.
     if not value.has(sp.Derivative, sp.Subs):
         candidates.extend(in_lowest_terms(c) for c in tuple(candidates))
     return min(candidates, key=_operations)
@@ -201,6 +206,7 @@ def _on_circle(value: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
         table = {
             p: one ** (p.exp % 2) * (1 - other**2) ** (p.exp // 2) for p in squares if p.base == one
         }
+        # sin^n = sin^(n mod 2) (1 − cos²)^⌊n/2⌋
         if table:
             candidates.append(sp.expand(value.xreplace(table)))
     return min(candidates, key=_operations)

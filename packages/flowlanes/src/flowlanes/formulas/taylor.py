@@ -119,6 +119,7 @@ class Modular:
         IrrationalError
             If there is no root modulo this prime.
         """
+        # A fraction with a rational root gets its positive root, as over the rationals.
         fraction = self.fraction(value)
         if fraction is not None and fraction > 0:
             try:
@@ -131,6 +132,8 @@ class Modular:
             except IrrationalError:
                 pass
         whole = int(value)
+        # p ≡ 3 mod 4, so the power is the square root that is itself a square, and further square
+        # roots exist if any does.
         while degree % 2 == 0:
             half = pow(whole, (self.prime + 1) // 4, self.prime)
             if half * half % self.prime != whole:
@@ -140,6 +143,8 @@ class Modular:
 
     def fraction(self, value: nmod) -> Fraction | None:
         """Fraction with small numerator and denominator that represents a residue, or None."""
+        # Rational reconstruction by Euclid's algorithm: every remainder is a multiple of the
+        # residue modulo p, and the first small one gives the fraction.
         bound = isqrt(self.prime // 2)
         before, last = (self.prime, 0), (int(value), 1)
         while last[0] > bound:
@@ -190,6 +195,7 @@ def _whole_root(value: int, degree: int) -> int:
     if value < 0:
         raise IrrationalError
     guess = isqrt(value) if degree == 2 else round(value ** (1.0 / degree))
+    # the root in doubles may differ by one
     for near in (guess - 1, guess, guess + 1):
         if near**degree == value:
             return near
@@ -309,6 +315,8 @@ class Series:
             raise ZeroDivisionError
         root = value if bottom == 1 else self.numbers.root(value, bottom)
         parts = [self._like(root**top).parts[0]]
+        # Euler's operator E multiplies part k by k.  For g = f^(top/bottom), bottom · f E(g) = top
+        # · g E(f) gives bottom k f₀ g_k = Σ_i (top i − bottom (k − i)) f_i g_{k−i}.
         for k in range(1, self.order + 1):
             total = self.ring.constant(0)
             for i in range(1, k + 1):
@@ -325,6 +333,7 @@ class Series:
     def primitive(self, value: Number, slope: Series) -> Series:
         """Function of this series, from its value at the origin and its derivative."""
         parts = [self._like(value).parts[0]]
+        # E(g) = g'(f) E(f), so k g_k = Σ i f_i slope_{k−i}.
         for k in range(1, self.order + 1):
             total = self.ring.constant(0)
             for i in range(1, k + 1):
@@ -335,6 +344,7 @@ class Series:
     def exponential(self, value: Number) -> Series:
         """Exponential, from its value at the origin."""
         series = self._like(value).truncation(0)
+        # The exponential is its own derivative, so part k needs only earlier parts.
         for k in range(1, self.order + 1):
             slope = self._with_parts([*series.parts, self.ring.constant(0)])
             series = self.truncation(k).primitive(value, slope)

@@ -52,13 +52,13 @@ class Average:
 
     @property
     def halves_agree(self) -> bool:
-        """Whether both halves of the motion agree within three errors."""
+        """True if both halves of the motion agree within three errors."""
         first, second = self.halves
         return bool(abs(first - second) <= 3 * self.error)
 
     @property
     def zero(self) -> bool:
-        """Whether the mean rate is zero within its error."""
+        """True if the mean rate is zero within its error."""
         return bool(abs(self.value) <= self.error)
 
 

@@ -32,7 +32,7 @@ def remarks(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[
 
 
 def _is_undecided(spectrum: Spectrum) -> bool:
-    """Whether an error is not smaller than the fluctuations of the growth."""
+    """True if an error is not smaller than the fluctuations of the growth."""
     counted = spectrum.growth[round(spectrum.began / spectrum.interval) :]
     rates = counted.std(axis=0) / spectrum.interval
     return any(

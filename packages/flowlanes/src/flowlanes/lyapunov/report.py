@@ -84,7 +84,7 @@ class Spectrum(WithOverview):
 
     @property
     def halves_agree(self) -> bool:
-        """Whether every exponent agrees in both halves of the motion."""
+        """True if every exponent agrees in both halves of the motion."""
         return all(item.halves_agree for item in self.exponents)
 
     @property
@@ -120,7 +120,7 @@ class Spectrum(WithOverview):
 
     @property
     def chaotic(self) -> bool:
-        """Whether the largest exponent has converged and is positive beyond its error: observed."""
+        """True if the largest exponent has converged and is positive beyond its error: observed."""
         return any(one.halves_agree and one.value > one.error for one in self.exponents[:1])
 
     @property
@@ -144,7 +144,7 @@ class Spectrum(WithOverview):
 
     @property
     def symmetric(self) -> bool:
-        """Whether the exponents form pairs of opposite sign, within their errors."""
+        """True if the exponents form pairs of opposite sign, within their errors."""
         pairs = self.values + self.values[::-1]
         return bool(np.all(np.abs(pairs) <= self.errors + self.errors[::-1]))
 

@@ -164,7 +164,7 @@ def vanishes_to_rounding(
     parameters: Parameters,
     sizes: FloatArray,
 ) -> bool:
-    """Whether formulas vanish at a state up to the rounding errors of their terms.
+    """True if formulas vanish at a state up to the rounding errors of their terms.
 
     Parameters
     ----------
@@ -251,7 +251,7 @@ class _LocalSystem:
         return result
 
     def on_level(self, level: Sequence[sp.Expr], span: _Span) -> bool:
-        """Whether the state lies on a level whose gradients are in the span."""
+        """True if the state lies on a level whose gradients are in the span."""
         return vanishes_to_rounding(
             self.system, level, self.state[0], self.parameters, self.sizes
         ) and all(

@@ -146,7 +146,7 @@ class Plateau:
 
     @property
     def open(self) -> bool:
-        """Whether the width exceeds the errors of the edges."""
+        """True if the width exceeds the errors of the edges."""
         return self.width > 2 * self.error
 
 

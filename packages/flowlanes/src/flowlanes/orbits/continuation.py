@@ -292,7 +292,7 @@ def _turn(here: _BranchPoint, there: _BranchPoint) -> float:
 def _passes(
     here: _BranchPoint, there: _BranchPoint, first: _BranchPoint, sizes: FloatArray
 ) -> bool:
-    """Whether a step passes the first orbit of the branch in the same direction."""
+    """True if a step passes the first orbit of the branch in the same direction."""
     begin, step = here.orbit.points / sizes, (there.orbit.points - here.orbit.points) / sizes
     length = float(np.linalg.norm(step))
     # Any cyclic permutation of the points represents the same orbit.
@@ -358,7 +358,7 @@ def _events(
 
 
 def _same_pairs(kind: str, here: _BranchPoint, there: _BranchPoint) -> bool:
-    """Whether the number of complex multipliers is equal at both ends; needed for a torus."""
+    """True if the number of complex multipliers is equal at both ends; needed for a torus."""
     counts = [int((p.orbit.multipliers.values.imag > 0).sum()) for p in (here, there)]
     return kind != "torus" or counts[0] == counts[1] > 0
 

@@ -61,6 +61,7 @@ def parameters_to_state(system: System, *names: str) -> System:
         system,
         field=(*system.field, *((p.symbol, sp.S.Zero) for p in chosen)),
         parameters=tuple(p for p in system.parameters if p not in chosen),
+        # The parameter is constant along the motion, hence an integral.
         laws=(*system.laws, *(Integral(str(p.symbol), p.symbol, p.meaning) for p in chosen)),
     )
 
@@ -139,7 +140,7 @@ class ReturnMap:
         )
 
     def _holds(self, law: Integral) -> bool:
-        """Whether an integral has only conditions on parameters, and these are satisfied."""
+        """True if an integral has only conditions on parameters, and these are satisfied."""
         system = self.section.system
         parameters = {str(name): value for name, value in self.section.parameters.items()}
         values = {s: parameters.get(str(s), default) for s, default in system.defaults.items()}
@@ -281,6 +282,7 @@ def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int =
         angles = formula(crossed.states, parameters)[..., 0]
         for i in np.flatnonzero(crossed.outcome == 0):
             try:
+                # The angle is known modulo 2π; consecutive returns determine its continuous lift.
                 mean, error = average(np.diff(unwrapped_turns(angles[i])))
             except InputError:
                 outcome[first + i] = -1

@@ -69,7 +69,7 @@ class Reversor:
 
     @arguments_checked
     def holds(self, parameters: Parameters) -> bool:
-        """Whether the reversor holds for these parameters, given by Symbol or name."""
+        """True if the reversor holds for these parameters, given by Symbol or name."""
         values = {str(name): value for name, value in parameters.items()}
         return all(values[str(symbol)] == 0 for symbol in self.vanishing)
 
@@ -159,7 +159,7 @@ def _candidates(system: System) -> Iterator[Reversor]:
 
 
 def _sign_change(parameter: Parameter) -> bool:
-    """Whether a parameter may have either sign."""
+    """True if a parameter may have either sign."""
     conditions = [sp.sympify(c).subs(parameter.symbol, -SMALL) for c in parameter.admissible]
     return all(condition != sp.false for condition in conditions)
 

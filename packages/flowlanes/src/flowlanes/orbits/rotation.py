@@ -194,7 +194,7 @@ def rotation(turns: FloatArray, tolerance: float = 1e-10, max_period: int = 64) 
 
 
 def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float | None]:
-    """Whether an orbit is or approaches a cycle, and the approach factor."""
+    """True if an orbit is or approaches a cycle, and the approach factor."""
     misses = np.abs(
         turns[fraction.denominator :] - turns[: -fraction.denominator] - fraction.numerator
     )
@@ -224,7 +224,7 @@ def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float 
 
 
 def _passes(turns: FloatArray, value: float, max_period: int) -> bool:
-    """Whether an orbit neither meets nor crosses a cycle of up to `max_period` steps."""
+    """True if an orbit neither meets nor crosses a cycle of up to `max_period` steps."""
     for steps in range(1, max_period + 1):
         misses = turns[steps:] - turns[:-steps] - round(value * steps)
         # The displacement over `steps` changes sign or vanishes on a cycle.

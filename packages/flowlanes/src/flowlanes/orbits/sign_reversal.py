@@ -42,7 +42,7 @@ def reversal(system: System) -> tuple[Name, ...]:
 
 
 def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
-    """Whether a sign change of some symbols provably reverses the equations.
+    """True if a sign change of some symbols provably reverses the equations.
 
     Parameters
     ----------

@@ -205,7 +205,7 @@ def _ends_value(word: str) -> bool:
 
 
 def _value_meets_value(source: Source, previous: str, word: str) -> bool:
-    """Whether two values follow each other without an operator: ``2x``, ``x (y + 1)``."""
+    """True if two values follow each other without an operator: ``2x``, ``x (y + 1)``."""
     if word == "(" and (previous in FUNCTIONS or (source.brackets and previous in PRODUCTS)):
         return False
     return _ends_value(previous) and (word[0].isalnum() or word[0] in "_(.[")

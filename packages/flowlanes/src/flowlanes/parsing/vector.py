@@ -113,7 +113,7 @@ class Vectors:
                 return None
 
     def is_vector(self, node: ast.expr) -> bool:
-        """Whether `node` is a vector by its syntax, valid or not."""
+        """True if `node` is a vector by its syntax, valid or not."""
         return self.kind(node) == "vector"
 
     def vector(self, node: ast.expr, depth: int) -> MatrixExpr:

@@ -1,1 +1,1 @@
-"""Systems and laws as a reader meets them: Unicode, LaTeX, HTML, source code."""
+"""Text forms of systems and laws: Unicode, LaTeX, HTML, source code."""

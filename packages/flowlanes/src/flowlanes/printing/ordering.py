@@ -69,7 +69,7 @@ def _term_key(term: sp.Basic) -> tuple[int, int, bool, _Spelling]:
 
 
 def is_negative(term: sp.Basic) -> bool:
-    """Whether a term is written with a minus sign."""
+    """True if a term is written with a minus sign."""
     if isinstance(term, (sp.Add, MatAdd)):
         return all(map(is_negative, term.args))
     if isinstance(term, sp.Number):

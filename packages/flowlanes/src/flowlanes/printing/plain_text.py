@@ -234,7 +234,7 @@ def _small(place: str, text: str) -> str:
 
 
 def _loose(text: str) -> bool:
-    """Whether a formula needs brackets as a factor: it has a sign or space outside brackets."""
+    """True if a formula needs brackets as a factor: it has a sign or space outside brackets."""
     depth = 0
     for character in text:
         depth += (character in "([{") - (character in ")]}")
@@ -254,7 +254,7 @@ def _in_brackets(text: str) -> str:
 
 
 def _one_pair(text: str) -> bool:
-    """Whether the first bracket is closed by the last character."""
+    """True if the first bracket is closed by the last character."""
     depth = 0
     for index, character in enumerate(text):
         depth += (character == "(") - (character == ")")
@@ -308,19 +308,19 @@ _FOLLOWING = ("letter", "open", "ratio", "rate", "function")
 
 
 def _follows_a_term(before: _Part | None) -> bool:
-    """Whether a sign connects two terms, rather than being the sign of a number."""
+    """True if a sign connects two terms, rather than being the sign of a number."""
     return before is not None and before.kind in _FACTORS
 
 
 def _is_factor(before: _Part | None, after: _Part | None) -> bool:
-    """Whether a quotient has neighbours that could be read as part of it."""
+    """True if a quotient has neighbours that could be read as part of it."""
     return (before is not None and before.kind in (*_FACTORS, "between")) or (
         after is not None and after.kind in (*_FOLLOWING, "index", "between")
     )
 
 
 def _apart(parts: Sequence[_Part], index: int) -> bool:
-    """Whether a letter needs a space before it: sin² θ, cos θ φ̇, ρ_μ M."""
+    """True if a letter needs a space before it: sin² θ, cos θ φ̇, ρ_μ M."""
     if index < 1 or parts[index].kind not in ("letter", "ratio"):
         return False
     before = parts[index - 1]

@@ -249,7 +249,7 @@ def _shown(value: object) -> list[sp.Basic]:
 
 
 def _names(value: object) -> bool:
-    """Whether a value is a pair of a name and a formula."""
+    """True if a value is a pair of a name and a formula."""
     return (
         isinstance(value, tuple)
         and len(value) == 2
@@ -309,7 +309,7 @@ class BasicLaw(Law):
 class Integral(BasicLaw):
     """A first integral: a function F of the state with v(F) = 0.
 
-    A constant is a trivial integral; its verdict says so.
+    A constant is a trivial integral, which is mentioned in its verdict.
 
     Parameters
     ----------
@@ -318,7 +318,7 @@ class Integral(BasicLaw):
     value : sympy.Expr
         F, in terms of the state, the definitions and the parameters of its system.
     meaning : str
-        A few words for a reader ("energy", "area integral").
+        A short description ("energy", "area integral").
     unit : str
         SI unit of its value.
 

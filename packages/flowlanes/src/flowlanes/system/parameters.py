@@ -117,7 +117,7 @@ def conjuncts(condition: Condition) -> tuple[Condition, ...]:
 
 
 def condition_words(condition: Condition) -> str:
-    """A condition for a reader, such as ``(a > 1) or (a < -1)``."""
+    """Text of a condition, such as ``(a > 1) or (a < -1)``."""
     return str(condition).replace(" | ", " or ").replace(" & ", " and ")
 
 

@@ -178,7 +178,7 @@ class _Checker:
             )
 
     def _beyond(self, claim: Claim, level: LevelSet, trial: Trial, what: str) -> bool:
-        """Whether the checker accepts the point but has no residual of this kind.
+        """True if the checker accepts the point but has no residual of this kind.
 
         The checker reads the conditions as stated. It does not compute the equations of a
         component, whose rates, brackets and derivatives along a symmetry field must vanish as

@@ -102,7 +102,7 @@ def point_of_reversed_time(law: Law, level: LevelSet) -> Trial | None:
 
 
 def is_nowhere(level: LevelSet, holds: Callable[[LevelSet, Field], bool]) -> bool:
-    """Whether points were found on a level, but none satisfies a predicate."""
+    """True if points were found on a level, but none satisfies a predicate."""
     found = []
 
     def trial_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:

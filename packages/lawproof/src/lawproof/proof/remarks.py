@@ -27,7 +27,7 @@ def remark(law: Law, level: LevelSet, field: Field) -> str:
 
 @remark.register
 def _(law: Integral, level: LevelSet, field: Field) -> str:
-    """Whether the function is constant on the level and so distinguishes no motions."""
+    """True if the function is constant on the level and so distinguishes no motions."""
     partial = level.partial(field)
     size = len(level.system.symbols)
     formulas = [*level.moving, level.without_rates(law.scalar.value)]
@@ -39,7 +39,7 @@ def _(law: Integral, level: LevelSet, field: Field) -> str:
 
 @remark.register
 def _(law: Symmetry, level: LevelSet, field: Field) -> str:
-    """Whether the symmetry field is zero."""
+    """True if the symmetry field is zero."""
     evaluate = level.evaluator(field)
     values = [evaluate.value(formula) for formula in components(law.field, level).values()]
     return "the zero field" if all(map(field.vanishes, values)) else ""
@@ -47,5 +47,5 @@ def _(law: Symmetry, level: LevelSet, field: Field) -> str:
 
 @remark.register
 def _(law: Reduction, level: LevelSet, field: Field) -> str:
-    """Whether the equations determine paths only, not time."""
+    """True if the equations determine paths only, not time."""
     return "up to the time" if up_to_time(law, level) else ""

@@ -43,7 +43,7 @@ Residuals: TypeAlias = Iterator[tuple[Name, FieldElement]]
 
 
 def in_words(name: Name) -> str:
-    """The name of a residual for a reader."""
+    """Name of a residual in messages."""
     return name if isinstance(name, str) else f"invariance of {text(name)} = 0"
 
 
@@ -84,6 +84,7 @@ def _(law: Identity, level: LevelSet, field: Field) -> Residuals:
     formulas = [level.without_second_rates(f, quantities) for f in scalars(law.value)]
     if not formulas:
         raise InputError(f"the law {law.name!r} states nothing: it has no formula")
+    # rates need the vector field, which is evaluated only if they occur
     rated = any(f.has(Rate) for f in formulas)
     evaluate = (level.along(field) if rated else level.evaluator(field)).with_steps(quantities)
     for i, formula in enumerate(formulas, 1):
@@ -129,6 +130,7 @@ def _(law: Measure, level: LevelSet, field: Field) -> Residuals:
                 "the state"
             )
         if field.vanishes(inner.value):
+            # v(log ρ) is infinite where a base vanishes
             raise ZeroDivisionError
         total = total + power.value * _lie_derivative(field, inner, rates) / inner.value
     yield "div(ρv)/ρ", total - _transverse(level, field, partial, rates)
@@ -178,7 +180,7 @@ def _transverse(
 
 
 def conditions_are_independent(level: LevelSet, field: Field) -> bool:
-    """Whether the gradients of the stated conditions are independent and define a volume."""
+    """True if the gradients of the stated conditions are independent and define a volume."""
     partial = level.partial(field)
     normals = [
         [partial(sp.diff(condition, s)).value for s in level.system.symbols]
@@ -319,6 +321,8 @@ def _(law: Isomorphism, level: LevelSet, field: Field) -> Residuals:
     images = components(law.map, level)
     for symbol, formula in components(law.constants, level).items():
         yield f"rate of {symbol}", along.slope(formula)
+    # The target is evaluated at a point only; its derivatives along the motion follow from the
+    # map.
     given = {s: Jet(jet.value, {}) for s, jet in target_state(law, level, along).items()}
     there = Evaluator(field, given.get, dict(target.scalar_definitions))
     stated = zip(
@@ -363,6 +367,7 @@ def target_state(law: Isomorphism, level: LevelSet, evaluate: Evaluator) -> dict
     theirs = {*images, *constants, *(s for s, _ in target.scalar_definitions)}
     state = set(level.system.symbols)
     beside = {s for condition in law.scalar.onto for s in condition.free_symbols} - theirs
+    # The level of the target must be constant along the motion, or it would not be a level.
     if turning := {s for s in beside if level.expand(s).free_symbols & state}:
         raise InputError(
             f"the law {law.name!r}: its level of {target.name} uses "

@@ -40,6 +40,8 @@ def identities_of(theorem: Theorem, system: System, law: Law) -> tuple[System, .
         return theorem.identities()
     if not isinstance(law, Integral) or not _applies(theorem, system, law):
         return ()
+    # The conditions of the checker are used here too, so every proof by the theorem has a
+    # certificate.
     stated = claim_text(system, law)
     try:
         claims_of_identities(stated, read_claim(stated, "the claim"), rates_text(theorem, system))
@@ -49,7 +51,7 @@ def identities_of(theorem: Theorem, system: System, law: Law) -> tuple[System, .
 
 
 def _applies(theorem: PowerTheorem, system: System, law: Law) -> bool:
-    """Whether the theorem has velocities and constraints of the system."""
+    """True if the theorem has velocities and constraints of the system."""
     relations = set(system.scalar.relations)
     known = {*theorem.constraints, *(relation for relation, _ in theorem.positions)}
     return (

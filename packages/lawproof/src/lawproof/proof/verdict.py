@@ -87,7 +87,7 @@ class Verdict(WithOverview):
 
     @property
     def is_untried(self) -> bool:
-        """Whether it is undecided because no effort was allowed."""
+        """True if it is undecided because no effort was allowed."""
         return self.reason.startswith(NOT_TRIED)
 
     @property

@@ -60,7 +60,7 @@ def witness_point(
 
 
 def point_shown(claim: Claim, level: LevelSet, field: Rationals | Balls) -> dict[str, str]:
-    """State and parameters of a system at a point, for a reader."""
+    """Texts of state and parameters of a system at a point."""
     point = level.point_shown(field)
     for angle, sine, cosine, unit in claim.circles:
         evaluate = level.evaluator(Balls(field.values))

@@ -294,7 +294,7 @@ class _Search:
                 return
 
     def _independent(self, law: sp.Expr) -> bool:
-        """Whether the gradient of a law is independent of those of earlier ones."""
+        """True if the gradient of a law is independent of those of earlier ones."""
         formulas = [*self.space.relations, *self.formulas, law]
         gradients = np.array([self.sample(f).slope[:, 0] for f in formulas])
         return rank(gradients) > rank(gradients[:-1])

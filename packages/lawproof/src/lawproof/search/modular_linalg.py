@@ -59,6 +59,7 @@ def nullspace(values: Integers) -> Integers:
     reduced, rank_ = _matrix(values).rref()
     pivots = _pivots(reduced, rank_)
     free = sorted(set(range(columns)) - set(pivots))
+    # The free variables form the identity matrix, which makes the vectors sparse.
     basis = np.zeros((len(free), columns), dtype=np.int64)
     for index, column in enumerate(free):
         basis[index, column] = 1
@@ -73,6 +74,7 @@ def product(left: Integers, right: Integers) -> Integers:
     """The matrix product modulo the prime."""
     total = np.zeros((left.shape[0], right.shape[1]), dtype=np.int64)
     for index in range(left.shape[1]):
+        # The sum is reduced after every product, so that 64-bit integers do not overflow.
         total = (total + left[:, index, None] * right[index]) % prime()
     return total
 

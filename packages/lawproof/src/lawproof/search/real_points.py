@@ -20,7 +20,7 @@ def has_real_points(
     free: Sequence[sp.Symbol],
     substitutions: Sequence[tuple[sp.Symbol, sp.Expr]],
 ) -> bool:
-    """Whether a real point of a level is found at the default parameters.
+    """True if a real point of a level is found at the default parameters.
 
     Newton's method is tried from several random starts; the level counts as empty if all fail.
 

@@ -105,7 +105,7 @@ class SearchResult:
 
     @property
     def proven(self) -> bool:
-        """Whether an exact proof was found."""
+        """True if an exact proof was found."""
         return self.verdict is not None and bool(self.verdict)
 
     @property

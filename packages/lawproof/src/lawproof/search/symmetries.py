@@ -78,9 +78,12 @@ class _Search:
         self.sample = self.space.sample(question.ansatz.size + _SPARE, _SEED, common=True)
         factors = [np.ones_like(self.sample.field[0])]
         factors += [self.sample(f).value for f in formulas]
+        # Products of two integrals are included, because a symmetry times such a product is a
+        # symmetry.
         factors += [a * b % prime() for i, a in enumerate(factors[1:]) for b in factors[i + 1 :]]
         self.factors = factors
         self.span_rows: list[Integers] = []
+        # The vector field itself is a known symmetry.
         self._span(np.array(self.sample.field))
         self.count = 0
 
@@ -91,6 +94,7 @@ class _Search:
     def findings(self, progress: Progress) -> Iterator[SearchResult]:
         """All symmetries of the ansatz, simplest first."""
         monomials: Table = table(self.question.ansatz, self.sample)
+        # On the level some monomials are combinations of others.
         independent = independent_columns(monomials.value.T)
         exponents = [monomials.exponents[i] for i in independent]
         value, condition = _fields(
@@ -101,6 +105,7 @@ class _Search:
         )
         kernel = nullspace(condition.reshape(len(condition), -1).T)
         values = product(kernel, value.reshape(len(value), -1))
+        # Fields with few terms come first, so that later ones are compared with them.
         vectors = sorted(
             zip(kernel, values, strict=True), key=lambda pair: np.count_nonzero(pair[0])
         )
@@ -112,6 +117,7 @@ class _Search:
             self._span(field.reshape(len(self.symbols), -1))
 
     def _fresh(self, field: Integers) -> bool:
+        # A field is new if it is not a combination of known symmetries times integrals.
         stacked = np.array([*self.span_rows, field]).T
         return independent_columns(stacked)[-1] == len(self.span_rows)
 

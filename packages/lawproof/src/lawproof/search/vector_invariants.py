@@ -193,6 +193,7 @@ class VectorInvariants:
 
     def _useful(self, atoms: Iterable[_Atom]) -> Iterator[_Atom]:
         """The atoms that are not constant on the phase space."""
+        # A product with equal values at random points of the phase space is a constant.
         sample = self.space.sample(8, 5, common=True)
         for atom in atoms:
             values = sample(atom.formula).value

@@ -1,8 +1,8 @@
 """Compile LLVM code to PTX, the assembly language of NVIDIA's graphics processors.
 
 The driver translates PTX for the device.  All operations are rounded as on CPUs (IEEE 754), and
-products and sums are fused only where the code says so: instructions carry ``.rn``, which forbids
-contraction.
+products and sums are fused only where the code prescribes it: instructions have
+``.rn``, which forbids contraction.
 """
 
 from __future__ import annotations

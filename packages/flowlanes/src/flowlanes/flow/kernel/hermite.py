@@ -26,6 +26,7 @@ def crossing_step(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_ne
     """
     a, _, c, d = cubic(w, step, g, g_new, gdot, gdot_new)
     low, high = w.constant(0.0), w.constant(1.0)
+    # The first iterate is the zero of the secant.
     x = w.op("fdiv", g, w.op("fsub", g, g_new))
     upward = w.compare("olt", g, w.constant(0.0))
     for _ in range(5):
@@ -63,6 +64,7 @@ def double_crossing(
         cubed = w.op("fmul", w.constant(3.0), d)
         root = w.call("fma", c, c, w.op("fneg", w.op("fmul", cubed, a)))
         root = w.call("sqrt", w.call("maxnum", root, zero))
+        # Both roots follow from one sum without cancellation.
         whole = w.op("fneg", w.op("fadd", c, w.call("copysign", root, c)))
         first, second = w.op("fdiv", a, whole), w.op("fdiv", whole, cubed)
         inside = w.conjunction(
@@ -74,6 +76,7 @@ def double_crossing(
         within = w.conjunction(low, high)
         # Positive if the extremum is on the same side as g.
         depth = w.op("fmul", value, w.call("copysign", w.constant(1.0), g))
+        # x − x² = x (1 − x)
         spread = w.call("fma", w.op("fneg", x), x, x)
         error = w.op("fmul", slack, w.op("fmul", spread, spread))
         other = w.compare("olt", depth, error)

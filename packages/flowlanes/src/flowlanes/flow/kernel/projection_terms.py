@@ -54,6 +54,7 @@ def projection_terms(
     zero, one = graph.number(0), graph.number(1)
     lengths = [zero] * size
     for group in groups:
+        # not zero, so that a vanishing vector has a finite reciprocal
         total = graph.number(Fraction(1, 10**200))
         for i in group:
             total = total + states[i] * states[i]
@@ -88,6 +89,8 @@ def _solution(graph: Graph, matrix: list[list[Term]], right: Sequence[Term]) -> 
     rows = [[*row, b] for row, b in zip(matrix, right, strict=True)]
     pivots = []
     for k in range(size):
+        # In exact arithmetic the pivot of a dependent row is zero; here it is compared with the
+        # diagonal entry before elimination.
         share = matrix[k][k] * graph.number(Fraction(1, 10**10))
         pivot = rows[k][k]
         inverse = graph.where_positive(pivot - share, graph.recip(pivot), graph.number(0))

@@ -49,6 +49,7 @@ class Explicit:
     @property
     def middle(self) -> int:
         """Stage with nonzero weight whose node is closest to the middle of a step."""
+        # a stage with weight zero contributes nothing to the result
         weighty = [i for i, weight in enumerate(self.b) if weight != 0]
         return min(weighty, key=lambda i: abs(sum(self.a[i]) - Fraction(1, 2)))
 
@@ -144,6 +145,7 @@ def gauss(stages: int) -> Gauss:
     with mpmath.workdps(80):
         nodes = sorted(_roots(stages))
         c = [(1 + x) / 2 for x in nodes]
+        # the weights are 2/((1 − x²) P'(x)²) on [−1, 1], half of it on [0, 1]
         slopes = [stages * mpmath.legendre(stages - 1, x) / (1 - x * x) for x in nodes]
         b = [1 / ((1 - x * x) * d * d) for x, d in zip(nodes, slopes, strict=True)]
         at_nodes = [_legendre(stages, x) for x in c]
@@ -191,5 +193,6 @@ def _combine(values: list[mpmath.mpf], expand: list[list[mpmath.mpf]]) -> list[m
 
 def _exact(values: list[mpmath.mpf]) -> tuple[Fraction, ...]:
     """Multi-precision numbers converted to fractions."""
+    # 240 bits are 72 decimal digits
     scale = 2**240
     return tuple(Fraction(int(mpmath.nint(v * scale)), scale) for v in values)

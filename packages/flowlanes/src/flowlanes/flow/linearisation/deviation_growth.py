@@ -55,6 +55,8 @@ def orthonormal_terms(
             shadow = dot(graph, vector, other)
             vector = [x - shadow * y for x, y in zip(vector, other, strict=True)]
         left = _norm(graph, vector)
+        # Branches are not possible in terms, so dependent vectors are replaced by zero with a
+        # selection.
         remains = left - share * before
         inverse = graph.where_positive(remains, graph.recip(left), zero)
         frames.append([x * inverse for x in vector])
@@ -130,6 +132,7 @@ class DeviationGrowth:
         parameters : mapping of Symbol or name to number or (n,) array, optional
         """
         system = self.space.system
+        # Each row has the state and then the deviations; the sizes are parameters of the loop.
         frames = self.space.frames(starts, parameters, self.deviations, sizes)
         rows = np.concatenate([starts[:, None], frames * sizes[:, None]], axis=1)
         rows = rows.reshape(len(starts), -1, 1)

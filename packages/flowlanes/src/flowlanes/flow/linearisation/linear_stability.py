@@ -138,9 +138,9 @@ def linear_stability(
         The steady motion may move along symmetries among its laws.
     state : mapping of Symbol or name to number or numbers, or sequence in flat order
         The steady motion, by the variables and vectors of the state, or by ω and γ where the rest
-        follows from them in double precision.  Numbers of SymPy and mpmath, and strings, count
-        with all their digits; a float means the shortest decimal that gives it.  Variables on
-        which nothing depends may be left out.
+        follows from them in double precision.  Numbers of SymPy and mpmath, and strings, are used
+        with all their digits; a float is taken as its shortest decimal.  Variables on which
+        nothing depends may be omitted.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the defaults of the system.
     along : iterable of mappings of Symbol or name to number
@@ -185,6 +185,7 @@ def linear_stability(
             variables=point.variables,
             matrix=matrix,
             basis=basis,
+            # the projection of A onto the tangent space; A maps it into itself
             reduced=basis.T * matrix * basis,
             drift=drift,
             digits=digits,
@@ -241,9 +242,13 @@ def relative_equilibrium(
         formulas = [*_rates(system, variables), *_relations(system)]
         for _ in range(NEWTON_STEPS):
             values, rows = slopes(system, formulas, variables, {**point, **constants})
+            # eight more digits than requested, so that the steady motion does not limit the
+            # eigenvalues
             if mpmath.norm(values, mpmath.inf) < mpmath.mpf(10) ** (-digits - 8):
                 return point
             free = mpmath.matrix([[rows[i, j] for j in loose] for i in range(rows.rows)])
+            # Minimal norm, because steady motions form families and the equations are then
+            # degenerate.
             move = minimum_norm_solution(free, values)
             for j, change in zip(loose, move, strict=True):
                 point[variables[j]] -= change
@@ -300,6 +305,9 @@ class _LinearisedSystem:
         """Matrix A, and the speeds along the symmetries."""
         value, matrix = self._field(_rates(self.system, self.variables))
         symmetries = [law for law in self.system.laws_of(Symmetry) if self._carries(law)]
+        # Without symmetry fields the motion must be an equilibrium; with them v = Σ c_i u_i is
+        # solved for c in the least-squares sense, and a remainder means that the motion is not
+        # steady.
         drift: dict[str, mpmath.mpf] = {}
         if symmetries and mpmath.norm(value, mpmath.inf) > self.tolerance:
             fields = [self._field(components(law, self.variables)) for law in symmetries]
@@ -358,6 +366,7 @@ def components(law: Symmetry, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
 def essential_variables(system: System) -> tuple[sp.Symbol, ...]:
     """State variables without those on which nothing depends, removed one after the other."""
     rates = dict(zip(system.symbols, system.rates, strict=True))
+    # After a variable has been removed, another one may no longer be used.
     while True:
         formulas = [*rates.values(), *_relations(system)]
         used = {s for formula in formulas for s in formula.free_symbols}
@@ -410,6 +419,7 @@ def _require_family(
 ) -> None:
     """Raise an error for a direction not annihilated by A or the differentials of the relations."""
     size = mpmath.norm(direction)
+    # The tolerance is relative to the size of the matrix, because rates have units.
     for form in forms:
         scale = 1 + mpmath.mnorm(form, 1) if form.rows else 1
         moved = mpmath.norm(form * direction) if form.rows else 0

@@ -84,11 +84,14 @@ def state_scales_at(
     vectors = groups(system)
     # Component by component, so that no bit depends on other motions.
     squares = [sum(states[..., i] ** 2 for i in part) for part in vectors]
+    # fmax ignores NaN after the end of a motion
     norms = np.stack([np.sqrt(np.fmax.reduce(square, axis=1)) for square in squares], axis=1)
     slopes = Formulas(system, system.rates).slopes(states[:, 0], parameters)
     acting = np.array(
         [[np.abs(slopes[:, p][:, :, q]).max(axis=(1, 2)) for q in vectors] for p in vectors]
     )
+    # The coupling of two vectors is the geometric mean of the actions in both directions, which
+    # does not depend on their units.
     back = np.swapaxes(acting, 0, 1)
     rates = np.sqrt(acting) * np.sqrt(back)
     coupled = rates > COUPLING * rates.max(axis=(0, 1))

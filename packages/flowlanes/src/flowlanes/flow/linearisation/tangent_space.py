@@ -65,6 +65,7 @@ def orthonormal(
     for i in range(frame.shape[1]):
         vector = frame[:, i]
         before = np.sqrt(_dot(vector, vector))
+        # Twice, because one projection leaves errors of the size of rounding times the condition.
         for others in (basis, frame[:, :i]) * 2:
             if others is not None:
                 _take_out(vector, others)
@@ -159,6 +160,7 @@ class TangentSpace:
     ) -> FloatArray:
         """States (n, size), projected back onto the level of the conditions after drift."""
         normals = self.normals(states, parameters, sizes)
+        # A condition is compared with the change over a deviation of unit length.
         reach = np.abs(level) + np.sqrt((normals**2).sum(axis=2))
         missed = np.abs(self.level(states, parameters) - level)
         far = np.flatnonzero((missed > LARGEST_DRIFT * reach).any(axis=1))
@@ -174,6 +176,8 @@ class TangentSpace:
             far, normals, lengths = far[usable], normals[usable], lengths[usable][:, :, None]
             if not len(far):
                 break
+            # Rows are normalized, so that conditions in different units have equal weight in the
+            # pseudo-inverse.
             inverse = np.linalg.pinv(normals / lengths, rcond=REDUNDANT)
             steps = (inverse @ (excess[usable][:, :, None] / lengths))[:, :, 0]
             states[far] -= steps * measures[far]
@@ -208,6 +212,7 @@ class TangentSpace:
             earlier ones, with the opposite sign for a gradient: the length of a deviation that
             changes its condition by one.
         """
+        # A gradient of length g changes the condition by one over a deviation of length 1/g.
         normals, across = orthonormal(self.normals(states, parameters, sizes))
         fields, along = orthonormal(self.fields(states, parameters, sizes), normals)
         with np.errstate(divide="ignore"):
@@ -237,6 +242,7 @@ class TangentSpace:
         (n, count, size) array
         """
         shape = (self.dimension if count is None else count, len(self.system.symbols))
+        # Random directions are almost surely independent of the excluded ones.
         chosen = np.random.default_rng(SEED).standard_normal(shape)
         vectors = np.broadcast_to(chosen, (len(states), *shape))
         return orthonormal(vectors, self.excluded_basis(states, parameters, sizes)[0])[0]
@@ -252,6 +258,7 @@ class TangentSpace:
 
         It is the logarithmic growth rate of a volume of deviations tangent to `relations`.
         """
+        # The trace over the tangent space is the full trace minus that over the normals.
         jacobian = self._rates.slopes(states, parameters)
         jacobian *= sizes[..., None, :] / sizes[..., :, None]
         gradients = Formulas(self.system, relations).slopes(states, parameters)
@@ -339,6 +346,7 @@ def propagate(
         frames = space.frames(states, parameters, lanes.deviations, sizes)
     level = space.level(states, parameters)
     while True:
+        # The integrator works with the original variables, the frames with rescaled ones.
         carried = frames * measures if frames.shape[1] else None
         run = lanes.propagate(states, times, parameters, deviations=carried, threads=threads)
         states = space.on_level(run.states[:, -1], level, parameters, sizes)

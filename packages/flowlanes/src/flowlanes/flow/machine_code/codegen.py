@@ -61,6 +61,8 @@ def evaluate(
         return value is None
 
     nodes = topological_order(terms, is_unknown)
+    # A product with a single use is fused with the sum that uses it, which saves an instruction
+    # and a rounding.
     uses = Counter(id(a) for node in nodes for a in node.operands)
     uses.update(id(term) for term in terms)
 
@@ -125,6 +127,7 @@ def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
     They are computed once per motion; numbers are not included.
     """
     nodes = topological_order(terms)
+    # Terms without a state variable below them are constant during a motion.
     moving = _ids_with(nodes, lambda node: node.kind == "state")
     return [t for t in _used_outside(terms, nodes, moving) if t.kind != "number"]
 

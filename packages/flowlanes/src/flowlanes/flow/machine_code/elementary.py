@@ -65,7 +65,9 @@ def _circular(k: Arithmetic[V], x: V) -> tuple[HeadTail[V], HeadTail[V], str]:
     """Sine and cosine of x − n π/2, |x − n π/2| ≤ π/4, and n in the lowest bits."""
     (r, tail), _, quadrant = reduce_argument(k, x, "pi", Fraction(1, 2))
     t = k.mul(r, r)
+    # sin r = r + r³ g(r²); the tail of r is added to the small part.
     sine = HeadTail(r, k.fma(k.mul(r, t), polynomial(k, "sin", t), tail))
+    # cos r = 1 − r²/2 + r⁴ g(r²), minus r · tail for the tail of the argument.
     top = fast_sum(k, unit(k), k.mul(t, k.number(Fraction(-1, 2))))
     small = k.fma(k.mul(t, t), polynomial(k, "cos", t), k.neg(k.mul(r, tail)))
     return sine, HeadTail(top.head, k.add(top.tail, small)), quadrant
@@ -75,6 +77,8 @@ def _shifted_sine(k: Arithmetic[V], x: V, quarters: int) -> V:
     """sin(x + quarters π/2)."""
     w = k.writer
     sine, cosine, quadrant = _circular(k, x)
+    # A shift by quarter turns is an integer addition; odd quadrants exchange sine and cosine, and
+    # bit 1 changes the sign.
     quadrant = integers(w, "add", quadrant, quarters)
     value = total_of(k, select(k, is_odd(w, quadrant), cosine, sine))
     other = is_odd(w, integers(w, "lshr", quadrant, 1))
@@ -118,8 +122,10 @@ def _arcsine(k: Arithmetic[V], x: V) -> tuple[HeadTail[V], str]:
     """The arcsine of |x| ≤ ½, or of √((1 − |x|)/2) where the mask is set; the mask."""
     size = absolute(k, x)
     large = where(k, size, "ogt", 0.5)
+    # For large x: asin x = π/2 − 2 asin √((1 − x)/2).
     t = k.mul(k.sub(unit(k), size), k.number(Fraction(1, 2)))
     root = k.sqrt(t)
+    # One Newton step gives the rounding error of the root.
     lost = k.mul(k.fma(k.neg(root), root, t), k.recip(k.add(root, root)))
     zero = k.number(Fraction(0))
     safe = k.choose(where(k, root, "oeq", 0.0), zero, lost)
@@ -158,6 +164,7 @@ def atan2(k: Arithmetic[V], y: V, x: V) -> V:
     above, below = _proper(k, absolute(k, y), absolute(k, x), steep)
     half = k.leading(k.mul(below, k.number(Fraction(1, 2))))
     middle = w.compare("ogt", k.leading(above), half)
+    # atan(a/b) = π/4 + atan((a − b)/(a + b)) reduces the slope to at most 1/2.
     top = k.choose(middle, k.sub(above, below), above)
     bottom = fast_sum(k, below, k.choose(middle, above, zero))
     slope = quotient(k, HeadTail(top, zero), bottom)
@@ -182,8 +189,10 @@ def _proper(k: Arithmetic[V], a: V, b: V, swap: str) -> tuple[V, V]:
     """Two magnitudes with the same ratio, the smaller first, scaled to order one."""
     one = unit(k)
     above, below = k.choose(swap, b, a), k.choose(swap, a, b)
+    # Scaling by powers of two is exact and avoids overflow and underflow of the quotient.
     factor = where_constant(k, where(k, below, "olt", 2.0**-500), 2.0**600, one)
     factor = where_constant(k, where(k, below, "ogt", 2.0**500), 2.0**-600, factor)
+    # Both infinite gives the angle π/4, one infinite 0 or π/2, as in IEEE 754.
     endless = where(k, below, "oeq", INFINITY)
     corner = where_constant(
         k, where(k, above, "oeq", INFINITY), 1.0, k.mul(above, k.number(Fraction(0)))
@@ -230,12 +239,16 @@ def exp(k: Arithmetic[V], x: V) -> V:
 
 def _hyperbolic(k: Arithmetic[V], x: V) -> tuple[HeadTail[V], HeadTail[V]]:
     """Hyperbolic sine and cosine of a magnitude."""
+    # The factor 1/2 is included in the exponential, so the result may be finite where eˣ
+    # overflows.
     large = _exponential(k, x, 1)
     inverse = k.recip(large.head)
+    # One Newton step for the reciprocal, with the tail of eˣ.
     left = k.fma(k.neg(inverse), large.tail, k.fma(k.neg(inverse), large.head, unit(k)))
     quarter = k.number(Fraction(1, 4))
     small = HeadTail(k.mul(inverse, quarter), k.mul(k.mul(inverse, left), quarter))
     t = k.mul(x, x)
+    # For small x the difference of exponentials would cancel.
     near = HeadTail(x, k.mul(k.mul(x, t), polynomial(k, "sinh", t)))
     cosine = difference(k, large, HeadTail(*map(k.neg, small)))
     sine = select(k, where(k, x, "olt", 0.5), near, difference(k, large, small))
@@ -270,6 +283,7 @@ def tanh(k: Arithmetic[V], x: V) -> V:
 def log(k: Arithmetic[V], x: V) -> V:
     """Logarithm: of 2ⁿ m it is n log 2 + 2 artanh((m − 1)/(m + 1)), √½ ≤ m < √2."""
     w, one = k.writer, unit(k)
+    # Subnormal numbers are scaled first, because their exponent field is zero.
     tiny, huge = where(k, x, "olt", 2.0**-500), where(k, x, "ogt", 2.0**500)
     m = k.mul(x, where_constant(k, huge, 2.0**-600, where_constant(k, tiny, 2.0**600, one)))
     n = w.choose(huge, w.constant(600.0), w.choose(tiny, w.constant(-600.0), w.constant(0.0)))

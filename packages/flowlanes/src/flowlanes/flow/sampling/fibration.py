@@ -145,6 +145,8 @@ class Fibration:
             conditions.
         parameters : array (p,)
         """
+        # On a fibre the linear conditions are n x + a = targets, and the quadratic one is c + b·x
+        # + x·A x/2.  Its minimum on the plane solves the saddle-point system [A nᵀ; n 0].
         n, a, A, b, c = self.parts(states, parameters)
         f, m = len(self.fibre), len(self.linear)
         targets = np.array([condition.target for condition in self.linear])
@@ -155,12 +157,16 @@ class Fibration:
         excess = self.quadratic.target - (
             c + row_dots(b, centre) + 0.5 * row_dots(centre, batched_matvec(A, centre))
         )
+        # Directions are projected onto the plane of the linear conditions.
         gram = n @ np.swapaxes(n, 1, 2)
         shadow = directions.T
         share = batched_solve(gram, batched_matvec(n, shadow))
         shadow = shadow - batched_matvec(np.swapaxes(n, 1, 2), share)
         span = np.sqrt(row_dots(shadow, shadow))
         ray = shadow / span[:, None]
+        # Along the ray the quadratic condition is excess = length² stiffness/2.  With r ray
+        # dimensions the volume element is length^(r−1) dlength, and dlength = dE/(length ·
+        # stiffness); the determinant is that of δ(linear conditions).
         stiffness = row_dots(ray, batched_matvec(A, ray))
         with np.errstate(invalid="ignore", divide="ignore"):
             length = np.sqrt(2 * np.where(excess > 0, excess, np.nan) / stiffness)

@@ -100,6 +100,7 @@ class GreatCircleProposal:
         F, own, outer = flat[:, 0], flat[:, 1 : size + 1], flat[:, size + 1 :]
         fibre, base = list(fibration.fibre), list(fibration.base)
         with np.errstate(invalid="ignore", divide="ignore"):
+            # Derivative of F along the ray divided by that of the quadratic condition.
             rise = row_dots(own[:, fibre], rays.ray) / row_dots(outer[:, fibre], rays.ray)
         # Slopes of F along the level, where the length of the ray changes with its direction.
         free = own - rise[:, None] * outer
@@ -112,6 +113,8 @@ class GreatCircleProposal:
             [free[:, base], inside * (rays.length / rays.span)[:, None]], axis=1
         )
         f = len(fibre)
+        # The centre moves with the base point; its change follows from the same saddle-point
+        # system.
         reach = batched_solve(
             rays.saddle, np.concatenate([across, np.zeros_like(rays.pull)], axis=1)
         )
@@ -150,6 +153,7 @@ class GreatCircleProposal:
     def _across(self, places: FloatArray, vectors: FloatArray) -> FloatArray:
         """Vectors without their components along the unit vectors."""
         tangents = vectors.copy()
+        # Gradients on a sphere are the tangential parts.
         for part in self.fibration.balls:
             unit, own = places[part].T, vectors[:, part]
             tangents[:, part] = own - row_dots(own, unit)[:, None] * unit
@@ -196,6 +200,8 @@ class GreatCircleProposal:
         """Points and velocities on geodesics after a length (k,) at unit speed."""
         there, speed = places + way * pushes, pushes.copy()
         for part in self.fibration.balls:
+            # On a product of spheres a geodesic runs along a great circle of each factor, with
+            # constant speed in each.
             rate = np.sqrt(norm_squared_columns(pushes[part]))
             turn = rate * way
             across = pushes[part] / rate
@@ -237,12 +243,14 @@ class GreatCircleProposal:
 def _parts(reach: Along, count: int) -> tuple[IntArray, FloatArray, FloatArray]:
     """Parts of curves over which the level has points: curves, start and end parameters."""
     which, way = crossings(reach, count, np.linspace(0.0, LENGTH, PIECES + 1))
+    # The curve is cut where the excess of the level vanishes.
     curve = np.concatenate([np.arange(count), which, np.arange(count)])
     cut = np.concatenate([np.zeros(count), way, np.full(count, LENGTH)])
     order = np.lexsort((cut, curve))
     curve, cut = curve[order], cut[order]
     within = np.flatnonzero((curve[1:] == curve[:-1]) & (cut[1:] > cut[:-1]))
     curve, low, high = curve[within], cut[within], cut[within + 1]
+    # Between two cuts the sign is constant, so the midpoint decides.
     over = reach(curve, (low + high) / 2)[0] > 0
     return curve[over], low[over], high[over]
 
@@ -277,6 +285,7 @@ class Steps:
         """Both halves of each interval, and the error of the cubic interpolant at the midpoint."""
         middle = self.ends.mean(axis=0)
         value, slope = along(self.owner, middle)
+        # Value at the midpoint of the cubic Hermite interpolant.
         cubic = self.values.mean(axis=0) + np.diff(self.ends, axis=0)[0] / 8 * (
             self.slopes[0] - self.slopes[1]
         )
@@ -305,6 +314,8 @@ def crossings(along: Along, count: int, nodes: FloatArray) -> tuple[IntArray, Fl
         Functions and arguments, by function and in increasing order.
     """
     steps = _cubic_steps(along, count, nodes)
+    # A function with equal signs at both ends can have two zeros in the interval only around an
+    # extremum, whose sign is tested.
     sure = steps[np.flatnonzero(steps.values[0] * steps.values[1] < 0)]
     dips = steps[np.flatnonzero(_may_dip(steps))]
     turn = _zero(lambda which, s: along(dips.owner[which], s)[1], *dips.ends)

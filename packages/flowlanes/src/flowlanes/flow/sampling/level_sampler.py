@@ -110,7 +110,7 @@ class LevelSampler:
 
     @MINDING_RESULTS
     def draw(self, count: int, *, seed: int = 0, first: int = 0) -> FloatArray:
-        """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
+        """Points `first` to `first` + `count`; array (count, size).  See :func:`sample_level`."""
         if count < 0:
             raise InputError(f"count = {count}: it must not be negative")
         size = len(self.level.system.symbols)
@@ -156,6 +156,7 @@ class LevelSampler:
         )
         weighted_points = self.level.proposal.weighted_points(gauss[:many])
         density = self.level.density(weighted_points)
+        # A uniform number below the bound selects a point with the probability density/bound.
         thresholds = self._density_bound * ndtr(gauss[many])
         # At most one point of a proposal is accepted, each with the probability of its density.
         rank = np.arange(weighted_points.which.size) - np.searchsorted(
@@ -166,6 +167,8 @@ class LevelSampler:
         for turn in range(rank.max(initial=-1) + 1):
             here = np.flatnonzero(rank == turn)
             throw = weighted_points.which[here]
+            # The intervals of the points of a proposal are adjacent, so at most one of them
+            # contains the threshold.
             below = passed[throw] <= thresholds[throw]
             passed[throw] += density[here]
             hit[here] = below & (thresholds[throw] < passed[throw])
@@ -243,6 +246,8 @@ def _require_points(level: Level) -> None:
     def same(gauss: FloatArray, _: FloatArray) -> FloatArray:
         return gauss
 
+    # The minimum of the quadratic integral over all base points is found by maximization of the
+    # excess.
     spare, top = maximise(fibration, excess, same, fibration.numbers)
     if not spare > 0:
         names = {c.name for c in (fibration.quadratic, *fibration.further)}

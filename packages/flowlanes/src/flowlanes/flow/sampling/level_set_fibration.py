@@ -85,6 +85,8 @@ def _fibration_bounded_by(
     """Fibration with `bound` as its quadratic condition, or None."""
     fibre, angles = _variables_off_ellipsoids(system, spheres), list[int]()
     terms = [bound.term, *(relation.term for relation in relations)]
+    # A variable in the second derivatives makes the condition more than quadratic; it may be an
+    # angle of the base instead.
     while curved := sheet.depends(_second_derivatives(sheet, terms, fibre)) & set(fibre):
         angles += sorted(curved)
         fibre = [i for i in fibre if i not in curved]
@@ -162,6 +164,8 @@ def _is_bounded(fibration: Fibration, values: FloatArray) -> bool:
     n, _, A, _, _ = fibration.parts(states, values)
     if not (np.isfinite(n).all() and np.isfinite(A).all()):
         return False
+    # Definiteness is required only on the plane of the linear conditions; their normals give the
+    # zero eigenvalues that are dropped.
     across = np.eye(len(fibration.fibre)) - np.linalg.pinv(n) @ n if n.shape[1] else 1.0
     sizes = np.linalg.eigvalsh(across @ A @ across if n.shape[1] else A)[:, n.shape[1] :]
     return bool((sizes[:, 0] > _DEFINITE * sizes[:, -1]).all())

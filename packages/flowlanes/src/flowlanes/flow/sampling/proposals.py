@@ -119,6 +119,8 @@ def maximise(
     float, array (y,)
         Value and location; −∞ if no proposal has a point.
     """
+    # Random search: the best points are perturbed with decreasing width, which needs no gradients
+    # and finds several maxima.
     places, values = height(counter_normals(_SEED, np.arange(_PILOT), np.zeros(_PILOT), many))
     if first is not None:
         more = height(start(fibration.gauss(first), _fresh(first.shape[1], _ROUNDS + 1, many)))

@@ -228,7 +228,7 @@ class Cases:
         return None
 
     def _new(self, terms: Sequence[Term], equations: Sequence[Poly]) -> bool:
-        """Whether a base is new, that is, not among the equations up to a constant."""
+        """True if a base is new, that is, not among the equations up to a constant."""
         known = {monic(e)[0] for e in equations if e and not e.is_constant()}
         return any(t.base.is_constant() or monic(t.base)[0] not in known for t in terms)
 

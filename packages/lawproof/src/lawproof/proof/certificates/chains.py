@@ -210,7 +210,7 @@ class Chains:
         return division
 
     def is_nonzero(self, poly: Poly, nonzero: Sequence[Poly]) -> bool:
-        """Whether no factor of a polynomial vanishes at a node."""
+        """True if no factor of a polynomial vanishes at a node."""
         if poly.is_constant():
             return bool(poly)
         keys = {monic(p)[0] for p in nonzero}

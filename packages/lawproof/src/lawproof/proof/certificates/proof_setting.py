@@ -107,7 +107,7 @@ class ProofSetting:
         return powers_text(powers, self.places)
 
     def states(self, formula: Formula, poly: Poly) -> bool:
-        """Whether a formula of the checker is a multiple of a polynomial."""
+        """True if a formula of the checker is a multiple of a polynomial."""
         value = self.level.evaluator(self.field).value(
             sympy_formula(formula, self.level.symbols_by_name)
         )

@@ -103,7 +103,7 @@ class Reasons:
         self._unknown.clear()
 
     def is_nonzero(self, poly: Poly) -> bool:
-        """Whether a polynomial does not vanish on the domain of the law."""
+        """True if a polynomial does not vanish on the domain of the law."""
         if poly.is_constant():
             return bool(poly)
         key = monic(poly)[0]
@@ -160,7 +160,7 @@ class Reasons:
         return None
 
     def _in_one_variable(self, poly: Poly) -> bool:
-        """Whether other polynomials in its only variable imply that a polynomial is positive."""
+        """True if other polynomials in its only variable imply that a polynomial is positive."""
         position, key = only_variable(poly), str(poly)
         if position is None or key in self._unknown:
             return False
@@ -308,7 +308,7 @@ class Reasons:
         return None
 
     def _is_positive(self, term: Term) -> bool:
-        """Whether a term is strictly positive."""
+        """True if a term is strictly positive."""
         return term.base.is_constant() and all(self.is_nonzero(part) for part, _ in term.weights)
 
     def _open_parts(self, poly: Poly) -> Iterator[tuple[list[Term], Poly]]:

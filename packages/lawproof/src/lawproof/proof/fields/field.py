@@ -21,7 +21,7 @@ class Field(Protocol):
 
     @property
     def exact(self) -> bool:
-        """Whether a non-zero result is certain to be non-zero."""
+        """True if a non-zero result is certain to be non-zero."""
 
     @property
     def zero(self) -> FieldElement:
@@ -35,7 +35,7 @@ class Field(Protocol):
         """A generator, or its value at a point."""
 
     def vanishes(self, element: Any) -> bool:
-        """Whether an element is zero; for a ball, whether it contains zero."""
+        """True if an element is zero; for a ball, if it contains zero."""
 
 
 E = TypeVar("E", bound=FieldElement)

@@ -119,7 +119,7 @@ class FunctionField(RootField):
         return Element(self, symbol, {})
 
     def same(self, first: Sequence[Element], second: Sequence[Element]) -> bool:
-        """Whether two lists of arguments are equal."""
+        """True if two lists of arguments are equal."""
         return all(self.vanishes(a - b) for a, b in zip(first, second, strict=True))
 
     def _key(self, element: Element) -> str:
@@ -144,5 +144,5 @@ class FunctionField(RootField):
 
 
 def derivative_name(function: str, orders: Sequence[int]) -> str:
-    """The name of a partial derivative of an unspecified function, for a reader."""
+    """Text of a partial derivative of an unspecified function."""
     return f"D{list(orders)} {function}" if any(orders) else function

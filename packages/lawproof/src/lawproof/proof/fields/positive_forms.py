@@ -68,7 +68,7 @@ def less_a_multiple(
     Parameters
     ----------
     either_sign : bool
-        Whether λ may be negative: True if `other` is zero, False if it is positive.
+        True if λ may be negative, which is possible if `other` is zero, but not if it is positive.
     """
     if poly.total_degree() > 2 or other.total_degree() > 2:
         return None
@@ -78,6 +78,7 @@ def less_a_multiple(
     if not places or len(places) > MOST_VARIABLES:
         return None
     for ratio in _ratios(_matrix(poly, places), _matrix(other, places)):
+        # With g > 0 only λ > 0 is useful; with g = 0 any λ is.
         if ratio > 0 or (ratio < 0 and either_sign):
             squares = completed_squares(poly - ratio * other, ring)
             if squares is not None:
@@ -90,6 +91,7 @@ def _matrix(poly: Poly, places: Sequence[int]) -> list[list[fmpq]]:
     size = len(places) + 1
     rows = [[fmpq(0)] * size for _ in range(size)]
     for exponents, number in poly.to_dict().items():
+        # With the constant 1 as variable 0, every term of degree ≤ 2 is an entry of the matrix.
         own = [k + 1 for k, i in enumerate(places) for _ in range(int(exponents[i]))]
         first, second = [0, 0, *own][-2:]
         if first == second:
@@ -120,12 +122,16 @@ def _ratios(first: list[list[fmpq]], second: list[list[fmpq]]) -> Iterator[fmpq]
                 share = share * fmpq_poly([-other_point, 1]) / (at - other_point)
         determinant = determinant + share
     if determinant.degree() < 1:
+        # The determinant is constant in λ, so its roots give no candidates; a few simple ones are
+        # tried.
         yield from (fmpq(1), fmpq(-1), fmpq(1, 2), fmpq(-1, 2))
         return
     with ctx.workprec(PRECISIONS[0]):
         roots = [root for root, _ in _real_roots([determinant])]
         between = _between([root.ball for root in roots])
     yield from (root.value for root in roots if root.value is not None)
+    # Rational numbers between the roots are interior points of the interval; with them all
+    # certificates stay rational.
     yield from between
 
 
@@ -147,6 +153,7 @@ def _real_roots(polys: Sequence[fmpq_poly]) -> list[tuple[_Root, fmpz_poly]]:
     for part in factors.values():
         value = fmpq(-int(part[0]), int(part[1])) if part.degree() == 1 else None
         found: list[tuple[acb, int]] = part.complex_roots()  # type: ignore[assignment]
+        # python-flint gives real roots an imaginary part that is exactly zero.
         roots += [(_Root(root.real, value), part) for root, _ in found if root.imag.is_zero()]
     return sorted(roots, key=lambda pair: float(pair[0].ball.mid()))
 
@@ -205,6 +212,7 @@ def _signs(polys: Sequence[fmpq_poly], strict: Sequence[bool]) -> frozenset[int]
     """The signs of the first polynomial where the others are positive; None if inaccurate."""
     roots = _real_roots(polys)
     balls = [root.ball for root, _ in roots]
+    # Overlapping balls leave the order of the roots open.
     if any(not a < b for a, b in pairwise(balls)):
         return None
     found = set()
@@ -214,6 +222,7 @@ def _signs(polys: Sequence[fmpq_poly], strict: Sequence[bool]) -> frozenset[int]
         if all(sign > 0 for sign in others):
             found.add(own)
     for root, factor in roots:
+        # A value is zero exactly if the irreducible factor of the root divides the polynomial.
         at_root = [0 if _divides(factor, poly) else _ball_sign(poly, root.ball) for poly in polys]
         own, *others = (sign for sign in at_root if sign is not None)
         if None in at_root:
@@ -254,5 +263,5 @@ def only_variable(poly: Poly) -> int | None:
 
 
 def meets(first: Poly, second: Poly) -> bool:
-    """Whether two polynomials have a variable in common."""
+    """True if two polynomials have a variable in common."""
     return any(a and b for a, b in zip(first.degrees(), second.degrees(), strict=True))

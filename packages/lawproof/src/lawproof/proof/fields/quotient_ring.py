@@ -218,7 +218,7 @@ class QuotientRing:
                 return poly
 
     def vanishes(self, element: Element) -> bool:
-        """Whether an element is zero modulo the relations."""
+        """True if an element is zero modulo the relations."""
         poly = self.reduce(element.poly)
         for main, relation, _ in self._chain:
             if not poly:

@@ -113,7 +113,7 @@ class RootField(QuotientRing):
         return self._auxiliary[key]
 
     def readable_polynomial(self, poly: Poly) -> str:
-        """A polynomial for a reader, with the auxiliary symbols written out."""
+        """Text of a polynomial, with the auxiliary symbols replaced by their definitions."""
         words = str(poly)
         while used := [n for n in self.meanings if re.search(rf"\b{n}\b", words)]:
             words = re.sub(rf"\b{used[-1]}\b", lambda _: f"({self.meanings[used[-1]]})", words)
@@ -155,7 +155,7 @@ class RootField(QuotientRing):
         return value
 
     def vanishes(self, element: Element) -> bool:
-        """Whether an element is zero modulo the relations, or by the sign of a conjugate.
+        """True if an element is zero modulo the relations, or by the sign of a conjugate.
 
         If p(g) p(−g) = 0 and the conjugate p(−g) has a strict sign, then p(g) = 0. Example: z −
         √u, where z² = u and z > 0.
@@ -251,7 +251,7 @@ class RootField(QuotientRing):
         return sign
 
     def _is_contradicted(self, poly: Poly, sign: int) -> bool:
-        """Whether earlier decisions exclude a sign of a factor."""
+        """True if earlier decisions exclude a sign of a factor."""
         return any(contradict(poly * sign, known * own) for known, own in self.decisions.values())
 
     def root(self, element: Element, degree: int) -> Element:

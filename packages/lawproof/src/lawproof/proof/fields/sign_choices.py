@@ -6,7 +6,7 @@ from .quotient_ring import Poly
 
 
 def contradict(first: Poly, second: Poly) -> bool:
-    """Whether the terms of two polynomials show that both cannot be positive.
+    """True if the terms of two polynomials show that both cannot be positive.
 
     This is so if a positive combination of them has only even powers with negative coefficients,
     as with x and −x − 1.

@@ -77,6 +77,7 @@ class Signs:
     def of(self, poly: Poly) -> Sign:
         """The sign of a polynomial where the facts and the conditions hold."""
         sign = self._of_one(poly)
+        # Factors are tried last, because factorization takes long.
         if abs(sign) < Sign.POSITIVE and poly and len(poly) <= MANY:
             content, parts = poly.factor()
             if len(parts) > 1 or any(power > 1 for _, power in parts):
@@ -87,7 +88,7 @@ class Signs:
         return sign
 
     def never_zero(self, poly: Poly) -> bool:
-        """Whether a polynomial is certainly non-zero."""
+        """True if a polynomial is certainly non-zero."""
         if abs(self.of(poly)) == Sign.POSITIVE:
             return True
         signs = self._in_one_variable(poly)
@@ -145,6 +146,7 @@ class Signs:
             own = self.symbol_signs.get(self.ring.name(index), Sign.UNKNOWN)
             if abs(own) != Sign.POSITIVE:
                 base = base * self.ring.gen(index)
+            # Only odd powers depend on the sign of the symbol.
             if exponent % 2:
                 sign = sign.times(own) if own else Sign.UNKNOWN
                 if sign is Sign.UNKNOWN:
@@ -223,6 +225,7 @@ class Signs:
             return frozenset()
         facts = []
         known = [(fact if sign > 0 else -fact, abs(sign)) for fact, sign in self.facts]
+        # A condition is zero, so both signs of it are nonnegative.
         known += [(signed, 1) for c in self.conditions for signed in (c, -c)]
         for fact, strength in known:
             part = self.part_in_one_variable(fact, position)

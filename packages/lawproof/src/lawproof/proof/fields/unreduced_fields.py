@@ -53,7 +53,7 @@ class Meaning:
     whole: tuple[tuple[Poly, int], ...] = ()
 
     def agrees(self, other: Meaning) -> bool:
-        """Whether it is the same function, regardless of the arguments."""
+        """True if it is the same function, regardless of the arguments."""
         mine = (self.kind, self.name, self.number, self.orders, self.exponent, len(self.of))
         theirs = (other.kind, other.name, other.number, other.orders, other.exponent)
         return mine == (*theirs, len(other.of))

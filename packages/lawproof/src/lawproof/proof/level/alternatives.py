@@ -71,7 +71,7 @@ def ranges_of_parameters(system: System) -> tuple[System, ...]:
 
 
 def _is_empty(conditions: Sequence[sp.Basic]) -> bool:
-    """Whether the conditions on some single parameter contradict each other."""
+    """True if the conditions on some single parameter contradict each other."""
     alone: dict[sp.Basic, sp.Set] = {}
     for condition in conditions:
         if len(condition.free_symbols) == 1:
@@ -184,7 +184,7 @@ def _in_sight(condition: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr
 
 
 def _holds_functions(condition: sp.Expr) -> bool:
-    """Whether a condition contains functions or roots."""
+    """True if a condition contains functions or roots."""
     functions = condition.atoms(sp.Function, sp.Derivative, sp.Subs)
     return bool(functions) or any(not p.exp.is_Integer for p in condition.atoms(sp.Pow))
 

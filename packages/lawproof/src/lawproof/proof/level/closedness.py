@@ -46,7 +46,7 @@ class _Rates:
 
     @property
     def homogeneous(self) -> bool:
-        """Whether all equations are homogeneous in the first rates and leave time open."""
+        """True if all equations are homogeneous in the first rates and leave time open."""
         return (
             len(self.unknowns) > 1
             and len(self.first) == len(self.unknowns) == len(self.meaning)
@@ -55,7 +55,7 @@ class _Rates:
 
 
 def up_to_time(law: Reduction, level: LevelSet) -> bool:
-    """Whether the equations are homogeneous in the rates and so determine paths only."""
+    """True if the equations are homogeneous in the rates and so determine paths only."""
     return _rates(law, level).homogeneous
 
 
@@ -171,7 +171,7 @@ def _derivatives(formula: sp.Expr, rates: _Rates) -> list[sp.Expr]:
 def _within(
     formula: sp.Expr, own: set[sp.Symbol], quantities: dict[sp.Symbol, sp.Expr], level: LevelSet
 ) -> bool:
-    """Whether all variables of a formula are variables of the equations."""
+    """True if all variables of a formula are variables of the equations."""
     moving: set[sp.Symbol] = formula.free_symbols & {*level.system.symbols, *quantities}
     return moving <= own
 

@@ -140,7 +140,7 @@ class Decomposition:
         )
 
     def _within(self, part: Component, other: Component) -> bool:
-        """Whether the equations of `other` vanish on a component, by its chain."""
+        """True if the equations of `other` vanish on a component, by its chain."""
         triangular = self._chain(part.equations)
         return all(not self._remainder(poly, triangular) for poly in other.equations)
 
@@ -243,7 +243,7 @@ class Decomposition:
     def _thin(
         self, equations: Polys, triangular: Sequence[tuple[str, Poly]], initial: Poly
     ) -> bool:
-        """Whether the zeros of an initial contain no component.
+        """True if the zeros of an initial contain no component.
 
         If the chain has m polynomials, all components of its zero set have dimension n − m or
         more; likewise for the equations if there are m of them. A set of codimension m + 1 or more
@@ -256,7 +256,7 @@ class Decomposition:
         return any(self.within((*base, initial), bound) for base in bases)
 
     def within(self, equations: Sequence[Poly], codimension: int) -> bool:
-        """Whether the zero set has at least the given codimension everywhere."""
+        """True if the zero set has at least the given codimension everywhere."""
         waiting = [tuple(equations)]
         budget = MOST_STEPS // 4
         while waiting:
@@ -279,6 +279,6 @@ class Decomposition:
 
 
 def _alike(first: Poly, second: Poly) -> bool:
-    """Whether two polynomials are proportional."""
+    """True if two polynomials are proportional."""
     ratio = first.leading_coefficient() / second.leading_coefficient()
     return bool(first == ratio * second)

@@ -150,7 +150,7 @@ def _thin(system: System, conditions: tuple[sp.Expr, ...], factor: sp.Expr, spar
 
 
 def _polynomial(formula: sp.Expr, tame: tuple[type, ...]) -> bool:
-    """Whether a formula has no functions or roots but tame ones, or is a single function value."""
+    """True if a formula has no functions or roots but tame ones, or is a single function value."""
     if isinstance(formula, AppliedUndef):
         return True
     functions = formula.atoms(sp.Function, sp.Derivative, sp.Subs)

@@ -341,7 +341,7 @@ def assumed_relations(symbol: sp.Symbol) -> list[sp.Basic]:
 
 
 def conditions_text(on: tuple[sp.Expr, ...]) -> str:
-    """The conditions of a level as equations, for a reader."""
+    """Text of the conditions of a level as equations."""
     from flowlanes.printing.formula import text
 
     return ", ".join(f"{text(c)} = 0" for c in on) or "given by the relations"

@@ -173,7 +173,7 @@ class LevelSet(LevelFractions):
         raise ZeroDivisionError
 
     def inside(self, values: Mapping[str, fmpq | arb], exact: bool) -> bool:
-        """Whether a point satisfies the guards and the conditions on the parameters."""
+        """True if a point satisfies the guards and the conditions on the parameters."""
         for rational in (True, False) if exact else (False,):
             field = self.numbers(values, rational)
             evaluate = self.evaluator(field)
@@ -186,7 +186,7 @@ class LevelSet(LevelFractions):
         return False
 
     def point_shown(self, field: Rationals | Balls) -> dict[str, str]:
-        """State and parameters at a point, for a reader."""
+        """Texts of state and parameters at a point."""
         evaluate = self.evaluator(field)
         return {str(s): number_text(evaluate.value(s)) for s in self.symbols}
 
@@ -238,7 +238,7 @@ def _as_formula(poly: Poly, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
 
 
 def certain(condition: sp.Basic, evaluate: Evaluator) -> bool:
-    """Whether a condition certainly holds at the point of an evaluator."""
+    """True if a condition certainly holds at the point of an evaluator."""
     if isinstance(condition, sp.Or):
         return any(certain(part, evaluate) for part in condition.args)
     if isinstance(condition, sp.And):
@@ -247,7 +247,7 @@ def certain(condition: sp.Basic, evaluate: Evaluator) -> bool:
 
 
 def _holds(relation: sp.Basic, difference: fmpq | arb) -> bool:
-    """Whether a relation certainly holds, given the difference of its sides."""
+    """True if a relation certainly holds, given the difference of its sides."""
     exact = isinstance(difference, fmpq)
     if isinstance(relation, sp.Ne):
         return bool(difference != 0) if isinstance(difference, fmpq) else 0 not in difference

@@ -93,6 +93,7 @@ def point_on_sphere(
     shares = [fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in members[1:]]
     square = sum((s * s for s in shares), fmpq(0))
     point = [2 * s / (1 + square) for s in shares] + [(square - 1) / (1 + square)]
+    # A zero coordinate is too special: a residual may vanish there only by accident.
     if any(x == 0 for x in point):
         raise ZeroDivisionError
     return {n: radius * x for n, x in zip(sorted(members), point, strict=True)}
@@ -130,6 +131,7 @@ def real_root(
         return _quotient(sign * root - c[1], 2 * c[2])
     rational = [x for x in c if isinstance(x, fmpq)]
     if len(rational) == len(c):
+        # Roots of higher degree are found as balls, and only if all coefficients are exact.
         roots: Any = fmpq_poly(rational).complex_roots()
         real: list[arb] = [z.real for z, _ in roots if z.imag == 0]
         if real:
@@ -138,7 +140,7 @@ def real_root(
 
 
 def number_text(value: fmpq | arb) -> str:
-    """A number as text for a reader."""
+    """Text of a number."""
     return str(value) if isinstance(value, fmpq) else str(value.str(20))
 
 

@@ -21,7 +21,7 @@ from .named_formulas import components
 
 
 def has_target(law: Law) -> TypeGuard[Isomorphism]:
-    """Whether a law maps to another system, which imposes conditions on its parameters."""
+    """True if a law maps to another system, which imposes conditions on its parameters."""
     return isinstance(law, Isomorphism)
 
 
@@ -41,7 +41,7 @@ def target_conditions(law: Law, level: LevelSet) -> tuple[sp.Basic, ...]:
 
 
 def is_admissible_target(law: Law, level: LevelSet, field: Field) -> bool:
-    """Whether the parameters of the target are certainly admissible at a point."""
+    """True if the parameters of the target are certainly admissible at a point."""
     evaluate = level.evaluator(field)
     return all(
         condition != sp.false and certain(condition, evaluate)

@@ -149,7 +149,7 @@ def _merit_by_degree(
 
 
 def _possible(draft: FunctionField, poly: Poly, name: str, chain: list[tuple[str, Poly]]) -> bool:
-    """Whether a variable may be main: it occurs, is not main yet, and gives no cycle."""
+    """True if a variable may be main: it occurs, is not main yet, and gives no cycle."""
     if name in {main for main, _ in chain} or name not in _variables(draft, poly):
         return False
     try:

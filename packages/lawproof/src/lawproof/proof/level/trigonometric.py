@@ -78,6 +78,7 @@ class Circles:
     def bracket(self, matrix: sp.MatrixBase) -> sp.ImmutableDenseMatrix:
         """A bracket in the new variables: {s, x} = c {φ, x}, {c, x} = −s {φ, x}."""
         old = self._old
+        # The new bracket is D J Dᵀ with the differentials D of the new variables.
         rows = [[(old.index(s), factor) for s, factor in self._old_of(n)] for n in self.new]
         return sp.ImmutableDenseMatrix(
             [
@@ -235,6 +236,8 @@ def _replacements(
         ratios = [sp.cancel(multiple / multiples[0]) for multiple in multiples]
         if not all(ratio.is_Rational for ratio in ratios) or multiples[0].has(*angles):
             raise OutOfReachError(f"{angle} stands in sines and cosines by different multiples")
+        # With the common divisor of all multiples, every function is rational in one sine and one
+        # cosine.
         unit = multiples[0] * reduce(sp.gcd, map(abs, ratios))
         unit = abs(unit) if unit.is_Rational else unit
         whole = unit == 1 or not unit.is_Rational
@@ -294,6 +297,7 @@ def _with_circles(
     for p in system.parameters:
         if p.symbol in circles:
             s, c, unit = circles[p.symbol]
+            # A parameter that is an angle becomes two parameters on a circle.
             angle = float(unit) * p.default
             parameters.append(replace(p, symbol=s, default=float(sp.sin(angle)), admissible=()))
             parameters.append(replace(p, symbol=c, default=float(sp.cos(angle)), admissible=()))
