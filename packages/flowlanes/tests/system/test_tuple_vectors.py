@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from flowlanes.system.rotations import quaternion_product, rotation_rows
 from flowlanes.system.tuple_vectors import cross, dot
+from nonholonomic.mechanics.rotations import quaternion_product, rotation_rows
 
 U, V = (1, -2, 5), (Fraction(1, 3), 7, 2)
 

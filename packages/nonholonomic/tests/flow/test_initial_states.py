@@ -11,12 +11,13 @@ import pytest
 from flowlanes.errors import InputError
 from flowlanes.flow.batch import batch_integrator
 from flowlanes.flow.gauss import gauss_integrator
-from flowlanes.flow.initial_states import flat_starts, reduced_start, upright, whole_start
+from flowlanes.flow.initial_states import flat_starts, reduced_start, whole_start
 from flowlanes.flow.integrator import integrate
 from flowlanes.lyapunov.spectrum import lyapunov_spectrum
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.closed_form.solver import solve
 from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.mechanics.rotations import upright
 
 OMEGA = np.array([[0.7, 0.4, 1.1], [-1.0, 2.0, 0.1], [0.0, 0.0, 3.0]])
 GAMMA = np.array([[0.2, -0.3, 0.93], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])

@@ -21,6 +21,7 @@ from flowlanes.system.laws import Law
 from flowlanes.system.overview import Overview, WithOverview
 from flowlanes.system.system import Guard, System
 from nonholonomic.contact.invariants.provable_laws import provable_laws
+from nonholonomic.mechanics.conventions import start_vectors
 from nonholonomic.mechanics.rolling.equations import RollingBody
 
 from .models.experiment import Experiment
@@ -178,7 +179,7 @@ class Study(WithOverview):
         """The experiment file with all defaults of the catalogue written out."""
         tables = self.experiment.complete_tables()
         # The fluids of several cavities form one list in a file.
-        single = {str(name) for name in self.system.start_vectors} - {"fluid"}
+        single = {str(name) for name in start_vectors(self.system)} - {"fluid"}
         tables["start"] |= {n: v for n, v in self.start_values.items() if n not in single}
         tables["run"] |= {"until": self.until}
         return type(self.experiment).model_validate(tables).toml()

@@ -18,7 +18,7 @@ from ..system.formula_text import exact_text
 from ..system.system import System
 
 #: The attributes of a System that determine its motions.
-_OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "start")
+_OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "conventions")
 
 
 def digest(value: object) -> str:

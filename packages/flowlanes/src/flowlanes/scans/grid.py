@@ -25,7 +25,7 @@ from ..parsing import nearest, parse
 from ..system.arrays import BoolArray, FloatArray, IntArray
 from ..system.named_formulas import flat
 from ..system.parameters import conditions, satisfies
-from ..system.system import System
+from ..system.system import System, VariablesByName
 from ..system.vectors import Vector, norm_squared
 from .axis_text import axis_parts
 from .system_quantities import quantities_by_name
@@ -350,10 +350,14 @@ def _described_system(
 
 
 def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
-    """The system with the state ω, γ, from which the other variables follow."""
-    follow = [(name, value) for name, value in system.start if name in system.state]
+    """The system with other variables as state, from which its own follow."""
+    follow = [
+        (name, value) for name, value in system.conventions.start_formulas if name in system.state
+    ]
     words = {str(name): name for name, _ in system.definitions}
-    words |= {str(name): name for name in (*system.state, *system.start_vectors)}
+    words |= {
+        str(name): name for name in (*system.state, *system.conventions.start_variables(system))
+    }
     names = [words[name] for name in start if name in words]
     missing = {*system.state} - {*names, *(name for name, _ in follow)}
     if missing:
@@ -370,7 +374,7 @@ def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
         field=tuple((name, 0 * name) for name in names),
         definitions=(*before, *follow, *after),
         reconstruction=None,
-        start=(),
+        conventions=VariablesByName(),
         guards=(),
     )
 

@@ -81,7 +81,9 @@ class DescribedSubject(Subject):
         InputError
             If a variable is unknown or missing, or the state is not on the phase space.
         """
-        motion_of_body = bool(self.system.start) or self.system.reconstruction is not None
+        motion_of_body = (
+            bool(self.system.conventions.start_formulas) or self.system.reconstruction is not None
+        )
         if motion_of_body and self.start_values.keys() == {"omega", "gamma"}:
             omega, gamma = (self.start_vector(name) for name in ("omega", "gamma"))
             return initial_state(self.system, omega, gamma)

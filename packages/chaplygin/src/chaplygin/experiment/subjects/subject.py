@@ -23,6 +23,7 @@ from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import System
 from flowlanes.system.vectors import Diagonal
 from nonholonomic.mechanics.ball.ball import RollingBall
+from nonholonomic.mechanics.conventions import start_vectors
 from nonholonomic.mechanics.lagrangian.mechanism import TIME, Mechanism
 from nonholonomic.mechanics.lagrangian.plan import Plan
 from nonholonomic.mechanics.rolling.body import AnyBody
@@ -325,7 +326,7 @@ class BodySubject(Subject):
             self.start_vector("gamma"),
             heading=self.heading,
             normal=self.normal,
-            fluid=[self.start_vector(str(name)) for name in self.system.start_vectors],
+            fluid=[self.start_vector(str(name)) for name in start_vectors(self.system)],
         )
 
     @property

@@ -386,7 +386,8 @@ def _symbol(system: System, name: object, where: str) -> sp.Symbol:
 def _state(
     system: System, state: State, parameters: Parameters, variables: Sequence[sp.Symbol]
 ) -> dict[sp.Symbol, mpmath.mpf]:
-    if not isinstance(state, Mapping) or "omega" in map(str, state.keys() - set(system.state)):
+    others = set(map(str, system.conventions.start_variables(system))) - set(map(str, system.state))
+    if not isinstance(state, Mapping) or not others.isdisjoint(map(str, state)):
         by_name = state
         if isinstance(state, Mapping):
             by_name = {str(key): value for key, value in state.items()}

@@ -18,11 +18,12 @@ from flowlanes.errors import InputError
 from flowlanes.formulas.multiprecision import Multiprecision
 from flowlanes.system.named_formulas import Pairs, flat, flat_pairs, in_words, scalar_names, scalars
 from flowlanes.system.parameters import parameter_values
-from flowlanes.system.rotations import quaternion_product
 from flowlanes.system.system import System
 from flowlanes.system.tuple_vectors import cross, dot
 from flowlanes.system.vectors import Vector, to_components
 
+from ..conventions import start_vectors
+from ..rotations import quaternion_product
 from ..shapes.gauss_map import contact_points_of_normals
 from .attitude import attitude
 
@@ -105,9 +106,9 @@ def initial_state(
         turn = attitude_of_normal(up, _direction(normal, "normal"), _number(heading))
         known |= dict(zip(attitude.symbols, turn, strict=True))
         known |= dict(zip(zeta.symbols, _third_row(turn), strict=True))
-        known |= _evaluate(system, _of_attitude(system.start), known)
+        known |= _evaluate(system, _of_attitude(system.conventions.start_formulas), known)
         _check_domain(system, known)
-        known |= _evaluate(system, system.start, known)
+        known |= _evaluate(system, system.conventions.start_formulas, known)
         known |= dict(zip(place.symbols, _place(system, known), strict=True))
         return tuple(known[s] for s in lifted.symbols)
 
@@ -117,9 +118,9 @@ _OMEGA, _GAMMA = omega.symbols, gamma.symbols
 
 def _check_determined(system: System, lifted: System) -> None:
     """Refuse a system whose state does not follow from ω and γ of a body in three dimensions."""
-    names = (omega, gamma, r, attitude, zeta, place, *system.start_vectors)
+    names = (omega, gamma, r, attitude, zeta, place, *start_vectors(system))
     following = {s for name in names for s in name.symbols}
-    following |= set(scalar_names(system.start))
+    following |= set(scalar_names(system.conventions.start_formulas))
     missing = [s for s in lifted.symbols if s not in following]
     if missing:
         what = ", ".join(str(n) for n in lifted.state if set(flat([n])) & set(missing))
@@ -131,7 +132,7 @@ def _check_determined(system: System, lifted: System) -> None:
 
 def _moving_fluids(system: System, fluid: Sequence[Any]) -> dict[sp.Symbol, mpmath.mpf]:
     """The motion of each fluid relative to the body, by component."""
-    names = system.start_vectors
+    names = start_vectors(system)
     plain = all(isinstance(x, SupportsFloat) for x in fluid)
     rows = list(fluid) if not plain else [fluid] if len(fluid) else []
     if rows and not names:
