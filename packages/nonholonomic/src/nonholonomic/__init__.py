@@ -11,4 +11,11 @@ Names are imported when first used, so that importing the package costs nothing.
 
 import lazy_loader
 
+from flowlanes.printing.symbol_names import use_letters
+
+from .letters import LETTERS
+
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+use_letters(LETTERS)
+del use_letters, LETTERS

@@ -16,6 +16,7 @@ from flowlanes.flow.integrator import integrate
 from flowlanes.lyapunov.spectrum import lyapunov_spectrum
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.closed_form.solver import solve
+from nonholonomic.mechanics.conventions import BodyConventions
 from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.rotations import upright
 
@@ -86,7 +87,7 @@ def test_mistakes_are_told(given: dict[str, Any], sentence: str) -> None:
 
 def test_a_state_that_does_not_follow_from_omega() -> None:
     with pytest.raises(InputError, match="its state does not follow from omega; give the state"):
-        flat_starts(replace(BALL, start=()), {"omega": OMEGA, "gamma": GAMMA})
+        flat_starts(replace(BALL, conventions=BodyConventions()), {"omega": OMEGA, "gamma": GAMMA})
 
 
 NAMES = {"omega": (0.7, 0.4, 1.1), "gamma": (0.2, -0.3, 0.93)}

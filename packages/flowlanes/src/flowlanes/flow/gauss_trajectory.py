@@ -17,29 +17,11 @@ from ..system.parameters import parameter_values
 from ..system.system import System
 from ..system.tolerance import FINEST_TOLERANCE, Precision
 from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
-from .integration_method import IntegrationMethod, MotionRequest
 from .kernel.outcomes import STATUS_MESSAGES
 from .machine_code.double_double_conversion import from_pairs
 from .recorded_quantities import recorded_values
 from .taylor.working_numbers import WorkingArray, WorkingNumber
 from .trajectory import Event, Statistics, Trajectory
-
-
-class Collocation(IntegrationMethod):
-    """Gauss–Legendre collocation to the last digit; it has no options of its own."""
-
-    name = "gauss"
-
-    def motion(self, request: MotionRequest) -> Trajectory:
-        """The motion with 16 digits, or 30 at precision "quad"."""
-        return collocate(
-            request.system,
-            request.start,
-            request.times,
-            request.parameters,
-            precision=request.precision,
-            on_liftoff=request.on_liftoff,
-        )
 
 
 def collocate(

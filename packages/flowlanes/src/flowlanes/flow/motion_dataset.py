@@ -80,7 +80,9 @@ def motion_dataset(
         for dim, size in zip(dims, values.shape, strict=True)
         if dim in matrix_axes
     }
-    axes = {dim: list(labels) for dim, labels in frames.values() if _is_dimension(variables, dim)}
+    axes: dict[str, list[object]] = {
+        dim: list(labels) for dim, labels in frames.values() if _is_dimension(variables, dim)
+    }
     axes |= {dim: list(labels_of(dim, size)) for dim, size in sizes.items()}
     coordinates: dict[str, Variable] = {
         "time": ("time", time, {"long_name": "time", "units": "s", "source": ""}),

@@ -260,7 +260,7 @@ def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int =
         In flat order.
     angle : sympy.Expr
         A formula in state, definitions and parameters: radians modulo 2π, such as
-        ``atan2(gamma_2, gamma_1)``.
+        ``atan2(y, x)``.
     count : int
         Returns of each motion.
     """

@@ -58,7 +58,7 @@ class _Spelling:
 
 
 def _term_key(term: sp.Basic) -> tuple[int, int, bool, _Spelling]:
-    """Short terms first; before them ½ (M, ω), and a negative number after all."""
+    """Short terms first; before them ½ (M, u), and a negative number after all."""
     negative = is_negative(term)
     place = 1
     if isinstance(term, sp.Number) and negative:

@@ -1,4 +1,4 @@
-r"""LaTeX as one line of Unicode, for a terminal: ``\frac{1}{2}(\mathbf M, \omega)`` is ½(M, ω).
+r"""LaTeX as one line of Unicode, for a terminal: ``\frac{1}{2}(\mathbf M, \theta)`` is ½(M, θ).
 
 :mod:`flowlanes.printing.formula` writes formulas of SymPy; here formulas that are given in LaTeX,
 as the claims of a paper are, become text by the same conventions.

@@ -1,7 +1,7 @@
 """Planes of parameters and starts: two numbers vary, and every cell has its own motion.
 
-An axis is a parameter, a variable of the start (``gamma_1``), a quantity whose level the start
-should lie on (``energy``), or a new name from which formulas compute the others (``gamma_1 =
+An axis is a parameter, a variable of the start (``x``), a quantity whose level the start
+should lie on (``energy``), or a new name from which formulas compute the others (``x =
 sin(theta)``). Variables given in this way stay fixed; the rest of the start is projected onto the
 phase space and the required levels.
 """
@@ -241,7 +241,7 @@ def scan_grid(
     x, y : Axis
         y varies from row to row.
     start : mapping of str to number or numbers
-        The start that is varied: the state by name, or ω and γ where these give the state.
+        The start that is varied: the state by name, or variables from which it follows.
     formulas : mapping of str to str, optional
         Parameters, variables of the start or levels, by formulas in the axes and the parameters.
     fixed : collection of str, optional

@@ -2,7 +2,7 @@
 
 Every law is a tensor invariant of the field v of its system, or an identity on its phase space.  It
 concerns the points where the relations of the system and the expressions `on` vanish, such as
-``k + 1`` or ``(M, γ)``, and where all its formulas have real values.  The docstring of each class
+``k + 1`` or ``(u, v)``, and where all its formulas have real values.  The docstring of each class
 defines its statement.
 
 A new kind of law is a class in one file.  If it says that some formulas vanish, it derives from
@@ -42,7 +42,7 @@ Power: TypeAlias = tuple[str, sp.Expr, sp.Expr]
 class Rate(sp.Function):
     """The time derivative of a scalar formula along the field of its system.
 
-    ``Rate(gamma_1)`` stands for γ̇₁, ``Rate(Rate(theta))`` for the second derivative.
+    ``Rate(x)`` stands for ẋ, ``Rate(Rate(theta))`` for the second derivative.
 
     Examples
     --------

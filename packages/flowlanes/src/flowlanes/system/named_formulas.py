@@ -52,7 +52,7 @@ def require_names(owner: str, names: Iterable[object]) -> None:
 def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:
     """The formula with the known symbols in place of others of the same name.
 
-    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` differ for SymPy, but mean the same
+    ``Symbol("x")`` and ``Symbol("x", real=True)`` differ for SymPy, but mean the same
     in a formula that a user writes.
     """
     named = {symbol.name: symbol for symbol in symbols}

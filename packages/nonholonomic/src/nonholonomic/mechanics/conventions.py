@@ -124,8 +124,8 @@ class BodyConventions(Conventions):
     ) -> tuple[dict[str, npt.ArrayLike], dict[str, list[Any]]]:
         """Take the motion in space of an n-dimensional body out of a start."""
         named, lift = dict(start), system.reconstruction
-        matrices = (x for x, _ in lift.field if isinstance(x, SquareMatrix)) if lift else iter(())
-        matrix = next(matrices, None)
+        lifted = lift.field if lift else ()
+        matrix = next((x for x, _ in lifted if isinstance(x, SquareMatrix)), None)
         if lift is None or matrix is None:
             return named, {}
         placed: dict[str, list[Any]] = {}

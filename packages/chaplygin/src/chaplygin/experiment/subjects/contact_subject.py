@@ -14,6 +14,7 @@ import numpy as np
 from flowlanes.errors import InputError
 from flowlanes.printing.numerals import number
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.laws import Law
 from flowlanes.system.system import System
 from nonholonomic.contact.dataset import work_meanings
 from nonholonomic.contact.equations.equations_of_motion import contact_equations
@@ -101,6 +102,13 @@ class ContactSubject(Subject):
     rules: EventRules
 
     changes_equations: ClassVar[bool] = True
+
+    @property
+    def claims(self) -> tuple[tuple[System, Law], ...]:
+        """The laws of each mode of the contact that can be proved."""
+        from nonholonomic.contact.invariants.provable_laws import provable_laws
+
+        return provable_laws(self.contact)
 
     @property
     def body(self) -> Body:

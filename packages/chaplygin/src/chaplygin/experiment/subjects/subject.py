@@ -20,6 +20,7 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.printing.formula import text
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.laws import Law
 from flowlanes.system.system import System
 from flowlanes.system.vectors import Diagonal
 from nonholonomic.mechanics.ball.ball import RollingBall
@@ -87,6 +88,11 @@ class Subject:
 
     has_own_reconstruction: ClassVar[bool] = False
     """Whether the equations of the motion in space are particular to this system."""
+
+    @property
+    def claims(self) -> tuple[tuple[System, Law], ...]:
+        """The laws that can be proved, each with its system."""
+        return tuple((self.system, law) for law in self.system.laws)
 
     @property
     def setting(self) -> str:

@@ -137,8 +137,8 @@ def linear_stability(
     system : System
         Symmetries among its laws may carry the steady motion along.
     state : mapping of Symbol or name to number or numbers, or sequence in flat order
-        The steady motion, by the variables and vectors of the state, or by ω and γ where the rest
-        follows from them in double precision.  Numbers of SymPy and mpmath, and strings, count
+        The steady motion, by the variables and vectors of the state, or by others from which
+        they follow in double precision.  Numbers of SymPy and mpmath, and strings, count
         with all their digits; a float means the shortest decimal that gives it.  Variables on
         which nothing depends may be left out.
     parameters : mapping of Symbol or name to number, optional

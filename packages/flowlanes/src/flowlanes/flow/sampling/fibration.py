@@ -1,9 +1,9 @@
 """A level of integrals as fibres over a compact base.
 
-In the systems of rolling and turning bodies some variables lie on spheres (the normal γ) or are
-angles: they form the base.  In the remaining variables, the fibre, the relations and integrals are
-linear or quadratic: over every base point there are an ellipsoid (a level of the energy) and planes
-((M, γ) = const, (ω, γ) = 0).  Rays from the centre of their intersection reach every point of the
+In many systems of mechanics some variables lie on spheres (a unit vector u) or are angles: they
+form the base.  In the remaining variables v, the fibre, the relations and integrals are linear or
+quadratic: over every base point there are an ellipsoid (a level of the energy) and planes
+((u, v) = const).  Rays from the centre of their intersection reach every point of the
 level exactly once.
 """
 

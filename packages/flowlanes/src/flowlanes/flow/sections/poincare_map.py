@@ -69,7 +69,7 @@ class PoincareMap:
     Parameters
     ----------
     system : System
-        Points are its states in flat order; a system lifted to space carries its attitude along.
+        Points are its states in flat order; a lifted system carries its reconstruction along.
     section : Section
         The section at which motions are recorded.
     parameters : mapping of Symbol or name to number or array (n,), optional
