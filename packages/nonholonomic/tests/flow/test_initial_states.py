@@ -17,8 +17,8 @@ from flowlanes.lyapunov.spectrum import lyapunov_spectrum
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.closed_form.solver import solve
 from nonholonomic.mechanics.conventions import BodyConventions
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.rotations import upright
+from nonholonomic.starts import initial_state
 
 OMEGA = np.array([[0.7, 0.4, 1.1], [-1.0, 2.0, 0.1], [0.0, 0.0, 3.0]])
 GAMMA = np.array([[0.2, -0.3, 0.93], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])

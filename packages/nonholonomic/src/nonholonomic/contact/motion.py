@@ -220,7 +220,7 @@ def contact_motion(
     contact : FrictionalContact or CompiledContact
         The latter saves the preparation of several motions of one body.
     state : array (16,) or (size,)
-        At the first time, as from `start_in_contact` or `start_in_space`; without works, those are
+        At the first time, as from :func:`nonholonomic.initial_state`; without works, those are
         zero.
     times : array (n,)
         Sample times, increasing.

@@ -32,9 +32,10 @@ from nonholonomic.contact.friction.user_friction import UserFriction
 from nonholonomic.contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
 from nonholonomic.contact.simulation.compiled import OMEGA, VELOCITY, CompiledContact
 from nonholonomic.contact.simulation.event_rules import EventRules
-from nonholonomic.contact.starts import SLACK, clearance, start_in_contact, start_in_space
+from nonholonomic.contact.starts import SLACK, clearance
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.shapes.surfaces import Surface
+from nonholonomic.starts import initial_state
 from nonholonomic.system_files.open_kinds import KindTable
 from nonholonomic.system_files.sourced import identifier
 
@@ -314,9 +315,7 @@ def start_of(contact: FrictionalContact, values: Mapping[str, Any]) -> FloatArra
     InputError
         If the start cannot be used.
     """
-    if "position" in values:
-        return start_in_space(contact, **values)
-    return start_in_contact(contact, **values)
+    return np.array(initial_state(contact, **values), dtype=float)
 
 
 def _laws(table: FrictionTable, body: Body, surface: Surface) -> tuple[FrictionLaw, ...]:

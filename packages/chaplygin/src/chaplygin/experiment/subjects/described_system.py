@@ -21,7 +21,7 @@ from nonholonomic.mechanics.constraints.integrability import nonholonomy
 from nonholonomic.mechanics.lagrangian.mechanism import TIME, Mechanism
 from nonholonomic.mechanics.lagrangian.plan import plan_of
 from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 from nonholonomic.system_files.systems import (
     described_plan,
     mechanism_of,

@@ -29,8 +29,8 @@ from nonholonomic.mechanics.lagrangian.mechanism import TIME, Mechanism
 from nonholonomic.mechanics.lagrangian.plan import Plan
 from nonholonomic.mechanics.rolling.body import AnyBody
 from nonholonomic.mechanics.rolling.equations import RollingBody
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.surfaces import Surface
+from nonholonomic.starts import initial_state
 
 from ..file.tables import CommonRunTable
 from .glossary import glossary

@@ -13,7 +13,7 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from flowlanes.arguments import Finite, Parameters, arguments_checked
+from flowlanes.arguments import Parameters
 from flowlanes.errors import InputError
 from flowlanes.formulas.multiprecision import Multiprecision
 from flowlanes.system.named_formulas import Pairs, flat, flat_pairs, in_words, scalar_names, scalars
@@ -36,18 +36,17 @@ omega, gamma, zeta, r = Vector("omega"), Vector("gamma"), Vector("zeta"), Vector
 place = Vector("place", 2)
 
 
-@arguments_checked
-def initial_state(
+def rolling_state(
     system: System,
     omega: Sequence[float],
     gamma: Sequence[float],
     *,
-    heading: Finite = 0.0,
+    heading: float = 0.0,
     normal: Sequence[float] = (0.0, 0.0, 1.0),
     parameters: Parameters = None,
     fluid: Sequence[float] | Sequence[Sequence[float]] = (),
 ) -> tuple[Any, ...]:
-    """The state of a system, lifted to space, that begins with given ω and γ.
+    """The state of a rolling body, lifted to space; see :func:`nonholonomic.initial_state`.
 
     Parameters
     ----------
@@ -80,16 +79,6 @@ def initial_state(
         If γ or the normal is zero or outside the domain of the equations (a body lying flat), or
         ω breaks the constraint (ω, γ) = 0 of a rubber contact; the message then names the
         nearest admissible ω; or if `fluid` does not fit the cavities.
-
-    Examples
-    --------
-    >>> import nonholonomic
-    >>> ball = nonholonomic.rolling_system(
-    ...     nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
-    ... )
-    >>> start = nonholonomic.initial_state(ball, omega=(1, 0, 2), gamma=(0, 0, 1))
-    >>> [float(x) for x in start[:6]]
-    [1.4, 0.0, 1.2, 0.0, 0.0, 1.0]
     """
     with mpmath.workdps(DIGITS):
         lifted = system.lifted() if system.reconstruction else system
@@ -126,7 +115,7 @@ def _check_determined(system: System, lifted: System) -> None:
         what = ", ".join(str(n) for n in lifted.state if set(flat([n])) & set(missing))
         raise InputError(
             f"{system.name}: omega and gamma, of three numbers each, do not determine {what}; give "
-            f"a state by name instead of initial_state: {in_words(system.state)}"
+            f"a state by name: {in_words(system.state)}"
         )
 
 
