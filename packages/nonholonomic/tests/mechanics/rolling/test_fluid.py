@@ -197,7 +197,9 @@ def test_poincares_equations_are_carried_onto_them(contact):
     rolling = RollingBody(body, Plane(), contact, Forces(9.81))
     closed = rolling.system()
     moving = {Vector("fluid"): Vector("xi")}
-    same = {n: n for n in closed.state} | {n: f.xreplace(moving) for n, f in closed.start}
+    same = {n: n for n in closed.state} | {
+        n: f.xreplace(moving) for n, f in closed.conventions.start_formulas
+    }
     radius = dot(-real_symbol("R") * Vector("gamma"), Vector("gamma"))
     law = Isomorphism("same motion", closed, same, level=(real_symbol("R_3") + radius,))
     assert prove(equations_of_motion(rolling_mechanism(rolling)), law).decision == "proven"
