@@ -11,11 +11,16 @@ Names are imported when first used, so that importing the package costs nothing.
 
 import lazy_loader
 
-from flowlanes.printing.symbol_names import use_letters
-
-from .letters import LETTERS
+from flowlanes.displays import use_letters
 
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
-use_letters(LETTERS)
-del use_letters, LETTERS
+
+def _letters() -> object:
+    from .letters import LETTERS
+
+    return LETTERS
+
+
+use_letters(_letters)
+del use_letters

@@ -7,6 +7,8 @@ import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from ..displays import letters
+
 GREEK = {
     **{
         unicodedata.name(chr(code)).rsplit(" ", 1)[-1].lower(): chr(code)
@@ -71,20 +73,14 @@ class WordLetters:
     prefixes: Mapping[str, str]
 
 
-_words: list[WordLetters] = []
-
-
-def use_letters(words: WordLetters) -> None:
-    """Print these names by their letters, in every notation.
-
-    A package that gives its quantities such names calls this once, when it is imported.
-    """
-    _words.append(words)
+def _registered() -> list[WordLetters]:
+    return [words for words in letters() if isinstance(words, WordLetters)]
 
 
 def letter_of(name: str) -> SymbolName:
     """The letter that a name in code spells."""
-    for words in _words:
+    registered = _registered()
+    for words in registered:
         if name in words.names:
             return words.names[name]
         for prefix, letter in words.prefixes.items():
@@ -100,7 +96,7 @@ def letter_of(name: str) -> SymbolName:
     parts = [part for part in (number, *(sub or "").split("_")) if part]
     subscript = ",".join(parts)
     if accent is None:
-        vectors = (words.vectors[base] for words in _words if base in words.vectors)
+        vectors = (words.vectors[base] for words in registered if base in words.vectors)
         return SymbolName(next(vectors, base), subscript=subscript)
     if accent.startswith("prime"):
         return SymbolName(base, primes=int(primes or 1), subscript=subscript)

@@ -355,9 +355,7 @@ def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
         (name, value) for name, value in system.conventions.start_formulas if name in system.state
     ]
     words = {str(name): name for name, _ in system.definitions}
-    words |= {
-        str(name): name for name in (*system.state, *system.conventions.start_variables(system))
-    }
+    words |= {str(name): name for name in (*system.state, *system.start_variables)}
     names = [words[name] for name in start if name in words]
     missing = {*system.state} - {*names, *(name for name, _ in follow)}
     if missing:

@@ -481,6 +481,11 @@ class System(Displayed):
         object.__setattr__(self, "printed_definitions", as_pairs(self.printed_definitions))
         self._check_symbols()
 
+    @cached_property
+    def start_variables(self) -> tuple[Name, ...]:
+        """The variables by which a start may be given besides the state."""
+        return self.conventions.start_variables(self)
+
     # --- flat view -------------------------------------------------------------------------
 
     @cached_property

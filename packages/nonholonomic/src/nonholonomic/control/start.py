@@ -17,11 +17,13 @@ from .equations import A, M, b
 
 ROUNDING = 1e-12
 
+#: The definitions of A and b.
+_MOMENTUM = frozenset({*b.symbols, *A.entries})
+
 
 def is_driven(system: System) -> bool:
     """Whether M = Aω + b with the definitions of a driven ball."""
-    defined = {symbol for symbol, _ in system.scalar_definitions}
-    return M in system.state and defined.issuperset({*b.symbols, *A.entries})
+    return M in system.state and _MOMENTUM.issubset(dict(system.scalar_definitions))
 
 
 def driven_state(

@@ -93,7 +93,7 @@ class BodyConventions(Conventions):
     --------
     >>> import nonholonomic
     >>> ball = nonholonomic.from_catalogue("chaplygin-ball")
-    >>> [str(name) for name in ball.conventions.start_variables(ball)]
+    >>> [str(name) for name in ball.start_variables]
     ['omega', 'gamma']
     """
 
@@ -109,7 +109,7 @@ class BodyConventions(Conventions):
 
     def start_variables(self, system: System) -> tuple[Name, ...]:
         """ω and γ, and the motion of each fluid."""
-        return (*_spin_and_direction(system), *start_vectors(system))
+        return (*_spin_and_direction(system), *_further_vectors(system))
 
     def states(
         self, system: System, given: Mapping[str, FloatArray], parameters: Parameters
@@ -221,6 +221,11 @@ BODY = BodyConventions()
 
 def start_vectors(system: System) -> tuple[Vector, ...]:
     """The vectors besides ω and γ from which the state follows at a start."""
+    return tuple(v for v in system.start_variables[2:] if isinstance(v, Vector))
+
+
+def _further_vectors(system: System) -> tuple[Vector, ...]:
+    """The vectors besides ω and γ on which the formulas of a start depend."""
     formulas = system.conventions.start_formulas
     known = {s for s, _ in system.scalar_definitions} | {p.symbol for p in system.parameters}
     known |= {s for s, _ in flat_pairs(formulas)} | set(system.symbols)
@@ -242,8 +247,7 @@ def _state_from_omega(
         raise InputError(f"{system.name}: its state does not follow from omega; give the state")
     if "gamma" not in arrays:
         raise InputError(f"{system.name}: omega is given, but gamma is not")
-    spin, direction = _spin_and_direction(system)
-    further = start_vectors(system)
+    spin, direction, *further = system.start_variables
     turning = checked_shape(system, "omega", arrays["omega"], len(spin.symbols))
     normal = checked_shape(system, "gamma", arrays["gamma"], len(direction.symbols))
     lengths = np.linalg.norm(normal, axis=1, keepdims=True)
@@ -289,7 +293,7 @@ def _spin_and_direction(system: System) -> tuple[Vector | Skew, Vector]:
 def _spinning(system: System) -> tuple[System, tuple[sp.Symbol, ...]]:
     """A system with the state ω, γ, whose other variables are definitions."""
     start = system.conventions.start_formulas
-    state = (*_spin_and_direction(system), *start_vectors(system))
+    state = system.start_variables
     still = {name: sp.ImmutableDenseMatrix.zeros(*name.shape) for name in state}
     known = flat(state)
     before = system.required_definitions([formula for _, formula in start], known)

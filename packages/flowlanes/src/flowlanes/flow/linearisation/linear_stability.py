@@ -386,7 +386,7 @@ def _symbol(system: System, name: object, where: str) -> sp.Symbol:
 def _state(
     system: System, state: State, parameters: Parameters, variables: Sequence[sp.Symbol]
 ) -> dict[sp.Symbol, mpmath.mpf]:
-    others = set(map(str, system.conventions.start_variables(system))) - set(map(str, system.state))
+    others = set(map(str, system.start_variables)) - set(map(str, system.state))
     if not isinstance(state, Mapping) or not others.isdisjoint(map(str, state)):
         by_name = state
         if isinstance(state, Mapping):
