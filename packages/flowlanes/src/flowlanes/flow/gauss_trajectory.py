@@ -50,7 +50,7 @@ def collocate(
     parameters : mapping of Symbol or name to number, optional
     precision : ``"double"`` or ``"quad"``
     on_liftoff : ``"stop"`` or ``"warn"``
-        Whether the run ends when the normal force changes sign, or passes over it.
+        Whether the run ends when a guard with ``lift_off`` changes sign, or passes over it.
 
     Raises
     ------
