@@ -24,7 +24,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.optimize import curve_fit
 
-from chaplygin import Body, Study, load_experiment
+from chaplygin import Body, Study, initial_state, load_experiment
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 from nonholonomic.contact import (
     AirFilm,
@@ -34,7 +34,6 @@ from nonholonomic.contact import (
     FrictionLaw,
     RollingResistance,
     contact_motion,
-    start_in_contact,
 )
 
 FILE = Path(__file__).with_name("eulers_disk.toml")
@@ -85,7 +84,7 @@ def decay(
     first = np.arctan2(start["gamma"][0], start["gamma"][2])
     theory = ending(law, first, body, field.gravity)
     times = theory * (1 - np.linspace(1, LEAST ** (0.5 / power), samples) ** 2)
-    state = start_in_contact(disk, start["omega"], start["gamma"])
+    state = initial_state(disk, start["omega"], start["gamma"])
     motion = contact_motion(disk, state, times)
     gamma = motion.states[:, 13:16]
     angles = np.arctan2(np.hypot(gamma[:, 0], gamma[:, 1]), gamma[:, 2])

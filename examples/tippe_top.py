@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -35,7 +36,6 @@ from nonholonomic.contact import (
     FrictionLaw,
     NormalViscous,
     contact_motion,
-    start_in_contact,
 )
 
 #: The top of Leine and Glocker (2003): kg, kg m², m; its eccentricity α and spin (rad/s).
@@ -64,7 +64,7 @@ def top(law: FrictionLaw, eccentricity: float = ECCENTRICITY) -> FrictionalConta
     return FrictionalContact(body, laws=(law,), field=ch.Forces(gravity=GRAVITY))
 
 
-def start(situation: FrictionalContact, spin: float = SPIN, lean: float = LEAN) -> np.ndarray:
+def start(situation: FrictionalContact, spin: float = SPIN, lean: float = LEAN) -> tuple[Any, ...]:
     """Spun about the vertical, with the axis at a small angle to it and the centre of mass at rest.
 
     The touching point slips as the body turns; the centre of mass moves neither up nor sideways.
@@ -72,7 +72,7 @@ def start(situation: FrictionalContact, spin: float = SPIN, lean: float = LEAN) 
     gamma = np.array([-np.sin(lean), 0.0, np.cos(lean)])
     omega = spin * gamma
     slip = np.cross(omega, np.array(situation.body.shape.centre) - RADIUS * gamma)
-    return start_in_contact(situation, omega, gamma, slip - (slip @ gamma) * gamma)
+    return ch.initial_state(situation, omega, gamma, slip=slip - (slip @ gamma) * gamma)
 
 
 def passage(contact: CompiledContact, motion: ContactMotion, level: float) -> float:

@@ -109,6 +109,21 @@ def test_every_kind_of_import_is_seen(tmp_path: Path, line: str) -> None:
     assert circles(imports({"package": home})) == [{"package.a", "package.b"}]
 
 
+#: The one file of the engine that names every Greek letter, as the table by which they are printed.
+GREEK_LETTERS = "printing/symbol_names.py"
+
+
+def test_the_engine_does_not_know_rolling() -> None:
+    """Starts and variables of bodies are matters of their conventions; see `Conventions`."""
+    words = re.compile(r"omega|gamma|attitude", re.IGNORECASE)
+    found = {
+        path.relative_to(HOMES["flowlanes"]).as_posix(): words.findall(text)
+        for path in files("flowlanes")
+        if words.search(text := path.read_text(encoding="utf-8"))
+    }
+    assert found == {GREEK_LETTERS: ["Gamma", "Omega"]}
+
+
 def test_folders_say_what_is_in_them() -> None:
     for path in files():
         if path.stem == "__init__":

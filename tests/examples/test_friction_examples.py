@@ -24,7 +24,7 @@ from contact.reference_bodies import rotation
 from contact.reference_forces import Direction, Mode, Problem
 from nonholonomic.contact import CompiledContact, Coulomb, contact_motion
 from nonholonomic.contact.pressure.pressure import CoupledFriction, Ring, Uniform
-from nonholonomic.contact.starts import start_in_space
+from nonholonomic.starts import initial_state
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "packages/nonholonomic/docs/friction.md").read_text(encoding="utf-8")
@@ -157,7 +157,7 @@ def test_jelletts_integral_of_the_start(examples: dict[str, ModuleType]) -> None
     """By the state itself: J = (Iω, Rγ − c e₃)."""
     top = examples["tippe_top"]
     state = top.start(top.top(top.CHART_LAW, 0.25), 150.0, 0.2)
-    omega, gamma = state[10:13], state[13:16]
+    omega, gamma = np.array(state[10:16], dtype=float).reshape(2, 3)
     arm = top.RADIUS * gamma - np.array([0.0, 0.0, 0.25 * top.RADIUS])
     value = (np.array(top.MOMENTS) * omega) @ arm
     assert value == pytest.approx(top.jellett(150.0, 0.2, 0.25), rel=1e-13)
@@ -372,8 +372,14 @@ def test_a_wrong_coefficient_is_seen(examples: dict[str, ModuleType]) -> None:
     assert figures.parabola_error(run) < 1e-14
     situation = run.contact
     assert situation.law(Coulomb) == Coulomb(0.2)
-    state = start_in_space(situation, (0, 0, 0.0285), (1, 0, 0, 0), (1, 0, 0), (-60, -20, 10))
-    assert np.allclose(state[:16], run.states[0][:16], rtol=0, atol=1e-15)
+    state = initial_state(
+        situation,
+        (-60, -20, 10),
+        position=(0, 0, 0.0285),
+        attitude=(1, 0, 0, 0),
+        velocity=(1, 0, 0),
+    )
+    assert np.allclose(np.array(state[:16], dtype=float), run.states[0][:16], rtol=0, atol=1e-15)
 
 
 # --- a disk on ice -------------------------------------------------------------------------------

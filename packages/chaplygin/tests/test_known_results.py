@@ -18,9 +18,9 @@ from flowlanes.system.vectors import constant, cross, dot, norm_squared, vectors
 from nonholonomic.catalogue import CATALOGUE, from_catalogue
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
+from nonholonomic.starts import initial_state
 
 M, gamma, omega, r = vectors("M gamma omega r")
 G = 9.81

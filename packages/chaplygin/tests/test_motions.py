@@ -14,7 +14,6 @@ from nonholonomic.contact import Coulomb, FrictionalContact, contact_motion
 from nonholonomic.control import (
     Rotor,
     SphericalRobot,
-    driven_start,
     driven_system,
     figure_of_eight,
     motion_along,
@@ -58,7 +57,7 @@ def _experiment_with_friction() -> Motion:
 def _driven() -> Motion:
     robot = SphericalRobot(1.0, (0.4, 0.5, 0.6), 1.0, (Rotor((0, 0, 1), 0.1),))
     system = driven_system(robot, {"u_1": "2*cos(t)"})
-    return ch.integrate(system, driven_start(system, (1, 0, 3), (0, 0, 1)), TIMES)
+    return ch.integrate(system, ch.initial_state(system, (1, 0, 3), (0, 0, 1)), TIMES)
 
 
 def _planned() -> Motion:

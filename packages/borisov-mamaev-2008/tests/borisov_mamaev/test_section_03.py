@@ -19,7 +19,7 @@ from lawproof.proof.prover import prove
 from lawproof.proof.verdict import Verdict
 from nonholonomic import from_catalogue
 from nonholonomic.catalogue import CATALOGUE
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 
 def follow(name, values, times, **parameters):

@@ -111,9 +111,6 @@ from nonholonomic.mechanics.rolling.equations import (
     RollingBody as RollingBody,
     rolling_system as rolling_system,
 )
-from nonholonomic.mechanics.rolling.initial_state import (
-    initial_state as initial_state,
-)
 from nonholonomic.mechanics.rolling.mechanism import (
     rolling_mechanism as rolling_mechanism,
 )
@@ -136,6 +133,9 @@ from nonholonomic.mechanics.shapes.surfaces import (
 from nonholonomic.mechanics.sympy_models.conversion import (
     from_sympy as from_sympy,
     mechanism_from_sympy as mechanism_from_sympy,
+)
+from nonholonomic.starts import (
+    initial_state as initial_state,
 )
 
 from . import (

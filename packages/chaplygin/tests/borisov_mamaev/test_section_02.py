@@ -18,7 +18,7 @@ from flowlanes.flow.integrator import integrate
 from flowlanes.system.vectors import Vector, constant, cross, to_components
 from nonholonomic.catalogue import CATALOGUE
 from nonholonomic.catalogue.chaplygin_ball import chaplygin_suslov_ball
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 x, y, z, u, w = sp.symbols("x y z u w", real=True)
 ONE = sp.S.One

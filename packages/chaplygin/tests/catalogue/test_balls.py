@@ -15,7 +15,7 @@ from lawproof.search import integrals, search_space
 from mechanics.balls import SURFACES, on
 from nonholonomic.catalogue import CATALOGUE
 from nonholonomic.catalogue.balls.ball_laws import known_ball_laws
-from nonholonomic.mechanics.ball.initial_state import ball_state
+from nonholonomic.starts import initial_state
 
 BALLS = tuple(name for name, item in CATALOGUE.items() if item.ball is not None)
 
@@ -99,7 +99,7 @@ def test_a_rubber_ball_in_a_pipe_falls():
     pipe = CATALOGUE["marble-ball-on-cylinder"].rolling_ball()
     ball, times = replace(pipe, contact="rubber"), np.linspace(0.0, 2.0, 21)
     system = ball.system()
-    start = ball_state(ball, system, (2.0, 0.0, 0.0), (0.0, 0.0, -16.0))
+    start = initial_state(ball, (0.0, 0.0, -16.0), place=(2.0, 0.0, 0.0))
     centre = integrate(system, start, times).records["centre"]
     np.testing.assert_allclose(centre[:, 2], -9.81 / 1.4 * times**2 / 2, atol=1e-12)
 

@@ -23,10 +23,10 @@ from flowlanes.system.vectors import dot, norm_squared, to_components, vectors
 from nonholonomic.catalogue import CATALOGUE, known_laws_of
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Torus
 from nonholonomic.mechanics.shapes.surfaces import Sphere
+from nonholonomic.starts import initial_state
 from spread import spread
 
 M, omega, gamma = vectors("M omega gamma")

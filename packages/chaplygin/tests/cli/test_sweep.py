@@ -14,7 +14,7 @@ from flowlanes.errors import InputError
 from flowlanes.flow.ensembles.zarr_store import read_store
 from flowlanes.flow.integrator import integrate
 from nonholonomic.catalogue import from_catalogue
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 __all__ = ["ask"]
 

@@ -15,7 +15,7 @@ from nonholonomic.closed_form.separations.chaplygin_ball import chaplygin_ball
 from nonholonomic.closed_form.separations.chaplygin_ball_area_constant import chaplygin_area
 from nonholonomic.closed_form.separations.rubber_sphere import of_ratio
 from nonholonomic.closed_form.separations.veselova import veselova
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 # I₁(I₂ − I₁)ω₁² = I₃(I₃ − I₂)ω₃² makes F = 2hI₂ when γ is across ω and Iω
 SPIN = np.array([0.75, 0.5, 1.0])

@@ -10,7 +10,7 @@ from nonholonomic.closed_form.genus_two.curve import DegenerateError
 from nonholonomic.closed_form.genus_two_solution import GenusTwo, solve_on_torus
 from nonholonomic.closed_form.separations.chaplygin_ball import chaplygin_ball
 from nonholonomic.closed_form.separations.veselova import veselova
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 
 @cache

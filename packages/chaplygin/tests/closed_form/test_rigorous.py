@@ -40,7 +40,7 @@ from nonholonomic.closed_form.separations.bruns import veselova_in_bruns_field
 from nonholonomic.closed_form.separations.chaplygin_ball import chaplygin_ball
 from nonholonomic.closed_form.separations.rubber_sphere import hollow_ball
 from nonholonomic.closed_form.separations.veselova import veselova
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 BITS = 300
 VESELOVA = veselova()

@@ -28,9 +28,9 @@ from nonholonomic.closed_form.recover_body import rolling_of
 from nonholonomic.closed_form.solvable_cases import find_match, solution_of
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Sphere
+from nonholonomic.starts import initial_state
 
 GAMMA = (0.36, -0.48, 0.8)
 NO_SPIN = (0.8, -0.4, -0.6)

@@ -137,7 +137,7 @@ def test_global_attributes_tell_how_it_was_made(dataset):
     assert notes["precision"] == "double"
     assert notes["complete"] == 1
     assert notes["events"] == ""
-    for package in ("chaplygin", "llvmlite", "numpy", "sympy"):
+    for package in ("flowlanes", "llvmlite", "numpy", "sympy"):
         assert f"{package} " in notes["versions"]
     start = dict(part.split(" = ") for part in notes["start"].split("; "))
     assert float(start["M_1"]) == dataset["M"].values[0, 0]

@@ -207,4 +207,4 @@ def test_rolling_bodies_can_be_written_too() -> None:
     ).system
     assert (again.field, again.definitions) == (ball.field, ball.definitions)
     assert again.lifted().rates == ball.lifted().rates
-    assert again.start == ball.start
+    assert again.conventions == ball.conventions

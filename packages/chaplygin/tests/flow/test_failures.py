@@ -11,7 +11,7 @@ from flowlanes.errors import InputError, RunError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.system import Guard, System
 from nonholonomic.catalogue import CATALOGUE, from_catalogue
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 x = sp.Symbol("x", real=True)
 

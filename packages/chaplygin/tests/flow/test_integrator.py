@@ -17,7 +17,7 @@ from flowlanes.system.system import Observable, Parameter, System
 from flowlanes.system.vectors import vectors
 from needs import needs
 from nonholonomic.catalogue import CATALOGUE, from_catalogue
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 x, y, p, b = sp.symbols("x y p b", real=True)
 

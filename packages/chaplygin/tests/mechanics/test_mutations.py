@@ -16,6 +16,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -314,6 +315,8 @@ def package(change: Change | None, used: set[tuple[str, str]]) -> Package:
         module = types.ModuleType(name)
         module.__path__ = []
         sys.modules[name] = module
+    for name in ("conventions", "rotations"):
+        sys.modules[f"mutant.mechanics.{name}"] = import_module(f"nonholonomic.mechanics.{name}")
     for name in LOADED:
         module = types.ModuleType(f"mutant.mechanics.{package_of(name)}.{name}")
         module.__package__ = f"mutant.mechanics.{package_of(name)}"

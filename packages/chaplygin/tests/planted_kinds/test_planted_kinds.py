@@ -154,7 +154,7 @@ def test_a_die_slides_on_a_plane() -> None:
     contact = nonholonomic.contact.FrictionalContact(
         body, laws=(nonholonomic.contact.Coulomb(0.3),), field=ch.Forces(gravity=9.81)
     )
-    start = nonholonomic.contact.start_in_contact(contact, (0, 0.5, 1), (0, 0.6, 0.8), (0.5, 0, 0))
+    start = ch.initial_state(contact, (0, 0.5, 1), (0, 0.6, 0.8), slip=(0.5, 0, 0))
     motion = nonholonomic.contact.contact_motion(contact, start, np.linspace(0.0, 0.3, 7))
     values = motion.observables
     balance = values["energy"] + motion.states[:, 16:].sum(axis=1)
@@ -174,7 +174,7 @@ def test_a_ball_in_a_gutter_moves_as_the_equations_of_homogeneous_balls_say() ->
     ball = balls.RollingBall(mass=1.0, inertia=0.1, radius=0.5, surface=surface, gravity=9.81)
     system = ball.system()
     # γ and the normal agree at the start, so that body and space axes do
-    start = balls.ball_state(ball, system, data["contact"].values[0], (1.0, 2.0, 0.5))
+    start = ch.initial_state(ball, (1.0, 2.0, 0.5), place=data["contact"].values[0])
     known = ch.integrate(system, start, data["time"].values).to_dataset()
     for name in ("contact", "centre"):
         np.testing.assert_allclose(data[name].values, known[name].values, rtol=0, atol=1e-11)

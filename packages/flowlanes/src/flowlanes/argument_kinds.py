@@ -99,12 +99,9 @@ def is_row(value: Any) -> bool:
 
 
 def is_start(value: Any) -> bool:
-    """True for a state: a sequence of numbers, or numbers by name."""
+    """Whether it is a state: numbers in order, or numbers, vectors and matrices by name."""
     if isinstance(value, Mapping):
-        return all(
-            is_number_or_text(v) or are_numbers(v) or (k == "attitude" and are_rows(v))
-            for k, v in value.items()
-        )
+        return all(is_number_or_text(v) or are_numbers(v) or are_rows(v) for v in value.values())
     return are_numbers(value)
 
 

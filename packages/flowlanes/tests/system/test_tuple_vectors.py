@@ -1,4 +1,4 @@
-"""Products of vectors and quaternions of any kind of numbers."""
+"""Products of vectors of any kind of numbers."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from flowlanes.system.rotations import quaternion_product, rotation_rows
 from flowlanes.system.tuple_vectors import cross, dot
 
 U, V = (1, -2, 5), (Fraction(1, 3), 7, 2)
@@ -25,12 +24,3 @@ def test_products_of_exact_vectors() -> None:
 def test_components_are_as_many() -> None:
     with pytest.raises(ValueError, match="of 3 and 2 components"):
         dot(U, (1, 2))
-
-
-def test_product_of_quaternions_is_that_of_rotations() -> None:
-    p, q = (1, 2, 3, 4), (2, -1, 0, 5)
-    turned = [
-        sp.Matrix(rotation_rows(x, sp.Rational(2, dot(x, x))))
-        for x in (p, q, quaternion_product(p, q))
-    ]
-    assert turned[0] * turned[1] == turned[2]

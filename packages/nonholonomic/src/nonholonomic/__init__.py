@@ -11,4 +11,16 @@ Names are imported when first used, so that importing the package costs nothing.
 
 import lazy_loader
 
+from flowlanes.displays import use_letters
+
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def _letters() -> object:
+    from .letters import LETTERS
+
+    return LETTERS
+
+
+use_letters(_letters)
+del use_letters

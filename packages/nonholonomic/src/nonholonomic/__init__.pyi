@@ -33,7 +33,6 @@ from .mechanics.rolling.equations import (
     RollingBody as RollingBody,
     rolling_system as rolling_system,
 )
-from .mechanics.rolling.initial_state import initial_state as initial_state
 from .mechanics.rolling.mechanism import rolling_mechanism as rolling_mechanism
 from .mechanics.shapes.implicit import Implicit as Implicit
 from .mechanics.shapes.revolution import Revolution as Revolution
@@ -51,3 +50,4 @@ from .mechanics.sympy_models.conversion import (
     from_sympy as from_sympy,
     mechanism_from_sympy as mechanism_from_sympy,
 )
+from .starts import initial_state as initial_state

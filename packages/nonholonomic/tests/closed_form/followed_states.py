@@ -11,7 +11,7 @@ import numpy as np
 from flowlanes.flow.integrator import integrate
 from nonholonomic.closed_form.genus_two.separation import SeparatedSystem
 from nonholonomic.closed_form.genus_two_solution import GenusTwo, solve_on_torus
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 #: A body with nothing special about it.
 GAMMA = np.array([0.48, 0.6, 0.64])

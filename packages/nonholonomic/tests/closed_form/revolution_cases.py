@@ -9,10 +9,10 @@ import sympy as sp
 
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shape_base import Shape
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
+from nonholonomic.starts import initial_state
 
 KINDS = ("ball", "disk", "torus", "ellipsoid", "revolution")
 

@@ -21,9 +21,9 @@ from nonholonomic.closed_form.revolution import solve_rolling
 from nonholonomic.closed_form.revolution.body import body_of
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Disk, Ellipsoid
+from nonholonomic.starts import initial_state
 
 DISK = RollingBody(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
 EGG = CATALOGUE["rubber-body-of-revolution"].rolling()

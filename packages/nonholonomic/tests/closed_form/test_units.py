@@ -16,7 +16,7 @@ from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from nonholonomic import solve
 from nonholonomic.catalogue import entry, from_catalogue
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 #: Motions of every system in the campaign.
 MOTIONS = 24

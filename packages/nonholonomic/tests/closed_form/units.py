@@ -21,7 +21,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import Vector
 from nonholonomic import solve
 from nonholonomic.catalogue import from_catalogue
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 #: Powers of mass, length and time.
 Dimension = tuple[int, int, int]

@@ -24,7 +24,7 @@ from nonholonomic.contact import (
     Viscous,
     ViscousRolling,
 )
-from nonholonomic.contact.starts import start_in_space
+from nonholonomic.contact.starts import state_in_space
 
 CASES: dict[str, dict[str, Any]] = {
     case["name"]: case
@@ -96,6 +96,6 @@ def rules(case: dict[str, Any]) -> EventRules:
 def start(case: dict[str, Any], contact: FrictionalContact) -> FloatArray:
     """Its first state."""
     given = case["start"]
-    return start_in_space(
+    return state_in_space(
         contact, given["position"], given["attitude"], given["velocity"], given["omega"]
     )

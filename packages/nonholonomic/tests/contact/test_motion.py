@@ -25,9 +25,8 @@ from nonholonomic.contact import (
     RollingResistance,
     UserFriction,
     contact_motion,
-    start_in_contact,
-    start_in_space,
 )
+from nonholonomic.contact.starts import state_in_contact, state_in_space
 
 G = 9.81
 GRAVITY = nonholonomic.Forces(gravity=G)
@@ -234,7 +233,7 @@ def test_rocking_ends_where_rolling_resistance_holds_the_body() -> None:
         contact = FrictionalContact(body, laws=(Coulomb(0.8), law), field=GRAVITY)
         turn = (1.0, 0.2, 0.0, 0.0)
         leaning = (1 - 0.2**2) / (1 + 0.2**2)
-        start = start_in_space(contact, (0, 0, 1 - 0.3 * leaning), turn, (0, 0, 0), (0, 0, 0))
+        start = state_in_space(contact, (0, 0, 1 - 0.3 * leaning), turn, (0, 0, 0), (0, 0, 0))
         motion = contact_motion(contact, start, np.linspace(0, 12, 25))
         kinds = [e.kind for e in motion.events]
         assert kinds == ["rolling reversal"] * (len(kinds) - 1) + ["rest"] and len(kinds) > 4
@@ -400,7 +399,7 @@ def test_a_body_at_rest_on_a_turntable_turns_with_it() -> None:
     ball = nonholonomic.Body(1.0, (0.4, 0.4, 0.4), nonholonomic.Ball(1.0))
     laws = (Coulomb(0.5), RollingResistance(0.3))
     contact = FrictionalContact(ball, nonholonomic.Plane(turntable=1.2), laws, GRAVITY)
-    start_state = start_in_space(contact, (0.5, 0, 1), (1, 0, 0, 0), (0, 0.6, 0), (0, 0, 1.2))
+    start_state = state_in_space(contact, (0.5, 0, 1), (1, 0, 0, 0), (0, 0.6, 0), (0, 0, 1.2))
     motion = contact_motion(contact, start_state, [0.0, 2.0])
     assert motion.intervals == (type(motion.intervals[0])("rest", 0.0, 2.0),)
     place = 0.5 * np.array([math.cos(2.4), math.sin(2.4)])
@@ -430,7 +429,7 @@ def jamming(rules: EventRules, times: Any) -> Any:
     field = nonholonomic.Forces(gravity=1.0)
     body = nonholonomic.Body(1.898, inertia, shape)
     contact = FrictionalContact(body, nonholonomic.Sphere(4.0), (Coulomb(0.654),), field)
-    state = start_in_space(
+    state = state_in_space(
         contact,
         (1.45549644098972, 1.3804334756152463, 4.5025878715455985),
         (-0.7940359575902549, -0.19309510786853926, 0.11910539363853824, -0.5639459926067152),
@@ -477,7 +476,7 @@ def test_an_impact_without_collision_gives_back_what_it_stored() -> None:
     contact = CompiledContact(FrictionalContact(body, laws=(Coulomb(1.9),), field=GRAVITY))
     lean = 1.1621
     slip = (0.0, math.sin(lean), -math.cos(lean))
-    state = start_in_contact(
+    state = state_in_contact(
         contact.situation, (0, 0, 0), (0.0, math.cos(lean), math.sin(lean)), slip
     )
     given, impulses = (0.0, 0.5), []

@@ -7,7 +7,7 @@ import pytest
 
 import nonholonomic
 from nonholonomic.contact import Coulomb, FrictionalContact, contact_motion
-from nonholonomic.contact.starts import start_in_space
+from nonholonomic.contact.starts import state_in_space
 
 MU = 0.3
 
@@ -21,7 +21,7 @@ def test_samples_where_sliding_begins_have_all_observables() -> None:
     )
     contact = FrictionalContact(body, laws=(Coulomb(MU),), field=nonholonomic.Forces(gravity=9.81))
     # a rattleback that rolls at first
-    state = start_in_space(
+    state = state_in_space(
         contact,
         (-0.017298908816466407, 0.0003039371269596072, 0.010076953455617245),
         (0.9999809617133206, 0.004363350819910759, 0.004363184676881591, 0.0),

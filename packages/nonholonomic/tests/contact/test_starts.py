@@ -18,7 +18,7 @@ from nonholonomic.contact.friction.dry_friction import Coulomb, SpinFriction
 from nonholonomic.contact.friction.modes import Mode
 from nonholonomic.contact.nearest_point import nearest_normal
 from nonholonomic.contact.simulation.compiled import NORMAL, OMEGA, POSITION, VELOCITY, WORK
-from nonholonomic.contact.starts import clearance, start_in_contact, start_in_space
+from nonholonomic.contact.starts import clearance, state_in_contact, state_in_space
 
 SURFACES = {
     "plane": nonholonomic.Plane(),
@@ -54,7 +54,7 @@ def test_the_touching_particle_slips_as_given(name: str, seed: int) -> None:
     contact = pebble(surface)
     gamma, omega, slip = random_start(seed)
     normal = (0.0, 0.0, 1.0) if name.endswith("plane") else (0.2, -0.3, 0.9)
-    state = start_in_contact(contact, omega, 2.5 * gamma, slip, heading=0.7, normal=normal)
+    state = state_in_contact(contact, omega, 2.5 * gamma, slip, heading=0.7, normal=normal)
     Q, r = rotation(state), contact.body.shape.contact_points()(gamma[None])[0]
     touching = state[POSITION] + Q @ r
     support = np.cross([0, 0, surface.turntable], touching)
@@ -74,16 +74,16 @@ def test_the_touching_particle_slips_as_given(name: str, seed: int) -> None:
 def test_both_kinds_of_start_give_one_state(name: str) -> None:
     contact = pebble(SURFACES[name])
     gamma, omega, slip = random_start(7)
-    one = start_in_contact(contact, omega, gamma, slip)
+    one = state_in_contact(contact, omega, gamma, slip)
     velocity = rotation(one) @ one[VELOCITY]
-    other = start_in_space(contact, one[POSITION], 3 * one[:4], velocity, omega)
+    other = state_in_space(contact, one[POSITION], 3 * one[:4], velocity, omega)
     np.testing.assert_allclose(other, one, atol=4e-15)
 
 
 def test_heading_turns_the_body_about_the_normal() -> None:
     contact = pebble(nonholonomic.Plane())
-    straight = rotation(start_in_contact(contact, (0, 0, 0), (0.3, 0.1, 0.9)))
-    turned = rotation(start_in_contact(contact, (0, 0, 0), (0.3, 0.1, 0.9), heading=0.4))
+    straight = rotation(state_in_contact(contact, (0, 0, 0), (0.3, 0.1, 0.9)))
+    turned = rotation(state_in_contact(contact, (0, 0, 0), (0.3, 0.1, 0.9), heading=0.4))
     about = Rotation.from_rotvec([0, 0, 0.4]).as_matrix()
     np.testing.assert_allclose(turned, about @ straight, atol=1e-15)
 
@@ -92,7 +92,7 @@ def test_heading_turns_the_body_about_the_normal() -> None:
 @pytest.mark.parametrize("surface", [nonholonomic.Plane(), nonholonomic.Plane(turntable=1.0)])
 def test_a_state_has_all_columns(laws: tuple[Coulomb, ...], surface: nonholonomic.Plane) -> None:
     contact = replace(pebble(surface), laws=laws)
-    state = start_in_contact(contact, (0, 0, 1), (0, 0, 1))
+    state = state_in_contact(contact, (0, 0, 1), (0, 0, 1))
     assert len(state) == len(contact_equations(contact, Mode()).symbols)
 
 
@@ -136,7 +136,7 @@ def test_the_gap_over_a_sphere_is_that_of_the_nearest_point(name: str, seed: int
 def test_the_sphere_in_a_hollow_ball_touches_at_its_top() -> None:
     ball = nonholonomic.Body(1.0, (0.4, 0.4, 0.4), nonholonomic.Ball(2.0, hollow=True))
     contact = FrictionalContact(ball, nonholonomic.Sphere(1.0))
-    state = start_in_contact(contact, (0, 0, 0), (0, 0, 1))
+    state = state_in_contact(contact, (0, 0, 0), (0, 0, 1))
     known = clearance(contact, state[POSITION], state[:4])
     np.testing.assert_allclose(known.gamma, [0, 0, 1], atol=1e-15)
     assert abs(known.gap) < 1e-15
@@ -155,25 +155,25 @@ def test_the_nearest_plane_of_a_sharp_disk() -> None:
 
 def test_decimals_that_almost_touch_are_put_on_the_support() -> None:
     contact = pebble(nonholonomic.Plane())
-    exact = start_in_contact(contact, (1, 2, 3), (0.3, -0.4, 0.8))
+    exact = state_in_contact(contact, (1, 2, 3), (0.3, -0.4, 0.8))
     for shift in (4e-10, -4e-10):
         moved = exact[POSITION] + [0, 0, shift]
         velocity = rotation(exact) @ exact[VELOCITY] + [0, 0, shift]
-        state = start_in_space(contact, moved, exact[:4], velocity, exact[OMEGA])
+        state = state_in_space(contact, moved, exact[:4], velocity, exact[OMEGA])
         assert abs(clearance(contact, state[POSITION], state[:4]).gap) < 1e-15
         np.testing.assert_allclose(state[VELOCITY], exact[VELOCITY], atol=1e-15)
 
 
 def test_a_body_far_above_is_left_there() -> None:
     contact = pebble(nonholonomic.Plane())
-    state = start_in_space(contact, (1, 2, 5), (1, 0, 0, 0), (0, 0, -3), (1, 0, 0))
+    state = state_in_space(contact, (1, 2, 5), (1, 0, 0, 0), (0, 0, -3), (1, 0, 0))
     np.testing.assert_array_equal(state[POSITION], [1, 2, 5])
     np.testing.assert_array_equal(state[VELOCITY], [0, 0, -3])
 
 
 def test_an_impact_at_the_start_is_left_as_it_is() -> None:
     contact = FrictionalContact(nonholonomic.Body(1.0, (0.4, 0.4, 0.4), nonholonomic.Ball(1.0)))
-    state = start_in_space(contact, (0, 0, 1), (1, 0, 0, 0), (0, 0, -3), (1, 0, 0))
+    state = state_in_space(contact, (0, 0, 1), (1, 0, 0, 0), (0, 0, -3), (1, 0, 0))
     np.testing.assert_array_equal(state[VELOCITY], [0, 0, -3])
 
 
@@ -181,10 +181,10 @@ def test_without_a_limit_of_friction_a_slip_of_decimals_is_removed() -> None:
     ball = FrictionalContact(
         nonholonomic.Body(1.0, (0.4, 0.4, 0.4), nonholonomic.Ball(1.0)), laws=(Coulomb(np.inf),)
     )
-    state = start_in_space(ball, (0, 0, 1), (1, 0, 0, 0), (2 + 1e-10, 0, 0), (0, 2, 0))
+    state = state_in_space(ball, (0, 0, 1), (1, 0, 0, 0), (2 + 1e-10, 0, 0), (0, 2, 0))
     np.testing.assert_allclose(state[VELOCITY], [2, 0, 0], atol=1e-15)
     with pytest.raises(flowlanes.InputError, match="velocity: the contact would slip"):
-        start_in_space(ball, (0, 0, 1), (1, 0, 0, 0), (2.1, 0, 0), (0, 2, 0))
+        state_in_space(ball, (0, 0, 1), (1, 0, 0, 0), (2.1, 0, 0), (0, 2, 0))
 
 
 @pytest.mark.parametrize(
@@ -194,4 +194,4 @@ def test_without_a_limit_of_friction_a_slip_of_decimals_is_removed() -> None:
 def test_places_that_are_refused(position: tuple[float, ...], words: str) -> None:
     ball = FrictionalContact(nonholonomic.Body(1.0, (0.4, 0.4, 0.4), nonholonomic.Ball(1.0)))
     with pytest.raises(flowlanes.InputError, match=words):
-        start_in_space(ball, position, (1, 0, 0, 0), (0, 0, 0), (0, 0, 0))
+        state_in_space(ball, position, (1, 0, 0, 0), (0, 0, 0), (0, 0, 0))

@@ -20,12 +20,12 @@ from nonholonomic.control import (
     SphericalRobot,
     controlled_system,
     driftless_system,
-    driven_start,
     driven_system,
     pendulum,
 )
 from nonholonomic.control.compiled_equations import CompiledEquations
 from nonholonomic.control.equations import M, b, gamma, omega, rho, rhodot
+from nonholonomic.starts import initial_state
 
 t = sp.Symbol("t", real=True)
 
@@ -193,30 +193,30 @@ def test_a_start_by_angular_velocity_has_it(contact: str) -> None:
     system = driven_system(robot, {**INPUTS, **RATES})
     up = np.array([0.0, 0.6, 0.8])
     turn = np.array([0.3, 0.8, -0.6]) if contact == "rubber" else np.array([0.3, 0.8, 0.6])
-    start = driven_start(system, turn, 2 * up, time=0.4, joints={"theta": 0.1, "phi": 0.2})
-    state = np.concatenate([np.atleast_1d(start[str(name)]) for name in system.state])
+    start = initial_state(system, turn, 2 * up, t=0.4, theta=0.1, phi=0.2)
+    state = np.array(start[: len(system.symbols)], dtype=float)
     assert np.abs(Formulas(system, list(omega.symbols))(state) - turn).max() < 1e-14
     if contact == "rubber":
         with pytest.raises(InputError, match="needs 0"):
-            driven_start(system, (0, 0, 1), up, joints={"theta": 0.1, "phi": 0.2})
+            initial_state(system, (0, 0, 1), up, theta=0.1, phi=0.2)
 
 
 def test_starts_that_say_too_little_or_too_much() -> None:
     robot = SphericalRobot(1.0, (0.4, 0.5, 0.6), 1.0, (Rotor((1, 0, 0), 0.1),))
     system = driven_system(robot, {"u_1": "M_1"})
     with pytest.raises(InputError, match="depend on M"):
-        driven_start(system, (1, 0, 0), (0, 0, 1))
+        initial_state(system, (1, 0, 0), (0, 0, 1))
     with pytest.raises(InputError, match="no joint q"):
-        driven_start(system, (1, 0, 0), (0, 0, 1), joints={"q": 1.0})
+        initial_state(system, (1, 0, 0), (0, 0, 1), q=1.0)
     with pytest.raises(InputError, match="gamma is zero"):
-        driven_start(system, (1, 0, 0), (0, 0, 0))
+        initial_state(system, (1, 0, 0), (0, 0, 0))
     with pytest.raises(InputError, match="three finite numbers"):
-        driven_start(system, (1, 0), (0, 0, 1))
+        initial_state(system, (1, 0), (0, 0, 1))
     swinging = driven_system(
         SphericalRobot(1.0, (0.4, 0.4, 0.4), 1.0, moving_mass=pendulum(1.0, 0.5)), RATES
     )
     with pytest.raises(InputError, match="theta, phi need a value"):
-        driven_start(swinging, (1, 0, 0), (0, 0, 1))
+        initial_state(swinging, (1, 0, 0), (0, 0, 1))
 
 
 def test_without_momentum_the_speeds_alone_set_the_rates() -> None:

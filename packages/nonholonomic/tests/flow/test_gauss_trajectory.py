@@ -13,7 +13,7 @@ from flowlanes.errors import InputError, RunError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.system import System
 from nonholonomic.catalogue import from_catalogue
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 BODIES = {
     "chaplygin-ball": ((0.7, 0.4, 1.1), (0.2, -0.3, 0.93), 20.0),

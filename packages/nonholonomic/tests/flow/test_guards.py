@@ -18,11 +18,11 @@ from flowlanes.flow.integrator import integrate
 from flowlanes.system.system import Guard, System
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
+from nonholonomic.starts import initial_state
 
 X, Y, Z = Implicit.coordinates
 G = 9.81

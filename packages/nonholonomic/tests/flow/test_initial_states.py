@@ -11,12 +11,14 @@ import pytest
 from flowlanes.errors import InputError
 from flowlanes.flow.batch import batch_integrator
 from flowlanes.flow.gauss import gauss_integrator
-from flowlanes.flow.initial_states import flat_starts, reduced_start, upright, whole_start
+from flowlanes.flow.initial_states import flat_starts, reduced_start, whole_start
 from flowlanes.flow.integrator import integrate
 from flowlanes.lyapunov.spectrum import lyapunov_spectrum
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.closed_form.solver import solve
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.mechanics.conventions import BodyConventions
+from nonholonomic.mechanics.rotations import upright
+from nonholonomic.starts import initial_state
 
 OMEGA = np.array([[0.7, 0.4, 1.1], [-1.0, 2.0, 0.1], [0.0, 0.0, 3.0]])
 GAMMA = np.array([[0.2, -0.3, 0.93], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
@@ -85,7 +87,7 @@ def test_mistakes_are_told(given: dict[str, Any], sentence: str) -> None:
 
 def test_a_state_that_does_not_follow_from_omega() -> None:
     with pytest.raises(InputError, match="its state does not follow from omega; give the state"):
-        flat_starts(replace(BALL, start=()), {"omega": OMEGA, "gamma": GAMMA})
+        flat_starts(replace(BALL, conventions=BodyConventions()), {"omega": OMEGA, "gamma": GAMMA})
 
 
 NAMES = {"omega": (0.7, 0.4, 1.1), "gamma": (0.2, -0.3, 0.93)}

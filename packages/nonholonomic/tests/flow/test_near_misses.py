@@ -13,7 +13,7 @@ from flowlanes.flow.batch import batch_integrator
 from flowlanes.flow.kernel.equations import Section, poincare_section
 from flowlanes.system.system import Guard, System
 from nonholonomic.catalogue import from_catalogue
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 x, y = sp.symbols("x y", real=True)
 OSCILLATOR = System("oscillator", "Oscillator", {x: y, y: -x})

@@ -112,7 +112,7 @@ def test_divergences_are_the_same(name, contact):
             numbers = {s: mpmath.mpf(x) for s, x in system.defaults.items()} | base | motions
             # the definitions would hide the given ω
             point = dict(base)
-            for quantity, formula in system.start:
+            for quantity, formula in system.conventions.start_formulas:
                 values = evaluate(system, list(sp.Matrix(_components(formula))), numbers)
                 point |= dict(zip(quantity.symbols, values, strict=True))
             found.append(divergence(system, {s: point[s] for s in system.symbols}))

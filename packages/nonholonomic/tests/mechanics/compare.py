@@ -180,7 +180,7 @@ def begin(case: Case, system: System, package: Package = PACKAGE) -> tuple[Case,
     gamma, attitude = (np.asarray(case.start[key]) for key in ("gamma", "attitude"))
     flat = isinstance(case.surface, reference.Plane)
     normal = reference.E3 if flat else reference.rotation(attitude) @ gamma
-    state = package.start.initial_state(
+    state = package.start.rolling_state(
         system,
         case.start["omega"].tolist(),
         gamma.tolist(),

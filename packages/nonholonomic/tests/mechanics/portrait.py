@@ -43,7 +43,8 @@ class Portrait:
         )
         self.spins = [s for name in GIVEN for s in Vector(name).symbols if self._is_given(name)]
         self.momenta = self._compile(
-            self.spins, [e for _, formula in system.start for e in to_components(formula)]
+            self.spins,
+            [e for _, formula in system.conventions.start_formulas for e in to_components(formula)],
         )
 
     def _is_given(self, name: str) -> bool:
@@ -67,7 +68,7 @@ class Portrait:
         }
         constants = self._constants(parameters or {})
         momenta = self.momenta(*constants, *(values[s] for s in self.spins))
-        names = [s for name, _ in self.system.start for s in name.symbols]
+        names = [s for name, _ in self.system.conventions.start_formulas for s in name.symbols]
         values |= dict(zip(names, momenta, strict=True))
         return np.array([values[s] for s in self.system.symbols])
 

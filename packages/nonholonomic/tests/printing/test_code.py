@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ctypes
+import json
 import math
 import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import mpmath
 import numpy as np
@@ -28,7 +30,7 @@ Array = npt.NDArray[np.float64]
 
 #: The targets; those whose package is not installed are skipped.
 AS_TARGETS = {name: pytest.param(name, marks=needs(name)) for name in TARGETS}
-COMPILER = shutil.which("cc")
+COMPILER, NODE = shutil.which("cc"), shutil.which("node")
 
 FEW = [("ball", "sphere", "marble"), ("implicit", "plane", "rubber")]
 ROUNDING = 1e-14
@@ -164,7 +166,7 @@ def test_unknown_target_and_language_are_refused() -> None:
     assert str(target.value) == "target 'torch': it must be one of 'numpy', 'jax', 'numba'"
     with pytest.raises(InputError) as language:
         source_code(decay(), "fortran")
-    assert str(language.value) == "language 'fortran': it must be one of 'c', 'julia'"
+    assert str(language.value) == "language 'fortran': it must be one of 'c', 'javascript', 'julia'"
 
 
 @pytest.mark.parametrize("target", ["jax", "numba"])
@@ -266,6 +268,63 @@ def assert_c_is_complete(system: System) -> None:
     assert stored == [f"dx[{i}]" for i in range(len(system.symbols))]
 
 
+def by_javascript(system: System, x: Array, folder: Path) -> Array:
+    """Import the module in Node and call its function."""
+    module = folder / "system.mjs"
+    module.write_text(source_code(system, "javascript"), encoding="utf-8")
+    call = (
+        f"import({json.dumps(module.as_uri())}).then((module) => {{"
+        f" const [rate] = Object.values(module);"
+        f" const x = {json.dumps(x.tolist())}, p = {json.dumps(defaults(system).tolist())};"
+        " const dx = new Float64Array(x.length);"
+        " if (rate(0, x, p, dx) !== dx) throw new Error('another array');"
+        " console.log(JSON.stringify([Array.from(dx), rate(0, x, p)])); })"
+    )
+    assert NODE is not None
+    written = subprocess.run([NODE, "-e", call], check=True, capture_output=True, text=True)
+    filled, made = json.loads(written.stdout)
+    assert filled == made
+    return np.array(filled)
+
+
+#: The functions and constants of JavaScript, for Python.
+MATH = SimpleNamespace(**vars(math), abs=abs, PI=math.pi, E=math.e)
+
+
+def by_reading_javascript(system: System, x: Array) -> Array:
+    """Execute the lines of the function in Python, which writes these expressions alike."""
+    lines = source_code(system, "javascript").splitlines()
+    start = next(i for i, line in enumerate(lines) if line.startswith("export function"))
+    assert lines[-2:] == ["  return dx;", "}"]
+    known = {"x": list(x), "p": list(defaults(system)), "dx": {}, "Math": MATH}
+    for line in lines[start + 1 : -2]:
+        # Python has no const, and a word of its own may be a name here
+        statement = re.sub(r"\blambda\b", "lam", line.strip().removeprefix("const "))
+        assert statement.endswith(";")
+        exec(statement.removesuffix(";"), known)
+    stored = known["dx"]
+    assert isinstance(stored, dict)
+    assert list(stored) == list(range(len(x)))
+    return np.array(list(stored.values()))
+
+
+@pytest.mark.parametrize("case", FEW, ids="-".join)
+def test_javascript_text_computes_the_same(case: tuple[str, str, str], tmp_path: Path) -> None:
+    system = laden(*case)
+    x = states(system, 1)[:, 0]
+    wanted = lambdify(system)(0.0, x)
+    assert close(by_reading_javascript(system, x), wanted)
+    if NODE:
+        assert close(by_javascript(system, x, tmp_path), wanted)
+
+
+def test_javascript_text_of_clashing_names(tmp_path: Path) -> None:
+    wanted = np.array(decay_by_hand(0.3, 0.7))
+    assert close(by_reading_javascript(decay(), DECAY), wanted)
+    if NODE:
+        assert close(by_javascript(decay(), DECAY, tmp_path), wanted)
+
+
 def test_header_says_what_a_reader_needs() -> None:
     text = source_code(bare("ball", "plane", "marble"), "c")
     assert "//     Ṁ = M × ω\n" in text
@@ -279,8 +338,10 @@ def test_header_says_what_a_reader_needs() -> None:
 
 
 def test_comments_stay_comments() -> None:
-    for language, mark in zip(sorted(LANGUAGES), ("//", "#"), strict=True):
-        head = source_code(decay(), language).split("#include" if mark == "//" else "function")[0]
+    marks = {"c": ("//", "#include"), "javascript": ("//", "export"), "julia": ("#", "function")}
+    assert marks.keys() == LANGUAGES.keys()
+    for language, (mark, end) in marks.items():
+        head = source_code(decay(), language).split(end)[0]
         assert all(line.startswith(mark) for line in head.splitlines())
         assert f"{mark} Decay\n" in head
         assert "0.5 1/s: rate of decay" in head

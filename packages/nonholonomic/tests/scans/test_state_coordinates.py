@@ -10,8 +10,9 @@ import pytest
 from flowlanes.errors import InputError
 from flowlanes.flow.sampling.level_sampler import sample_level
 from flowlanes.formulas.array_evaluation import values
-from flowlanes.scans.state_coordinates import CHARTS, StateCoordinates, chart
+from flowlanes.scans.state_coordinates import StateCoordinates, chart
 from nonholonomic.catalogue import from_catalogue
+from nonholonomic.mechanics.charts.charts import CHARTS
 
 BALL, VESELOVA = from_catalogue("chaplygin-ball"), from_catalogue("veselova")
 PI = np.pi

@@ -8,10 +8,10 @@ import sympy as sp
 
 import nonholonomic
 from borisov_mamaev_2008.section_11 import section_11_3a as claims
-from flowlanes.flow.initial_states import upright
 from nonholonomic.contact import DryContact
 from nonholonomic.contact.invariants import top_stability as top
 from nonholonomic.contact.invariants.sliding_top import c
+from nonholonomic.mechanics.rotations import upright
 
 
 def growth(spin: float, offset: int, viscosity: float) -> float:

@@ -13,6 +13,7 @@ from flowlanes.scans.scan_task import Scan
 from flowlanes.scans.system_quantities import meaning
 from flowlanes.system.named_formulas import flat
 from flowlanes.system.system import System
+from nonholonomic.mechanics.conventions import start_vectors
 
 from .single_system import without_reconstruction
 from .study import Study
@@ -90,10 +91,12 @@ def plane_of(
 
 def _start(study: Study, system: System) -> dict[str, float | Sequence[float]]:
     """The start by ω and γ if the state follows from these, otherwise by the state."""
-    follow = {str(name) for name, _ in system.start} | study.start_values.keys()
+    follow = {
+        str(name) for name, _ in system.conventions.start_formulas
+    } | study.start_values.keys()
     if study.subject.starts_by_velocity and all(str(name) in follow for name in system.state):
-        # a fluid that is not given is at rest in the body
-        names = ("omega", "gamma", *map(str, system.start_vectors))
+        # A fluid that is not mentioned is at rest in the body.
+        names = ("omega", "gamma", *map(str, start_vectors(system)))
         return {name: study.start_values.get(name, (0.0, 0.0, 0.0)) for name in names}
     numbers = iter([float(value) for value in study.start])
     return {str(name): [next(numbers) for _ in flat([name])] for name in system.state}

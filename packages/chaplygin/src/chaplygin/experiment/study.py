@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 import mpmath
 import numpy as np
-import xarray as xr
 
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
@@ -20,14 +19,16 @@ from flowlanes.system.arrays import FloatArray
 from flowlanes.system.laws import Law
 from flowlanes.system.overview import Overview, WithOverview
 from flowlanes.system.system import Guard, System
-from nonholonomic.contact.invariants.provable_laws import provable_laws
+from nonholonomic.mechanics.conventions import start_vectors
 from nonholonomic.mechanics.rolling.equations import RollingBody
 
 from .models.experiment import Experiment
-from .subjects.contact_subject import ContactSubject
 from .subjects.initial_state import StartValues, normalised_vectors, on_level
 from .subjects.subject import Subject, Variables
 from .subjects.subject_of import subject_of
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 @dataclass(frozen=True, repr=False)
@@ -92,9 +93,7 @@ class Study(WithOverview):
     @property
     def claims(self) -> tuple[tuple[System, Law], ...]:
         """The laws that can be proved, each with its system."""
-        if isinstance(self.subject, ContactSubject):
-            return provable_laws(self.subject.contact)
-        return tuple((self.system, law) for law in self.system.laws)
+        return self.subject.claims
 
     @property
     def rolling(self) -> RollingBody | None:
@@ -178,7 +177,7 @@ class Study(WithOverview):
         """The experiment file with all defaults of the catalogue written out."""
         tables = self.experiment.complete_tables()
         # The fluids of several cavities form one list in a file.
-        single = {str(name) for name in self.system.start_vectors} - {"fluid"}
+        single = {str(name) for name in start_vectors(self.system)} - {"fluid"}
         tables["start"] |= {n: v for n, v in self.start_values.items() if n not in single}
         tables["run"] |= {"until": self.until}
         return type(self.experiment).model_validate(tables).toml()

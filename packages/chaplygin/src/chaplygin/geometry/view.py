@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from flowlanes.system.arrays import BoolArray, FloatArray
-from flowlanes.system.rotations import rotation_rows
+from nonholonomic.mechanics.rotations import rotation_rows
 
 
 def unit(vectors: FloatArray) -> FloatArray:

@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from flowlanes.errors import InputError
-from flowlanes.flow.variable_metadata import FRAMES, variable_metadata
+from flowlanes.flow.variable_metadata import variable_metadata
 from flowlanes.formulas.array_evaluation import values
 from flowlanes.printing.formula import latex
 from flowlanes.printing.mathml import mathml
@@ -16,6 +16,7 @@ from flowlanes.printing.system import law_latex
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import Parameter, System
 from lawproof.proof.verdict import Verdict
+from nonholonomic.mechanics.conventions import FRAMES
 
 from ..experiment.contact.mode_intervals import mode_intervals
 from ..experiment.section_coordinates import is_angle

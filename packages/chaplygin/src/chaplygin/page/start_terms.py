@@ -15,12 +15,13 @@ import sympy as sp
 
 from flowlanes.formulas.graph import Graph, Reader, Term
 from flowlanes.system.named_formulas import flat_pairs
-from flowlanes.system.rotations import quaternion_product
 from flowlanes.system.system import System
 from flowlanes.system.tuple_vectors import cross, dot
 from flowlanes.system.vectors import Vector
+from nonholonomic.mechanics.conventions import start_vectors
 from nonholonomic.mechanics.rolling.attitude import attitude
 from nonholonomic.mechanics.rolling.initial_state import is_no_spin
+from nonholonomic.mechanics.rotations import quaternion_product
 
 from ..experiment.subjects.subject import BodySubject
 
@@ -69,7 +70,7 @@ def start_terms(subject: BodySubject, system: System) -> StartTerms | None:
     if Vector("r") in system.state:
         return None
     graph = Graph()
-    fluids = [s for name in system.start_vectors for s in name.symbols]
+    fluids = [s for name in start_vectors(system) for s in name.symbols]
     names = (*map(str, (*_OMEGA, *_GAMMA, *fluids)), "heading")
     given = [graph.state(i) for i in range(len(names))]
     spin, up = given[:3], _unit(graph, given[3:6])
@@ -79,7 +80,7 @@ def start_terms(subject: BodySubject, system: System) -> StartTerms | None:
     turn = _attitude(graph, up, subject.normal, given[-1])
     reader.know(dict(zip(attitude.symbols, turn, strict=True)))
     reader.know(dict(zip(_ZETA, _third_row(graph, turn), strict=True)))
-    for symbol, formula in flat_pairs(system.start):
+    for symbol, formula in flat_pairs(system.conventions.start_formulas):
         reader.know({symbol: reader(formula)})
     lifted = system.lifted() if system.reconstruction else system
     if _PLACE in lifted.state:

@@ -9,7 +9,7 @@ from chaplygin.experiment.models.experiment import parse_experiment
 from chaplygin.experiment.study import Study, dataset_of
 from flowlanes.flow.integrator import integrate
 from nonholonomic.catalogue import from_catalogue
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 TIMES = np.linspace(0.0, 10.0, 6)
 GAMMA = np.array([2.0, -3.0, 6.0]) / 7.0

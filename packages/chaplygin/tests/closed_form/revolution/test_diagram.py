@@ -14,8 +14,8 @@ from nonholonomic.closed_form.revolution import solve_rolling
 from nonholonomic.closed_form.revolution.diagram import Diagram, revolution_diagram
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk
+from nonholonomic.starts import initial_state
 
 DISK = RollingBody(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
 SPINS = (0.5, 1.0, 2.0, 3.0, 3.2, 4.0)

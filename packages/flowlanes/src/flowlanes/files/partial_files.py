@@ -26,7 +26,7 @@ from ..errors import InputError
 _LOG = logging.getLogger(__name__)
 
 #: Suffix of a lock file.
-_LOCK = ".chaplygin.lock"
+_LOCK = ".flowlanes.lock"
 
 #: Seconds to wait for a lock: another process may hold it for a moment to test it.
 _PATIENCE = 0.5

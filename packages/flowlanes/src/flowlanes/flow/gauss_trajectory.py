@@ -17,29 +17,11 @@ from ..system.parameters import parameter_values
 from ..system.system import System
 from ..system.tolerance import FINEST_TOLERANCE, Precision
 from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
-from .integration_method import IntegrationMethod, MotionRequest
 from .kernel.outcomes import STATUS_MESSAGES
 from .machine_code.double_double_conversion import from_pairs
 from .recorded_quantities import recorded_values
 from .taylor.working_numbers import WorkingArray, WorkingNumber
 from .trajectory import Event, Statistics, Trajectory
-
-
-class Collocation(IntegrationMethod):
-    """Gauss–Legendre collocation with all digits; the method has no options of its own."""
-
-    name = "gauss"
-
-    def motion(self, request: MotionRequest) -> Trajectory:
-        """Motion with 16 digits, or with 30 digits at precision "quad"."""
-        return collocate(
-            request.system,
-            request.start,
-            request.times,
-            request.parameters,
-            precision=request.precision,
-            on_liftoff=request.on_liftoff,
-        )
 
 
 def collocate(
@@ -68,7 +50,7 @@ def collocate(
     parameters : mapping of Symbol or name to number, optional
     precision : ``"double"`` or ``"quad"``
     on_liftoff : ``"stop"`` or ``"warn"``
-        Whether a change of sign of the normal force ends the motion or only gives a warning.
+        Whether the run ends when a guard with ``lift_off`` changes sign, or passes over it.
 
     Raises
     ------

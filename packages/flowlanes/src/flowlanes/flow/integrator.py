@@ -36,11 +36,11 @@ def integrate(
     Parameters
     ----------
     system : System
-        If it has a motion in space, this is integrated too.
+        If it has a reconstruction, that is integrated with it.
     start : sequence of numbers, or mapping of str to number or numbers
-        State at ``times[0]`` in flat order, with the motion in space behind it or without; or by
-        name (ω and γ, or the variables of the state).  The motion in space begins at zero where it
-        is left out, with γ pointing upward.
+        State at ``times[0]`` in flat order, with the reconstruction behind it or without; or by
+        name (the variables of the state, or what the system's conventions take for them).  A
+        reconstruction that is left out begins where the conventions say, usually at zero.
     times : sequence of numbers
         At least two times in s, increasing or decreasing (backward integration).
     parameters : mapping of Symbol or name to number, optional
@@ -49,9 +49,8 @@ def integrate(
         See :mod:`flowlanes.system.tolerance`; the default is 1e-15, and 1e-30 with the 34 digits
         of precision "quad".
     on_liftoff : ``"stop"`` or ``"warn"``
-        Whether the motion ends or continues when the normal force changes sign.  It always ends
-        where the equations are no longer valid (a body lying flat, a contact on a non-convex
-        part).
+        Whether the run ends or goes on when a guard with ``lift_off`` changes sign.  Leaving the
+        domain of the equations, which the other guards bound, always ends it.
     keep_integrals : bool
         Restore the integrals, besides the relations, to their initial values after every step.
     time_limit : float, optional

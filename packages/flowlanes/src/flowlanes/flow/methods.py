@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ..errors import InputError
-from .gauss_trajectory import Collocation
+from .collocation import Collocation
 from .integration_method import IntegrationMethod, MotionRequest
 from .taylor_trajectory import TaylorSeries
 

@@ -69,8 +69,8 @@ def _frozen(value: object) -> object:
 class Motion(ABC):
     """One motion: states at times, quantities by name; its arrays are read-only.
 
-    Every integrator, closed form and plan returns a motion.  ``motion["omega"]`` is a quantity by
-    its name, (n,) or (n, components); the iteration over a motion gives these names.
+    Every integrator, every closed form and every plan gives one.  ``motion["x"]`` is a
+    quantity by its name, (n,) or (n, components); iterating over a motion gives these names.
 
     Attributes
     ----------
@@ -189,10 +189,10 @@ class SystemMotion(Motion):
         Returns
         -------
         xarray.Dataset
-            Dimension ``time``.  Vectors have the dimension ``axis`` (body), ``space`` or
-            ``quaternion``, and vectors of the state without a known frame ``<name>_component``.
-            Every variable has ``long_name``, ``units`` and ``source``.  Numbers of 34 digits are
-            split: the sum of ``<name>`` and ``<name>_low`` has all digits.
+            Dimension ``time``; vectors have the dimension of their frame, and
+            vectors of the state in no known frame a dimension ``<name>_component``.  Every
+            variable has ``long_name``, ``units`` and ``source``.  Numbers of 34 digits are split:
+            the sum of ``<name>`` and ``<name>_low`` has all of them.
 
         Examples
         --------

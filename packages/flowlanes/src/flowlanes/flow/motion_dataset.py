@@ -13,26 +13,15 @@ import xarray as xr
 
 from ..system.arrays import FloatArray
 from ..system.matrices import SquareMatrix
-from ..system.system import System
+from ..system.system import Conventions, System
 from .taylor.working_numbers import WorkingNumber
-from .variable_metadata import (
-    FRAMES,
-    LABELS,
-    N_DIMENSIONAL,
-    dimensions_of,
-    labels_of,
-    system_attributes,
-    variable_metadata,
-)
+from .variable_metadata import labels_of, system_attributes, variable_metadata
 
 #: Values along a trajectory: doubles, or numbers of 34 digits.
 Samples: TypeAlias = npt.NDArray[Any]
 
 #: Dimensions, values and attributes of a variable.
 Variable: TypeAlias = tuple[str | tuple[str, ...], FloatArray | list[object], dict[str, str]]
-
-#: Horizontal position of a centre of mass in the lift to space, which is recorded as part of it.
-_PLACE = "place"
 
 
 def motion_dataset(
@@ -62,37 +51,43 @@ def motion_dataset(
     meanings : mapping of str to (str, str), optional
         Meaning and SI unit of variables of the state, by name.
     """
-    known = dict(meanings or {})
+    known, conventions = dict(meanings or {}), system.conventions
     variables: dict[str, Variable] = {}
     recorded = {item.name for item in system.observables}
     for name in map(str, system.state):
-        if name != _PLACE and name not in recorded and name in quantities:
+        if name not in recorded | conventions.unrecorded and name in quantities:
             _add_state(variables, system, name, quantities[name], known.get(name))
     for item in system.observables:
         if item.name in quantities:
             values = quantities[item.name]
-            _add(variables, item.name, values, item.frame, item.meaning, item.unit, item.source)
+            about = (item.frame, item.meaning, item.unit, item.source)
+            _add(variables, conventions, item.name, values, *about)
     for law in system.integrals:
         label = f"law_{law.name}"
         if label in quantities:
-            _add(variables, label, quantities[label], "", law.meaning, law.unit, law.source)
+            about = ("", law.meaning, law.unit, law.source)
+            _add(variables, conventions, label, quantities[label], *about)
     for part in ("", "_low"):
         if f"law_energy{part}" in variables:
             variables[f"energy{part}"] = variables[f"law_energy{part}"]
     time, low = _split(times)
+    frames, axis_meanings = conventions.frames, conventions.axis_meanings
+    matrix_axes = axis_meanings.keys() - {dim for dim, _ in frames.values()}
     sizes = {
         dim: size
         for dims, values, _ in variables.values()
         if isinstance(values, np.ndarray) and isinstance(dims, tuple)
         for dim, size in zip(dims, values.shape, strict=True)
-        if dim in N_DIMENSIONAL
+        if dim in matrix_axes
     }
-    axes = {dim: list(labels) for dim, labels in FRAMES.values() if _is_dimension(variables, dim)}
+    axes: dict[str, list[object]] = {
+        dim: list(labels) for dim, labels in frames.values() if _is_dimension(variables, dim)
+    }
     axes |= {dim: list(labels_of(dim, size)) for dim, size in sizes.items()}
     coordinates: dict[str, Variable] = {
         "time": ("time", time, {"long_name": "time", "units": "s", "source": ""}),
         **{
-            dim: (dim, labels, {"long_name": LABELS[dim], "units": "1", "source": ""})
+            dim: (dim, labels, {"long_name": axis_meanings[dim], "units": "1", "source": ""})
             for dim, labels in axes.items()
         },
     }
@@ -107,7 +102,7 @@ def motion_dataset(
         ),
         **facts,
         "versions": ", ".join(
-            f"{name} {version(name)}" for name in ("chaplygin", "llvmlite", "numpy", "sympy")
+            f"{name} {version(name)}" for name in ("flowlanes", "llvmlite", "numpy", "sympy")
         ),
     }
     return xr.Dataset(variables, coordinates, notes)
@@ -133,7 +128,7 @@ def _add_state(
     meaning, units, source, frame = variable_metadata(system, name, size, description)
     variable = next(v for v in system.state if str(v) == name)
     if isinstance(variable, SquareMatrix):
-        dims = dimensions_of(variable)
+        dims = system.conventions.dimensions(variable)
         matrix = values.reshape(len(values), *map(int, variable.shape))
         high, low = _split(matrix)
         notes = {"long_name": meaning, "units": units, "source": source}
@@ -142,11 +137,12 @@ def _add_state(
             more = {**notes, "long_name": f"{meaning}, low part"}
             variables[f"{name}_low"] = (("time", *dims), low, more)
         return
-    _add(variables, name, values, frame, meaning, units, source)
+    _add(variables, system.conventions, name, values, frame, meaning, units, source)
 
 
 def _add(
     variables: dict[str, Variable],
+    conventions: Conventions,
     name: str,
     values: Samples,
     frame: str,
@@ -154,7 +150,8 @@ def _add(
     units: str,
     source: str,
 ) -> None:
-    dims = ("time", FRAMES[frame][0] if frame in FRAMES else frame) if frame else ("time",)
+    axis = conventions.frames[frame][0] if frame in conventions.frames else frame
+    dims = ("time", axis) if frame else ("time",)
     high, low = _split(values)
     notes = {"long_name": meaning, "units": units or "1", "source": source}
     if frame in ("body", "space"):

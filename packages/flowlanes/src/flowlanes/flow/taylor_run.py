@@ -304,8 +304,8 @@ class TaylorRun:
     def _break_down(self, log: RunLog, reason: str) -> None:
         """End at a singularity: as a failure, unless it is explained by a guard.
 
-        At a flat point of a shape the contact point diverges like the square root of the remaining
-        time, so no step reaches the guard that vanishes there.
+        Where a variable diverges like the square root of the remaining time, no step reaches the
+        guard that vanishes there.
         """
         now, state = self.good
         guards = zip(self.system.guards, self.first_guards, self._guards(state), strict=True)

@@ -99,7 +99,7 @@ def formula(system: System, quantity: sp.Expr | float | str, where: str = "") ->
     system : System
     quantity : SymPy expression, number or str
         A text is the name of a scalar observable or of an integral (``"energy"``), or a formula in
-        the state, the definitions and the parameters (``"dot(M, gamma) - 0.3"``, ``"gamma_3"``).
+        the state, the definitions and the parameters (``"dot(M, M) - 0.3"``, ``"M_3"``).
     where : str
         Beginning of an error message; by default the name of the system.
 

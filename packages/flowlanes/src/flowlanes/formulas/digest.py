@@ -17,8 +17,8 @@ from ..errors import InputError
 from ..system.formula_text import exact_text
 from ..system.system import System
 
-#: Attributes of a System that determine its motions.
-_OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "start")
+#: The attributes of a System that determine its motions.
+_OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "conventions")
 
 
 def digest(value: object) -> str:

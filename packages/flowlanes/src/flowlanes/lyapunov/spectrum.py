@@ -96,9 +96,9 @@ def lyapunov_spectrum(
     --------
     >>> import flowlanes
     >>> import sympy as sp
-    >>> u, w = sp.symbols("u omega", real=True)
-    >>> sleigh = flowlanes.System("sleigh", "Chaplygin sleigh", {u: w**2, w: -u * w / 2})
-    >>> spectrum = flowlanes.lyapunov_spectrum(sleigh, [0.0, 1.0], t_end=50.0)
+    >>> u, w = sp.symbols("u w", real=True)
+    >>> node = flowlanes.System("node", "Slow node", {u: w**2, w: -u * w / 2})
+    >>> spectrum = flowlanes.lyapunov_spectrum(node, [0.0, 1.0], t_end=50.0)
     >>> [float(x) for x in spectrum.values.round(3) + 0.0]
     [0.0, -0.707]
     """

@@ -261,8 +261,8 @@ def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int =
     starts : array (n, size)
         In flat order.
     angle : sympy.Expr
-        A formula in state, definitions and parameters, in radians modulo 2π, such as
-        ``atan2(gamma_2, gamma_1)``.
+        A formula in state, definitions and parameters: radians modulo 2π, such as
+        ``atan2(y, x)``.
     count : int
         Number of returns of each motion.
     """

@@ -173,8 +173,8 @@ def formula_text(formula: Formula, definitions: Mapping[sp.Symbol, sp.Basic] | N
     Examples
     --------
     >>> from flowlanes.system.vectors import Diagonal, Vector, cross
-    >>> formula_text(cross(Diagonal("I") * Vector("omega"), Vector("omega")))
-    'cross(I*omega, omega)'
+    >>> formula_text(cross(Diagonal("I") * Vector("w"), Vector("w")))
+    'cross(I*w, w)'
     """
     value: Any = sp.sympify(formula)
     if value.has(sp.zoo, sp.nan, sp.oo, -sp.oo):

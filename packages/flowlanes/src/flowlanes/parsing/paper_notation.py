@@ -1,4 +1,4 @@
-"""Convert formulas from paper notation, ``γ₃²``, to code notation, ``gamma_3**2``."""
+"""Convert formulas from paper notation, ``θ₃²``, to code notation, ``theta_3**2``."""
 
 from __future__ import annotations
 

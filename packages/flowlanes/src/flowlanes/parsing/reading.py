@@ -76,10 +76,10 @@ def parse_formula(
     Parameters
     ----------
     text
-        The formula, such as ``"cross(gamma, omega)"`` or ``"dot(omega, I*omega)/2"``.
+        The formula, such as ``"cross(u, v)"`` or ``"dot(v, I*v)/2"``.
     names
-        Scalars, vectors and tensors by name; the components of a vector, such as ``gamma_1``, are
-        included.
+        Scalars, vectors and diagonal tensors by name; the components of a vector, such as
+        ``u_1``, are known with it.
     where
         Location of the formula, used as prefix of error messages.
     further
@@ -101,9 +101,9 @@ def parse_formula(
     Examples
     --------
     >>> import flowlanes
-    >>> M, omega = flowlanes.system.Vector("M"), flowlanes.system.Vector("omega")
-    >>> flowlanes.parsing.parse_formula("dot(M, omega)/2", {"M": M, "omega": omega})
-    Dot(M, omega)/2
+    >>> u, v = flowlanes.system.Vector("u"), flowlanes.system.Vector("v")
+    >>> flowlanes.parsing.parse_formula("dot(u, v)/2", {"u": u, "v": v})
+    Dot(u, v)/2
     """
     scalars = {s.name: s for name in names.values() for s in _components(name)}
     short = {n: v for n, v in (definitions or {}).items() if n not in {*names, *scalars}}

@@ -193,7 +193,7 @@ class Vectors:
         return total
 
     def product(self, node: ast.BinOp, depth: int) -> MatrixExpr:
-        """The value of a chain of numbers, tensors and at most one vector, ``2*I*omega/m``."""
+        """A chain of numbers, tensors and at most one vector, ``2*I*u/m``."""
         number, tensors, vector = sympy.S.One, list[MatrixExpr](), None
         for operator, operand in chain(node, (ast.Mult, ast.Div)):
             divides = isinstance(operator, ast.Div)

@@ -79,10 +79,11 @@ def source_code(system: System, language: str) -> str:
     Parameters
     ----------
     system : System
-    language : ``"c"`` or ``"julia"``
-        ``"c"``: C99, ``void pendulum(double t, const double *x, const double *p, double *dx)``.
-        ``"julia"``: ``pendulum!(dx, x, p, t)``, as required by DifferentialEquations.jl. The
-        function is named after the system.
+    language : ``"c"``, ``"javascript"`` or ``"julia"``
+        ``"c"``: C99, ``void pendulum(double t, const double *x, const double *p,
+        double *dx)``.  ``"javascript"``: a module that exports ``pendulum(t, x, p, dx = [])``,
+        which fills and returns ``dx``.  ``"julia"``: ``pendulum!(dx, x, p, t)``, as
+        DifferentialEquations.jl takes it.  The name comes from the name of the system.
 
     Returns
     -------
@@ -398,5 +399,31 @@ class _Julia(_Language):
         return [f"function {identifier}!(dx, x, p, t)", *lines, "end"]
 
 
+class _JavaScript(_Language):
+    comment = "//"
+    reserved_words = _words(
+        "t x p dx Math arguments await break case catch class const continue debugger default",
+        "delete do else enum eval export extends false finally for function if implements import",
+        "in instanceof interface let new null package private protected public return static super",
+        "switch this throw true try typeof undefined var void while with yield NaN Infinity",
+    )
+
+    def element(self, array: str, index: int) -> str:
+        return f"{array}[{index}]"
+
+    def write(self, formula: sp.Expr) -> str:
+        return str(sp.jscode(formula))
+
+    def assignment(self, name: str, value: str) -> str:
+        return f"const {name} = {value};"
+
+    def store(self, place: str, value: str) -> str:
+        return f"{place} = {value};"
+
+    def wrap(self, identifier: str, body: Sequence[str]) -> list[str]:
+        lines = (f"  {line}" for line in (*body, "return dx;"))
+        return [f"export function {identifier}(t, x, p, dx = []) {{", *lines, "}"]
+
+
 #: The languages of :func:`source_code`.
-LANGUAGES: Mapping[str, _Language] = {"c": _C(), "julia": _Julia()}
+LANGUAGES: Mapping[str, _Language] = {"c": _C(), "javascript": _JavaScript(), "julia": _Julia()}

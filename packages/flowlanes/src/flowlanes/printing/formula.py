@@ -60,7 +60,7 @@ def text(formula: Formula) -> str:
     -------
     str
         ``×`` is the vector product, ``(u, v)`` the scalar product, ``u²`` the square (u, u),
-        ``u ⊗ v`` the dyad, ``E`` the unit tensor and ``∂U/∂γ`` a gradient.
+        ``u ⊗ v`` the dyad, ``E`` the unit tensor and ``∂U/∂u`` a gradient.
     """
     return _Writer(UNICODE).piece(sp.sympify(formula)).text
 
@@ -68,13 +68,13 @@ def text(formula: Formula) -> str:
 def latex(formula: Formula) -> str:
     r"""A formula in LaTeX (math mode), by the same rules as :func:`text`.
 
-    Vectors and tensors are bold: ``\mathbf{M} \times \boldsymbol{\omega}``.
+    Vectors and tensors are bold: ``\mathbf{M} \times \boldsymbol{\theta}``.
     """
     return _Writer(LATEX).piece(sp.sympify(formula)).text
 
 
 def rate(name: sp.Basic, notation: Notation) -> str:
-    """The time derivative of a named vector or scalar: ``γ̇``."""
+    """The time derivative of a named vector or scalar: ``ẋ``."""
     letter = letter_of(str(name)).rate()
     return notation.letter(letter, bold=not isinstance(name, sp.Symbol)).text
 
@@ -274,7 +274,7 @@ class _Writer:
         return self.notation.quotient(f"{above} {shown}", below)
 
     def _derivative(self, formula: sp.Derivative) -> Fragment:
-        """U′(x), U″(x) or ∂U/∂γ₁ of an unspecified function."""
+        """U′(x), U″(x) or ∂U/∂u₁ of an unspecified function."""
         inner, order = formula.expr, sum(count for _, count in formula.variable_count)
         name = self.notation.letter(letter_of(str(inner.func.__name__)), bold=False).text
         if len(inner.args) == 1 and order <= 3:

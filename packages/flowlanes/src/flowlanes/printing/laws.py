@@ -31,7 +31,7 @@ from .poisson_brackets import Side, bracket_sides, curly_brackets
 
 
 def equation(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Both sides of ``vanishing = 0`` with a number on the right: γ² = 1, or a = b."""
+    """Both sides of ``vanishing = 0``, a number on the right: u² = 1, or a = b."""
     if isinstance(vanishing, sp.Add) and len(vanishing.args) == 2:
         minus = [term for term in vanishing.args if term.could_extract_minus_sign()]
         if len(minus) == 1 and not any(term.is_number for term in vanishing.args):
@@ -53,7 +53,7 @@ def _with_derivatives_left(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def condition_text(law: Law, system: System, write: Callable[[sp.Basic], str]) -> str:
-    """The level of a law: "for k = −1" or "on (M, γ) = 0"; empty without a level."""
+    """The level of a law: "for k = −1" or "on (M, u) = 0"; empty without one."""
     constants = set(system.defaults)
     for_: list[str] = []
     on: list[str] = []

@@ -58,7 +58,7 @@ class _Spelling:
 
 
 def _term_key(term: sp.Basic) -> tuple[int, int, bool, _Spelling]:
-    """Sort key of terms: (M, ω)/2 first, then by length, negative numbers last."""
+    """Sort key of terms: ½ (M, u) first, then by length, negative numbers last."""
     negative = is_negative(term)
     place = 1
     if isinstance(term, sp.Number) and negative:

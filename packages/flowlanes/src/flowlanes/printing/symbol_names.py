@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Mapping
 from dataclasses import dataclass
+
+from ..displays import letters
 
 GREEK = {
     **{
@@ -51,35 +54,38 @@ class SymbolName:
         return SymbolName(self.base, accents, self.primes, self.subscript)
 
 
-#: Quantities of a contact with friction, whose names consist of several words.
-CONTACT_NAMES = {
-    "slip_speed": SymbolName("u"),
-    "slip_floor": SymbolName("epsilon", subscript="u"),
-    "rolling_speed": SymbolName("omega", subscript="t"),
-    "rolling_floor": SymbolName("epsilon", subscript="t"),
-    "spin_sign": SymbolName("sigma", subscript="n"),
-    "spin_arm": SymbolName("mu", subscript="s"),
-    "mu_static": SymbolName("mu", subscript="0"),
-    "normal_rate": SymbolName("b", primes=1, subscript="n"),
-    "normal_rate_free": SymbolName("b", subscript="n"),
-    "normal_response": SymbolName("B", subscript="n"),
-    "force_share": SymbolName("F", subscript="u"),
-    "couple_share": SymbolName("M", subscript="n"),
-    "spin_rate": SymbolName("b", subscript="s"),
-    "holding_couple": SymbolName("tau"),
-}
+@dataclass(frozen=True)
+class WordLetters:
+    """Letters of quantities whose names in code are words.
+
+    Parameters
+    ----------
+    names : mapping of str to SymbolName
+        Whole names: ``slip_speed`` may be u.
+    vectors : mapping of str to str
+        Vectors, with the letter that their components have as well: ``position_x`` may be xₓ.
+    prefixes : mapping of str to str
+        Beginnings of names, of which the rest is an index: ``work_1`` may be W₁.
+    """
+
+    names: Mapping[str, SymbolName]
+    vectors: Mapping[str, str]
+    prefixes: Mapping[str, str]
 
 
-#: Vectors whose names are words, with their letters, also used for their components.
-WORDS = {"attitude": "q", "position": "x"}
+def _registered() -> list[WordLetters]:
+    return [words for words in letters() if isinstance(words, WordLetters)]
 
 
 def letter_of(name: str) -> SymbolName:
-    """The letter for a name in code."""
-    if name in CONTACT_NAMES:
-        return CONTACT_NAMES[name]
-    if name.startswith("work_"):
-        return SymbolName("W", subscript=name.removeprefix("work_"))
+    """The letter that a name in code spells."""
+    registered = _registered()
+    for words in registered:
+        if name in words.names:
+            return words.names[name]
+        for prefix, letter in words.prefixes.items():
+            if name.startswith(prefix):
+                return SymbolName(letter, subscript=name.removeprefix(prefix))
     match = _NAME.fullmatch(name)
     if match is None:
         return SymbolName(name)
@@ -90,7 +96,8 @@ def letter_of(name: str) -> SymbolName:
     parts = [part for part in (number, *(sub or "").split("_")) if part]
     subscript = ",".join(parts)
     if accent is None:
-        return SymbolName(WORDS.get(base, base), subscript=subscript)
+        vectors = (words.vectors[base] for words in registered if base in words.vectors)
+        return SymbolName(next(vectors, base), subscript=subscript)
     if accent.startswith("prime"):
         return SymbolName(base, primes=int(primes or 1), subscript=subscript)
     return SymbolName(base, (accent,), subscript=subscript)

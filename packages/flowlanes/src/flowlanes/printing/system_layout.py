@@ -20,8 +20,8 @@ class Layout:
     Attributes
     ----------
     field : pairs
-        State and rates; a rate that is only a name (γ̇) is replaced by its definition, and omitted
-        if it belongs to the state itself.
+        State and rates; a rate that is only a name (ẋ) is replaced by its definition, and left
+        out if it belongs to the state itself.
     where : pairs
         Tensors and vectors of parameters in components, then the definitions that the vector field
         needs, in order.
@@ -103,7 +103,7 @@ def _with_rates_spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[sp.B
 
 
 def _mentioned_symbols(formula: sp.Basic) -> set[sp.Symbol]:
-    """Symbols on which a formula depends or whose names it shows, as ∂U/∂γ shows U."""
+    """Symbols on which a formula depends or whose name it shows, as ∂U/∂u shows U."""
     shown: set[sp.Symbol] = {gradient.args[2] for gradient in formula.atoms(Gradient)}
     return shown.union(to_components(formula).free_symbols)
 

@@ -1,7 +1,7 @@
 """Planes of parameters and starts: two numbers vary, and each cell has a motion of its own.
 
-An axis is a parameter, a variable of the start (``gamma_1``), a quantity whose level the start
-should lie on (``energy``), or a new name from which formulas compute the others (``gamma_1 =
+An axis is a parameter, a variable of the start (``x``), a quantity whose level the start
+should lie on (``energy``), or a new name from which formulas compute the others (``x =
 sin(theta)``). Variables given in this way stay fixed; the rest of the start is projected onto the
 phase space and the required levels.
 """
@@ -25,7 +25,7 @@ from ..parsing import nearest, parse
 from ..system.arrays import BoolArray, FloatArray, IntArray
 from ..system.named_formulas import flat
 from ..system.parameters import conditions, satisfies
-from ..system.system import System
+from ..system.system import System, VariablesByName
 from ..system.vectors import Vector, norm_squared
 from .axis_text import axis_parts
 from .system_quantities import quantities_by_name
@@ -241,7 +241,7 @@ def scan_grid(
     x, y : Axis
         y varies from row to row.
     start : mapping of str to number or numbers
-        The start that is varied: the state by name, or ω and γ if these determine the state.
+        The start that is varied: the state by name, or variables from which it follows.
     formulas : mapping of str to str, optional
         Parameters, variables of the start or levels as formulas in the axes and the parameters.
     fixed : collection of str, optional
@@ -350,10 +350,12 @@ def _described_system(
 
 
 def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
-    """The system with the state ω, γ, which determines the other variables."""
-    follow = [(name, value) for name, value in system.start if name in system.state]
+    """The system with other variables as state, from which its own follow."""
+    follow = [
+        (name, value) for name, value in system.conventions.start_formulas if name in system.state
+    ]
     words = {str(name): name for name, _ in system.definitions}
-    words |= {str(name): name for name in (*system.state, *system.start_vectors)}
+    words |= {str(name): name for name in (*system.state, *system.start_variables)}
     names = [words[name] for name in start if name in words]
     missing = {*system.state} - {*names, *(name for name, _ in follow)}
     if missing:
@@ -370,7 +372,7 @@ def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
         field=tuple((name, 0 * name) for name in names),
         definitions=(*before, *follow, *after),
         reconstruction=None,
-        start=(),
+        conventions=VariablesByName(),
         guards=(),
     )
 

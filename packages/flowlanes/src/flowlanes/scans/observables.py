@@ -124,7 +124,7 @@ def _require_angle(system: System, text: str, value: sp.Expr, unit: str) -> None
         wrong = "it stays within bounds and makes no turns"
     else:
         return
-    raise InputError(f"{text}: {wrong}; an angle is needed, such as atan2(gamma_2, gamma_1)")
+    raise InputError(f"{text}: {wrong}; an angle is needed, such as atan2(y, x)")
 
 
 #: The survival time of a motion: until a guard of the system or a failure ends it.

@@ -155,7 +155,7 @@ def _rotation(
     if not on:
         raise InputError(
             f"rotation:{text}: a section is needed, where a quantity rises through zero, such as "
-            f"rotation:{text} on gamma_3"
+            f"rotation:{text} on x"
         )
     where = poincare_section(system, place.strip())
     value = formula(system, angle.strip())

@@ -1,14 +1,13 @@
-"""Common coordinates of states and of sections, as maps in both directions.
+"""Coordinates of states and sections, as maps in both directions.
 
-:class:`StateCoordinates` map points with a few coordinates to states and back. A coordinate may be
-fixed, or solved for on a level of an integral. For example, the Andoyer variables (l, L/G, g, G,
-H) give the chart (l, L/G) of a section g = π/2 at fixed energy and area integral::
+:class:`StateCoordinates` map points with a few coordinates to states, and states to points.  A
+coordinate may be fixed, or solved for on a level of an integral: so polar coordinates (r, theta,
+p_r, p_theta) become the chart (r, p_r) of a section theta = 0 on a level of the energy::
 
-    variables = chart(system, "andoyer-ratio")
-    plane = variables.with_fixed({"g": pi / 2, "H": 0.3}).without_coordinate("G", "energy", 1.0)
+    plane = polar.with_fixed({"theta": 0.0}).without_coordinate("p_theta", "energy", 1.0)
     states = plane.state([[0.5, 0.1]])
 
-If there is no state, or none determined by formulas (G = |L|), the result is NaN;
+If there is no state, or none determined by formulas, the result is NaN;
 :meth:`StateCoordinates.require` turns that into an error message.
 """
 
@@ -16,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
 
@@ -26,10 +25,6 @@ from ..flow.sampling.great_circles import crossings
 from ..formulas.array_formulas import Formulas
 from ..system.arrays import FloatArray, IntArray
 from ..system.system import System
-from .andoyer import Andoyer
-from .directions import Directions
-
-_TURN = 2 * np.pi
 
 #: Initial number of intervals of the range of a solved coordinate.
 _PIECES = 16
@@ -54,6 +49,14 @@ class StateCoordinates:
         2π for an angle, 0 otherwise.
     domain : str
         The domain of the coordinates, in words.
+    all_states : callable
+        Points (d, k) ↦ the indices of those that have a state, and the states (size, m).
+    coordinates_of : callable
+        States (size, k) ↦ points (d, k).
+    span : callable
+        The name of a coordinate and values of the others ↦ the ends of its range.
+    single_valued : bool
+        Whether no more than one state belongs to a point.
     """
 
     system: System
@@ -61,10 +64,10 @@ class StateCoordinates:
     names: tuple[str, ...]
     periods: tuple[float, ...]
     domain: str
-    _every: Callable[[FloatArray], tuple[IntArray, FloatArray]]
-    _point: Callable[[FloatArray], FloatArray]
-    _range: Callable[[str, Mapping[str, float]], tuple[float, float]]
-    _single: bool = True
+    all_states: Callable[[FloatArray], tuple[IntArray, FloatArray]]
+    coordinates_of: Callable[[FloatArray], FloatArray]
+    span: Callable[[str, Mapping[str, float]], tuple[float, float]]
+    single_valued: bool = True
 
     def state(self, points: FloatArray, branch: int = 0) -> FloatArray:
         """The states of given points.
@@ -83,7 +86,7 @@ class StateCoordinates:
             NaN where there is no such state.
         """
         rows = self._rows(points, len(self.names))
-        which, states = self._every(rows.T)
+        which, states = self.all_states(rows.T)
         chosen = np.full((len(rows), len(self.system.symbols)), np.nan)
         first = np.searchsorted(which, np.arange(len(rows)))
         many = np.bincount(which, minlength=len(rows))
@@ -95,7 +98,7 @@ class StateCoordinates:
     def solutions(self, points: FloatArray) -> IntArray:
         """The number of states (n,) with each of the points (n, d)."""
         rows = self._rows(points, len(self.names))
-        return np.bincount(self._every(rows.T)[0], minlength=len(rows))
+        return np.bincount(self.all_states(rows.T)[0], minlength=len(rows))
 
     def point(self, states: FloatArray) -> FloatArray:
         """The points (n, d) of states (n, size); angles lie in [0, 2π).
@@ -104,7 +107,7 @@ class StateCoordinates:
         state off them gets the values of its other coordinates.
         """
         rows = self._rows(states, len(self.system.symbols))
-        points = self._point(np.ascontiguousarray(rows.T))
+        points = self.coordinates_of(np.ascontiguousarray(rows.T))
         for row, period in zip(points, self.periods, strict=True):
             if period:
                 row[:] = np.mod(row, period)
@@ -136,10 +139,10 @@ class StateCoordinates:
         free = [i for i, name in enumerate(self.names) if name not in values]
 
         def every(points: FloatArray) -> tuple[IntArray, FloatArray]:
-            return self._every(self._all_coordinates(free, points, values))
+            return self.all_states(self._all_coordinates(free, points, values))
 
         def span(name: str, others: Mapping[str, float]) -> tuple[float, float]:
-            return self._range(name, {**others, **values})
+            return self.span(name, {**others, **values})
 
         text = "".join(f", {name} = {value:.6g}" for name, value in values.items())
         return replace(
@@ -147,9 +150,9 @@ class StateCoordinates:
             names=tuple(self.names[i] for i in free),
             periods=tuple(self.periods[i] for i in free),
             domain=self.domain + text,
-            _every=every,
-            _point=lambda states: self._point(states)[free],
-            _range=span,
+            all_states=every,
+            coordinates_of=lambda states: self.coordinates_of(states)[free],
+            span=span,
         )
 
     def without_coordinate(self, name: str, integral: str, value: float) -> StateCoordinates:
@@ -169,7 +172,7 @@ class StateCoordinates:
             If there is no such coordinate or integral, or a coordinate was solved for already.
         """
         place = self._row_of(name)
-        if not self._single:
+        if not self.single_valued:
             raise InputError(f"{self.system.name}: one coordinate can be solved for, not two")
         laws = {law.name: law.value for law in self.system.integrals}
         if integral not in laws:
@@ -183,9 +186,9 @@ class StateCoordinates:
             names=tuple(self.names[i] for i in free),
             periods=tuple(self.periods[i] for i in free),
             domain=f"{self.domain}, and {integral} = {value:.6g} for some {name}",
-            _every=search.every,
-            _point=lambda states: self._point(states)[free],
-            _single=False,
+            all_states=search.every,
+            coordinates_of=lambda states: self.coordinates_of(states)[free],
+            single_valued=False,
         )
 
     # --- inside --------------------------------------------------------------------------------
@@ -216,23 +219,33 @@ class StateCoordinates:
         return whole
 
 
+#: What makes coordinates: the system, levels of its integrals, values of its parameters.
+ChartMaker: TypeAlias = Callable[[System, Mapping[str, float], Mapping[Any, Any]], StateCoordinates]
+
+
+@runtime_checkable
+class WithCharts(Protocol):
+    """Conventions that know coordinates for the states of their systems."""
+
+    @property
+    def charts(self) -> Mapping[str, ChartMaker]:
+        """What makes the coordinates, by name."""
+
+
 def chart(
     system: System,
     name: str,
     level: Mapping[str, float] | None = None,
     parameters: Parameters = None,
 ) -> StateCoordinates:
-    """Coordinates of the states of a system.
+    """Coordinates of the states of a system, from those that its conventions know.
 
     Parameters
     ----------
     system : System
     name : str
-        ``"andoyer"``: (L, G, H, l, g) of a momentum and γ; ``"andoyer-ratio"``: the same as
-        (l, L/G, g, G, H); ``"directions"``: (theta, phi, psi, energy), the direction of γ, that of
-        ω (a rubber contact) or of M (on a level of the area integral) across γ, and the energy.
     level : mapping of str to float, optional
-        Only for ``"directions"``: the value of the area integral.
+        Values of integrals, where the coordinates are those of a level.
     parameters : mapping of Symbol or name to float, optional
         Values that replace the defaults.
 
@@ -241,84 +254,11 @@ def chart(
     InputError
         If there is no such chart, or the state of the system does not fit it.
     """
-    if name not in CHARTS:
-        raise InputError(f"no coordinates {name!r}; there are {', '.join(CHARTS)}")
-    if level and name != "directions":
-        raise InputError(
-            f"coordinates {name!r} are those of all states: use .with_fixed({{'H': ...}}) and "
-            ".without_coordinate('G', 'energy', ...) for a level"
-        )
-    return CHARTS[name](system, dict(level or {}), dict(parameters or {}))
-
-
-def _ratio(system: System, _: Mapping[str, float], parameters: Parameters) -> StateCoordinates:
-    maps = Andoyer(system)
-    return StateCoordinates(
-        system=system,
-        parameters=parameters,
-        names=maps.names,
-        periods=(_TURN, 0.0, _TURN, 0.0, 0.0),
-        domain="the coordinates need G > 0, -G <= H <= G and -1 <= L/G <= 1",
-        _every=maps.states,
-        _point=maps.points,
-        _range=maps.span,
-    )
-
-
-def _andoyer(
-    system: System, level: Mapping[str, float], parameters: Parameters
-) -> StateCoordinates:
-    ratio = _ratio(system, level, parameters)
-
-    def every(points: FloatArray) -> tuple[IntArray, FloatArray]:
-        L, G, H, l, g = points
-        with np.errstate(invalid="ignore", divide="ignore"):
-            return ratio._every(np.stack([l, L / G, g, G, H]))
-
-    def point(states: FloatArray) -> FloatArray:
-        l, x, g, G, H = ratio._point(states)
-        return np.stack([G * x, G, H, l, g])
-
-    def span(name: str, others: Mapping[str, float]) -> tuple[float, float]:
-        if name == "G":
-            return np.maximum(np.abs(others["H"]), np.abs(others["L"])), np.inf
-        return (-others["G"], others["G"]) if name == "L" else ratio._range(name, others)
-
-    return replace(
-        ratio,
-        names=("L", "G", "H", "l", "g"),
-        periods=(0.0, 0.0, 0.0, _TURN, _TURN),
-        domain="the coordinates need G > 0, -G <= L <= G and -G <= H <= G",
-        _every=every,
-        _point=point,
-        _range=span,
-    )
-
-
-def _directions(
-    system: System, level: Mapping[str, float], parameters: Parameters
-) -> StateCoordinates:
-    maps = Directions(system, level, parameters)
-    return StateCoordinates(
-        system=system,
-        parameters=parameters,
-        names=maps.names,
-        periods=(0.0, _TURN, _TURN, 0.0),
-        domain="the energy must be above its least value at this gamma",
-        _every=maps.states,
-        _point=maps.points,
-        _range=maps.span,
-    )
-
-
-#: The charts by name.
-CHARTS: Mapping[
-    str, Callable[[System, Mapping[str, float], Mapping[Any, Any]], StateCoordinates]
-] = {
-    "andoyer": _andoyer,
-    "andoyer-ratio": _ratio,
-    "directions": _directions,
-}
+    charts = system.conventions.charts if isinstance(system.conventions, WithCharts) else {}
+    if name not in charts:
+        known = f"there are {', '.join(charts)}" if charts else f"{system.name} has none"
+        raise InputError(f"no coordinates {name!r}; {known}")
+    return charts[name](system, dict(level or {}), dict(parameters or {}))
 
 
 @dataclass(frozen=True)
@@ -334,7 +274,7 @@ class _Search:
         """All states over points (d − 1, k) of the other coordinates."""
         chart, count = self.chart, points.shape[1]
         names = [name for i, name in enumerate(chart.names) if i != self.place]
-        span = chart._range(chart.names[self.place], dict(zip(names, points, strict=True)))
+        span = chart.span(chart.names[self.place], dict(zip(names, points, strict=True)))
         low, high = (np.broadcast_to(np.asarray(end, dtype=float), (count,)) for end in span)
         scale = self._scale(points, low)
 
@@ -361,14 +301,14 @@ class _Search:
         nodes[0], nodes[-1] = 2 * _STEP, 1 - 2 * _STEP
         which, way = crossings(along, count, nodes)
         solved = self._newton_refined(points[:, which], at(which, way)[0])
-        owner, states = chart._every(self._all_coordinates(points[:, which], solved))
+        owner, states = chart.all_states(self._all_coordinates(points[:, which], solved))
         return which[owner], states
 
     def _all_coordinates(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
         return np.insert(points, self.place, unknowns, axis=0)
 
     def _defect(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
-        owner, states = self.chart._every(self._all_coordinates(points, unknowns))
+        owner, states = self.chart.all_states(self._all_coordinates(points, unknowns))
         defect = np.full(unknowns.size, np.nan)
         values = self.formula(np.ascontiguousarray(states.T), self.chart.parameters)[:, 0]
         defect[owner] = values - self.value

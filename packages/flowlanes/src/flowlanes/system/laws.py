@@ -1,8 +1,8 @@
 """Laws: statements about a system that can be proved or refuted.
 
 Every law is a tensor invariant of the vector field v of its system, or an identity on its phase
-space. It is claimed at the points where the relations of the system and the expressions in
-`level`, such as ``k + 1`` or ``(M, γ)``, vanish and all its formulas are real. The docstring of
+space.  It is claimed at the points where the relations of the system and the expressions in
+`level`, such as ``k + 1`` or ``(u, v)``, vanish and all its formulas are real.  The docstring of
 each class defines its statement.
 
 A new kind of law is a class in one file. If it states that some formulas vanish, it derives from
@@ -42,7 +42,7 @@ Power: TypeAlias = tuple[str, sp.Expr, sp.Expr]
 class Rate(sp.Function):
     """The time derivative of a scalar formula along the vector field of its system.
 
-    ``Rate(gamma_1)`` is γ̇₁, and ``Rate(Rate(theta))`` is the second derivative.
+    ``Rate(x)`` stands for ẋ, ``Rate(Rate(theta))`` for the second derivative.
 
     Examples
     --------

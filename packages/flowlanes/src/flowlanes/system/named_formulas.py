@@ -52,8 +52,8 @@ def require_names(owner: str, names: Iterable[object]) -> None:
 def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:
     """The formula with symbols replaced by known ones of the same name.
 
-    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` differ in SymPy, but mean the same
-    in a formula written by a user.
+    ``Symbol("x")`` and ``Symbol("x", real=True)`` differ for SymPy, but mean the same
+    in a formula that a user writes.
     """
     named = {symbol.name: symbol for symbol in symbols}
     written = sp.sympify(formula)

@@ -34,9 +34,9 @@ class Overview:
 
     Examples
     --------
-    >>> print(Overview("Chaplygin ball", (("state", "M, gamma"), ("notes", ""))).text())
-    Chaplygin ball
-        state  M, gamma
+    >>> print(Overview("Pendulum", (("state", "x, v"), ("notes", ""))).text())
+    Pendulum
+        state  x, v
     """
 
     heading: str

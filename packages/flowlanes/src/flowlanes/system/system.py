@@ -3,21 +3,30 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TypeAlias
+from typing import Any, TypeAlias, final
 
+import numpy.typing as npt
 import sympy as sp
 
-from ..arguments import Conditions, Formula, NamedFormulas, arguments_checked
+from ..arguments import Conditions, Formula, NamedFormulas, Parameters, arguments_checked
 from ..errors import InputError, require_label, require_visible
+from .arrays import FloatArray
 from .display import Displayed
 from .laws import AnyLaw, Integral, Law, of_kind
-from .named_formulas import as_pairs, expand, flat, flat_pairs, needed_steps, require_names
+from .named_formulas import Pairs, as_pairs, expand, flat, flat_pairs, needed_steps, require_names
 from .vectors import Vector, to_components
 
 Name: TypeAlias = Vector | sp.Symbol
+
+#: Meaning, unit, source and frame of a variable.
+Metadata: TypeAlias = tuple[str, str, str, str]
+
+#: Unit of a variable without metadata.
+UNKNOWN = "unknown"
 
 
 @arguments_checked
@@ -247,6 +256,157 @@ class ScalarForm:
         return to_components(sp.sympify(formula))
 
 
+class Conventions(ABC):
+    """How starts of a system are given, and what its variables mean.
+
+    `flowlanes` itself has `VariablesByName`, the default of every `System`.  A package for some
+    kind of systems may have its own: a frozen dataclass of formulas and numbers, so that systems
+    can be compared and sent to other processes.
+    """
+
+    @property
+    @abstractmethod
+    def start_formulas(self) -> Pairs:
+        """Formulas of state variables in others that a start may give instead."""
+
+    @abstractmethod
+    def start_variables(self, system: System) -> tuple[Name, ...]:
+        """The variables by which a start may be given besides the state."""
+
+    @abstractmethod
+    def states(
+        self, system: System, given: Mapping[str, FloatArray], parameters: Parameters
+    ) -> Mapping[str, FloatArray]:
+        """The variables of the state by name, for many starts, from those that were given.
+
+        Parameters
+        ----------
+        system : System
+        given : mapping of str to array
+            One row or number for each start.
+        parameters : mapping of Symbol or name to number or array, optional
+
+        Raises
+        ------
+        InputError
+            If the state does not follow from what was given.
+        """
+
+    @abstractmethod
+    def split_motion(
+        self, system: System, start: Mapping[str, npt.ArrayLike]
+    ) -> tuple[dict[str, npt.ArrayLike], dict[str, list[Any]]]:
+        """A start of the reduced system, and the numbers given for its reconstruction."""
+
+    @abstractmethod
+    def first_values(self, system: System, name: Name, state: Mapping[str, Any]) -> Sequence[Any]:
+        """The numbers at which a variable of the reconstruction begins unless they are given.
+
+        Parameters
+        ----------
+        system : System
+        name : Vector or Symbol
+            The variable of the reconstruction.
+        state : mapping of str to number
+            The components of the reduced state.
+        """
+
+    @abstractmethod
+    def metadata(
+        self, system: System, name: str, size: int, description: tuple[str, str] | None
+    ) -> Metadata:
+        """Meaning, unit, source and frame of a variable; see `variable_metadata`."""
+
+    @property
+    @abstractmethod
+    def frames(self) -> Mapping[str, tuple[str, tuple[int | str, ...]]]:
+        """The frames of vectors: dimension in a dataset, and labels of the components."""
+
+    @property
+    @abstractmethod
+    def axis_meanings(self) -> Mapping[str, str]:
+        """The meanings of dimensions."""
+
+    @abstractmethod
+    def dimensions(self, variable: Any) -> tuple[str, ...]:
+        """The dimensions of a column or a matrix in a dataset, besides time."""
+
+    @property
+    @abstractmethod
+    def unrecorded(self) -> frozenset[str]:
+        """State variables that datasets leave out."""
+
+
+@final
+@dataclass(frozen=True)
+class VariablesByName(Conventions):
+    """Every variable of the state is given by its name, and nothing is known of its meaning.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> pendulum.conventions
+    VariablesByName()
+    """
+
+    @property
+    def start_formulas(self) -> Pairs:
+        """None."""
+        return ()
+
+    def start_variables(self, system: System) -> tuple[Name, ...]:
+        """None."""
+        return ()
+
+    def states(
+        self, system: System, given: Mapping[str, FloatArray], parameters: Parameters
+    ) -> Mapping[str, FloatArray]:
+        """What was given."""
+        return given
+
+    def split_motion(
+        self, system: System, start: Mapping[str, npt.ArrayLike]
+    ) -> tuple[dict[str, npt.ArrayLike], dict[str, list[Any]]]:
+        """The start as it is; the reconstruction begins at zero."""
+        return dict(start), {}
+
+    def first_values(self, system: System, name: Name, state: Mapping[str, Any]) -> Sequence[Any]:
+        """Zeros."""
+        return [0.0] * len(flat([name]))
+
+    def metadata(
+        self, system: System, name: str, size: int, description: tuple[str, str] | None
+    ) -> Metadata:
+        """The description, or the name and an unknown unit."""
+        meaning, unit = description or (name, UNKNOWN)
+        return meaning, unit, "", "" if size == 1 else f"{name}_component"
+
+    @property
+    def frames(self) -> Mapping[str, tuple[str, tuple[int | str, ...]]]:
+        """Axes fixed in a body and in space, of which an `Observable` may speak."""
+        return {"body": ("axis", (1, 2, 3)), "space": ("space", ("x", "y", "z"))}
+
+    @property
+    def axis_meanings(self) -> Mapping[str, str]:
+        """Of these axes."""
+        return {"axis": "body axis", "space": "space axis"}
+
+    def dimensions(self, variable: Any) -> tuple[str, ...]:
+        """``NAME_component``, or rows and columns."""
+        rows, columns = map(int, variable.shape)
+        if columns > 1 and len(flat([variable])) == rows * columns:
+            return (f"{variable}_row", f"{variable}_column")
+        return (f"{variable}_component",)
+
+    @property
+    def unrecorded(self) -> frozenset[str]:
+        """None."""
+        return frozenset()
+
+
 @arguments_checked
 @dataclass(frozen=True, repr=False)
 class System(Displayed):
@@ -255,7 +415,7 @@ class System(Displayed):
     Parameters
     ----------
     name, title : str
-        Identifier (``"chaplygin-ball"``) and readable title.
+        Identifier (``"henon-heiles"``) and readable title.
     field : mapping of Vector or Symbol to formula
         Time derivatives of the state; the order of declaration is the flat order.
     definitions : mapping of Vector, tensor or Symbol to formula
@@ -274,10 +434,10 @@ class System(Displayed):
         One or two sentences that describe the system.
     printed_definitions : pairs of quantity and formula
         Definitions to print in place of `definitions`: equations instead of the steps of their
-        solution. Empty to print the definitions.
-    start : mapping of Vector to formula
-        How state variables follow from ω, γ and the attitude, in which a start is given; the others
-        (γ itself, or ω where it belongs to the state) are taken as given.
+        solution.  Empty to print the definitions.
+    conventions : Conventions
+        How starts are given, and what the variables mean; by default every variable of the state
+        is given by its name.
     theorems : tuple of Theorem
         Proofs by hand of some laws, which the prover completes.
 
@@ -312,29 +472,20 @@ class System(Displayed):
     reconstruction: Reconstruction | None = None
     source: str = ""
     summary: str = ""
-    start: NamedFormulas = ()
+    conventions: Conventions = VariablesByName()
     printed_definitions: NamedFormulas = ()
     theorems: tuple[Theorem, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "field", as_pairs(self.field))
         object.__setattr__(self, "definitions", as_pairs(self.definitions))
-        object.__setattr__(self, "start", as_pairs(self.start))
         object.__setattr__(self, "printed_definitions", as_pairs(self.printed_definitions))
         self._check_symbols()
 
     @cached_property
-    def start_vectors(self) -> tuple[Vector, ...]:
-        """The vectors besides ω and γ from which the state follows at a start."""
-        known = {s for s, _ in self.scalar_definitions} | {p.symbol for p in self.parameters}
-        known |= {s for s, _ in flat_pairs(self.start)} | set(self.symbols)
-        # how the body lies in space is known before what follows from it
-        known |= {
-            s for s, _ in flat_pairs(self.reconstruction.field if self.reconstruction else ())
-        }
-        used = {s for _, formula in flat_pairs(self.start) for s in formula.free_symbols} - known
-        names = dict.fromkeys(sorted(str(s).rpartition("_")[0] for s in used))
-        return tuple(Vector(name) for name in names if name not in ("omega", "gamma"))
+    def start_variables(self) -> tuple[Name, ...]:
+        """The variables by which a start may be given besides the state."""
+        return self.conventions.start_variables(self)
 
     # --- flat view -------------------------------------------------------------------------
 

@@ -17,7 +17,7 @@ def unit_vector(axis: int) -> MatrixExpr:
     Parameters
     ----------
     axis : int
-        1, 2 or 3; in the equations of a body, its own axes.
+        1, 2 or 3; of the frame in which components are taken.
 
     Returns
     -------
@@ -32,9 +32,9 @@ def unit_vector(axis: int) -> MatrixExpr:
     --------
     >>> import flowlanes
     >>> flowlanes.system.to_components(
-    ...     flowlanes.system.dot(flowlanes.system.unit_vector(3), flowlanes.system.Vector("gamma"))
+    ...     flowlanes.system.dot(flowlanes.system.unit_vector(3), flowlanes.system.Vector("u"))
     ... )
-    gamma_3
+    u_3
     """
     if axis not in (1, 2, 3):
         raise InputError(f"unit_vector: axis must be 1, 2 or 3, not {axis}")
@@ -67,7 +67,7 @@ class Gradient(Node, MatrixExpr):
 
 
 def gradient(value: Scalar, variable: Vector, name: str = "U") -> MatrixExpr:
-    """∂value/∂variable, printed as ∂U/∂γ; zero if `value` does not depend on it."""
+    """∂value/∂variable, printed as ∂U/∂u; zero if `value` does not depend on it."""
     if not to_components(value).has(*variable.symbols):
         return zero
     return Gradient(value, variable, real_symbol(name))

@@ -1,8 +1,8 @@
 """Symbolic 3-vectors and their components.
 
-A vector is a SymPy matrix expression of shape (3, 1). Formulas built from :func:`dot`,
-:func:`cross` and :func:`outer` keep their vector form, so that they print as ``M×ω + m ṙ×(ω×r)``;
-:func:`to_components` converts them to three scalars.
+A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
+:func:`dot`, :func:`cross` and :func:`outer` keep their vector form, so that they print as
+``u×v + m ṙ×(v×r)``; :func:`to_components` turns the same formula into three scalars.
 """
 
 from __future__ import annotations
@@ -71,10 +71,10 @@ class Vector(Node, sp.MatrixSymbol):
     Parameters
     ----------
     name : str
-        Name in code; Greek names and the suffixes ``dot`` and ``tilde`` are typeset (``gamma``,
-        ``rdot``).
+        Name as spelt in code; Greek names and the endings ``dot`` and ``tilde`` are
+        typeset (``theta``, ``rdot``).
     size : int
-        3; 2 for points in a plane, 4 for quaternions (components w, x, y, z).
+        3; 2 for points of a plane, 4 with the components w, x, y, z.
 
     Raises
     ------
@@ -83,8 +83,8 @@ class Vector(Node, sp.MatrixSymbol):
 
     Examples
     --------
-    >>> Vector("gamma").symbols, Vector("q", 4).symbols
-    ((gamma_1, gamma_2, gamma_3), (q_w, q_x, q_y, q_z))
+    >>> Vector("theta").symbols, Vector("q", 4).symbols
+    ((theta_1, theta_2, theta_3), (q_w, q_x, q_y, q_z))
     """
 
     def __new__(cls, name: str | Str, size: int = 3, *_: object) -> Vector:
@@ -142,8 +142,8 @@ class Diagonal(_Tensor):
 
     Examples
     --------
-    >>> to_components(Diagonal("I") * Vector("omega")).T
-    Matrix([[I_1*omega_1, I_2*omega_2, I_3*omega_3]])
+    >>> to_components(Diagonal("I") * Vector("u")).T
+    Matrix([[I_1*u_1, I_2*u_2, I_3*u_3]])
     """
 
     _labels = ("1", "2", "3")
@@ -188,7 +188,7 @@ class Dot(ScalarOfTensors):
 
 
 def vectors(names: str) -> tuple[Vector, ...]:
-    """Several vectors at once: ``M, gamma = vectors("M gamma")``."""
+    """Several vectors at once: ``u, v = vectors("u v")``."""
     return tuple(Vector(name) for name in names.split())
 
 
@@ -262,9 +262,9 @@ def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
 
     Examples
     --------
-    >>> M, omega = Vector("M"), Vector("omega")
-    >>> cross(M, omega), cross(M, 2 * M)
-    (Cross(M, omega), 0)
+    >>> u, v = Vector("u"), Vector("v")
+    >>> cross(u, v), cross(u, 2 * u)
+    (Cross(u, v), 0)
     """
     total: MatrixExpr = zero
     for a, u in _parts(left):
@@ -294,8 +294,8 @@ def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
 
     Examples
     --------
-    >>> dot(2 * Vector("M"), Vector("omega"))
-    2*Dot(M, omega)
+    >>> dot(2 * Vector("u"), Vector("v"))
+    2*Dot(u, v)
     """
     if isinstance(left, ZeroMatrix) or isinstance(right, ZeroMatrix):
         return sp.S.Zero
@@ -328,8 +328,8 @@ def norm_squared(vector: MatrixExpr) -> Scalar:
 
     Examples
     --------
-    >>> to_components(norm_squared(Vector("gamma")))
-    gamma_1**2 + gamma_2**2 + gamma_3**2
+    >>> to_components(norm_squared(Vector("u")))
+    u_1**2 + u_2**2 + u_3**2
     """
     return dot(vector, vector)
 
@@ -354,8 +354,8 @@ def to_components(expression: sp.Basic) -> sp.Basic:
 
     Examples
     --------
-    >>> to_components(dot(Vector("M"), Diagonal("I") * Vector("omega")))
-    I_1*M_1*omega_1 + I_2*M_2*omega_2 + I_3*M_3*omega_3
+    >>> to_components(dot(Vector("u"), Diagonal("I") * Vector("v")))
+    I_1*u_1*v_1 + I_2*u_2*v_2 + I_3*u_3*v_3
     """
     if isinstance(expression, sp.MatrixBase):
         return Components(expression.applyfunc(to_components))

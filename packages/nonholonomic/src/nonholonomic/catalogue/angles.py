@@ -16,6 +16,8 @@ from flowlanes.system.named_formulas import scalars
 from flowlanes.system.system import System
 from flowlanes.system.vectors import constant, real_symbol, vectors
 
+from ..mechanics.conventions import BODY
+
 omega, gamma = vectors("omega gamma")
 theta, phi, thetadot, phidot = (real_symbol(s) for s in ("theta", "phi", "thetadot", "phidot"))
 
@@ -69,5 +71,5 @@ def in_angles(system: System) -> System:
         observables=(),
         guards=(),
         reconstruction=None,
-        start=(),
+        conventions=BODY,
     )

@@ -13,9 +13,10 @@ from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Law
 from flowlanes.system.parameters import require_parameters
-from flowlanes.system.system import System
+from flowlanes.system.system import System, VariablesByName
 
 from ..mechanics.ball.ball import RollingBall
+from ..mechanics.conventions import BODY
 from ..mechanics.lagrangian.plan import Plan
 from ..mechanics.rolling.equations import ContactModel, RollingBody
 from ..mechanics.shapes.shape_base import Shape
@@ -219,7 +220,8 @@ class Entry:
         member = self.member(parameters)
         model = member.build(self.numbers(parameters))
         if isinstance(model, System):
-            return model
+            by_name = model.conventions == VariablesByName()
+            return replace(model, conventions=BODY) if by_name else model
         system = model.system(self.name, self.title)
         system = replace(system, source=self.source, summary=self.summary)
         return system.with_laws(*self.laws(model, system))

@@ -18,6 +18,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import Diagonal, Symmetric
 
 from ..catalogue import entry
+from ..mechanics.conventions import BODY
 from ..mechanics.rolling.equations import RollingBody
 from .base.derived_solution import DerivedSolution
 from .base.problem import Problem, same_field
@@ -136,7 +137,7 @@ def about_fixed_point(problem: Problem) -> tuple[Problem, arb_mat] | None:
             definitions=definitions,
             laws=(),
             observables=(),
-            start=(),
+            conventions=BODY,
         )
         if system.state != principal.state or not same_field(system, numbers, same, numbers):
             continue

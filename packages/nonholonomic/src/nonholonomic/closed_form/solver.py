@@ -27,9 +27,8 @@ def solve(system: System, start: Start, parameters: Parameters = None) -> Soluti
         A system with a closed form, under any name and in any symbols.
     start : sequence of numbers, or mapping of str to number or numbers
         The state at t = 0 in flat order, with the motion in space, as
-        :func:`nonholonomic.mechanics.rolling.initial_state.initial_state` gives it, or without,
-        which gives the motion of the state alone; or by name (ω and γ, or the variables of the
-        state).
+        :func:`nonholonomic.initial_state` gives it, or without, which gives the motion of the
+        state alone; or by name (ω and γ, or the variables of the state).
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults.
 

@@ -27,4 +27,3 @@ from .rolling_limit.skate import Skate as Skate
 from .simulation.compiled import CompiledContact as CompiledContact
 from .simulation.event_rules import EventRules as EventRules
 from .simulation.events import ContactEvent as ContactEvent
-from .starts import start_in_contact as start_in_contact, start_in_space as start_in_space

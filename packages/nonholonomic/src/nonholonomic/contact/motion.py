@@ -220,8 +220,8 @@ def contact_motion(
     contact : FrictionalContact or CompiledContact
         A compiled contact can be reused for several motions of one body.
     state : array (16,) or (size,)
-        At the first time, as from `start_in_contact` or `start_in_space`; without work columns
-        these are zero.
+        At the first time, as from :func:`nonholonomic.initial_state`; without works, those are
+        zero.
     times : array (n,)
         Sample times, increasing.
     rules : EventRules

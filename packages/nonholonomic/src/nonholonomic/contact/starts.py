@@ -1,8 +1,8 @@
 """Initial states of motions with friction: in contact or above the support.
 
 A start gives either the normal γ, ω and the slip of a body that touches its support
-(`start_in_contact`), or the position, attitude and velocities of a body anywhere
-(`start_in_space`).
+(`state_in_contact`), or the position, attitude and velocities of a body anywhere
+(`state_in_space`).
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import mpmath
 import numpy as np
 
-from flowlanes.arguments import Finite, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray
 
@@ -88,14 +87,13 @@ def clearance(
     return Clearance(float(gamma @ (seen + r)) - radius, gamma, r)
 
 
-@arguments_checked
-def start_in_contact(
+def state_in_contact(
     contact: FrictionalContact,
     omega: Sequence[float],
     gamma: Sequence[float],
     slip: Sequence[float] = (0.0, 0.0, 0.0),
     *,
-    heading: Finite = 0.0,
+    heading: float = 0.0,
     normal: Sequence[float] = (0.0, 0.0, 1.0),
 ) -> FloatArray:
     """The state of a body that touches its support, with given normal, ω and slip.
@@ -126,18 +124,6 @@ def start_in_contact(
     ------
     InputError
         If a vector is unusable, the slip is not tangential, or friction without limit forbids it.
-
-    Examples
-    --------
-    >>> import nonholonomic
-    >>> from nonholonomic.contact import Coulomb, FrictionalContact
-    >>> from nonholonomic.contact.starts import start_in_contact
-    >>> ball = FrictionalContact(
-    ...     nonholonomic.Body(1.0, (0.4, 0.4, 0.4), nonholonomic.Ball(1.0)), laws=(Coulomb(0.2),)
-    ... )
-    >>> state = start_in_contact(ball, omega=(0, 1, 0), gamma=(0, 0, 1), slip=(2, 0, 0))
-    >>> state[4:7].tolist(), state[7:10].tolist()  # centre of mass; its velocity
-    ([0.0, 0.0, 1.0], [3.0, 0.0, 0.0])
     """
     spin, up = _checked_vector(omega, "omega"), _direction(gamma, "gamma")
     way, above = _checked_vector(slip, "slip"), _direction(normal, "normal")
@@ -166,8 +152,7 @@ def start_in_contact(
     return _assembled_state(contact, attitude, touching - turn @ r, velocity, spin, up, r)
 
 
-@arguments_checked
-def start_in_space(
+def state_in_space(
     contact: FrictionalContact,
     position: Sequence[float],
     attitude: Sequence[float],
@@ -200,18 +185,6 @@ def start_in_space(
     InputError
         If a vector is unusable, the body lies in the support, or it slips where friction has no
         limit.
-
-    Examples
-    --------
-    >>> import nonholonomic
-    >>> from nonholonomic.contact import Coulomb, FrictionalContact
-    >>> from nonholonomic.contact.starts import start_in_space
-    >>> ball = FrictionalContact(
-    ...     nonholonomic.Body(1.0, (0.4, 0.4, 0.4), nonholonomic.Ball(1.0)), laws=(Coulomb(0.2),)
-    ... )
-    >>> state = start_in_space(ball, (0, 0, 3), (1, 0, 0, 0), (1, 0, 0), (0, 0, 2))
-    >>> state[7:10].tolist(), state[13:16].tolist()
-    ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
     """
     place, moving = _checked_vector(position, "position"), _checked_vector(velocity, "velocity")
     spin = _checked_vector(omega, "omega")

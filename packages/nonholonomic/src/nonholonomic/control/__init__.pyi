@@ -23,4 +23,3 @@ from .robot import (
     SphericalRobot as SphericalRobot,
     pendulum as pendulum,
 )
-from .start import driven_start as driven_start

@@ -39,6 +39,7 @@ from flowlanes.system.vectors import (
     real_symbol,
 )
 
+from ..mechanics.conventions import BODY
 from ..mechanics.lagrangian.mechanism import TIME
 from ..mechanics.rolling.attitude import (
     attitude,
@@ -191,6 +192,7 @@ def driven_system(robot: SphericalRobot, inputs: Mapping[str, str | sp.Expr]) ->
             *(Observable(str(u), u, "speed of a rotor or joint", "rad/s") for u in parts.inputs),
         ),
         reconstruction=_motion_in_space(),
+        conventions=BODY,
     )
 
 

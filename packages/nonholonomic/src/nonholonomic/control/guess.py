@@ -8,8 +8,8 @@ from scipy.integrate import solve_ivp
 
 from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray
-from flowlanes.system.rotations import rotation_rows
 
+from ..mechanics.rotations import rotation_rows
 from .collocation import Transcription
 from .robot import MovingMass, SphericalRobot
 

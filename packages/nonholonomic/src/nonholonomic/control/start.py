@@ -1,4 +1,4 @@
-"""Initial states of driven balls, from their angular velocity."""
+"""States of driven balls, given by their angular velocity."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import sympy as sp
 
-from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.formulas.array_formulas import Formulas
 from flowlanes.system.arrays import FloatArray
@@ -18,17 +17,22 @@ from .equations import A, M, b
 
 ROUNDING = 1e-12
 
+#: The definitions of A and b.
+_MOMENTUM = frozenset({*b.symbols, *A.entries})
 
-@arguments_checked
-def driven_start(
+
+def is_driven(system: System) -> bool:
+    """Whether M = Aω + b with the definitions of a driven ball."""
+    return M in system.state and _MOMENTUM.issubset(dict(system.scalar_definitions))
+
+
+def driven_state(
     system: System,
     omega: Sequence[float],
     gamma: Sequence[float],
-    *,
-    time: float = 0.0,
-    joints: Mapping[str, float] | None = None,
+    known: Mapping[str, float],
 ) -> dict[str, FloatArray | float]:
-    """The initial state of a driven ball with a given angular velocity.
+    """The state of a driven ball by name, M = Aω + b; see :func:`nonholonomic.initial_state`.
 
     Parameters
     ----------
@@ -36,42 +40,28 @@ def driven_start(
         A system of :func:`~nonholonomic.control.equations.driven_system`.
     omega, gamma : 3 numbers
         Angular velocity (rad/s) and vertical, body axes; γ is normalised.
-    time : float
-        Time (s) at which the speeds of rotors and joints are taken.
-    joints : mapping of str to float
-        Values of the joints, if there are any.
-
-    Returns
-    -------
-    mapping of str to number or array
-        M = Aω + b and the other state variables, for :func:`flowlanes.integrate`.
+    known : mapping of str to float
+        Values of the joints, if there are any, and the time t at which the speeds of rotors and
+        joints are taken (s), 0 unless it is given.
 
     Raises
     ------
     InputError
-        If a vector does not have three finite numbers, a joint is missing, ω has a component along
-        γ at a rubber contact, or the speeds of the rotors depend on M.
-
-    Examples
-    --------
-    >>> from nonholonomic.control import Rotor, SphericalRobot, driven_start, driven_system
-    >>> robot = SphericalRobot(1.0, (0.4, 0.5, 0.6), 1.0, (Rotor((0, 0, 1), 0.1),))
-    >>> system = driven_system(robot, {"u_1": "2*cos(t)"})
-    >>> driven_start(system, (1, 0, 3), (0, 0, 1))["M"].round(12).tolist()
-    [1.4, 0.0, 2.0]
+        If a vector is no vector, a joint is missing, ω has a part along γ that a rubber contact
+        forbids, or the speeds of the rotors depend on M, which they would determine.
     """
     turn, up = _vector("omega", omega), _vector("gamma", gamma)
     length = float(np.linalg.norm(up))
     if not length > 0:
         raise InputError("gamma is zero: it must point along the vertical")
     up = up / length
-    given = {"t": time, **(joints or {})}
+    given = {str(TIME): 0.0, **known}
     names = [str(name) for name in system.state if isinstance(name, sp.Symbol)]
     if missing := [name for name in names if name not in given]:
         raise InputError(
             f"{system.name}: the joints {', '.join(missing)} need a value at the start"
         )
-    if unknown := sorted(set(joints or ()) - set(names) | (set(joints or ()) & {str(TIME)})):
+    if unknown := sorted(set(known) - {*names, str(TIME)}):
         raise InputError(f"{system.name}: there is no joint {', '.join(unknown)}")
     others = {name: float(given[name]) for name in names}
     state = np.array([0.0, 0.0, 0.0, *up, *others.values()])

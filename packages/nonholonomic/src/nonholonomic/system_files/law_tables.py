@@ -212,7 +212,7 @@ def _formulas_in(value: object) -> object:
 class OtherLawTable(LawTable):
     """A law of another kind: the name of its class, and its formulas by their names."""
 
-    model_config = ConfigDict(frozen=True, extra="allow")
+    model_config = ConfigDict(frozen=True, extra="allow", defer_build=True)
 
     kind: Text = Field(description="the name of a class of laws, in quotes")
 

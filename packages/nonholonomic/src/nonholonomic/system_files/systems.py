@@ -19,6 +19,7 @@ from flowlanes.system.parameters import Condition
 from flowlanes.system.system import Guard, Observable, Parameter, Reconstruction, System
 from flowlanes.system.vectors import Diagonal, Vector, to_components
 
+from ..mechanics.conventions import BodyConventions
 from ..mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
 from ..mechanics.lagrangian.plan import Plan
 from ..mechanics.lagrangian.structure_functions import check_structure
@@ -229,7 +230,8 @@ def _described(names: Names, tables: EquationsTables, targets: Targets, line: An
         source=tables.source,
         summary=tables.summary,
     )
-    system = replace(system, start=_start_formulas(names, tables, system))
+    conventions = BodyConventions(_start_formulas(names, tables, system))
+    system = replace(system, conventions=conventions)
     claims = read_laws(names, tables.laws, system, target, line)
     integrals = [law.value for law, _ in claims if isinstance(law, Integral)]
     timed = _depend_on_time(

@@ -70,7 +70,7 @@ FORMULA = "a formula in quotes"
 class Table(BaseModel):
     """A table of the file: immutable, without unknown keys or infinite numbers."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)
 
 
 class FormulaTable(Table):

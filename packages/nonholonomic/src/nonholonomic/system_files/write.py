@@ -260,7 +260,7 @@ class _Writer:
             reconstruction["observables"] = {
                 o.name: Inline(self.observable(o)) for o in motion.observables
             }
-        start = self.named(system.start)
+        start = self.named(system.conventions.start_formulas)
         laws = self.laws()
         observables = {o.name: self.observable(o) for o in system.observables}
         guards: Tables = {}

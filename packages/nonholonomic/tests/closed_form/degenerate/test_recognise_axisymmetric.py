@@ -19,7 +19,7 @@ from nonholonomic.closed_form.degenerate.recognise_axisymmetric import (
 )
 from nonholonomic.closed_form.one_degree.solution import QuadratureSolution
 from nonholonomic.closed_form.one_degree.uniform import UniformSolution
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 GAMMA = (0.48, 0.6, 0.64)
 TIMES = [0.0, 1.0, 10.0, 40.0]

@@ -5,7 +5,7 @@ import sympy as sp
 from closed_form.followed_states import GAMMA, OMEGA, miss, solution, without
 from flowlanes.system.vectors import to_components
 from nonholonomic.closed_form.separations import ball_sphere, bruns, bruns_ball, rubber_sphere
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 
 @pytest.mark.slow

@@ -8,7 +8,7 @@ from closed_form.followed_states import GAMMA, OMEGA, without
 from flowlanes.formulas.balls import number
 from nonholonomic.closed_form.genus_two.separated_motion import separate
 from nonholonomic.closed_form.separations.veselova import veselova
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 START = initial_state(veselova().system, tuple(without(OMEGA, GAMMA)), tuple(GAMMA))[:6]
 

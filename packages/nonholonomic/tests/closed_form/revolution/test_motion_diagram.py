@@ -14,9 +14,9 @@ from nonholonomic.closed_form.revolution.motion_diagram import (
 )
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shape_base import Shape
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk
+from nonholonomic.starts import initial_state
 
 
 def problem(

@@ -27,7 +27,7 @@ from nonholonomic.contact.equations.structure import SharedEquations
 from nonholonomic.contact.friction.modes import Mode
 from nonholonomic.contact.motion import contact_motion
 from nonholonomic.contact.simulation.compiled import CompiledContact
-from nonholonomic.contact.starts import start_in_contact
+from nonholonomic.contact.starts import state_in_contact
 
 INERTIA = (0.2, 0.25, 0.3)
 SITUATIONS = {
@@ -133,6 +133,6 @@ def test_a_second_body_moves_by_its_own_numbers() -> None:
         inertia = (0.4 * 0.2 * radius**2,) * 3
         body = nonholonomic.Body(0.2, inertia, nonholonomic.Ball(radius))
         other = replace(table, body=body, laws=(Coulomb(mu),))
-        start = start_in_contact(other, omega=(0, 0, 0), gamma=(0, 0, 1), slip=(1.4, 0, 0))
+        start = state_in_contact(other, omega=(0, 0, 0), gamma=(0, 0, 1), slip=(1.4, 0, 0))
         motion = contact_motion(CompiledContact(other), start, [0.0, 1.0])
         assert motion.events[0].time == pytest.approx(2 * 1.4 / (7 * mu * 9.81), rel=1e-12)

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import nonholonomic
-from flowlanes.flow.initial_states import upright
 from flowlanes.formulas.array_evaluation import values
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import System
@@ -17,6 +16,7 @@ from nonholonomic.contact.equations.equations_of_motion import contact_equations
 from nonholonomic.contact.equations.situation import FrictionalContact
 from nonholonomic.contact.friction.modes import Mode
 from nonholonomic.contact.friction.symbols import couple, reaction
+from nonholonomic.mechanics.rotations import upright
 
 MOMENTS, RADIUS, OFFSET = np.array([0.4, 0.4, 0.3]), 1.0, 0.2
 TOP = nonholonomic.Body(1.3, (0.4, 0.4, 0.3), nonholonomic.Ball(RADIUS, centre=(0.0, 0.0, OFFSET)))

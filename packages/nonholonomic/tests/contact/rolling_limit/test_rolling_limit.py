@@ -8,11 +8,11 @@ import pytest
 import flowlanes
 import nonholonomic
 from flowlanes.errors import InputError
-from flowlanes.flow.initial_states import upright
 from flowlanes.system.arrays import FloatArray
 from nonholonomic.contact.rolling_limit.convergence import convergence
 from nonholonomic.contact.rolling_limit.dry_limit import DryContact
 from nonholonomic.contact.rolling_limit.rolling_limit import ViscousContact, start_of_limit
+from nonholonomic.mechanics.rotations import upright
 
 LOADED = nonholonomic.Body(1.0, (0.4, 0.45, 0.5), nonholonomic.Ball(1.0, centre=(0.1, -0.05, 0.2)))
 BALANCED = nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))

@@ -140,8 +140,8 @@ def test_a_slip_that_dies_away_gently_ends_where_friction_can_hold() -> None:
     attitude = [-0.22871372241977406, 0.6868041055851767, 0.3135698281291395, -0.6145438280670451]
     velocity = [-2.737690552618978, -1.0177101617392077, 0.7141521702845255]
     place = [-0.293949889361814, 0.25264189324286596, 0.6746166364078]
-    start = nonholonomic.contact.start_in_space(
-        contact, place, attitude, velocity, [-1.331, 4.574, -0.336]
+    start = nonholonomic.initial_state(
+        contact, [-1.331, 4.574, -0.336], position=place, attitude=attitude, velocity=velocity
     )
     motion = contact_motion(contact, start, [0.0, 1.0])
     assert motion.reason == ""

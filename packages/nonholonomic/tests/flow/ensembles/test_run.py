@@ -21,7 +21,7 @@ from flowlanes.flow.integrator import integrate
 from flowlanes.flow.sampling.level_sampler import sample_level
 from flowlanes.system.system import Guard
 from nonholonomic.catalogue import from_catalogue
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 BALL = from_catalogue("chaplygin-ball")
 TIMES = np.linspace(0, 5, 6)

@@ -19,7 +19,7 @@ from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import to_components
 from needs import optional
 from nonholonomic.catalogue import entry
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 BODIES = ("chaplygin-ball", "unbalanced-ball", "rattleback")
 

@@ -13,15 +13,14 @@ from flowlanes.system.vectors import Vector
 from lawproof.proof.prover import prove, prove_all
 from mechanics.balls import SURFACES, on
 from nonholonomic.mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
-from nonholonomic.mechanics.ball.initial_state import ball_state
 from nonholonomic.mechanics.ball.mechanism import ball_mechanism
 from nonholonomic.mechanics.ball.surface import FlatSurface, ImplicitSurface, SphericalSurface
 from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
+from nonholonomic.starts import initial_state
 from spread import spread
 
 R = Vector("R")
@@ -31,7 +30,7 @@ CONTACTS = ("marble", "rubber")
 
 def motion(ball, place, omega):
     system = ball.system()
-    state = ball_state(ball, system, place, omega)
+    state = initial_state(ball, omega, place=place)
     return integrate(system, state, TIMES, on_liftoff="warn").records
 
 
@@ -117,7 +116,7 @@ def test_the_sign_of_the_force_is_watched_only_under_forces():
 def test_gravity_may_point_anywhere():
     """On a plane that stands upright gravity acts along it, and the ball goes down as a disk."""
     fall = on(FlatSurface(axis="x"), carrier="centre", contact="rubber")
-    state = ball_state(fall, fall.system(), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+    state = initial_state(fall, (0.0, 0.0, 0.0), place=(0.0, 0.0, 0.0))
     found = integrate(fall.system(), state, TIMES, on_liftoff="warn").records["centre"]
     heavier = 1.0 + 0.036 / 0.3**2
     np.testing.assert_allclose(found[:, 2], -9.81 / heavier * TIMES**2 / 2, atol=1e-12)

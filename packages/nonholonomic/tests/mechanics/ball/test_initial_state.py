@@ -9,12 +9,12 @@ import pytest
 
 from flowlanes.errors import InputError
 from mechanics.balls import POINTS, SURFACES, on, x, y, z
-from nonholonomic.mechanics.ball.initial_state import ball_state
 from nonholonomic.mechanics.ball.surface import EllipsoidSurface, ImplicitSurface, Ring
+from nonholonomic.starts import initial_state
 
 
 def start(ball, place, omega=(0.0, 0.0, 0.0)):
-    return [float(value) for value in ball_state(ball, ball.system(), place, omega)]
+    return [float(value) for value in initial_state(ball, omega, place=place)]
 
 
 @pytest.mark.parametrize("name", SURFACES)

@@ -27,11 +27,11 @@ from mechanics.portrait import Portrait, coordinates, directions
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.contact import contact
 from nonholonomic.mechanics.rolling.equations import rolling_system
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
+from nonholonomic.starts import initial_state
 
 X, Y, Z = XYZ
 

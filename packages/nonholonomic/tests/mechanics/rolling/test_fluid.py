@@ -23,11 +23,12 @@ from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motio
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.cavity import Cavity
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.rolling.initial_state import evaluate, initial_state
+from nonholonomic.mechanics.rolling.initial_state import evaluate
 from nonholonomic.mechanics.rolling.mechanism import rolling_mechanism
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
+from nonholonomic.starts import initial_state
 
 x, y, z = (real_symbol(name) for name in "xyz")
 GAMMA = np.array([0.2, -0.3, 0.93]) / np.linalg.norm([0.2, -0.3, 0.93])
@@ -196,7 +197,9 @@ def test_poincares_equations_are_carried_onto_them(contact):
     rolling = RollingBody(body, Plane(), contact, Forces(9.81))
     closed = rolling.system()
     moving = {Vector("fluid"): Vector("xi")}
-    same = {n: n for n in closed.state} | {n: f.xreplace(moving) for n, f in closed.start}
+    same = {n: n for n in closed.state} | {
+        n: f.xreplace(moving) for n, f in closed.conventions.start_formulas
+    }
     radius = dot(-real_symbol("R") * Vector("gamma"), Vector("gamma"))
     law = Isomorphism("same motion", closed, same, level=(real_symbol("R_3") + radius,))
     assert prove(equations_of_motion(rolling_mechanism(rolling)), law).decision == "proven"

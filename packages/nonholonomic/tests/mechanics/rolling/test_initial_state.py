@@ -21,11 +21,12 @@ from mechanics.portrait import coordinates, directions
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.rolling.initial_state import evaluate, initial_state
+from nonholonomic.mechanics.rolling.initial_state import evaluate
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
+from nonholonomic.starts import initial_state
 
 X, Y, Z = XYZ
 MOMENTS = (1.0, 1.2, 1.5)

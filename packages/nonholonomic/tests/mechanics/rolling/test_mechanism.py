@@ -204,7 +204,7 @@ def test_accelerations_and_reactions_to_forty_digits(shape: str, surface: str, m
         if made.surface != Plane():
             place = to_components(real_symbol("a") * gamma - touch.r)
             point |= dict(zip(X.symbols, map(before.value, place), strict=True))
-        momentum = to_components(dict(closed.start).get(M, zero))
+        momentum = to_components(dict(closed.conventions.start_formulas).get(M, zero))
         found = GenericPoint(
             {s: x for s, x in point.items() if s not in v.symbols}, derived.scalar_definitions
         )
@@ -233,7 +233,7 @@ def test_balls_are_carried_onto_each_other(surface: str, model: str) -> None:
     level: tuple[Any, ...] = (R_3 + dot(touch.r, gamma),)
     if surface != "plane":
         level = tuple(to_components(X - real_symbol("a") * gamma + touch.r))
-    same = {n: n for n in closed.state} | dict(closed.start)
+    same = {n: n for n in closed.state} | dict(closed.conventions.start_formulas)
     law = Isomorphism("same motion", closed, same, level=level)
     assert prove(equations_of_motion(rolling_mechanism(made)), law).decision == "proven"
 
@@ -244,7 +244,7 @@ def test_a_planted_error_is_seen() -> None:
     mechanism = rolling_mechanism(made)
     wrong = replace(mechanism, lagrangian=mechanism.lagrangian - dot(k, omega))
     closed = made.system()
-    same = {n: n for n in closed.state} | dict(closed.start)
+    same = {n: n for n in closed.state} | dict(closed.conventions.start_formulas)
     law = Isomorphism(
         "same motion", closed, same, level=(R_3 + dot(Ball(1.0).gauss().reach, gamma),)
     )

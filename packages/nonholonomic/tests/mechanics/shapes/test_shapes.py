@@ -16,11 +16,11 @@ from mechanics.compare import GAMMA, XYZ
 from mechanics.portrait import Portrait, coordinates, directions
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.implicit import Implicit
 from nonholonomic.mechanics.shapes.revolution import Revolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane
+from nonholonomic.starts import initial_state
 
 X, Y, Z = XYZ
 U = GAMMA[2]

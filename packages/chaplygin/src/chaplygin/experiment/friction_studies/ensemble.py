@@ -207,7 +207,7 @@ def contact_ensemble_task(
         max(1, min(block, members.size)),
         variables,
         "run",
-        sample_coordinates(work.times, variables),
+        sample_coordinates(subject.system.conventions, work.times, variables),
         {
             **system_attributes(subject.system),
             "friction": subject.contact.setting,
@@ -249,7 +249,7 @@ def ensemble_variables(
     subject: ContactSubject, record: Sequence[str], moments: int
 ) -> dict[str, Variable]:
     """The variables of an ensemble besides the given numbers."""
-    system = subject.system
+    system, conventions = subject.system, subject.system.conventions
     observables = {item.name: item for item in system.scalar.observables}
     works = work_meanings(subject.contact, system)
     variables: dict[str, Variable] = {}
@@ -257,18 +257,20 @@ def ensemble_variables(
     for name in dict.fromkeys((*names, *record)):
         if name in works:
             meaning, unit = works[name]
-            variables[name] = sampled_variable(moments, 1, "", meaning, unit, "")
+            variables[name] = sampled_variable(conventions, moments, 1, "", meaning, unit, "")
         elif name in observables:
             item = observables[name]
             size = len(scalars(item.value))
             variables[name] = sampled_variable(
-                moments, size, item.frame, item.meaning, item.unit, item.source
+                conventions, moments, size, item.frame, item.meaning, item.unit, item.source
             )
         elif name == BALANCE:
-            variables[name] = sampled_variable(moments, 1, "", "energy with all work lost", "J", "")
+            variables[name] = sampled_variable(
+                conventions, moments, 1, "", "energy with all work lost", "J", ""
+            )
         else:
             *about, frame = variable_metadata(system, name, 3)
-            variables[name] = sampled_variable(moments, 3, frame, *about)
+            variables[name] = sampled_variable(conventions, moments, 3, frame, *about)
     flags = mode_attributes("mode of the contact")
     variables["mode"] = Variable(("time",), (moments,), "int8", flags)
     for name, number in EVENT_NUMBERS.items():

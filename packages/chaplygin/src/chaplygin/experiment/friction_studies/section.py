@@ -12,13 +12,7 @@ import numpy.typing as npt
 from flowlanes.errors import InputError
 from flowlanes.flow.ensembles.members import Members
 from flowlanes.flow.ensembles.task import Coordinate, Task, Variable
-from flowlanes.flow.variable_metadata import (
-    FRAMES,
-    LABELS,
-    cf_attributes,
-    system_attributes,
-    variable_metadata,
-)
+from flowlanes.flow.variable_metadata import cf_attributes, system_attributes, variable_metadata
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.named_formulas import flat
 from flowlanes.system.system import System
@@ -27,6 +21,7 @@ from nonholonomic.contact.friction.modes import MODE_NAMES
 from nonholonomic.contact.simulation.compiled import CompiledContact
 from nonholonomic.contact.simulation.crossings import Crossing, CrossingCourse
 from nonholonomic.contact.simulation.mode_integrator import ModeIntegrator
+from nonholonomic.mechanics.conventions import AXIS_MEANINGS, FRAMES
 
 from ..poincare import DIRECTIONS, SectionSurface
 from ..study import Study
@@ -226,7 +221,7 @@ def contact_section_task(
         variables,
         "run",
         {
-            axis: Coordinate((axis,), np.array(labels), cf_attributes(LABELS[axis], "1"))
+            axis: Coordinate((axis,), np.array(labels), cf_attributes(AXIS_MEANINGS[axis], "1"))
             for axis, labels in FRAMES.values()
             if axis in used
         },

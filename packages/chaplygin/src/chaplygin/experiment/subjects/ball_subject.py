@@ -12,8 +12,8 @@ from flowlanes.system.vectors import Vector
 from nonholonomic.catalogue.balls.ball_entry import ball_variables
 from nonholonomic.catalogue.balls.ball_laws import known_ball_laws
 from nonholonomic.mechanics.ball.ball import RollingBall
-from nonholonomic.mechanics.ball.initial_state import ball_state
 from nonholonomic.mechanics.ball.surface import ImplicitSurface, SmoothSurface
+from nonholonomic.starts import initial_state
 from nonholonomic.system_files.sourced import identifier
 
 from ..models.ball_model import BallExperiment, moment
@@ -53,7 +53,7 @@ class PlacedBallSubject(BallSubject):
         """The state that follows from the position of the ball and ω."""
         place = "contact" if self.ball.carrier == "support" else "centre"
         position, omega = self.start_vector(place), self.start_vector("omega")
-        return ball_state(self.ball, self.system, position, omega)
+        return initial_state(self.ball, omega, place=position)
 
 
 def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:

@@ -14,6 +14,7 @@ import numpy as np
 from flowlanes.errors import InputError
 from flowlanes.printing.numerals import number
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.laws import Law
 from flowlanes.system.system import System
 from nonholonomic.contact.dataset import work_meanings
 from nonholonomic.contact.equations.equations_of_motion import contact_equations
@@ -31,9 +32,10 @@ from nonholonomic.contact.friction.user_friction import UserFriction
 from nonholonomic.contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
 from nonholonomic.contact.simulation.compiled import OMEGA, VELOCITY, CompiledContact
 from nonholonomic.contact.simulation.event_rules import EventRules
-from nonholonomic.contact.starts import SLACK, clearance, start_in_contact, start_in_space
+from nonholonomic.contact.starts import SLACK, clearance
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.shapes.surfaces import Surface
+from nonholonomic.starts import initial_state
 from nonholonomic.system_files.open_kinds import KindTable
 from nonholonomic.system_files.sourced import identifier
 
@@ -101,6 +103,13 @@ class ContactSubject(Subject):
     rules: EventRules
 
     changes_equations: ClassVar[bool] = True
+
+    @property
+    def claims(self) -> tuple[tuple[System, Law], ...]:
+        """The laws of each mode of the contact that can be proved."""
+        from nonholonomic.contact.invariants.provable_laws import provable_laws
+
+        return provable_laws(self.contact)
 
     @property
     def body(self) -> Body:
@@ -306,9 +315,7 @@ def start_of(contact: FrictionalContact, values: Mapping[str, Any]) -> FloatArra
     InputError
         If the start cannot be used.
     """
-    if "position" in values:
-        return start_in_space(contact, **values)
-    return start_in_contact(contact, **values)
+    return np.array(initial_state(contact, **values), dtype=float)
 
 
 def _laws(table: FrictionTable, body: Body, surface: Surface) -> tuple[FrictionLaw, ...]:

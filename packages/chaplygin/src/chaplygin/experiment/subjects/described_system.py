@@ -21,7 +21,7 @@ from nonholonomic.mechanics.constraints.integrability import nonholonomy
 from nonholonomic.mechanics.lagrangian.mechanism import TIME, Mechanism
 from nonholonomic.mechanics.lagrangian.plan import plan_of
 from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 from nonholonomic.system_files.systems import (
     described_plan,
     mechanism_of,
@@ -81,7 +81,9 @@ class DescribedSubject(Subject):
         InputError
             If a variable is unknown or missing, or the state is not on the phase space.
         """
-        motion_of_body = bool(self.system.start) or self.system.reconstruction is not None
+        motion_of_body = (
+            bool(self.system.conventions.start_formulas) or self.system.reconstruction is not None
+        )
         if motion_of_body and self.start_values.keys() == {"omega", "gamma"}:
             omega, gamma = (self.start_vector(name) for name in ("omega", "gamma"))
             return initial_state(self.system, omega, gamma)

@@ -15,7 +15,6 @@ import numpy as np
 import sympy as sp
 
 from flowlanes.errors import InputError
-from flowlanes.flow.initial_states import upright
 from flowlanes.formulas.multiprecision import Multiprecision
 from flowlanes.parsing import NamedQuantity, nearest
 from flowlanes.printing.formula import text
@@ -25,6 +24,7 @@ from flowlanes.system.vectors import Vector, norm_squared
 from nonholonomic.mechanics.lagrangian.mechanism import TIME
 from nonholonomic.mechanics.rolling.attitude import attitude
 from nonholonomic.mechanics.rolling.initial_state import DIGITS, SLACK
+from nonholonomic.mechanics.rotations import upright
 from nonholonomic.system_files.validation import value_text
 
 #: Component labels that a vector may have.

@@ -20,15 +20,17 @@ import sympy as sp
 from flowlanes.errors import InputError
 from flowlanes.printing.formula import text
 from flowlanes.system.arrays import FloatArray
+from flowlanes.system.laws import Law
 from flowlanes.system.system import System
 from flowlanes.system.vectors import Diagonal
 from nonholonomic.mechanics.ball.ball import RollingBall
+from nonholonomic.mechanics.conventions import start_vectors
 from nonholonomic.mechanics.lagrangian.mechanism import TIME, Mechanism
 from nonholonomic.mechanics.lagrangian.plan import Plan
 from nonholonomic.mechanics.rolling.body import AnyBody
 from nonholonomic.mechanics.rolling.equations import RollingBody
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.surfaces import Surface
+from nonholonomic.starts import initial_state
 
 from ..file.tables import CommonRunTable
 from .glossary import glossary
@@ -86,6 +88,11 @@ class Subject:
 
     has_own_reconstruction: ClassVar[bool] = False
     """Whether the equations of the motion in space are particular to this system."""
+
+    @property
+    def claims(self) -> tuple[tuple[System, Law], ...]:
+        """The laws that can be proved, each with its system."""
+        return tuple((self.system, law) for law in self.system.laws)
 
     @property
     def setting(self) -> str:
@@ -325,7 +332,7 @@ class BodySubject(Subject):
             self.start_vector("gamma"),
             heading=self.heading,
             normal=self.normal,
-            fluid=[self.start_vector(str(name)) for name in self.system.start_vectors],
+            fluid=[self.start_vector(str(name)) for name in start_vectors(self.system)],
         )
 
     @property

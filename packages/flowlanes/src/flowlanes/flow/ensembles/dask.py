@@ -111,10 +111,10 @@ def results(
 
 
 def _compute(pickle: bytes, first: int, last: int) -> Arrays:
-    """Compute a block in a worker thread, on CHAPLYGIN_THREADS processors (default 1)."""
+    """Compute a block in a worker thread, on FLOWLANES_THREADS processors (default 1)."""
     from ..devices.threads import THREADS
 
-    before = THREADS.set(int(os.environ.get("CHAPLYGIN_THREADS", "1")))
+    before = THREADS.set(int(os.environ.get("FLOWLANES_THREADS", "1")))
     try:
         return _work_of(pickle)(first, last)
     finally:

@@ -139,8 +139,8 @@ def from_lists(**values: npt.ArrayLike) -> Members:
     Parameters
     ----------
     **values : array (n,) for a scalar, (n, components) for a vector
-        State variables (``M``, ``gamma``, or components ``M_1``), parameters, ``omega`` and
-        ``gamma`` from which the state follows, or ``state`` for the whole state in flat order.
+        State variables (a vector ``M``, or components ``M_1``), parameters, variables from which
+        the state follows, or ``state`` for the whole state in flat order.
 
     Returns
     -------
@@ -188,7 +188,7 @@ def single(**values: npt.ArrayLike) -> Members:
     Examples
     --------
     >>> import flowlanes
-    >>> flowlanes.flow.ensembles.single(M=(1, 0, 0), gamma=(0, 0, 1)).size
+    >>> flowlanes.flow.ensembles.single(x=0.1, M=(1, 0, 0)).size
     1
     """
     return from_lists(**{name: _numbers(name, value)[np.newaxis] for name, value in values.items()})

@@ -16,13 +16,13 @@ from ...arguments import Numbers, Parameters, arguments_checked
 from ...errors import InputError
 from ...formulas.array_evaluation import as_float_array
 from ...formulas.digest import canonical
-from ...system.system import System
+from ...system.system import Conventions, System
 from ...system.tolerance import ENSEMBLE_TOLERANCE
 from ..cost import TooMuchError
 from ..devices.graphics import Device
 from ..kernel.outcomes import STATUS_MESSAGES
 from ..validation import moments
-from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
+from ..variable_metadata import cf_attributes, system_attributes, variable_metadata
 from .computation import compute
 from .members import Members, from_lists
 from .task import Coordinate, Progress, Task, Variable
@@ -174,7 +174,7 @@ def ensemble_task(
         fitting if block is None else block,
         variables,
         "run",
-        sample_coordinates(work.times, variables),
+        sample_coordinates(work.system.conventions, work.times, variables),
         {**_attributes(work), **_draw(work, parameters)},
     )
 
@@ -216,10 +216,12 @@ def _variables(work: EnsembleWork, are_random: bool) -> dict[str, Variable]:
     for item, place in system.slices:
         size = place.stop - place.start
         *about, frame = variable_metadata(system, str(item), size)
-        variables[str(item)] = sampled_variable(moments, size, frame, *about)
+        variables[str(item)] = sampled_variable(system.conventions, moments, size, frame, *about)
     for item in quantities_by_name(system, work.record):
         about = [item.meaning, item.unit, item.source]
-        variables[item.name] = sampled_variable(moments, len(item.formulas), item.frame, *about)
+        variables[item.name] = sampled_variable(
+            system.conventions, moments, len(item.formulas), item.frame, *about
+        )
     variables["outcome"] = Variable(dtype="int8", attributes=_outcomes(work))
     variables["ended"] = Variable(attributes=cf_attributes("time that was reached", "s"))
     variables["steps"] = Variable(dtype="int64", attributes=cf_attributes("steps tried", "1"))
@@ -227,15 +229,21 @@ def _variables(work: EnsembleWork, are_random: bool) -> dict[str, Variable]:
 
 
 def sampled_variable(
-    moments: int, size: int, frame: str, meaning: str, unit: str, source: str
+    conventions: Conventions,
+    moments: int,
+    size: int,
+    frame: str,
+    meaning: str,
+    unit: str,
+    source: str,
 ) -> Variable:
     """Description of a quantity sampled along the motions."""
     notes = cf_attributes(meaning, unit, source)
     if not frame:
         return Variable(("time",), (moments,), attributes=notes)
     axis = frame
-    if frame in FRAMES:
-        axis = FRAMES[frame][0]
+    if frame in conventions.frames:
+        axis = conventions.frames[frame][0]
         notes["frame"] = f"{frame} axes"
     return Variable(("time", axis), (moments, size), attributes=notes)
 
@@ -256,13 +264,14 @@ def _outcomes(work: EnsembleWork) -> dict[str, object]:
 
 
 def sample_coordinates(
-    times: Sequence[float], variables: Mapping[str, Variable]
+    conventions: Conventions, times: Sequence[float], variables: Mapping[str, Variable]
 ) -> dict[str, Coordinate]:
     """Coordinates for the times and for the axes in use."""
     used = {dimension for variable in variables.values() for dimension in variable.dimensions}
+    meanings = conventions.axis_meanings
     axes = {
-        axis: Coordinate((axis,), np.array(labels), cf_attributes(LABELS[axis], "1"))
-        for axis, labels in FRAMES.values()
+        axis: Coordinate((axis,), np.array(labels), cf_attributes(meanings[axis], "1"))
+        for axis, labels in conventions.frames.values()
         if axis in used
     }
     return {"time": Coordinate(("time",), list(times), cf_attributes("time", "s")), **axes}

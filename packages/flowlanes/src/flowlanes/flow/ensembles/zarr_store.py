@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 MARKS = "done"
 
 #: Attribute that identifies the stores written by this module.
-FORMAT = "chaplygin blocks 1"
+FORMAT = "flowlanes blocks 1"
 
 
 @dataclass

@@ -137,10 +137,10 @@ def linear_stability(
     system : System
         The steady motion may move along symmetries among its laws.
     state : mapping of Symbol or name to number or numbers, or sequence in flat order
-        The steady motion, by the variables and vectors of the state, or by ω and γ where the rest
-        follows from them in double precision.  Numbers of SymPy and mpmath, and strings, are used
-        with all their digits; a float is taken as its shortest decimal.  Variables on which
-        nothing depends may be omitted.
+        The steady motion, by the variables and vectors of the state, or by others from which
+        they follow in double precision.  Numbers of SymPy and mpmath, and strings, count
+        with all their digits; a float means the shortest decimal that gives it.  Variables on
+        which nothing depends may be left out.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the defaults of the system.
     along : iterable of mappings of Symbol or name to number
@@ -395,7 +395,8 @@ def _symbol(system: System, name: object, where: str) -> sp.Symbol:
 def _state(
     system: System, state: State, parameters: Parameters, variables: Sequence[sp.Symbol]
 ) -> dict[sp.Symbol, mpmath.mpf]:
-    if not isinstance(state, Mapping) or "omega" in map(str, state.keys() - set(system.state)):
+    others = set(map(str, system.start_variables)) - set(map(str, system.state))
+    if not isinstance(state, Mapping) or not others.isdisjoint(map(str, state)):
         by_name = state
         if isinstance(state, Mapping):
             by_name = {str(key): value for key, value in state.items()}

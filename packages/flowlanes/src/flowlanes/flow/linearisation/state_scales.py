@@ -1,8 +1,8 @@
 """Sizes of the vectors of a state along a motion, covariant under a change of units.
 
-A momentum of 1e-10 kg m²/s is not small compared with the unit vector γ, and a change of γ by one
-is not large compared with a change of the momentum by 1e-10.  So each vector of the state is
-divided by a fixed size of its own before lengths of deviations are computed.
+A momentum of 1e-10 kg m²/s beside a unit vector is not small, and a change of that vector by one
+is not large beside a change of the momentum by 1e-10.  Deviations are therefore measured after
+dividing each vector of the state by a fixed size of its own.
 """
 
 from __future__ import annotations

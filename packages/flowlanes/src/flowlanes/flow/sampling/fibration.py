@@ -1,10 +1,10 @@
 """Level of integrals as fibres over a compact base.
 
-In the systems of rolling and rotating bodies some variables lie on spheres (the normal γ) or are
-angles; they form the base.  In the other variables, the fibre, the relations and integrals are
-linear or quadratic: over every base point they define an ellipsoid (a level of the energy) and
-planes ((M, γ) = const, (ω, γ) = 0).  Rays from the centre of their intersection meet every point
-of the level exactly once.
+In many systems of mechanics some variables lie on spheres (a unit vector u) or are angles: they
+form the base.  In the remaining variables v, the fibre, the relations and integrals are linear or
+quadratic: over every base point there are an ellipsoid (a level of the energy) and planes
+((u, v) = const).  Rays from the centre of their intersection reach every point of the
+level exactly once.
 """
 
 from __future__ import annotations

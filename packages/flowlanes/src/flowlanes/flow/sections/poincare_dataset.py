@@ -19,7 +19,7 @@ from ...system.vectors import Vector
 from ..ensembles.task import Coordinate, Task, Variable
 from ..kernel.outcomes import STATUS_MESSAGES
 from ..motion import by_name
-from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
+from ..variable_metadata import cf_attributes, system_attributes, variable_metadata
 from .poincare_map import PoincareMap
 
 #: Approximate block size in bytes, and number of points evaluated at once; both limit the use of
@@ -185,10 +185,11 @@ def section_task(
         if not frame:
             variables[name] = Variable(("section_point",), (count,), attributes=notes)
             continue
-        dim, labels = FRAMES.get(frame, (frame, tuple(range(1, size + 1))))
+        frames, axis_meanings = system.conventions.frames, system.conventions.axis_meanings
+        dim, labels = frames.get(frame, (frame, tuple(range(1, size + 1))))
         notes |= {"frame": "body axes"} if frame == "body" else {}
         variables[name] = Variable(("section_point", dim), (count, size), attributes=notes)
-        label = LABELS.get(dim, f"component of {name}")
+        label = axis_meanings.get(dim, f"component of {name}")
         coordinates[dim] = Coordinate((dim,), np.array(labels), cf_attributes(label, "1"))
     for item in (*recorded, *(() if columns is None else columns.quantities)):
         if item.name in variables:

@@ -70,7 +70,7 @@ class PoincareMap:
     Parameters
     ----------
     system : System
-        Points are its states in flat order; a lifted system includes its attitude.
+        Points are its states in flat order; a lifted system carries its reconstruction along.
     section : Section
         Section to which the motions return.
     parameters : mapping of Symbol or name to number or array (n,), optional

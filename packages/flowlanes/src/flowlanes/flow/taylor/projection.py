@@ -1,8 +1,8 @@
 """Projection of a state onto its phase space.
 
-The relations (γ² = 1, (ω, γ) = 0, …) are not corrected while their residuals are at rounding
-level; otherwise they are restored by Newton's method with steps of minimal norm.  The lift to
-space is projected onto the reduced state, not conversely, so an error of the attitude cannot
+The relations (u² = 1, (u, v) = 0, …) are left alone while their residuals are at rounding level,
+and otherwise restored by Newton's method with steps of minimal norm.  The lift to space is
+projected onto the reduced state, never the reverse, so an error of the reconstruction cannot
 affect the dynamics.
 """
 
@@ -79,7 +79,7 @@ class Projector:
         for _ in range(3):
             point = state.astype(float)
             slope = np.concatenate([b.slope(point, pars).reshape(b.count, -1) for b in self.blocks])
-            # Redundant relations (an attitude tied to a unit vector) make the rows dependent.
+            # Redundant relations (a rotation tied to a unit vector) make the rows dependent.
             state[self.columns] -= np.linalg.pinv(slope, rcond=1e-9) @ defect
             defect = self.defect(state).astype(float)
             if np.abs(defect).max() <= self.threshold:

@@ -19,7 +19,7 @@ from flowlanes.formulas.errors import NeedMoreGeneratorsError, OutOfReachError
 from flowlanes.formulas.jets import Evaluator, Jet
 from flowlanes.system.laws import Identity, Law, Rate
 from flowlanes.system.named_formulas import expand, scalars
-from flowlanes.system.system import System
+from flowlanes.system.system import System, VariablesByName
 
 from ..fields.function_field import FunctionField
 from ..fields.signs import Signs
@@ -72,7 +72,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
         laws=(),
         observables=(),
         reconstruction=None,
-        start=(),
+        conventions=VariablesByName(),
     )
     agreement = tuple(Rate(s) - rates[s] for s in gone)
     consistency = Identity("the conditions are kept", agreement)

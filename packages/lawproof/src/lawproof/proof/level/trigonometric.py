@@ -19,7 +19,7 @@ from flowlanes.formulas.errors import OutOfReachError
 from flowlanes.formulas.jets import MOST_MULTIPLES, angle_terms
 from flowlanes.system.laws import Law
 from flowlanes.system.named_formulas import expand, in_components, scalars
-from flowlanes.system.system import Parameter, System
+from flowlanes.system.system import Parameter, System, VariablesByName
 from flowlanes.system.vectors import real_symbol
 
 
@@ -316,5 +316,5 @@ def _with_circles(
         laws=(),
         observables=(),
         reconstruction=None,
-        start=(),
+        conventions=VariablesByName(),
     )

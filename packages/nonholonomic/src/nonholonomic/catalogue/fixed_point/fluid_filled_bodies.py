@@ -36,6 +36,7 @@ from flowlanes.system.vectors import (
     zero,
 )
 
+from ...mechanics.conventions import BodyConventions
 from ...mechanics.rolling.cavity import Cavity
 from ...mechanics.rolling.fluid import Fluid, fluids_of_cavities
 from .. import e3
@@ -126,7 +127,7 @@ def with_fluid(system: System, cavities: Sequence[Cavity]) -> System:
         parameters=(*_moments(I, tensor), *(p for f in fluids for p in f.parameters)),
         laws=tuple(laws),
         observables=(*system.observables, *(fluid.observable for fluid in fluids)),
-        start=(*start, *((fluid.N, fluid.initial) for fluid in fluids)),
+        conventions=BodyConventions((*start, *((fluid.N, fluid.initial) for fluid in fluids))),
     )
 
 

@@ -10,10 +10,10 @@ import sympy as sp
 
 from flowlanes.errors import InputError
 from flowlanes.system.named_formulas import flat_pairs
-from flowlanes.system.rotations import Matrix, finite_numbers, rotation_near, upright_matrix
 from flowlanes.system.system import System
 
 from ...mechanics.rolling.initial_state import SLACK, evaluate
+from ...mechanics.rotations import Matrix, finite_numbers, rotation_near, upright_matrix
 from ..catalogue_entry import Family
 from .inertia import labels, pairs
 from .motion_in_space import omega_of
@@ -85,7 +85,7 @@ def state_of(system: System, omega: Matrix, gamma: Sequence[mpmath.mpf]) -> list
     InputError
         If these do not determine it.
     """
-    if not system.start:
+    if not system.conventions.start_formulas:
         names = ", ".join(map(str, system.state))
         raise InputError(f"omega: does not determine this state; give {names}")
     n = len(gamma)
@@ -93,7 +93,7 @@ def state_of(system: System, omega: Matrix, gamma: Sequence[mpmath.mpf]) -> list
     known |= dict(zip(_symbols(system, GAMMA), gamma, strict=True))
     entries = (omega[i][j] for i, j in pairs(n))
     known |= dict(zip(omega_of(n).symbols, entries, strict=True))
-    following = flat_pairs(system.start)
+    following = flat_pairs(system.conventions.start_formulas)
     numbers = evaluate(system, [value for _, value in following], known)
     known |= dict(zip((s for s, _ in following), numbers, strict=True))
     return [known[s] for s in system.symbols]

@@ -104,7 +104,9 @@ def state_in_three_dimensions(system: System) -> dict[sp.Symbol, sp.Expr]:
         back = dict(zip(named.symbols, entries_of(M), strict=True))
     else:
         spin = dict(zip(omega_of(SIZE).symbols, entries_of(omega), strict=True))
-        back = {s: f.xreplace(spin | known) for s, f in flat_pairs(system.start)}
+        back = {
+            s: f.xreplace(spin | known) for s, f in flat_pairs(system.conventions.start_formulas)
+        }
     back |= known
     if system.reconstruction is not None:
         back |= dict(zip(attitude_of(SIZE).symbols, rotation(), strict=True))

@@ -27,6 +27,7 @@ from flowlanes.system.system import Parameter, System
 from flowlanes.system.vector_operators import outer
 from flowlanes.system.vectors import real_symbol
 
+from ...mechanics.conventions import BodyConventions
 from ..catalogue_entry import Values
 from ..so_n.elimination import solution
 from ..so_n.entry_of_dimension import MOMENTUM, SOURCE, D, Family, R, cycle, direction
@@ -165,7 +166,9 @@ class ChaplyginBall(Family):
             laws=laws,
             observables=(angular_velocity(n),),
             reconstruction=motion_in_space(n, R),
-            start={k: inertia.image(omega) + D * (omega * around + around * omega)},
+            conventions=BodyConventions(
+                {k: inertia.image(omega) + D * (omega * around + around * omega)}
+            ),
             theorems=of_ball(n, Delta, tuple(law.name for law in integrals)),
         )
 

@@ -35,6 +35,7 @@ from flowlanes.system.named_formulas import Pairs
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import Vector, dot, norm_squared, real_symbol
 
+from ...mechanics.conventions import BodyConventions
 from ..catalogue_entry import Numbers, Values
 from ..so_n.entry_of_dimension import (
     SOURCE,
@@ -246,7 +247,9 @@ class SpecialVeselova(WithoutTwist, Special):
         system = self._on_cotangent_bundle(inertia, parameters, definitions, field, laws)
         # a_i a_j ω_ij γ_j, with m R² in a_i a_j
         direct = sp.ImmutableDenseMatrix(sp.diag(*a))
-        return replace(system, start={p: direct * (omega * (direct * gamma))})
+        return replace(
+            system, conventions=BodyConventions({p: direct * (omega * (direct * gamma))})
+        )
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -29,6 +29,7 @@ from flowlanes.system.named_formulas import Pairs, scalars
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import Components, dot, norm_squared
 
+from ...mechanics.conventions import BodyConventions
 from ..catalogue_entry import Values
 from ..so_n.elimination import elimination
 from ..so_n.entry_of_dimension import SOURCE, Family, cycle, direction
@@ -98,7 +99,9 @@ class Suslov(Family):
             laws=laws,
             observables=(angular_velocity(n),),
             reconstruction=motion_in_space(n),
-            start={w: Components([omega.entries[i, n - 1] for i in range(n - 1)])},
+            conventions=BodyConventions(
+                {w: Components([omega.entries[i, n - 1] for i in range(n - 1)])}
+            ),
             theorems=of_suslov(n) if isinstance(inertia, MassTensor) else (),
         )
 

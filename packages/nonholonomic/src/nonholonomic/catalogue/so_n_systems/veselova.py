@@ -27,6 +27,7 @@ from flowlanes.system.named_formulas import Pairs
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import dot, norm_squared, real_symbol
 
+from ...mechanics.conventions import BodyConventions
 from ..catalogue_entry import Values
 from ..so_n.elimination import solution
 from ..so_n.entry_of_dimension import (
@@ -176,7 +177,9 @@ class Veselova(WithoutTwist):
             laws=laws,
             observables=(angular_velocity(n),),
             reconstruction=motion_in_space(n, R if self.rolls else None),
-            start={p: inertia.image(omega) * gamma + added * (omega * gamma)},
+            conventions=BodyConventions(
+                {p: inertia.image(omega) * gamma + added * (omega * gamma)}
+            ),
             theorems=(
                 *of_veselova(n, Delta),
                 *of_quadratic_integrals(

@@ -20,10 +20,10 @@ import numpy as np
 import sympy as sp
 from flint import acb, arb
 
-from flowlanes.system.rotations import quaternion_product
 from flowlanes.system.system import System
 from flowlanes.system.tuple_vectors import cross, dot
 
+from ...mechanics.rotations import quaternion_product
 from ..base.solution import ClosedForm, NamedConstant
 from ..one_degree import FAST, MotionSample, QuadratureMotion
 from ..one_degree.frames import BodyFrame, Inclination, euler_quaternion

@@ -15,10 +15,10 @@ from flint import arb, ctx
 from flowlanes.arguments import NumberOrText
 from flowlanes.errors import InputError
 from flowlanes.formulas.relative_zero import START_TOLERANCE, vanishes
-from flowlanes.system.rotations import quaternion_product
 from flowlanes.system.system import System
 from flowlanes.system.tuple_vectors import dot
 
+from ...mechanics.rotations import quaternion_product
 from ..base.solution import Solution
 from ..one_degree import Equilibrium, MotionSample, QuadratureMotion, motion_chart
 from ..one_degree.frames import BodyFrame, Inclination, euler_quaternion, intrinsic_angle

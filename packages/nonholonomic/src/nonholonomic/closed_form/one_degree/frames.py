@@ -19,8 +19,7 @@ from typing import Generic
 
 from flint import acb, arb
 
-from flowlanes.system.rotations import quaternion_product
-
+from ...mechanics.rotations import quaternion_product
 from . import MotionSample, QuadratureMotion
 from .functions import Count, Functions, T
 

@@ -20,10 +20,10 @@ from flint import acb, arb, ctx
 
 from flowlanes.arguments import NumberOrText, arguments_checked
 from flowlanes.system.arrays import FloatArray
-from flowlanes.system.rotations import quaternion_product
 from flowlanes.system.system import System
 from flowlanes.system.tuple_vectors import cross, dot
 
+from ...mechanics.rotations import quaternion_product
 from ..base.solution import ClosedForm, Solution, finite_times
 from .angles import LinearPhase, circular_path, circular_paths
 from .chebyshev_integrals import working_bits

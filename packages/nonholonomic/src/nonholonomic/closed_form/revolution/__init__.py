@@ -60,9 +60,8 @@ def solve_rolling(
     system : System
         ``rolling.system()`` or that of a catalogue entry, not lifted.
     start : sequence of 12 numbers
-        ω, γ, attitude and position at time 0; see
-        :func:`~nonholonomic.mechanics.rolling.initial_state.initial_state`. Numbers are read to
-        fifty digits: a number that vanishes to these is zero.
+        ω, γ, attitude and position at time 0; see :func:`nonholonomic.initial_state`.  Numbers are
+        read to fifty digits: a number that vanishes to these is zero.
     parameters : mapping of Symbol to number, optional
         Values that replace the system's defaults.
 

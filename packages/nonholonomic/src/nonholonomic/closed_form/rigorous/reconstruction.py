@@ -10,10 +10,10 @@ from flint import arb, arb_mat
 
 from flowlanes.formulas.balls import components
 from flowlanes.system.arrays import FloatArray
-from flowlanes.system.rotations import rotation_rows
 from flowlanes.system.vectors import real_symbol
 
 from ...mechanics.rolling.attitude import attitude, place_rates
+from ...mechanics.rotations import rotation_rows
 from ..genus_two.attitude_one_axis import rotated_triad
 from ..genus_two.reconstruction import spinning_pair
 from ..genus_two.separated_motion import SeparatedMotion, steps_from_torus

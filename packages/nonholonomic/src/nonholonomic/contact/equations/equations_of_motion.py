@@ -23,6 +23,7 @@ from flowlanes.system.named_formulas import Pairs, scalars
 from flowlanes.system.system import Guard, Observable, Parameter, System
 from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_symbol, zero
 
+from ...mechanics.conventions import BODY
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
@@ -138,6 +139,7 @@ def contact_equations(situation: FrictionalContact, mode: Mode) -> System:
         observables=_observables(situation, energy, powers),
         guards=(*free.kinematics.guards, *guards),
         source="§11.1",
+        conventions=BODY,
     )
 
 

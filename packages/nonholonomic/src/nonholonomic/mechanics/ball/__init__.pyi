@@ -1,5 +1,4 @@
 from .ball import RollingBall as RollingBall
-from .initial_state import ball_state as ball_state
 from .surface import (
     CircularCylinder as CircularCylinder,
     Cone as Cone,

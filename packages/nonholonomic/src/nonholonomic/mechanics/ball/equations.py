@@ -37,6 +37,7 @@ from flowlanes.system.vectors import (
     vectors,
 )
 
+from ..conventions import BODY
 from ..rolling.attitude import attitude, attitude_observable, quaternion_rate, rotation, unit_length
 
 R, x, omega, v, n, ndot, xdot = vectors("R x omega v n ndot xdot")
@@ -202,6 +203,7 @@ def ball_equations(
         observables=_observables(kinematics.place),
         guards=tuple(guards),
         reconstruction=_motion(),
+        conventions=BODY,
         source="§2.2, §2.3",
     )
 

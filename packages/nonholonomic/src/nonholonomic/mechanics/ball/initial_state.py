@@ -11,14 +11,12 @@ from dataclasses import dataclass
 import mpmath
 import sympy as sp
 
-from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.formulas.multiprecision import Multiprecision
-from flowlanes.system.system import Guard, System
 from flowlanes.system.tuple_vectors import dot
 from flowlanes.system.vectors import Vector
 
-from ..rolling.initial_state import DIGITS, SLACK, evaluate
+from ..rolling.initial_state import DIGITS, SLACK
 from .ball import RollingBall
 
 R, x = Vector("R"), Vector("x")
@@ -54,17 +52,14 @@ class _SurfacePoint:
         return mean - root, mean + root
 
 
-@arguments_checked
 def ball_state(
-    ball: RollingBall, system: System, place: Sequence[float], omega: Sequence[float]
+    ball: RollingBall, place: Sequence[float], omega: Sequence[float]
 ) -> tuple[mpmath.mpf, ...]:
-    """The state, lifted to space, of a ball with given place and angular velocity.
+    """The state, lifted to space, of a homogeneous ball; see :func:`nonholonomic.initial_state`.
 
     Parameters
     ----------
     ball : RollingBall
-    system : System
-        The system of the ball.
     place : 3 floats
         The contact point if the surface carries the ball, the centre if this moves on the surface.
     omega : 3 floats
@@ -80,19 +75,6 @@ def ball_state(
     InputError
         If the place is not on the surface or outside its domain, the surface has no normal there,
         the ball does not fit, or a rubber ball would spin about the normal.
-
-    Examples
-    --------
-    >>> import nonholonomic
-    >>> ball = nonholonomic.RollingBall(
-    ...     mass=1.0,
-    ...     inertia=0.1,
-    ...     radius=0.5,
-    ...     surface=nonholonomic.mechanics.ball.SphericalSurface(2.0),
-    ... )
-    >>> state = nonholonomic.mechanics.ball.ball_state(ball, ball.system(), (0, 0, 2), (1, 0, 0))
-    >>> len(state)
-    10
     """
     name = "contact" if ball.carrier == "support" else "centre"
     with mpmath.workdps(DIGITS):
@@ -100,7 +82,7 @@ def ball_state(
         target = [_number(value, name) for value in place]
         point = _nearest_or_refused(surface, target, name)
         contact = surface.at(point, name)
-        _check_domain(ball, system, point, name)
+        _check_domain(ball, point, name)
         _check_fit(ball, contact, name)
         spin = _without_spin(ball, [_number(value, "omega") for value in omega], contact.normal)
         start = point
@@ -183,16 +165,12 @@ def _nearest(surface: _Surface, point: list[mpmath.mpf], name: str) -> list[mpma
     return None
 
 
-def _check_domain(ball: RollingBall, system: System, point: list[mpmath.mpf], name: str) -> None:
+def _check_domain(ball: RollingBall, point: list[mpmath.mpf], name: str) -> None:
     for guard in ball.surface.domain(x.symbols):
         values = {p.symbol: mpmath.mpf(p.default) for p in ball.parameters}
         known = values | dict(zip(x.symbols, point, strict=True))
-        if not _positive(system, guard, known):
+        if not Multiprecision(known)(guard.value) > 0:
             raise InputError(f"{name}: {_point_text(point)} is outside the domain; {guard.message}")
-
-
-def _positive(system: System, guard: Guard, values: dict[sp.Symbol, mpmath.mpf]) -> bool:
-    return bool(evaluate(system, [guard.value], values)[0] > 0)
 
 
 def _check_fit(ball: RollingBall, spot: _SurfacePoint, name: str) -> None:

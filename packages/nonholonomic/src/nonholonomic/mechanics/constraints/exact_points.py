@@ -20,7 +20,8 @@ from flowlanes.formulas.expansion import Angles, TaylorExpansion, angles
 from flowlanes.formulas.taylor import IrrationalError, Numbers, Series
 from flowlanes.parsing.exact_decimals import with_exact_decimals
 from flowlanes.system.named_formulas import expand
-from flowlanes.system.rotations import rotation_rows
+
+from ..rotations import rotation_rows
 
 ATTEMPTS = 60
 

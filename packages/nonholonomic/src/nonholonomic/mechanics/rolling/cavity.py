@@ -22,7 +22,8 @@ import sympy as sp
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.parsing.exact_decimals import exact_number
-from flowlanes.system.rotations import rotation_rows
+
+from ..rotations import rotation_rows
 
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 

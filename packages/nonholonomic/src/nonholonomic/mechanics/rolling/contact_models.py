@@ -18,6 +18,7 @@ from flowlanes.system.named_formulas import Pairs, by_dependence
 from flowlanes.system.system import Guard, Observable, Parameter, System
 from flowlanes.system.vectors import Vector, cross, dot, norm_squared, real_symbol, zero
 
+from ..conventions import BodyConventions
 from ..shapes.kinematics import Contact
 from ..shapes.surfaces import Surface
 from .attitude import motion_in_space
@@ -232,5 +233,5 @@ def _system(
         reconstruction=motion_in_space(kinematics, surface, tilting=balance.force != zero),
         source=source,
         summary=f"A {what} rolls {contact_law} on {surface.words}.",
-        start=start,
+        conventions=BodyConventions(start),
     )

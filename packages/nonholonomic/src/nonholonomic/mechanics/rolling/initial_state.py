@@ -13,16 +13,17 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from flowlanes.arguments import Finite, Parameters, arguments_checked
+from flowlanes.arguments import Parameters
 from flowlanes.errors import InputError
 from flowlanes.formulas.multiprecision import Multiprecision
 from flowlanes.system.named_formulas import Pairs, flat, flat_pairs, in_words, scalar_names, scalars
 from flowlanes.system.parameters import parameter_values
-from flowlanes.system.rotations import quaternion_product
 from flowlanes.system.system import System
 from flowlanes.system.tuple_vectors import cross, dot
 from flowlanes.system.vectors import Vector, to_components
 
+from ..conventions import start_vectors
+from ..rotations import quaternion_product
 from ..shapes.gauss_map import contact_points_of_normals
 from .attitude import attitude
 
@@ -35,18 +36,17 @@ omega, gamma, zeta, r = Vector("omega"), Vector("gamma"), Vector("zeta"), Vector
 place = Vector("place", 2)
 
 
-@arguments_checked
-def initial_state(
+def rolling_state(
     system: System,
     omega: Sequence[float],
     gamma: Sequence[float],
     *,
-    heading: Finite = 0.0,
+    heading: float = 0.0,
     normal: Sequence[float] = (0.0, 0.0, 1.0),
     parameters: Parameters = None,
     fluid: Sequence[float] | Sequence[Sequence[float]] = (),
 ) -> tuple[Any, ...]:
-    """The initial state of a system, lifted to space, from given ω and γ.
+    """The state of a rolling body, lifted to space; see :func:`nonholonomic.initial_state`.
 
     Parameters
     ----------
@@ -79,16 +79,6 @@ def initial_state(
         If γ or the normal is zero or outside the domain of the equations (a body lying flat), or
         ω breaks the constraint (ω, γ) = 0 of a rubber contact; the message then names the
         nearest admissible ω; or if `fluid` does not fit the cavities.
-
-    Examples
-    --------
-    >>> import nonholonomic
-    >>> ball = nonholonomic.rolling_system(
-    ...     nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0))
-    ... )
-    >>> start = nonholonomic.initial_state(ball, omega=(1, 0, 2), gamma=(0, 0, 1))
-    >>> [float(x) for x in start[:6]]
-    [1.4, 0.0, 1.2, 0.0, 0.0, 1.0]
     """
     with mpmath.workdps(DIGITS):
         lifted = system.lifted() if system.reconstruction else system
@@ -105,9 +95,9 @@ def initial_state(
         turn = attitude_of_normal(up, _direction(normal, "normal"), _number(heading))
         known |= dict(zip(attitude.symbols, turn, strict=True))
         known |= dict(zip(zeta.symbols, _third_row(turn), strict=True))
-        known |= _evaluate(system, _of_attitude(system.start), known)
+        known |= _evaluate(system, _of_attitude(system.conventions.start_formulas), known)
         _check_domain(system, known)
-        known |= _evaluate(system, system.start, known)
+        known |= _evaluate(system, system.conventions.start_formulas, known)
         known |= dict(zip(place.symbols, _place(system, known), strict=True))
         return tuple(known[s] for s in lifted.symbols)
 
@@ -116,22 +106,22 @@ _OMEGA, _GAMMA = omega.symbols, gamma.symbols
 
 
 def _check_determined(system: System, lifted: System) -> None:
-    """Refuse a system whose state is not determined by ω and γ."""
-    names = (omega, gamma, r, attitude, zeta, place, *system.start_vectors)
+    """Refuse a system whose state does not follow from ω and γ of a body in three dimensions."""
+    names = (omega, gamma, r, attitude, zeta, place, *start_vectors(system))
     following = {s for name in names for s in name.symbols}
-    following |= set(scalar_names(system.start))
+    following |= set(scalar_names(system.conventions.start_formulas))
     missing = [s for s in lifted.symbols if s not in following]
     if missing:
         what = ", ".join(str(n) for n in lifted.state if set(flat([n])) & set(missing))
         raise InputError(
             f"{system.name}: omega and gamma, of three numbers each, do not determine {what}; give "
-            f"a state by name instead of initial_state: {in_words(system.state)}"
+            f"a state by name: {in_words(system.state)}"
         )
 
 
 def _moving_fluids(system: System, fluid: Sequence[Any]) -> dict[sp.Symbol, mpmath.mpf]:
     """The motion of each fluid relative to the body, by component."""
-    names = system.start_vectors
+    names = start_vectors(system)
     plain = all(isinstance(x, SupportsFloat) for x in fluid)
     rows = list(fluid) if not plain else [fluid] if len(fluid) else []
     if rows and not names:

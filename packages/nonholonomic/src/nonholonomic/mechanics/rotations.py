@@ -7,8 +7,8 @@ from typing import Any, TypeAlias
 
 import mpmath
 
-from ..errors import InputError
-from .tuple_vectors import R, cross, dot
+from flowlanes.errors import InputError
+from flowlanes.system.tuple_vectors import R, cross, dot
 
 Matrix: TypeAlias = list[list[mpmath.mpf]]
 
@@ -109,6 +109,19 @@ def rotation_near(approximation: object, n: int) -> Matrix:
             raise InputError("attitude: its determinant must be 1, and it is −1 (a reflection)")
         rotation: Matrix = _orthogonal(matrix).tolist()
         return rotation
+
+
+def upright(vertical: Sequence[float | mpmath.mpf]) -> list[mpmath.mpf]:
+    """The quaternion of the shortest rotation that takes a unit vector (body) to the vertical."""
+    with mpmath.workdps(_DIGITS):
+        # float also converts NumPy scalars, whose repr is not a plain number.
+        decimals = (repr(float(v)) if isinstance(v, float) else v for v in vertical)
+        x, y, z = map(mpmath.mpf, decimals)
+        turn = [1 + z, y, -x, mpmath.mpf(0)]
+        if not 1 + z > _TURNED:
+            turn = [mpmath.mpf(0), mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)]
+        length = mpmath.norm(turn)
+        return [part / length for part in turn]
 
 
 def upright_matrix(vertical: Sequence[float | mpmath.mpf]) -> Matrix:

@@ -10,10 +10,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..errors import InputError
-from ..system.arrays import FloatArray, IntArray
-from ..system.system import System
-from ..system.vectors import Vector
+from flowlanes.errors import InputError
+from flowlanes.system.arrays import FloatArray, IntArray
+from flowlanes.system.system import System
+from flowlanes.system.vectors import Vector
 
 #: Below this the sine of an angle is rounding, and the corresponding rotation angle is undefined.
 _FLAT = 1e-7

@@ -7,8 +7,8 @@ import pytest
 
 from flowlanes.errors import InputError
 from flowlanes.flow.sampling.counter_rng import uniforms
-from flowlanes.scans.andoyer import Andoyer, momentum_of
 from nonholonomic.catalogue import from_catalogue
+from nonholonomic.mechanics.charts.andoyer import Andoyer, momentum_of
 
 
 @pytest.fixture(scope="module")

@@ -7,8 +7,8 @@ import pytest
 
 from flowlanes.errors import InputError
 from flowlanes.flow.sampling.level_sampler import sample_level
-from flowlanes.scans.directions import Directions, frame
 from nonholonomic.catalogue import from_catalogue
+from nonholonomic.mechanics.charts.directions import Directions, frame
 
 
 def test_the_frame_is_orthonormal_and_right_handed() -> None:

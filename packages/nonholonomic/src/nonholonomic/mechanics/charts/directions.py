@@ -13,14 +13,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arguments import Parameters
-from ..errors import InputError
-from ..flow.batched_linalg import row_dots
-from ..flow.sampling.level_set_fibration import find_fibration
-from ..formulas.array_evaluation import parameter_rows
-from ..formulas.compiled import SystemFormulas
-from ..system.arrays import FloatArray, IntArray
-from ..system.system import System
+from flowlanes.arguments import Parameters
+from flowlanes.errors import InputError
+from flowlanes.flow.batched_linalg import row_dots
+from flowlanes.flow.sampling.level_set_fibration import find_fibration
+from flowlanes.formulas.array_evaluation import parameter_rows
+from flowlanes.formulas.compiled import SystemFormulas
+from flowlanes.system.arrays import FloatArray, IntArray
+from flowlanes.system.system import System
 
 #: Below this the sine of an angle is rounding.
 _FLAT = 1e-7

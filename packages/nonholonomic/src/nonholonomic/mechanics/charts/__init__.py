@@ -1,0 +1,1 @@
+"""Coordinates of the states of rigid bodies: Andoyer variables, directions with the energy."""
