@@ -401,7 +401,7 @@ class _Julia(_Language):
 
 class _JavaScript(_Language):
     comment = "//"
-    reserved_words = _words(
+    reserved_words = _word_set(
         "t x p dx Math arguments await break case catch class const continue debugger default",
         "delete do else enum eval export extends false finally for function if implements import",
         "in instanceof interface let new null package private protected public return static super",
