@@ -14,5 +14,5 @@ from .motion import Motion as Motion
 from .sampling.level_sampler import level_sampler as level_sampler, sample_level as sample_level
 from .sampling.resampling import resampled_level as resampled_level
 from .sections.poincare_map import PoincareMap as PoincareMap
-from .stepper import Stepper as Stepper, stepper as stepper
+from .stepping import Stepper as Stepper, stepper as stepper
 from .trajectory import Event as Event, Trajectory as Trajectory

@@ -1,7 +1,7 @@
 r"""LaTeX as one line of Unicode, for a terminal: ``\frac{1}{2}(\mathbf M, \theta)`` is ½(M, θ).
 
 :mod:`flowlanes.printing.formula` formats SymPy formulas; this module converts formulas given in
-LaTeX, such as ``\frac{1}{2}(\mathbf M, \omega)`` to ½(M, ω), by the same conventions.
+LaTeX, such as ``\frac{1}{2}(\mathbf M, \theta)`` to ½(M, θ), by the same conventions.
 """
 
 from __future__ import annotations

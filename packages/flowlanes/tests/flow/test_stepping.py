@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from flowlanes import InputError, Integral, Parameter, RunError, System, batch_integrator
-from flowlanes.flow.stepper import stepper
+from flowlanes.flow.stepping import stepper
 
 x, v, f, k = sp.symbols("x v f k", real=True)
 OSCILLATOR = System(

@@ -163,11 +163,11 @@ def stepper(
 
     >>> import flowlanes
     >>> import sympy as sp
-    >>> theta, omega, torque = sp.symbols("theta omega torque", real=True)
+    >>> theta, rate, torque = sp.symbols("theta rate torque", real=True)
     >>> pendulum = flowlanes.System(
     ...     "pendulum",
     ...     "Pendulum",
-    ...     {theta: omega, omega: -sp.sin(theta) + torque},
+    ...     {theta: rate, rate: -sp.sin(theta) + torque},
     ...     parameters=(flowlanes.Parameter(torque, "torque", 0.0),),
     ... )
     >>> step = flowlanes.flow.stepper(pendulum, inputs=["torque"])
