@@ -335,7 +335,7 @@ def test_a_word_that_is_taken_is_refused() -> None:
 def test_a_field_that_no_file_can_give_is_refused() -> None:
     from dataclasses import dataclass
 
-    from chaplygin.experiment.file.body_tables import ShapeTable
+    from nonholonomic.system_files.body_tables import ShapeTable
     from nonholonomic.system_files.open_kinds import table_of
 
     @dataclass(frozen=True)

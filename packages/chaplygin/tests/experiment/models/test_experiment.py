@@ -6,18 +6,19 @@ from pathlib import Path
 import pytest
 from pydantic import ValidationError
 
-from chaplygin.experiment.file.body_tables import (
+from chaplygin.experiment.file.tables import StartTable
+from chaplygin.experiment.models.catalogue_models import SystemExperiment
+from chaplygin.experiment.models.experiment import load_experiment, parse_experiment
+from chaplygin.experiment.models.rolling_model import RollingExperiment
+from flowlanes.errors import InputError
+from nonholonomic.system_files.body_tables import (
     BallTable,
     BodyTable,
     EllipsoidTable,
     ImplicitTable,
     RevolutionTable,
 )
-from chaplygin.experiment.file.tables import FieldTable, PlaneTable, SphereTable, StartTable
-from chaplygin.experiment.models.catalogue_models import SystemExperiment
-from chaplygin.experiment.models.experiment import load_experiment, parse_experiment
-from chaplygin.experiment.models.rolling_model import RollingExperiment
-from flowlanes.errors import InputError
+from nonholonomic.system_files.rolling_tables import FieldTable, PlaneTable, SphereTable
 
 ROLLING = """\
 [body]

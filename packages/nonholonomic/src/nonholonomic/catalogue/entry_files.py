@@ -1,9 +1,11 @@
 """The files of the catalogue: each system has one, by which `list` knows it without SymPy.
 
 A file ``NAME.toml`` is an experiment file with a table ``[catalogue]`` besides, which gives the
-system its place in the catalogue.  Where the equations are no closed formulas (they are derived
-from a body, or a family of systems exists in every dimension), ``catalogue.python`` names the
-module whose ``ENTRIES`` bring them, and the file has the title, the parameters and the start alone.
+system its place in the catalogue.  It describes the system by equations, by a Lagrangian, or by a
+body whose numbers are formulas in the parameters.  Where none of these will do (a family of
+systems exists in every dimension, or laws have a proof of their own), ``catalogue.python`` names
+the module whose ``ENTRIES`` bring the equations, and the file has the title, the parameters and the
+start alone.
 """
 
 from __future__ import annotations
@@ -23,6 +25,9 @@ FOLDER = Path(__file__).parent
 #: The first table of a file; before it stand the title and the place in the catalogue.
 _TABLE = re.compile(r"^\[", re.MULTILINE)
 
+#: Variables of a ball's state by the keys that give them at its start.
+_BALL_STATE = {"contact": "x", "centre": "R"}
+
 
 @dataclass(frozen=True)
 class EntryFile:
@@ -39,6 +44,8 @@ class EntryFile:
         Whether the system is proven integrable with the values of its parameters.
     python : str
         The module of the catalogue that brings the equations; empty for equations in the file.
+    laws : str
+        ``"module:function"``, where the laws of a body are stated.
     general : str
         ``"module:function"``, where the system with what is arbitrary left arbitrary is made.
     """
@@ -51,6 +58,7 @@ class EntryFile:
     group: str
     integrable: bool
     python: str
+    laws: str
     general: str
 
     @cached_property
@@ -75,10 +83,12 @@ class EntryFile:
     @property
     def start(self) -> dict[str, float | tuple[float, ...]]:
         """The start by the names of its variables."""
-        return {
-            name: tuple(map(float, value)) if isinstance(value, list) else float(value)
-            for name, value in self.tables.get("start", {}).items()
-        }
+        of_a_body = _BALL_STATE if "body" in self.tables else {}
+        values: dict[str, float | tuple[float, ...]] = {}
+        for name, value in self.tables.get("start", {}).items():
+            number = tuple(map(float, value)) if isinstance(value, list) else float(value)
+            values[of_a_body.get(name, name)] = number
+        return values
 
     @property
     def until(self) -> float:
@@ -127,6 +137,7 @@ def read_head(path: Path) -> EntryFile:
         place["group"],
         place.get("integrable", False),
         place.get("python", ""),
+        place.get("laws", ""),
         place.get("general", ""),
     )
 

@@ -134,6 +134,11 @@ def entry_of(file: EntryFile) -> Entry:
         entries = import_module(f".{file.python}", __package__).ENTRIES
         found: Entry = next(item for item in entries if item.name == file.name)
         return found
+    if "body" in file.tables:
+        # the mechanics of rolling takes time to import, and equations do without
+        from .body_entries import body_entry
+
+        return body_entry(file)
     name = file.name
     by_lagrangian = "lagrangian" in file.tables
     conditional = any(
@@ -144,29 +149,21 @@ def entry_of(file: EntryFile) -> Entry:
     )
     general: Callable[[], System] | None = None
     if file.general:
-        general = partial(_general_system, file.general)
+        general = function_of(file.general)
     elif conditional:
         general = partial(_unclaimed_system, name)
-    return Entry(
-        name=name,
-        title=file.title,
-        summary=file.summary,
-        source=file.source,
-        defaults=file.parameters,
+    return entry_with(
+        name,
         build=partial(mechanism_system if by_lagrangian else file_system, name),
-        start=start_of(file),
         general=general,
-        variables=file.variables,
-        letters=file.letters,
         plan=_plan(name, by_lagrangian) if "plan" in file.tables else None,
     )
 
 
-def _general_system(place: str) -> System:
-    """The system that a function gives, named as ``module:function`` in a file."""
+def function_of(place: str) -> Any:
+    """The function that a file names as ``module:function``, in the catalogue."""
     module, _, function = place.partition(":")
-    made: System = getattr(import_module(f".{module}", __package__), function)()
-    return made
+    return getattr(import_module(f".{module}", __package__), function)
 
 
 def _unclaimed_system(name: str) -> System:
@@ -186,20 +183,21 @@ def _plan(name: str, by_lagrangian: bool) -> Plan | None:
 def start_of(file: EntryFile) -> Start:
     """The start of a file: ω and γ of a body with an attitude in space, or the state by name."""
     values = file.start
-    moves_in_space = bool(file.python) or "reconstruction" in file.tables
+    tables = file.tables.keys()
+    moves_in_space = bool(file.python) or bool(tables & {"body", "reconstruction"})
     if moves_in_space and values.keys() == {"omega", "gamma"}:
         return Start(until=file.until, **values)  # type: ignore[arg-type]
     return Start(until=file.until, state=values)
 
 
-def python_entry(name: str, **parts: Any) -> Entry:
-    """The entry of a system whose equations Python brings; the rest is in its file.
+def entry_with(name: str, **parts: Any) -> Entry:
+    """The entry of a file, with what does not stand in its tables as it is.
 
     Parameters
     ----------
     name : str
     **parts
-        ``build`` and what else of an Entry no file can say.
+        ``build``, and further attributes of an Entry.
     """
     file = entry_file(name)
     return Entry(

@@ -160,7 +160,8 @@ def known_laws_of(rolling: RollingBody, system: System) -> tuple[Law, ...]:
         return laws_with_fluid(rolling)
     # of those with one name the first
     laws: dict[str, Law] = {}
-    items = (CATALOGUE[name] for name in CATALOGUE if entry_file(name).python)
+    files = ((name, entry_file(name)) for name in CATALOGUE)
+    items = (CATALOGUE[name] for name, file in files if file.python or file.laws)
     for law in chain.from_iterable(item.laws(rolling, system) for item in items):
         laws.setdefault(law.name, law)
     return tuple(laws.values())

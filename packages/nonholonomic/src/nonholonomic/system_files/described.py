@@ -26,6 +26,8 @@ class CatalogueTable(Table):
     """Whether the system is proven integrable with the values of its parameters."""
     python: Text = Field(default="", description="the name of a module of the catalogue")
     """Of what no file can say."""
+    laws: Text = Field(default="", description="the name of a module and a function")
+    """Where laws of a body are stated besides those that hold for every one."""
     general: Text = Field(default="", description="the name of a module and a function")
     """Where the system is made with what is arbitrary left arbitrary."""
 

@@ -35,6 +35,7 @@ from pydantic import (
     StrictBool,
     StrictInt,
     TypeAdapter,
+    ValidationInfo,
     create_model,
 )
 from pydantic.fields import FieldInfo
@@ -83,7 +84,7 @@ class _Open:
     def _adapter(self, kind: str | None) -> TypeAdapter[Any]:
         raise NotImplementedError
 
-    def _validate(self, value: object) -> object:
+    def _validate(self, value: object, info: ValidationInfo) -> object:
         raise NotImplementedError
 
     def added(self) -> dict[str, type[KindTable]]:
@@ -100,7 +101,7 @@ class _Open:
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
-        return core_schema.no_info_plain_validator_function(self._validate)
+        return core_schema.with_info_plain_validator_function(self._validate)
 
     def __get_pydantic_json_schema__(
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
@@ -144,9 +145,9 @@ class OpenKinds(_Open):
     def _adapter(self, kind: object) -> TypeAdapter[Any]:
         return _union(self.tables(kind))
 
-    def _validate(self, value: object) -> object:
+    def _validate(self, value: object, info: ValidationInfo) -> object:
         kind = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
-        return self._adapter(kind).validate_python(value)
+        return self._adapter(kind).validate_python(value, context=info.context)
 
 
 class OpenTable(_Open):
@@ -167,14 +168,14 @@ class OpenTable(_Open):
     def _adapter(self, kind: object) -> TypeAdapter[Any]:
         return TypeAdapter(self.table())
 
-    def _validate(self, value: object) -> object:
+    def _validate(self, value: object, info: ValidationInfo) -> object:
         if value is None:
             return None
         if isinstance(value, dict) and value.keys() - self.added().keys():
             import_entry_points()
         if isinstance(value, Table):
             value = value.model_dump(exclude_none=True)
-        return self._adapter(None).validate_python(value)
+        return self._adapter(None).validate_python(value, context=info.context)
 
 
 def choices_of(field: FieldInfo) -> object:

@@ -17,7 +17,7 @@ from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import dot, norm_squared, real_symbol
 
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from .rubber_ball_on_e3 import DET_J, J, M, gamma, k, on_e3
 
 h = real_symbol("h")
@@ -95,7 +95,7 @@ def integrable() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name=NAME,
         build=build,
         general=integrable,

@@ -29,7 +29,7 @@ from flowlanes.system.vectors import (
 
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 
 M, gamma = vectors("M gamma")
 J = Diagonal("J")
@@ -149,7 +149,7 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name=NAME,
         build=build,
         general=any_product,

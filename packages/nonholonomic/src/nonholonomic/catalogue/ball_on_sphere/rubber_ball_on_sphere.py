@@ -16,7 +16,7 @@ from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
 from ..catalogue_entry import Numbers, laws_for
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from . import ball_on_sphere, rubber_ball_ratio
 
 omega, gamma = vectors("omega gamma")
@@ -27,11 +27,6 @@ k = real_symbol("k")
 def build(p: Numbers) -> RollingBody:
     """The ball of §8, kept from spinning."""
     return replace(ball_on_sphere.build(p), contact="rubber")
-
-
-def build_around(p: Numbers) -> RollingBody:
-    """The hollow ball of §8, kept from spinning."""
-    return replace(ball_on_sphere.build_around(p), contact="rubber")
 
 
 #: (γ, J⁻¹γ), the square of ρ in (9.9).
@@ -93,15 +88,10 @@ def general_system() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="rubber-ball-on-sphere",
         build=build,
         laws=laws,
         general=general_system,
-    ),
-    python_entry(
-        name="rubber-ball-around-sphere",
-        build=build_around,
-        laws=laws,
     ),
 )

@@ -35,7 +35,7 @@ from flowlanes.system.vectors import (
 
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from . import power_potential_on_sphere, rubber_ball_on_e3
 from .rubber_ball_on_e3 import DEFAULTS, parameters
 
@@ -199,7 +199,7 @@ def velocity_from_normal() -> Identity:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name=NAME,
         build=build,
         general=general,

@@ -19,7 +19,7 @@ from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_sy
 
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from . import rubber_ball_on_e3, rubber_ball_ratio as ratio
 from .rubber_ball_ratio import DET_J, RHO_SQUARED, A, J, k
 from .rubber_ball_sphero_conical import CANONICAL, cubic
@@ -230,7 +230,7 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name=NAME,
         build=build,
     ),

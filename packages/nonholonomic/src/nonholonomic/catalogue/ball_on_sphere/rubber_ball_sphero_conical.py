@@ -19,7 +19,7 @@ from flowlanes.system.vectors import Components, constant, cross, real_symbol, v
 
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from . import rubber_ball_on_e3, rubber_ball_ratio as ratio
 from .rubber_ball_ratio import DET_J, J, k
 
@@ -248,7 +248,7 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name=NAME,
         build=build,
     ),

@@ -11,7 +11,7 @@ from flowlanes.system.system import System
 from ...mechanics.ball.ball import RollingBall
 from ..catalogue_entry import Entry, Numbers
 from ..entry_files import entry_file
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from .ball_laws import known_ball_laws
 
 #: Meaning and unit of the variables in which the start of a ball is given.
@@ -54,5 +54,5 @@ def ball_entry(
         return replace(system, source=file.source, summary=file.summary)
 
     return replace(
-        python_entry(name, build=build, general=general, ball=ball), variables=ball_variables
+        entry_with(name, build=build, general=general, ball=ball), variables=ball_variables
     )

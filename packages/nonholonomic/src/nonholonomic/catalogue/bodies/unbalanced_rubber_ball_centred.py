@@ -40,7 +40,7 @@ from flowlanes.system.vectors import (
 from ...mechanics.rolling.inertia import check_inertia
 from ..ball_on_sphere.rubber_ball_sphero_conical import cubic, normal, square
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 
 omega, gamma, kappa, M, X = vectors("omega gamma kappa M X")
 J, K, A = Diagonal("J"), Diagonal("K"), Diagonal("A")
@@ -232,7 +232,7 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name=NAME,
         build=build,
     ),

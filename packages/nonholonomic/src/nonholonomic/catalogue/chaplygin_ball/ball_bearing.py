@@ -40,7 +40,7 @@ from flowlanes.system.vectors import (
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Numbers
 from ..e3 import inertia_parameters
-from ..file_systems import file_system, python_entry
+from ..file_systems import entry_with, file_system
 
 M, omega, alpha, beta, gamma = vectors("M omega alpha beta gamma")
 I = Diagonal("I")
@@ -156,7 +156,7 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="ball-bearing",
         build=build,
     ),

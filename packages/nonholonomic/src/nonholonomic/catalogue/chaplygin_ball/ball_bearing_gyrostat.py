@@ -16,7 +16,7 @@ from flowlanes.system.vectors import Diagonal, cross, dot, real_symbol, vectors
 
 from ..catalogue_entry import Numbers
 from ..entry_files import entry_file
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from ..parameter_conditions import holding
 from ..rotors_and_field import rotors_and_field
 from . import ball_bearing
@@ -84,7 +84,7 @@ def general() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="ball-bearing-gyrostat-bruns",
         build=build,
         general=general,

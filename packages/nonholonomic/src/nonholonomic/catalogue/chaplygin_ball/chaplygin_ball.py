@@ -6,8 +6,6 @@ unspecified one in the general systems.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import sympy as sp
 
 from flowlanes.system.isomorphism import Isomorphism
@@ -23,13 +21,12 @@ from flowlanes.system.vectors import (
     zero,
 )
 
-from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
-from ..catalogue_entry import Numbers, bruns_factor, laws_for
+from ..body_entries import catalogue_body
+from ..catalogue_entry import bruns_factor, laws_for
 from ..e3 import lie_poisson
-from ..file_systems import python_entry
 from .chaplygin_ball_clebsch import onto_clebsch, onto_fedorov
 from .chaplygin_bracket import DET_IQ, D, hamiltonian_form
 
@@ -42,26 +39,6 @@ BRUNS = to_components(K / 2 * dot(gamma, Diagonal("I") * gamma))
 #: ρ = (det I_Q)^(−1/2) of (7.3), in the symbols of a rolling ball.
 DENSITY = 1 / sp.sqrt(DET_IQ)
 MOMENTUM_UNIT = "kg^2 m^4/s^2"
-
-
-def ball(p: Numbers, rotors: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> RollingBody:
-    """A ball with its centre of mass at its centre, with rotors or without."""
-    return RollingBody(Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"]), gyrostat=rotors))
-
-
-def build(p: Numbers) -> RollingBody:
-    """The ball alone."""
-    return ball(p)
-
-
-def with_rotors(p: Numbers) -> RollingBody:
-    """The ball with the constant gyrostatic momentum k."""
-    return ball(p, (p["k_1"], p["k_2"], p["k_3"]))
-
-
-def in_bruns_field(p: Numbers) -> RollingBody:
-    """The ball in the potential U = ½K(γ, Iγ)."""
-    return replace(ball(p), field=Forces(potential=BRUNS, values=((K, p["K"]),)))
 
 
 @laws_for("marble", Plane(), Ball)
@@ -138,9 +115,10 @@ def _onto_bracket(potential: sp.Expr, rotors: sp.MatrixExpr) -> Isomorphism:
     )
 
 
-def _general(rolling: RollingBody, rotors: sp.MatrixExpr, name: str) -> System:
-    """The ball in an unspecified potential, with its Hamiltonian form."""
+def _general(name: str, rotors: sp.MatrixExpr) -> System:
+    """The ball of an entry in an unspecified potential, with its Hamiltonian form."""
     potential = sp.Function("U")(*gamma.symbols)
+    rolling = catalogue_body(name)
     system = RollingBody(rolling.body, field=Forces(potential=potential)).system(name)
     area, *_ = laws(rolling, system)
     forms = _forms(system, M + rotors)
@@ -149,33 +127,9 @@ def _general(rolling: RollingBody, rotors: sp.MatrixExpr, name: str) -> System:
 
 def general_system() -> System:
     """The ball in an arbitrary potential U(γ)."""
-    return _general(build(NUMBERS), zero, "chaplygin-ball")
+    return _general("chaplygin-ball", zero)
 
 
 def unspecified_with_rotors() -> System:
     """The ball with rotors in an arbitrary potential U(γ)."""
-    return _general(with_rotors(GYROSTAT), k, "chaplygin-ball-gyrostat")
-
-
-NUMBERS = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0}
-GYROSTAT = {**NUMBERS, "k_1": 0.3, "k_2": -0.2, "k_3": 0.5}
-
-ENTRIES = (
-    python_entry(
-        name="chaplygin-ball",
-        build=build,
-        laws=laws,
-        general=general_system,
-    ),
-    python_entry(
-        name="chaplygin-ball-gyrostat",
-        build=with_rotors,
-        laws=laws,
-        general=unspecified_with_rotors,
-    ),
-    python_entry(
-        name="chaplygin-ball-bruns",
-        build=in_bruns_field,
-        laws=laws,
-    ),
-)
+    return _general("chaplygin-ball-gyrostat", k)

@@ -27,7 +27,7 @@ from flowlanes.system.vectors import (
 )
 
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from .chaplygin_bracket import (
     DET_IQ,
     DET_J,
@@ -306,12 +306,12 @@ def general_with_rotors() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="chaplygin-ball-angles",
         build=build,
         general=general_with_rotors,
     ),
-    python_entry(
+    entry_with(
         name="chaplygin-ball-reduced",
         build=build_reduced,
     ),

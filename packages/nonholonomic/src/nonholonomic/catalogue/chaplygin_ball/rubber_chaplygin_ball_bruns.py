@@ -8,19 +8,13 @@ from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import Law
 from flowlanes.system.system import System
 
-from ...mechanics.rolling.equations import Forces, RollingBody
+from ...mechanics.rolling.equations import RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
-from ..catalogue_entry import Numbers, bruns_factor, laws_for
-from ..file_systems import file_system, python_entry
+from ..catalogue_entry import bruns_factor, laws_for
+from ..file_systems import file_system
 from ..fixed_point import veselova
-from . import chaplygin_ball, rubber_chaplygin_ball
-
-
-def build(p: Numbers) -> RollingBody:
-    """The ball in the potential U = ½K(γ, Iγ)."""
-    field = Forces(potential=chaplygin_ball.BRUNS, values=((veselova.K, p["K"]),))
-    return replace(rubber_chaplygin_ball.build(p), field=field)
+from . import rubber_chaplygin_ball
 
 
 @laws_for("rubber", Plane(), Ball)
@@ -33,12 +27,3 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     general = rubber_chaplygin_ball.general_system()
     forms = general.laws_of(Isomorphism)
     return (*known, *(replace(law, target=target) for law in forms))
-
-
-ENTRIES = (
-    python_entry(
-        name="rubber-chaplygin-ball-bruns",
-        build=build,
-        laws=laws,
-    ),
-)

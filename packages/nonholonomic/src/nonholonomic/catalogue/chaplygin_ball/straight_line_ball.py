@@ -28,7 +28,7 @@ from ...mechanics.rolling.body import check_mass
 from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Numbers
 from ..e3 import inertia_parameters
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 
 omega, alpha, beta, gamma, M, X, q = vectors("omega alpha beta gamma M X q")
 I, A = Diagonal("I"), Diagonal("A")
@@ -196,11 +196,11 @@ def momenta(p: Numbers) -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="straight-line-ball",
         build=build,
     ),
-    python_entry(
+    entry_with(
         name="straight-line-ball-momenta",
         build=momenta,
     ),

@@ -23,7 +23,7 @@ from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations_of_motion
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from ..positive_numbers import positive
 
 x, y, theta, u, v, m, J = (real_symbol(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))
@@ -140,4 +140,4 @@ def trailers(p: Numbers) -> System:
     return equations_of_motion(train(2, p))
 
 
-ENTRIES = (python_entry(name="trailers", build=trailers, plan=drawing_of_trailers(2)),)
+ENTRIES = (entry_with(name="trailers", build=trailers, plan=drawing_of_trailers(2)),)

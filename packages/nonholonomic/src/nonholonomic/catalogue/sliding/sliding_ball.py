@@ -8,7 +8,7 @@ from flowlanes.system.system import System
 
 from ...contact.invariants import sliding_ball as ball
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from ..positive_numbers import positive
 
 TITLE = "Homogeneous ball that slides"
@@ -47,7 +47,7 @@ def under_any_friction() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="sliding-ball",
         build=build,
         general=under_any_friction,

@@ -11,7 +11,7 @@ from ...contact.invariants.free_contact import free_contact, jellett
 from ...mechanics.rolling.body import Body, check_mass
 from ...mechanics.shapes.shapes import Ball
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..file_systems import entry_with
 from ..positive_numbers import positive
 
 TITLE = "Tippe top that slides"
@@ -67,7 +67,7 @@ def under_any_force() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="sliding-top",
         build=build,
         general=under_any_force,
