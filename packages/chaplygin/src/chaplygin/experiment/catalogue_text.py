@@ -35,7 +35,7 @@ def catalogue_text(study: Study) -> str:
     if not isinstance(experiment, SystemExperiment | StateExperiment):
         return study.complete_toml()
     name = experiment.system.name
-    if not experiment.overrides and name in paths() and not entry_file(name).python:
+    if not experiment.overrides and name in paths() and entry_file(name).complete:
         return entry_file(name).text
     # whatever is printed reads back to the same system
     try:

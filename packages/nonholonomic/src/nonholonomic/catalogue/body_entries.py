@@ -16,10 +16,9 @@ from ..system_files.bodies import BallFile, BodyFile, RollingFile, is_ball_file
 from ..system_files.body_objects import rolling_body
 from ..system_files.source import Source
 from ..system_files.sourced import validated
-from .balls.ball_entry import ball_entry
-from .catalogue_entry import Entry, Numbers
+from .ball_entry import ball_entry
+from .catalogue_entry import Entry, Numbers, entry_with, function_of
 from .entry_files import EntryFile, entry_file
-from .file_systems import entry_with, function_of
 
 
 class _RollingEntry(RollingFile):

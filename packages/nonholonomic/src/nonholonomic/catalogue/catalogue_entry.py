@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import wraps
+from importlib import import_module
 from typing import Any, Protocol, SupportsFloat, TypeAlias
 
 import sympy as sp
@@ -20,6 +21,7 @@ from ..mechanics.lagrangian.plan import Plan
 from ..mechanics.rolling.equations import ContactModel, RollingBody
 from ..mechanics.shapes.shape_base import Shape
 from ..mechanics.shapes.surfaces import Surface
+from .entry_files import EntryFile, entry_file
 
 Numbers = Mapping[str, float]
 #: Parameters as a user gives them: numbers, or of a family also lists and rows of numbers.
@@ -251,3 +253,45 @@ def bruns_factor(potential: sp.Expr) -> sp.Expr | None:
     bruns = factor / 2 * sp.Add(*(i * c**2 for i, c in zip(inertia, gamma, strict=True)))
     fits = not factor.free_symbols & {*gamma, *inertia} and sp.expand(potential - bruns) == 0
     return factor if fits and factor != 0 else None
+
+
+# --- from files -----------------------------------------------------------------------------
+
+
+def entry_with(name: str, **parts: Any) -> Entry:
+    """The entry of a file, with what does not stand in its tables as it is.
+
+    Parameters
+    ----------
+    name : str
+    **parts
+        ``build``, and further attributes of an Entry.
+    """
+    file = entry_file(name)
+    return Entry(
+        name=name,
+        title=file.title,
+        summary=file.summary,
+        source=file.source,
+        defaults=file.parameters,
+        start=start_of(file),
+        variables=file.variables,
+        letters=file.letters,
+        **parts,
+    )
+
+
+def start_of(file: EntryFile) -> Start:
+    """The start of a file: ω and γ of a body with an attitude in space, or the state by name."""
+    values = file.start
+    tables = file.tables.keys()
+    moves_in_space = bool(file.python) or bool(tables & {"body", "reconstruction"})
+    if moves_in_space and values.keys() == {"omega", "gamma"}:
+        return Start(until=file.until, **values)  # type: ignore[arg-type]
+    return Start(until=file.until, state=values)
+
+
+def function_of(place: str) -> Any:
+    """The function that a file names as ``module:function``, in the catalogue."""
+    module, _, function = place.partition(":")
+    return getattr(import_module(f".{module}", __package__), function)

@@ -72,6 +72,11 @@ class EntryFile:
         return tomllib.loads(self.text)
 
     @property
+    def complete(self) -> bool:
+        """Whether the equations and all laws stand in the file."""
+        return not self.python and "body" not in self.tables
+
+    @property
     def parameters(self) -> dict[str, float]:
         """The values of the parameters by symbol name; empty for a family."""
         values: dict[str, float] = {}

@@ -29,7 +29,7 @@ from ..system_files.systems import (
     with_claims,
 )
 from ..system_files.tables import NumberValue
-from .catalogue_entry import Entry, Numbers, Start
+from .catalogue_entry import Entry, Numbers, entry_with, function_of
 from .entry_files import EntryFile, entry_file, paths
 from .names import lookup
 
@@ -160,12 +160,6 @@ def entry_of(file: EntryFile) -> Entry:
     )
 
 
-def function_of(place: str) -> Any:
-    """The function that a file names as ``module:function``, in the catalogue."""
-    module, _, function = place.partition(":")
-    return getattr(import_module(f".{module}", __package__), function)
-
-
 def _unclaimed_system(name: str) -> System:
     return claimed_system(name).unclaimed
 
@@ -178,36 +172,3 @@ def _plan(name: str, by_lagrangian: bool) -> Plan | None:
         )
     file = _tables(_Equations, entry_file(name))
     return described_plan(file, claimed_system(name).system)
-
-
-def start_of(file: EntryFile) -> Start:
-    """The start of a file: ω and γ of a body with an attitude in space, or the state by name."""
-    values = file.start
-    tables = file.tables.keys()
-    moves_in_space = bool(file.python) or bool(tables & {"body", "reconstruction"})
-    if moves_in_space and values.keys() == {"omega", "gamma"}:
-        return Start(until=file.until, **values)  # type: ignore[arg-type]
-    return Start(until=file.until, state=values)
-
-
-def entry_with(name: str, **parts: Any) -> Entry:
-    """The entry of a file, with what does not stand in its tables as it is.
-
-    Parameters
-    ----------
-    name : str
-    **parts
-        ``build``, and further attributes of an Entry.
-    """
-    file = entry_file(name)
-    return Entry(
-        name=name,
-        title=file.title,
-        summary=file.summary,
-        source=file.source,
-        defaults=file.parameters,
-        start=start_of(file),
-        variables=file.variables,
-        letters=file.letters,
-        **parts,
-    )

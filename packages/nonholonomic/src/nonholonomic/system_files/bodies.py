@@ -7,9 +7,9 @@ when the file is read.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Self
+from typing import Annotated, Self
 
-from pydantic import ConfigDict, Field, ValidationInfo, field_validator
+from pydantic import Field, ValidationInfo, field_validator
 
 from .ball_tables import SMOOTH_SURFACES, BallFieldTable, FlatTable, SmoothTable
 from .body_tables import BodyTable, ShapeTable
@@ -23,13 +23,13 @@ from .toml import Tables
 BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
 
 
-# --- parameters ----------------------------------------------------------------------------
+class _Parameters(SourcedTables):
+    """The parameters in which the numbers of a file may be written."""
 
-
-class _Parameters(Table):
-    """The parameters in which numbers may be written."""
-
-    parameters: dict[str, float] = Field(default={}, description="a table of named numbers")
+    parameters: dict[str, float] = Field(
+        default={}, exclude=True, description="a table of named numbers"
+    )
+    """Empty in a file that has been read, which has the numbers themselves."""
 
     @field_validator("parameters")
     @classmethod
@@ -39,16 +39,8 @@ class _Parameters(Table):
         return parameters
 
 
-def _with_parameters(schema: dict[str, Any]) -> None:
-    """Add the table [parameters], which no model keeps, to a schema."""
-    own = _Parameters.model_json_schema()["properties"]
-    schema["properties"] = {**schema["properties"], **own}
-
-
-class BodyFile(SourcedTables):
+class BodyFile(_Parameters):
     """What all files with a body have in common."""
-
-    model_config = ConfigDict(json_schema_extra=_with_parameters)
 
     summary: str | None = Field(default=None, description="a text in quotes")
     """One or two sentences on what moves, for reports."""
@@ -65,12 +57,11 @@ class BodyFile(SourcedTables):
         pydantic.ValidationError
             If something is wrong in the tables, or first of all in [parameters].
         """
-        given = {key: value for key, value in tables.items() if key == "parameters"}
         others = {key: value for key, value in tables.items() if key != "parameters"}
-        if not given:
+        if "parameters" not in tables:
             return cls.model_validate(others)
-        values = ParameterValues(_Parameters.model_validate(given).parameters)
-        return cls.model_validate(others, context=values)
+        parameters = _Parameters.model_validate({"parameters": tables["parameters"]}).parameters
+        return cls.model_validate(others, context=ParameterValues(parameters))
 
 
 def is_ball_file(tables: Mapping[str, object]) -> bool:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import mpmath
 
 from flowlanes.printing.numerals import number
-from nonholonomic.catalogue.balls.ball_entry import ball_variables
-from nonholonomic.catalogue.balls.ball_laws import known_ball_laws
+from nonholonomic.catalogue.ball_entry import ball_variables
+from nonholonomic.catalogue.ball_laws import known_ball_laws
 from nonholonomic.mechanics.ball.ball import RollingBall
 from nonholonomic.mechanics.ball.initial_state import ball_state
 from nonholonomic.system_files.ball_objects import rolling_ball

@@ -22,8 +22,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Numbers, laws_for
-from ..file_systems import entry_with
+from ..catalogue_entry import Numbers, entry_with, laws_for
 from .ball_on_sphere_equations import equations_on_sphere
 
 M, gamma, k_rotors = vectors("M gamma k")

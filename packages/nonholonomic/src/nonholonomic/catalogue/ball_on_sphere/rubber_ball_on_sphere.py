@@ -15,8 +15,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Numbers, laws_for
-from ..file_systems import entry_with
+from ..catalogue_entry import Numbers, entry_with, laws_for
 from . import ball_on_sphere, rubber_ball_ratio
 
 omega, gamma = vectors("omega gamma")

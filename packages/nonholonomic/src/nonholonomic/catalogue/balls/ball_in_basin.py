@@ -15,9 +15,9 @@ from flowlanes.system.vectors import cross, dot, real_symbol, vectors
 
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.surface import ImplicitSurface
+from ..ball_entry import ball_entry
+from ..ball_laws import meridian_law
 from ..catalogue_entry import Numbers
-from .ball_entry import ball_entry
-from .ball_laws import meridian_law
 from .ball_on_any_surface import any_marble, any_supported_marble, any_supported_rubber
 
 R, v = vectors("R v")

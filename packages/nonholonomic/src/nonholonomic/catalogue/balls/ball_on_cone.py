@@ -18,7 +18,7 @@ from flowlanes.system.vector_operators import gradient
 from flowlanes.system.vectors import dot, norm_squared, vectors
 
 from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
-from .ball_laws import ROLLING
+from ..ball_laws import ROLLING
 
 R, omega, v, df = vectors("R omega v df")
 

@@ -21,7 +21,7 @@ from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import real_symbol, vectors
 
 from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
-from .ball_laws import ROLLING
+from ..ball_laws import ROLLING
 
 R, omega = vectors("R omega")
 m, g = real_symbol("m"), real_symbol("g")

@@ -15,7 +15,7 @@ from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import real_symbol, vectors
 
 from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
-from .ball_laws import meridian_law
+from ..ball_laws import meridian_law
 
 (R,) = vectors("R")
 m, g = real_symbol("m"), real_symbol("g")

@@ -28,8 +28,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import ContactModel, RollingBody
 from ...mechanics.shapes.shapes import Ellipsoid
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Entry, Numbers
-from ..file_systems import entry_with
+from ..catalogue_entry import Entry, Numbers, entry_with
 
 omega, gamma, r, rdot, gammadot = vectors("omega gamma r rdot gammadot")
 M, dh, torque, c = vectors("M dh torque c")

@@ -12,8 +12,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import ContactModel, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane, Sphere
-from ..catalogue_entry import Numbers, laws_for
-from ..file_systems import entry_with
+from ..catalogue_entry import Numbers, entry_with, laws_for
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
 m, R = real_symbol("m"), real_symbol("R")

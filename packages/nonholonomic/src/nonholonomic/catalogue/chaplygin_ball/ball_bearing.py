@@ -38,9 +38,9 @@ from flowlanes.system.vectors import (
 )
 
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Numbers
+from ..catalogue_entry import Numbers, entry_with
 from ..e3 import inertia_parameters
-from ..file_systems import entry_with, file_system
+from ..file_systems import file_system
 
 M, omega, alpha, beta, gamma = vectors("M omega alpha beta gamma")
 I = Diagonal("I")

@@ -16,7 +16,6 @@ from flowlanes.system.vectors import (
     dot,
     norm_squared,
     real_symbol,
-    to_components,
     vectors,
     zero,
 )
@@ -34,8 +33,6 @@ M, gamma, k, omega, L = vectors("M gamma k omega L")
 J, A = Diagonal("J"), Diagonal("A")
 K = real_symbol("K")
 
-#: Bruns' field U = ½K(γ, Iγ); K is the paper's k, a name that the rotors need.
-BRUNS = to_components(K / 2 * dot(gamma, Diagonal("I") * gamma))
 #: ρ = (det I_Q)^(−1/2) of (7.3), in the symbols of a rolling ball.
 DENSITY = 1 / sp.sqrt(DET_IQ)
 MOMENTUM_UNIT = "kg^2 m^4/s^2"

@@ -26,8 +26,7 @@ from flowlanes.system.vectors import (
     zero,
 )
 
-from ..catalogue_entry import Numbers
-from ..file_systems import entry_with
+from ..catalogue_entry import Numbers, entry_with
 from .chaplygin_bracket import (
     DET_IQ,
     DET_J,

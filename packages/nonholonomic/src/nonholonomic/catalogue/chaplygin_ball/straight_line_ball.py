@@ -26,9 +26,8 @@ from flowlanes.system.vectors import Components, Diagonal, cross, dot, real_symb
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from ...mechanics.rolling.body import check_mass
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Numbers
+from ..catalogue_entry import Numbers, entry_with
 from ..e3 import inertia_parameters
-from ..file_systems import entry_with
 
 omega, alpha, beta, gamma, M, X, q = vectors("omega alpha beta gamma M X q")
 I, A = Diagonal("I"), Diagonal("A")

@@ -22,8 +22,7 @@ from flowlanes.system.vectors import real_symbol
 from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations_of_motion
-from ..catalogue_entry import Numbers
-from ..file_systems import entry_with
+from ..catalogue_entry import Numbers, entry_with
 from ..positive_numbers import positive
 
 x, y, theta, u, v, m, J = (real_symbol(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))

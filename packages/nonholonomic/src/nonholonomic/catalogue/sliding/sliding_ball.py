@@ -7,8 +7,7 @@ from dataclasses import replace
 from flowlanes.system.system import System
 
 from ...contact.invariants import sliding_ball as ball
-from ..catalogue_entry import Numbers
-from ..file_systems import entry_with
+from ..catalogue_entry import Numbers, entry_with
 from ..positive_numbers import positive
 
 TITLE = "Homogeneous ball that slides"

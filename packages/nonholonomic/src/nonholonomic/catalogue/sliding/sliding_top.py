@@ -10,8 +10,7 @@ from ...contact.invariants import sliding_top as top
 from ...contact.invariants.free_contact import free_contact, jellett
 from ...mechanics.rolling.body import Body, check_mass
 from ...mechanics.shapes.shapes import Ball
-from ..catalogue_entry import Numbers
-from ..file_systems import entry_with
+from ..catalogue_entry import Numbers, entry_with
 from ..positive_numbers import positive
 
 TITLE = "Tippe top that slides"

@@ -15,8 +15,8 @@ from flowlanes.system.named_formulas import scalars
 from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import constant, cross, dot, real_symbol, vectors
 
-from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.surface import (
+from ..mechanics.ball.ball import RollingBall
+from ..mechanics.ball.surface import (
     CircularCylinder,
     Cone,
     EllipsoidSurface,
