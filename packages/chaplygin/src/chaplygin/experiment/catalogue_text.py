@@ -10,7 +10,7 @@ from flowlanes.errors import InputError
 from flowlanes.system.system import System
 from nonholonomic.catalogue import entry
 from nonholonomic.catalogue.entry_files import entry_file, paths
-from nonholonomic.catalogue.file_systems import catalogue_system
+from nonholonomic.catalogue.systems import catalogue_system
 from nonholonomic.system_files.write import plan_table_of, system_text
 
 from .models.catalogue_models import StateExperiment, SystemExperiment

@@ -13,7 +13,7 @@ from pydantic import Field, ValidationInfo, field_validator
 
 from .ball_tables import SMOOTH_SURFACES, BallFieldTable, FlatTable, SmoothTable
 from .body_tables import BodyTable, ShapeTable
-from .described import CatalogueTable
+from .catalogue_table import CatalogueTable
 from .rolling_tables import SURFACES, ContactTable, FieldTable, PlaneTable, SurfaceTable
 from .sourced import SourcedTables
 from .table import ParameterValues, Table, require_name

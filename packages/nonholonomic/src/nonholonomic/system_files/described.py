@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from pydantic import Field, StrictBool
+from pydantic import Field
 
+from .catalogue_table import CatalogueTable
 from .law_tables import EquationsTables, SystemTables
 from .sourced import SourcedTables
-from .table import Table
 from .tables import (
     ConstraintsTable,
     FormulaValue,
@@ -16,20 +16,6 @@ from .tables import (
     PlanTable,
     Text,
 )
-
-
-class CatalogueTable(Table):
-    """The place of a system in the catalogue."""
-
-    group: Text = Field(description="the name of a group of the catalogue")
-    integrable: StrictBool = Field(default=False, description="true or false")
-    """Whether the system is proven integrable with the values of its parameters."""
-    python: Text = Field(default="", description="the name of a module of the catalogue")
-    """Of what no file can say."""
-    laws: Text = Field(default="", description="the name of a module and a function")
-    """Where laws of a body are stated besides those that hold for every one."""
-    general: Text = Field(default="", description="the name of a module and a function")
-    """Where the system is made with what is arbitrary left arbitrary."""
 
 
 class DescribedFile(SystemTables, SourcedTables):

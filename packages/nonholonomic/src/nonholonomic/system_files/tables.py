@@ -1,7 +1,7 @@
 """The tables of a file with a Lagrangian or with equations of motion.
 
 Formulas are stored as typed; they are parsed once all names are known
-(:mod:`nonholonomic.system_files.systems`).  The description of a field completes
+(:mod:`nonholonomic.system_files.equations`).  The description of a field completes
 the sentence "… must be".
 """
 

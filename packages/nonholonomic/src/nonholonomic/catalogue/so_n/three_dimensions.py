@@ -18,7 +18,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import Components, Vector, vectors
 
 from ...mechanics.rolling.attitude import rotation
-from ..file_systems import catalogue_system
+from ..systems import catalogue_system
 from .entry_of_dimension import SOURCE
 from .inertia import Inertia, Moments
 from .motion_in_space import attitude_of, contact_of, gamma_of, omega_of
