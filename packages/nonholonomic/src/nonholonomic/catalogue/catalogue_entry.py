@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import wraps
 from importlib import import_module
-from typing import Any, Protocol, SupportsFloat, TypeAlias
+from typing import TYPE_CHECKING, Any, Protocol, SupportsFloat, TypeAlias
 
 import sympy as sp
 
@@ -16,12 +16,14 @@ from flowlanes.system.laws import Law
 from flowlanes.system.parameters import require_parameters
 from flowlanes.system.system import System
 
-from ..mechanics.ball.ball import RollingBall
-from ..mechanics.lagrangian.plan import Plan
 from ..mechanics.rolling.equations import ContactModel, RollingBody
 from ..mechanics.shapes.shape_base import Shape
 from ..mechanics.shapes.surfaces import Surface
 from .entry_files import EntryFile, entry_file
+
+if TYPE_CHECKING:
+    from ..mechanics.ball.ball import RollingBall
+    from ..mechanics.lagrangian.plan import Plan
 
 Numbers = Mapping[str, float]
 #: Parameters as a user gives them: numbers, or of a family also lists and rows of numbers.

@@ -32,6 +32,12 @@ def entry_of(file: EntryFile) -> Entry:
         found: Entry = next(item for item in entries if item.name == file.name)
         return found
     if "body" in file.tables:
+        from ..system_files.bodies import is_ball_file
+
+        if is_ball_file(file.tables):
+            from .ball_entries import entry_of_ball
+
+            return entry_of_ball(file)
         from .body_entries import body_entry
 
         return body_entry(file)
