@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import wraps
+from functools import partial, wraps
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Protocol, SupportsFloat, TypeAlias
 
@@ -68,6 +68,7 @@ class Start:
     state: Values | None = None
 
     def __post_init__(self) -> None:
+        # ω and γ come together, and stand for the whole state
         halves = [self.omega is not None, self.gamma is not None]
         if all(halves) == (self.state is not None) or any(halves) != all(halves):
             raise InputError("a start is given either by both omega and gamma or by a state")
@@ -205,6 +206,7 @@ class Entry:
     @arguments_checked
     def rolling(self, parameters: Settings | None = None) -> RollingBody | None:
         """The rolling body and its surface; None for a body about a fixed point."""
+        # these have a `build` that makes the System at once
         if self.family is not None or self.ball is not None:
             return None
         model = self.build(self.numbers(parameters))
@@ -251,6 +253,7 @@ def bruns_factor(potential: sp.Expr) -> sp.Expr | None:
     """k of the Bruns field U = ½k(γ, Iγ) for a diagonal tensor I; None for another potential."""
     gamma = sp.symbols("gamma_1:4", real=True)
     inertia = sp.symbols("I_1:4", real=True)
+    # k from the first term of ½k Σ I_i γ_i²; whether the others have it too is tried afterwards
     factor = sp.cancel(2 * sp.diff(potential, gamma[0]) / (2 * gamma[0] * inertia[0]))
     bruns = factor / 2 * sp.Add(*(i * c**2 for i, c in zip(inertia, gamma, strict=True)))
     fits = not factor.free_symbols & {*gamma, *inertia} and sp.expand(potential - bruns) == 0
@@ -293,7 +296,14 @@ def start_of(file: EntryFile) -> Start:
     return Start(until=file.until, state=values)
 
 
-def function_of(place: str) -> Any:
-    """The function that a file names as ``module:function``, in the catalogue."""
+def function_of(place: str) -> Callable[..., Any]:
+    """The function that a file names as ``module:function`` in the catalogue.
+
+    Its module is imported when it is called: not every use of an entry needs its laws.
+    """
+    return partial(_call, place)
+
+
+def _call(place: str, *arguments: object) -> Any:
     module, _, function = place.partition(":")
-    return getattr(import_module(f".{module}", __package__), function)
+    return getattr(import_module(f".{module}", __package__), function)(*arguments)

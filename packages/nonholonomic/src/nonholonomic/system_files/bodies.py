@@ -57,6 +57,7 @@ class BodyFile(_Parameters):
         pydantic.ValidationError
             If something is wrong in the tables, or first of all in [parameters].
         """
+        # they are numbers once the file is read, and nothing else remembers them
         others = {key: value for key, value in tables.items() if key != "parameters"}
         if "parameters" not in tables:
             return cls.model_validate(others)

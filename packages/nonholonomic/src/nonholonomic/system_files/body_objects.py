@@ -33,6 +33,7 @@ def body_of(file: BodyOnSurface) -> Body:
     """
     with file.placing_errors("body", "shape"):
         shape = file.body.shape.shape()
+    # the shape first, since its mistakes have keys of their own, and those of the body the rest
     table = file.body
     with file.placing_errors("body"):
         return Body(table.mass, table.inertia, shape, table.gyrostat, table.cavities)

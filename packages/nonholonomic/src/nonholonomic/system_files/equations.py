@@ -82,6 +82,8 @@ def _following(
     law: Law, usual: Mapping[sp.Symbol, float], values: Mapping[sp.Symbol, float]
 ) -> Law:
     """An isomorphism whose target has the values of parameters that are the same by default."""
+    # a body and the system that it is equivalent to have moments of inertia of the same name: new
+    # values of them belong to both, unless the law says what the target's parameters are
     if not isinstance(law, Isomorphism):
         return law
     kept = values.keys() - {symbol for symbol, _ in law.constants}
@@ -173,6 +175,7 @@ def _described(names: Names, tables: EquationsTables, targets: Targets, line: An
         *(item.value for item in guards),
         *integrals,
     )
+    # an equation in which t occurs is made autonomous by one more variable, with the rate 1
     if timed:
         system = replace(system, field=(*system.field, (TIME, sp.S.One)))
     return ClaimedSystem(system, claims, conditions_of(names, tables))

@@ -116,6 +116,7 @@ def with_claims(experiment: MechanismFile, system: System, targets: Targets) -> 
     InputError
         If a formula cannot be read, or a symmetry moves what does not belong to the state.
     """
+    # integrals are laws of the mechanism already, which takes part in deriving the equations
     names = Names(experiment.where, names_of(system))
     others = experiment.laws.model_copy(update={"integrals": {}})
 
@@ -162,6 +163,7 @@ def _positions(
 ) -> tuple[Formula, ...]:
     """Position constraints, into which no velocity enters, even by a definition."""
     key = ("constraints", "position")
+    # a velocity may also enter by a definition
     moving = set(frame.w)
     for named, value in definitions:
         if to_components(value).free_symbols & moving:
@@ -201,6 +203,7 @@ def _structure(
             raise names.error('a commutator has two velocities, as in "u, v"', *key, pair)
         u, v = (names.get(word, scalars, *key, pair) for word in words)
         value = to_components(names.scalar(text, *key, pair))
+        # the commutator of two fields of the frame is a combination of its fields
         row = {w: sp.diff(value, w) for w in scalars if value.has(w)}
         if sp.expand(value - sp.Add(*(w * c for w, c in row.items()))) != 0:
             raise names.error("must be linear and homogeneous in the velocities", *key, pair)

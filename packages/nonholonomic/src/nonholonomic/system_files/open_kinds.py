@@ -136,6 +136,7 @@ class OpenKinds(_Open):
         """All tables, or those of this package alone if one of them has that kind."""
         if isinstance(kind, str) and kind in self._own:
             return tuple(self._own.values())
+        # plug-ins take time to import, and most files name a kind of this package
         tables = {**self.added(), **self._own}
         if isinstance(kind, str) and kind not in tables:
             import_entry_points()

@@ -61,6 +61,7 @@ def _components(quantity: NamedQuantity, table: NumberTable) -> list[Parameter]:
 def _with_conditions(names: Names, parameter: Parameter, tables: SystemTables) -> Parameter:
     """A parameter with its conditions; of a vector each component has those that speak of it."""
     name = str(parameter.symbol)
+    # the conditions on a vector stand once for all its components, I_2 among those of I
     owner = name if name in tables.parameters else name.rpartition("_")[0]
     texts = tables.parameters[owner].where
     conditions: list[Condition] = []

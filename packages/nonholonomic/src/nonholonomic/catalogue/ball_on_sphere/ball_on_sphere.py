@@ -70,6 +70,7 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
             source="§8.1, after (8.2)",
         ),
     ]
+    # k is a quotient of two numbers, and −1 only up to rounding
     if abs(value + 1) < 1e-12 and rolling.body.principal and not rotors:
         known.append(
             replace(

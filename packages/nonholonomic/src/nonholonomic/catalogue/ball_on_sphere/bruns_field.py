@@ -33,6 +33,7 @@ HALF = sp.Rational(1, 2)
 def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """Momentum, measure and, for k = −1, the linear integral of a ball on a sphere."""
     body, field = rolling.body, rolling.field
+    # of the ball without the field: k = a/(a ± R), and the linear integral where k = −1
     free = replace(rolling, field=Forces())
     factor = bruns_factor(field.potential) if body.principal else None
     if factor is None or field.gravity or any(body.gyrostat) or ball_on_sphere.ratio(free) is None:

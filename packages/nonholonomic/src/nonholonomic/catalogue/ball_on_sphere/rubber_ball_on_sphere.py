@@ -37,6 +37,7 @@ def measure(rolling: RollingBody, system: System) -> tuple[Measure, ...]:
     """(9.3), with rotors, under gravity and in every potential."""
     if any(rolling.body.shape.centre):
         return ()
+    # the tensor of a body that is not given in its principal axes has six components
     tensor = A if rolling.body.principal else Symmetric("A")
     density = {dot(gamma, tensor * gamma): 1 / (2 * k)}
     return (Measure("measure", density, "invariant measure", source="(9.3)"),)
@@ -63,6 +64,7 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     if value is None or any(body.gyrostat) or not body.principal:
         return known
     known = (*known, as_family())
+    # k is a quotient of two numbers, and −1 only up to rounding
     if abs(value + 1) > 1e-12:
         return known
     J_1, J_2, J_3 = J.symbols

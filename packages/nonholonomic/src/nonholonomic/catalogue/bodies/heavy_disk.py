@@ -33,6 +33,7 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
         or body.inertia[0] != body.inertia[1]
     ):
         return ()
+    # the entry has one number for both moments, but the equations have two symbols
     level = (I_1 - I_2,)
     share = (p - u * q) / (I_1 * (1 - u**2))
     reach = m * R**2

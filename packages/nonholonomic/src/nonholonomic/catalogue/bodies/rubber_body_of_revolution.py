@@ -46,6 +46,7 @@ def _conditions(body: AnyBody) -> tuple[sp.Expr, ...] | None:
 def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """(5.1) and (5.2), for every profile and every potential U(γ₃); symmetry and measure."""
     body = rolling.body
+    # only a potential of γ₃ alone has no couple about the axis
     depends = rolling.field.potential.free_symbols & {g_1, g_2}
     conditions = _conditions(body)
     if depends or any(body.gyrostat) or conditions is None:

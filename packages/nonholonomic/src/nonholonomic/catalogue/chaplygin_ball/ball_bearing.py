@@ -138,6 +138,7 @@ def build(p: Numbers) -> System:
         ),
         definitions={
             B: tensor(),
+            # B⁻¹ = C/Δ, with Δ a quantity of its own: it is the density of the measure
             C: B.entries.adjugate(),
             Delta: B.entries.det(method="berkowitz"),
             omega: C * M / Delta,

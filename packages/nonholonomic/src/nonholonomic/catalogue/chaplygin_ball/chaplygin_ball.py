@@ -52,6 +52,7 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     potential = rolling.field.potential
     square = norm_squared(total)
     meaning = "square of the momentum"
+    # with rotors in the field no such integral is known
     factor = bruns_factor(potential) if body.principal and total == M else None
     if factor is not None:
         square = square - factor * J.symbols[0] * J.symbols[1] * J.symbols[2] * dot(
@@ -65,6 +66,7 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
         known += _forms(system, total)
     if body.principal and potential == 0:
         known.append(_onto_bracket(potential, zero if total == M else k))
+    # both isomorphisms are those of a ball without rotors
     if body.principal and potential == 0 and total == M:
         known += [onto_clebsch(), onto_fedorov()]
     return tuple(known)

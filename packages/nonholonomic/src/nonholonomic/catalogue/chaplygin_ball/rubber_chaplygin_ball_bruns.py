@@ -21,6 +21,7 @@ from . import rubber_chaplygin_ball
 def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """Laws of the ball in a potential, and the isomorphism to the Veselova system."""
     known = rubber_chaplygin_ball.laws(rolling, system)
+    # K must be a symbol, for it is a parameter of the Veselova system too
     if not known or bruns_factor(rolling.field.potential) != veselova.K:
         return known
     target = file_system("veselova-bruns", {})

@@ -82,6 +82,7 @@ def _inertia_across() -> dict[sp.Symbol, sp.Expr]:
 
 def _velocity(vector: MatrixExpr) -> MatrixExpr:
     """(I + m R² β⊗β)⁻¹ applied to a vector, by Sherman and Morrison."""
+    # m R² β⊗β has rank one, so that the inverse is that of I with one term subtracted
     lever = A * beta
     return A * vector - m * R**2 * dot(lever, vector) / (1 + m * R**2 * dot(beta, lever)) * lever
 

@@ -80,6 +80,7 @@ def train(count: int, values: Mapping[str, float] | None = None) -> Mechanism:
     along, across = _numbered_symbols("a", count), _numbered_symbols("b", count)
     turn = real_symbol("Omega")
     definitions: dict[sp.Symbol, sp.Expr] = {}
+    # the car does not slip sideways
     constraints: list[sp.Expr] = [v]
     rates = {x: u * sp.cos(theta) - v * sp.sin(theta), y: u * sp.sin(theta) + v * sp.cos(theta)}
     rates[theta] = turn
