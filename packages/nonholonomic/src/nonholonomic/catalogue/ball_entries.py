@@ -23,7 +23,7 @@ class _BallEntry(BallFile):
 
 
 def entry_of_ball(file: EntryFile) -> Entry:
-    """The entry of a file with a ball; its function of laws states those of this ball alone."""
+    """The entry of a file with a ball; ``catalogue.laws`` states laws of this ball only."""
     return ball_entry(
         name=file.name,
         ball=partial(_ball, file.name),

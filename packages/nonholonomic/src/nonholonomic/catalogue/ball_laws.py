@@ -27,7 +27,7 @@ from ..mechanics.ball.surface import (
     SphericalSurface,
 )
 
-R, omega, v, n, ndot, F = vectors("R omega v n ndot F")
+R, omega, v, n, F = vectors("R omega v n F")
 m, mu, b, k, p, q = (real_symbol(name) for name in ("m", "mu", "b", "k", "p", "q"))
 ell, mtilde, sigma = (real_symbol(name) for name in ("ell", "mtilde", "sigma"))
 semi_axes = tuple(real_symbol(f"a_{i}") for i in (1, 2, 3))

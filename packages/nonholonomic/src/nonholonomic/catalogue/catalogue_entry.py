@@ -36,12 +36,12 @@ Values: TypeAlias = Mapping[str, float | tuple[float, ...]]
 @arguments_checked
 @dataclass(frozen=True, kw_only=True)
 class Start:
-    """A start worth looking at: ω and γ, or the whole state by name.
+    """The start of an instructive motion: ω and γ, or the whole state by name.
 
     Parameters
     ----------
     until : float
-        For how long to follow it.
+        Duration of the motion.
     omega, gamma : 3 floats, optional
         Angular velocity and normal, body axes, from which the rest of the state follows.
     state : mapping of str to float or floats, optional
@@ -94,7 +94,7 @@ def laws_for(
 ) -> Callable[[LawsOf], LawsOf]:
     """A decorator: laws of bodies with this contact on this surface, of these shapes; None is any.
 
-    Of other bodies nothing is known, and the function is not called.
+    For any other body the result is empty, and the function is not called.
     """
 
     def decorator(laws: LawsOf) -> LawsOf:
@@ -126,23 +126,23 @@ class Entry:
         Numbers by symbol name ↦ RollingBody; or ↦ System where nothing rolls.
     start : Start
     laws : callable
-        (RollingBody, System) ↦ the laws that the paper names for it, besides the energy; empty
-        for a RollingBody that this entry does not speak of.
+        (RollingBody, System) ↦ the laws that the paper states besides the energy; empty for a
+        RollingBody of another kind.
     general : callable, optional
-        The System with what is arbitrary left arbitrary (a potential U(γ), a profile), and the
-        laws that hold for every choice: for proofs alone, it cannot be run.
+        The System with unspecified functions (a potential U(γ), a profile) and the laws that
+        hold for every choice of these: it can be proven, not run.
     variables : mapping of str to (str, str)
         Meaning and SI unit of state variables by name, where the start is given by a state.
     ball : callable, optional
         Numbers by symbol name ↦ the homogeneous ball on a surface whose System `build` gives.
     letters : mapping of str to str
-        Meanings of letters in the equations that this system alone has.
+        Meanings of letters that occur in the equations of this system only.
     plan : Plan, optional
-        What is drawn of a mechanism in the plane.
+        The drawing of a mechanism in the plane.
     family : Family, optional
-        Where a system exists in every dimension, what gives the entry of each.
+        For a system that exists in every dimension, the entries of all dimensions.
     dimension : int, optional
-        That of such an entry.
+        The dimension of an entry of a family.
 
     Examples
     --------
@@ -264,7 +264,7 @@ def bruns_factor(potential: sp.Expr) -> sp.Expr | None:
 
 
 def entry_with(name: str, **parts: Any) -> Entry:
-    """The entry of a file, with what does not stand in its tables as it is.
+    """The entry of a file, with the parts that its tables do not hold.
 
     Parameters
     ----------

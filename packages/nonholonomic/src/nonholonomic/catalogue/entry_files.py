@@ -4,8 +4,8 @@ A file ``NAME.toml`` is an experiment file with a table ``[catalogue]`` besides,
 system its place in the catalogue.  It describes the system by equations, by a Lagrangian, or by a
 body whose numbers are formulas in the parameters.  Where none of these will do (a family of
 systems exists in every dimension, or laws have a proof of their own), ``catalogue.python`` names
-the module whose ``ENTRIES`` bring the equations, and the file has the title, the parameters and the
-start alone.
+the module whose ``ENTRIES`` make the equations, and the file has only the title, the parameters and
+the start.
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ class EntryFile:
     integrable : bool
         Whether the system is proven integrable with the values of its parameters.
     python : str
-        The module of the catalogue that brings the equations; empty for equations in the file.
+        The module of the catalogue with the equations; empty if the file describes the system.
     laws : str
-        ``"module:function"``, where the laws of a body are stated.
+        ``"module:function"`` that states the laws of a body.
     general : str
-        ``"module:function"``, where the system with what is arbitrary left arbitrary is made.
+        ``"module:function"`` that makes the system with unspecified functions.
     """
 
     path: Path
@@ -73,7 +73,7 @@ class EntryFile:
 
     @property
     def complete(self) -> bool:
-        """Whether the equations and all laws stand in the file."""
+        """Whether the file contains the equations and all laws."""
         return not self.python and "body" not in self.tables
 
     @property
@@ -113,7 +113,7 @@ class EntryFile:
 
 
 def read_head(path: Path) -> EntryFile:
-    """A file of the catalogue, of which only the keys before the first table are read.
+    """A file of the catalogue; only the keys before its first table are read.
 
     Raises
     ------

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def entry_of(file: EntryFile) -> Entry:
-    """The entry of a file: of equations, a Lagrangian or a body, or one that Python brings.
+    """The entry of a file with equations, a Lagrangian or a body, or of a Python module.
 
     Names and titles need no SymPy, equations no mechanics, and a body no Lagrangian; all of them
     take time to import.

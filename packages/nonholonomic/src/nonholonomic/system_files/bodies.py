@@ -40,7 +40,7 @@ class _Parameters(SourcedTables):
 
 
 class BodyFile(_Parameters):
-    """What all files with a body have in common."""
+    """The tables common to all files with a body."""
 
     summary: str | None = Field(default=None, description="a text in quotes")
     """One or two sentences on what moves, for reports."""

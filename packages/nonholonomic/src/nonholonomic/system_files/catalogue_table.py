@@ -14,8 +14,8 @@ class CatalogueTable(Table):
     integrable: StrictBool = Field(default=False, description="true or false")
     """Whether the system is proven integrable with the values of its parameters."""
     python: StrictStr = Field(default="", description="the name of a module of the catalogue")
-    """Of what no file can say."""
+    """Its ``ENTRIES`` make the equations that no file can express."""
     laws: StrictStr = Field(default="", description="the name of a module and a function")
-    """Where laws of a body are stated besides those that hold for every one."""
+    """It states the laws of a body besides the energy."""
     general: StrictStr = Field(default="", description="the name of a module and a function")
     """Where the system is made with what is arbitrary left arbitrary."""

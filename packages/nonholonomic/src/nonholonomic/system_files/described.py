@@ -19,7 +19,7 @@ from .tables import (
 
 
 class DescribedFile(SystemTables, SourcedTables):
-    """What a file has besides, whichever way it describes a system."""
+    """The tables common to files with equations and with a Lagrangian."""
 
     variables: dict[str, MeaningTable] = Field(default={}, description="a table of tables")
     """Meaning and unit of coordinates and velocities."""
@@ -40,4 +40,4 @@ class MechanismFile(DescribedFile):
 
 
 class EquationsFile(DescribedFile, EquationsTables):
-    """Equations of motion as they stand."""
+    """A file with equations of motion."""

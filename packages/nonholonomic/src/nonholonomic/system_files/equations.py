@@ -51,7 +51,7 @@ class ClaimedSystem:
 
     @property
     def unclaimed(self) -> System:
-        """The system with those laws alone that are not claimed for the values of the file."""
+        """The system with only the laws that are not claimed for the values of the file."""
         values = self.system.defaults
         laws = tuple(law for law, where in self.claims if not fulfilled(where, values))
         return replace(self.system, laws=laws)
@@ -129,7 +129,7 @@ def equations_of(experiment: EquationsFile, targets: Targets) -> ClaimedSystem:
 
 
 def target_reader(targets: Targets, line: Any) -> SystemReader:
-    """What reads the target of an isomorphism: a name of the catalogue, or tables below the law."""
+    """A reader of targets of isomorphisms: a name of the catalogue, or tables below the law."""
 
     def target(name: str, table: IsomorphismTable, below: Names) -> System:
         if table.system is None:
@@ -142,7 +142,7 @@ def target_reader(targets: Targets, line: Any) -> SystemReader:
 
 
 def _described(names: Names, tables: EquationsTables, targets: Targets, line: Any) -> ClaimedSystem:
-    """The system of tables that stand in a file or below a law."""
+    """The system of the tables of a file, or of tables below a law."""
     parameters = parameters_of(names, tables)
     state = [names.declare(text, "equations", "state") for text in tables.equations.state]
     definitions = definitions_of(names, tables)

@@ -59,7 +59,7 @@ class Names:
         return replace(self, **parts, definitions=dict(self.definitions))  # type: ignore[arg-type]
 
     def below(self, *key: str) -> Names:
-        """No names yet, for tables that stand below a key."""
+        """An empty set of names for the tables below a key."""
         return Names(lambda *further: self.where(*key, *further))
 
     def declare(self, text: str, *key: str) -> NamedQuantity:
@@ -89,7 +89,7 @@ class Names:
         return self.add(quantity, *key)
 
     def abbreviate(self, name: str, value: Formula, *key: str) -> None:
-        """A name that stands for a formula wherever it occurs."""
+        """Add a name that abbreviates a formula."""
         self._check(name, *key)
         if name in {*self.by_name, *self.whole, *map(str, flat(self.by_name.values()))}:
             raise self.error(f"'{name}' stands for two things; rename one of them", *key)
@@ -147,7 +147,7 @@ class Names:
         return parse_formula(text, names, self.where(*key), "[parameters]", self.definitions)
 
     def formula(self, text: str, *key: str) -> Formula:
-        """A formula that stands at that place, scalar or vector."""
+        """The formula of a text, scalar or vector."""
         value = self.law_formula(text, *key)
         if value.has(Rate):
             raise self.error("Rate(...) stands in laws alone; write the rate itself", *key)

@@ -242,7 +242,7 @@ _NUMBERS = {2: "2 finite numbers", 3: "3 finite numbers", 4: "4 finite numbers"}
 
 
 def _allowed(hint: Any, where: str) -> tuple[Any, str]:
-    """The type of a key for a field, and what it must be in words."""
+    """The type of a key for a field, and its description in words."""
     plain = {
         float: (Number, "a finite number"),
         int: (StrictInt, "a whole number"),

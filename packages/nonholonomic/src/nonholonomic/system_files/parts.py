@@ -1,4 +1,4 @@
-"""What systems of every description are made of: parameters, definitions, observables, guards."""
+"""Parameters, definitions, observables and guards of a system, from the tables of any file."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DEFAULT_TITLE = "Untitled system"
 
 
 def conditions_of(names: Names, tables: SystemTables) -> tuple[Condition, ...]:
-    """What the parameters must fulfil together."""
+    """The conditions on several parameters together."""
     return tuple(read_condition(names, text, "conditions") for text in tables.conditions)
 
 
@@ -59,7 +59,7 @@ def _components(quantity: NamedQuantity, table: NumberTable) -> list[Parameter]:
 
 
 def _with_conditions(names: Names, parameter: Parameter, tables: SystemTables) -> Parameter:
-    """A parameter with its conditions; of a vector each component has those that speak of it."""
+    """A parameter with its conditions; a component of a vector has those that contain it."""
     name = str(parameter.symbol)
     # the conditions on a vector stand once for all its components, I_2 among those of I
     owner = name if name in tables.parameters else name.rpartition("_")[0]
@@ -75,7 +75,7 @@ def _with_conditions(names: Names, parameter: Parameter, tables: SystemTables) -
 
 
 def definitions_of(names: Names, tables: SystemTables) -> tuple[tuple[NamedQuantity, Formula], ...]:
-    """The definitions of a system, without those that only abbreviate."""
+    """The definitions of a system, without the abbreviations."""
     definitions: list[tuple[NamedQuantity, Formula]] = []
     for name, table in tables.definitions.items():
         key = ("definitions", name)

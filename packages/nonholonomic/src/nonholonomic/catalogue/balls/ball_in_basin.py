@@ -1,4 +1,4 @@
-"""Homogeneous balls on surfaces given by an equation: those of a user, in a few examples.
+"""Homogeneous balls on surfaces given by an equation, as examples of surfaces of your own.
 
 A basin z = h(ρ/s)⁴ carries the ball, so that the state is the contact point x; on a cushion
 x⁴ + y⁴ + z⁴ = s⁴ the centre moves.  Laws that hold on every surface are proven with f unspecified.

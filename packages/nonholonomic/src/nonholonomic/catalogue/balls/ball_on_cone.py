@@ -20,7 +20,7 @@ from flowlanes.system.vectors import dot, norm_squared, vectors
 from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
 from ..ball_laws import ROLLING
 
-R, omega, v, df = vectors("R omega v df")
+R, omega, v = vectors("R omega v")
 
 
 def any_cone() -> System:

@@ -179,7 +179,7 @@ def rolling_equations(gravity: float = 0.0) -> System:
 
 
 def onto_rolled() -> Isomorphism:
-    """The equations of `unspecified` are those of `rolled`."""
+    """An isomorphism onto the equations of any rubber body: those of §5 are a special case."""
     return Isomorphism(
         "rolling",
         with_any_parameters(rolling_equations()),

@@ -43,7 +43,7 @@ def build(p: Numbers) -> System:
 
 
 def _with_positive_numbers(parameters: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
-    """The parameters, those that must be positive checked."""
+    """The parameters, after checking those that must be positive."""
     free = (top.c, top.g)
     return tuple(
         p if p.symbol in free else positive(p.symbol, p.meaning, p.default, p.unit)
