@@ -22,7 +22,7 @@ from pydantic import ValidationError
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError, nearest
 from flowlanes.files.partial_files import require_file_name
-from nonholonomic.system_files.bodies import is_ball_file
+from nonholonomic.system_files.bodies import BodyFile, is_ball_file
 from nonholonomic.system_files.source import Source
 from nonholonomic.system_files.sourced import mistakes
 from nonholonomic.system_files.table import Table
@@ -305,7 +305,10 @@ def _first_the_contact(wrong: dict[Key, str], model: type[Experiment]) -> dict[K
 
 def _decided_by_system(tables: Tables) -> dict[Key, str]:
     """The tables that are not allowed beside [system]."""
-    decided = [name for name in RollingExperiment.model_fields if name in tables]
+    mechanical = RollingExperiment.model_fields.keys() - BodyFile.model_fields.keys()
+    decided = [
+        name for name in RollingExperiment.model_fields if name in mechanical & tables.keys()
+    ]
     return {
         (name,): f"must be absent, as the table [system] decides the {name}"
         for name in decided
