@@ -14,7 +14,7 @@ from lawproof.proof.prover import prove
 from lawproof.search import integrals, search_space
 from mechanics.balls import SURFACES, on
 from nonholonomic.catalogue import CATALOGUE
-from nonholonomic.catalogue.balls.ball_laws import known_ball_laws
+from nonholonomic.catalogue.ball_laws import known_ball_laws
 from nonholonomic.starts import initial_state
 
 BALLS = tuple(name for name, item in CATALOGUE.items() if item.ball is not None)

@@ -124,14 +124,30 @@ def test_the_nearest_parameter_is_offered():
 @pytest.mark.parametrize(
     ("name", "parameters", "message"),
     [
-        ("chaplygin-ball", {"m": 0.0}, "mass 0.0: it must be a positive finite number"),
+        ("chaplygin-ball", {"m": 0.0}, "body.mass: must be a positive finite number, not m = 0.0"),
         ("chaplygin-ball", {"I_3": 9.0}, "triangle inequality"),
         ("veselova", {"I_3": 9.0}, "I_3 <= I_1 + I_2 must hold"),
         ("veselova", {"I_1": -1.0}, "I_1 > 0 must hold"),
-        ("unbalanced-ball", {"R": -1.0}, "radius -1.0 of the ball"),
-        ("unbalanced-ball", {"c_1": float("inf")}, "it must be three finite numbers"),
-        ("rattleback", {"b_2": 0.0}, "semi-axis 2 0.0 of the ellipsoid"),
-        ("heavy-disk", {"g": -9.81}, "gravity -9.81: it must be finite and not negative"),
+        (
+            "unbalanced-ball",
+            {"R": -1.0},
+            "a positive finite number, not R = -1.0",
+        ),
+        (
+            "unbalanced-ball",
+            {"c_1": float("inf")},
+            "c_1: must be a finite number, not inf",
+        ),
+        (
+            "rattleback",
+            {"b_2": 0.0},
+            "must be 3 positive semi-axes, not b_2 = 0.0",
+        ),
+        (
+            "heavy-disk",
+            {"g": -9.81},
+            "must be a finite number not below zero, not g = -9.81",
+        ),
         ("ball-on-sphere", {"a": 0.0}, "radius 0.0 of the supporting sphere"),
     ],
 )

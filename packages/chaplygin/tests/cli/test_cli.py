@@ -209,7 +209,7 @@ def test_a_time_limit_keeps_what_was_computed(ask: Ask) -> None:
         (["run", "rattleback", "-o", "no/b.nc"], ["no folder no"]),
         (["run", "rattleback", "-o", "."], ["a folder"]),
         (["run", "heavy-disk", "-o", "d.nc", "--set", "start.gamma=[0,0,1]"], ["lies flat"]),
-        (["run", "heavy-disk", "-o", "d.nc", "--set", "system.parameters.m=-1"], ["mass -1"]),
+        (["run", "heavy-disk", "-o", "d.nc", "--set", "system.parameters.m=-1"], ["m = -1.0"]),
         (
             ["run", "heavy-disk", "-o", "d.nc", "--set", "system.parameters.b=1"],
             ["no parameter b", "I_1"],

@@ -17,7 +17,7 @@ from flowlanes.system import real_symbol
 from lawproof.proof.certificates.certificate import prove_with_certificate
 from lawproof.proof.power_theorem import PowerTheorem
 from lawproof.proof.theorems import identities_of, theorem_of
-from nonholonomic.system_files.systems import mechanism_of
+from nonholonomic.system_files.mechanisms import mechanism_of
 
 x, y, phi, xdot, ydot, phidot = map(real_symbol, ["x", "y", "phi", "xdot", "ydot", "phidot"])
 m, J, k = map(real_symbol, ["m", "J", "k"])

@@ -10,7 +10,7 @@ from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.vectors import real_symbol
 from nonholonomic.catalogue import CATALOGUE
-from nonholonomic.catalogue.file_systems import mechanism_in_catalogue
+from nonholonomic.catalogue.mechanism_systems import mechanism_in_catalogue
 from nonholonomic.catalogue.mechanisms import trailers
 from nonholonomic.mechanics.constraints.exceptional_parameters import exceptional_values
 from nonholonomic.mechanics.constraints.integrability import nonholonomy, nonholonomy_at

@@ -10,7 +10,7 @@ from flowlanes.errors import InputError
 from flowlanes.system.system import System
 from nonholonomic.catalogue import entry
 from nonholonomic.catalogue.entry_files import entry_file, paths
-from nonholonomic.catalogue.file_systems import catalogue_system
+from nonholonomic.catalogue.systems import catalogue_system
 from nonholonomic.system_files.write import plan_table_of, system_text
 
 from .models.catalogue_models import StateExperiment, SystemExperiment
@@ -35,7 +35,7 @@ def catalogue_text(study: Study) -> str:
     if not isinstance(experiment, SystemExperiment | StateExperiment):
         return study.complete_toml()
     name = experiment.system.name
-    if not experiment.overrides and name in paths() and not entry_file(name).python:
+    if not experiment.overrides and name in paths() and entry_file(name).complete:
         return entry_file(name).text
     # the printed text reads back to the same system
     try:

@@ -8,15 +8,16 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from chaplygin.experiment.file.ball_tables import CylinderTable, RoundTable
-from chaplygin.experiment.file.body_tables import BallTable, BodyTable
-from chaplygin.experiment.models.ball_model import BallExperiment, moment
+from chaplygin.experiment.models.ball_model import BallExperiment
 from chaplygin.experiment.models.experiment import catalogue_experiment, parse_experiment
 from chaplygin.experiment.models.rolling_model import RollingExperiment
 from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.report.study_output import write_study
 from flowlanes.errors import InputError
 from lawproof.proof.prover import prove_all
+from nonholonomic.system_files.ball_tables import CylinderTable, RoundTable
+from nonholonomic.system_files.bodies import moment
+from nonholonomic.system_files.body_tables import BallTable, BodyTable
 from spread import spread
 
 BALL = """\

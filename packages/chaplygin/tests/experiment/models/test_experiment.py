@@ -6,18 +6,19 @@ from pathlib import Path
 import pytest
 from pydantic import ValidationError
 
-from chaplygin.experiment.file.body_tables import (
+from chaplygin.experiment.file.tables import StartTable
+from chaplygin.experiment.models.catalogue_models import SystemExperiment
+from chaplygin.experiment.models.experiment import load_experiment, parse_experiment
+from chaplygin.experiment.models.rolling_model import RollingExperiment
+from flowlanes.errors import InputError
+from nonholonomic.system_files.body_tables import (
     BallTable,
     BodyTable,
     EllipsoidTable,
     ImplicitTable,
     RevolutionTable,
 )
-from chaplygin.experiment.file.tables import FieldTable, PlaneTable, SphereTable, StartTable
-from chaplygin.experiment.models.catalogue_models import SystemExperiment
-from chaplygin.experiment.models.experiment import load_experiment, parse_experiment
-from chaplygin.experiment.models.rolling_model import RollingExperiment
-from flowlanes.errors import InputError
+from nonholonomic.system_files.rolling_tables import FieldTable, PlaneTable, SphereTable
 
 ROLLING = """\
 [body]
@@ -264,7 +265,7 @@ def test_sentence_of_the_triangle_inequality() -> None:
         (
             "[run]",
             "[rum]",
-            "line 24, rum: unknown key, did you mean 'run'? allowed: title, body, surf",
+            "line 24, rum: unknown key, did you mean 'run'? allowed: ",
         ),
         ("[start]", "[starts]", "body.toml, start: missing; it must be a table [start] with gam"),
         ("[start]", "[[start]]", "line 20, start: must be a table [start] with gamma and omega,"),

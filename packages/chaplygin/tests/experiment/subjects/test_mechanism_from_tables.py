@@ -27,7 +27,7 @@ from flowlanes.system.vectors import (
 from lawproof.proof.prover import prove
 from nonholonomic.mechanics.lagrangian.mechanism import Frame, Mechanism, rotations
 from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
-from nonholonomic.system_files.systems import mechanism_of
+from nonholonomic.system_files.mechanisms import mechanism_of
 
 EXAMPLES = Path(__file__).parents[5] / "examples"
 SLEIGH, SUSLOV, VOLTERRA, TURNTABLE = (

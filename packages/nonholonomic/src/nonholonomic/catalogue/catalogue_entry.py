@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import wraps
-from typing import Any, Protocol, SupportsFloat, TypeAlias
+from functools import partial, wraps
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Protocol, SupportsFloat, TypeAlias
 
 import sympy as sp
 
@@ -21,6 +22,11 @@ from ..mechanics.lagrangian.plan import Plan
 from ..mechanics.rolling.equations import ContactModel, RollingBody
 from ..mechanics.shapes.shape_base import Shape
 from ..mechanics.shapes.surfaces import Surface
+from .entry_files import EntryFile, entry_file
+
+if TYPE_CHECKING:
+    from ..mechanics.ball.ball import RollingBall
+    from ..mechanics.lagrangian.plan import Plan
 
 Numbers = Mapping[str, float]
 #: Parameters as a user gives them: numbers, or of a family also lists and rows of numbers.
@@ -33,12 +39,12 @@ Values: TypeAlias = Mapping[str, float | tuple[float, ...]]
 @arguments_checked
 @dataclass(frozen=True, kw_only=True)
 class Start:
-    """A start worth looking at: ω and γ, or the whole state by name.
+    """The start of an instructive motion: ω and γ, or the whole state by name.
 
     Parameters
     ----------
     until : float
-        For how long to follow it.
+        Duration of the motion.
     omega, gamma : 3 floats, optional
         Angular velocity and normal, body axes, from which the rest of the state follows.
     state : mapping of str to float or floats, optional
@@ -65,6 +71,7 @@ class Start:
     state: Values | None = None
 
     def __post_init__(self) -> None:
+        # ω and γ come together, and stand for the whole state
         halves = [self.omega is not None, self.gamma is not None]
         if all(halves) == (self.state is not None) or any(halves) != all(halves):
             raise InputError("a start is given either by both omega and gamma or by a state")
@@ -90,7 +97,7 @@ def laws_for(
 ) -> Callable[[LawsOf], LawsOf]:
     """A decorator: laws of bodies with this contact on this surface, of these shapes; None is any.
 
-    Of other bodies nothing is known, and the function is not called.
+    For any other body the result is empty, and the function is not called.
     """
 
     def decorator(laws: LawsOf) -> LawsOf:
@@ -122,23 +129,23 @@ class Entry:
         Numbers by symbol name ↦ RollingBody; or ↦ System where nothing rolls.
     start : Start
     laws : callable
-        (RollingBody, System) ↦ the laws that the paper names for it, besides the energy; empty
-        for a RollingBody that this entry does not speak of.
+        (RollingBody, System) ↦ the laws that the paper states besides the energy; empty for a
+        RollingBody of another kind.
     general : callable, optional
-        The System with what is arbitrary left arbitrary (a potential U(γ), a profile), and the
-        laws that hold for every choice: for proofs alone, it cannot be run.
+        The System with unspecified functions (a potential U(γ), a profile) and the laws that
+        hold for every choice of these: it can be proven, not run.
     variables : mapping of str to (str, str)
         Meaning and SI unit of state variables by name, where the start is given by a state.
     ball : callable, optional
         Numbers by symbol name ↦ the homogeneous ball on a surface whose System `build` gives.
     letters : mapping of str to str
-        Meanings of letters in the equations that this system alone has.
+        Meanings of letters that occur in the equations of this system only.
     plan : Plan, optional
-        What is drawn of a mechanism in the plane.
+        The drawing of a mechanism in the plane.
     family : Family, optional
-        Where a system exists in every dimension, what gives the entry of each.
+        For a system that exists in every dimension, the entries of all dimensions.
     dimension : int, optional
-        That of such an entry.
+        The dimension of an entry of a family.
 
     Examples
     --------
@@ -202,6 +209,7 @@ class Entry:
     @arguments_checked
     def rolling(self, parameters: Settings | None = None) -> RollingBody | None:
         """The rolling body and its surface; None for a body about a fixed point."""
+        # these have a `build` that makes the System at once
         if self.family is not None or self.ball is not None:
             return None
         model = self.build(self.numbers(parameters))
@@ -249,7 +257,57 @@ def bruns_factor(potential: sp.Expr) -> sp.Expr | None:
     """k of the Bruns field U = ½k(γ, Iγ) for a diagonal tensor I; None for another potential."""
     gamma = sp.symbols("gamma_1:4", real=True)
     inertia = sp.symbols("I_1:4", real=True)
+    # k from the first term of ½k Σ I_i γ_i²; whether the others have it too is tried afterwards
     factor = sp.cancel(2 * sp.diff(potential, gamma[0]) / (2 * gamma[0] * inertia[0]))
     bruns = factor / 2 * sp.Add(*(i * c**2 for i, c in zip(inertia, gamma, strict=True)))
     fits = not factor.free_symbols & {*gamma, *inertia} and sp.expand(potential - bruns) == 0
     return factor if fits and factor != 0 else None
+
+
+# --- from files -----------------------------------------------------------------------------
+
+
+def entry_with(name: str, **parts: Any) -> Entry:
+    """The entry of a file, with the parts that its tables do not hold.
+
+    Parameters
+    ----------
+    name : str
+    **parts
+        ``build``, and further attributes of an Entry.
+    """
+    file = entry_file(name)
+    return Entry(
+        name=name,
+        title=file.title,
+        summary=file.summary,
+        source=file.source,
+        defaults=file.parameters,
+        start=start_of(file),
+        variables=file.variables,
+        letters=file.letters,
+        **parts,
+    )
+
+
+def start_of(file: EntryFile) -> Start:
+    """The start of a file: ω and γ of a body with an attitude in space, or the state by name."""
+    values = file.start
+    tables = file.tables.keys()
+    moves_in_space = bool(file.python) or bool(tables & {"body", "reconstruction"})
+    if moves_in_space and values.keys() == {"omega", "gamma"}:
+        return Start(until=file.until, **values)  # type: ignore[arg-type]
+    return Start(until=file.until, state=values)
+
+
+def function_of(place: str) -> Callable[..., Any]:
+    """The function that a file names as ``module:function`` in the catalogue.
+
+    Its module is imported when it is called: not every use of an entry needs its laws.
+    """
+    return partial(_call, place)
+
+
+def _call(place: str, *arguments: object) -> Any:
+    module, _, function = place.partition(":")
+    return getattr(import_module(f".{module}", __package__), function)(*arguments)

@@ -1,9 +1,11 @@
 """The files of the catalogue: each system has one, by which `list` knows it without SymPy.
 
 A file ``NAME.toml`` is an experiment file with a table ``[catalogue]`` besides, which gives the
-system its place in the catalogue.  Where the equations are no closed formulas (they are derived
-from a body, or a family of systems exists in every dimension), ``catalogue.python`` names the
-module whose ``ENTRIES`` bring them, and the file has the title, the parameters and the start alone.
+system its place in the catalogue.  It describes the system by equations, by a Lagrangian, or by a
+body whose numbers are formulas in the parameters.  Where none of these will do (a family of
+systems exists in every dimension, or laws have a proof of their own), ``catalogue.python`` names
+the module whose ``ENTRIES`` make the equations, and the file has only the title, the parameters and
+the start.
 """
 
 from __future__ import annotations
@@ -23,6 +25,9 @@ FOLDER = Path(__file__).parent
 #: The first table of a file; before it stand the title and the place in the catalogue.
 _TABLE = re.compile(r"^\[", re.MULTILINE)
 
+#: Variables of a ball's state by the keys that give them at its start.
+_BALL_STATE = {"contact": "x", "centre": "R"}
+
 
 @dataclass(frozen=True)
 class EntryFile:
@@ -38,9 +43,11 @@ class EntryFile:
     integrable : bool
         Whether the system is proven integrable with the values of its parameters.
     python : str
-        The module of the catalogue that brings the equations; empty for equations in the file.
+        The module of the catalogue with the equations; empty if the file describes the system.
+    laws : str
+        ``"module:function"`` that states the laws of a body.
     general : str
-        ``"module:function"``, where the system with what is arbitrary left arbitrary is made.
+        ``"module:function"`` that makes the system with unspecified functions.
     """
 
     path: Path
@@ -51,6 +58,7 @@ class EntryFile:
     group: str
     integrable: bool
     python: str
+    laws: str
     general: str
 
     @cached_property
@@ -64,6 +72,11 @@ class EntryFile:
         return tomllib.loads(self.text)
 
     @property
+    def complete(self) -> bool:
+        """Whether the file contains the equations and all laws."""
+        return not self.python and "body" not in self.tables
+
+    @property
     def parameters(self) -> dict[str, float]:
         """The values of the parameters by symbol name; empty for a family."""
         values: dict[str, float] = {}
@@ -75,10 +88,12 @@ class EntryFile:
     @property
     def start(self) -> dict[str, float | tuple[float, ...]]:
         """The start by the names of its variables."""
-        return {
-            name: tuple(map(float, value)) if isinstance(value, list) else float(value)
-            for name, value in self.tables.get("start", {}).items()
-        }
+        of_a_body = _BALL_STATE if "body" in self.tables else {}
+        values: dict[str, float | tuple[float, ...]] = {}
+        for name, value in self.tables.get("start", {}).items():
+            number = tuple(map(float, value)) if isinstance(value, list) else float(value)
+            values[of_a_body.get(name, name)] = number
+        return values
 
     @property
     def until(self) -> float:
@@ -98,7 +113,7 @@ class EntryFile:
 
 
 def read_head(path: Path) -> EntryFile:
-    """A file of the catalogue, of which only the keys before the first table are read.
+    """A file of the catalogue; only the keys before its first table are read.
 
     Raises
     ------
@@ -127,6 +142,7 @@ def read_head(path: Path) -> EntryFile:
         place["group"],
         place.get("integrable", False),
         place.get("python", ""),
+        place.get("laws", ""),
         place.get("general", ""),
     )
 

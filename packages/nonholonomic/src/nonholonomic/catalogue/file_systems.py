@@ -1,11 +1,9 @@
-"""Systems of the catalogue that a file describes."""
+"""Systems of the catalogue that a file describes by equations."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from functools import cache, partial
-from importlib import import_module
 from typing import Any, TypeVar
 
 from pydantic import Field
@@ -13,23 +11,14 @@ from pydantic import Field
 from flowlanes.errors import InputError
 from flowlanes.system.system import System
 
-from ..mechanics.lagrangian.mechanism import Mechanism
-from ..mechanics.lagrangian.plan import Plan, plan_of
-from ..mechanics.lagrangian.poincare_suslov import equations_of_motion
-from ..system_files.conditions import require_fulfilled
-from ..system_files.described import EquationsFile, MechanismFile
+from ..system_files.described import DescribedFile, EquationsFile
+from ..system_files.equations import ClaimedSystem, equations_of
+from ..system_files.parts import name_of
+from ..system_files.plans import described_plan
 from ..system_files.source import Source
 from ..system_files.sourced import validated
-from ..system_files.systems import (
-    ClaimedSystem,
-    described_plan,
-    equations_of,
-    mechanism_of,
-    name_of,
-    with_claims,
-)
 from ..system_files.tables import NumberValue
-from .catalogue_entry import Entry, Numbers, Start
+from .catalogue_entry import Entry, Numbers, entry_with, function_of
 from .entry_files import EntryFile, entry_file, paths
 from .names import lookup
 
@@ -41,29 +30,17 @@ class _Equations(EquationsFile):
     run: dict[str, Any] = Field(default={})
 
 
-class _Mechanism(MechanismFile):
-    """The Lagrangian of a file, beside its start and the time for which it is followed."""
-
-    start: dict[str, NumberValue] = Field(default={})
-    run: dict[str, Any] = Field(default={})
+FileModel = TypeVar("FileModel", bound=DescribedFile)
 
 
-def catalogue_system(name: str, parameters: Mapping[str, Any]) -> System:
-    """A system of the catalogue, onto which an isomorphism may lead.
+def read_tables(model: type[FileModel], file: EntryFile) -> FileModel:
+    """The tables of a file, which has the name of its system.
 
     Raises
     ------
     InputError
-        If there is none of that name, or it has no such parameter.
+        For what is wrong in the file: its name, line, key and what is allowed.
     """
-    return entry_of(entry_file(lookup(paths(), name).stem)).system(parameters)
-
-
-FileModel = TypeVar("FileModel", _Equations, _Mechanism)
-
-
-def _tables(model: type[FileModel], file: EntryFile) -> FileModel:
-    """The tables of a file, which has the name of its system."""
     source = Source(file.path.name, file.text)
     tables = validated(model, source.tables(), source)
     if name_of(tables) != file.name:
@@ -80,7 +57,18 @@ def claimed_system(name: str) -> ClaimedSystem:
     InputError
         For what is wrong in the file: its name, line, key and what is allowed.
     """
-    return equations_of(_tables(_Equations, entry_file(name)), catalogue_system)
+    return equations_of(read_tables(_Equations, entry_file(name)), target_in_catalogue)
+
+
+def target_in_catalogue(name: str, parameters: Mapping[str, Any]) -> System:
+    """The system onto which an isomorphism of a file of the catalogue leads; it has equations too.
+
+    Raises
+    ------
+    InputError
+        If there is none of that name, or it has no such parameter.
+    """
+    return equations_entry(entry_file(lookup(paths(), name).stem)).system(parameters)
 
 
 def file_system(name: str, numbers: Numbers) -> System:
@@ -94,48 +82,15 @@ def file_system(name: str, numbers: Numbers) -> System:
     return claimed_system(name).with_numbers(numbers)
 
 
-def mechanism_system(name: str, numbers: Numbers) -> System:
-    """The system of a Lagrangian in a file of the catalogue, with values of its parameters.
+def equations_entry(file: EntryFile) -> Entry:
+    """The entry of a file with equations.
 
     Raises
     ------
     InputError
-        For what is wrong in the file, or with the values.
+        If the file has a drawing, and a formula of it cannot be read.
     """
-    mechanism = mechanism_in_catalogue(name)
-    parameters = tuple(
-        replace(p, default=numbers.get(str(p.symbol), p.default)) for p in mechanism.parameters
-    )
-    require_fulfilled(name, parameters, ())
-    derived = equations_of_motion(replace(mechanism, parameters=parameters))
-    return with_claims(_mechanism_file(name), derived, catalogue_system)
-
-
-@cache
-def _mechanism_file(name: str) -> _Mechanism:
-    return _tables(_Mechanism, entry_file(name))
-
-
-@cache
-def mechanism_in_catalogue(name: str) -> Mechanism:
-    """The Lagrangian, frame and constraints of a file of the catalogue."""
-    return mechanism_of(_mechanism_file(name))
-
-
-def entry_of(file: EntryFile) -> Entry:
-    """The entry of a file, with what Python brings where it does.
-
-    Raises
-    ------
-    InputError
-        If it draws a mechanism and a formula of the drawing cannot be read.
-    """
-    if file.python:
-        entries = import_module(f".{file.python}", __package__).ENTRIES
-        found: Entry = next(item for item in entries if item.name == file.name)
-        return found
     name = file.name
-    by_lagrangian = "lagrangian" in file.tables
     conditional = any(
         "where" in law
         for kind in file.tables.get("laws", {}).values()
@@ -144,72 +99,14 @@ def entry_of(file: EntryFile) -> Entry:
     )
     general: Callable[[], System] | None = None
     if file.general:
-        general = partial(_general_system, file.general)
+        general = function_of(file.general)
     elif conditional:
         general = partial(_unclaimed_system, name)
-    return Entry(
-        name=name,
-        title=file.title,
-        summary=file.summary,
-        source=file.source,
-        defaults=file.parameters,
-        build=partial(mechanism_system if by_lagrangian else file_system, name),
-        start=start_of(file),
-        general=general,
-        variables=file.variables,
-        letters=file.letters,
-        plan=_plan(name, by_lagrangian) if "plan" in file.tables else None,
-    )
-
-
-def _general_system(place: str) -> System:
-    """The system that a function gives, named as ``module:function`` in a file."""
-    module, _, function = place.partition(":")
-    made: System = getattr(import_module(f".{module}", __package__), function)()
-    return made
+    plan = None
+    if "plan" in file.tables:
+        plan = described_plan(read_tables(_Equations, file), claimed_system(name).system)
+    return entry_with(name, build=partial(file_system, name), general=general, plan=plan)
 
 
 def _unclaimed_system(name: str) -> System:
     return claimed_system(name).unclaimed
-
-
-def _plan(name: str, by_lagrangian: bool) -> Plan | None:
-    if by_lagrangian:
-        mechanism = mechanism_in_catalogue(name)
-        return described_plan(_mechanism_file(name), equations_of_motion(mechanism)) or plan_of(
-            mechanism
-        )
-    file = _tables(_Equations, entry_file(name))
-    return described_plan(file, claimed_system(name).system)
-
-
-def start_of(file: EntryFile) -> Start:
-    """The start of a file: ω and γ of a body with an attitude in space, or the state by name."""
-    values = file.start
-    moves_in_space = bool(file.python) or "reconstruction" in file.tables
-    if moves_in_space and values.keys() == {"omega", "gamma"}:
-        return Start(until=file.until, **values)  # type: ignore[arg-type]
-    return Start(until=file.until, state=values)
-
-
-def python_entry(name: str, **parts: Any) -> Entry:
-    """The entry of a system whose equations Python brings; the rest is in its file.
-
-    Parameters
-    ----------
-    name : str
-    **parts
-        ``build`` and what else of an Entry no file can say.
-    """
-    file = entry_file(name)
-    return Entry(
-        name=name,
-        title=file.title,
-        summary=file.summary,
-        source=file.source,
-        defaults=file.parameters,
-        start=start_of(file),
-        variables=file.variables,
-        letters=file.letters,
-        **parts,
-    )

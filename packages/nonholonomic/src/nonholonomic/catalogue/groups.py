@@ -1,4 +1,4 @@
-"""The catalogue in groups: what moves, by which contact, and whether it is integrable."""
+"""The groups of the catalogue, by the kind of system, the contact and integrability."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ NAMES = tuple(paths())
 
 
 def in_section(item: EntryFile, section: str) -> bool:
-    """Whether the paper speaks of a system in a section, such as ``"6"`` or ``"6.1"``."""
+    """Whether the paper treats a system in a section, such as ``"6"`` or ``"6.1"``."""
     wanted = section.removeprefix("§")
     places = re.findall(r"§(\d+(?:\.\d+)?)", item.source)
     return any(place == wanted or place.startswith(f"{wanted}.") for place in places)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
 import sympy as sp
 
@@ -26,19 +25,3 @@ def positive(symbol: sp.Symbol, meaning: str, value: float, unit: str) -> Parame
     if not (math.isfinite(value) and value > 0):
         raise InputError(f"{meaning} {symbol} = {value}: it must be a positive finite number")
     return Parameter(symbol, meaning, value, unit, (symbol > 0,))
-
-
-def positives(
-    numbers: Mapping[str, float], meanings: Mapping[sp.Symbol, tuple[str, str]]
-) -> tuple[Parameter, ...]:
-    """Parameters that must be positive, by symbol with meaning and unit.
-
-    Raises
-    ------
-    InputError
-        As :func:`positive`.
-    """
-    return tuple(
-        positive(symbol, meaning, numbers[str(symbol)], unit)
-        for symbol, (meaning, unit) in meanings.items()
-    )

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, MutableMapping
+from collections.abc import Iterator, Mapping, MutableMapping
+from importlib import import_module
 from itertools import chain
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from flowlanes.arguments import Setting, arguments_checked
 from flowlanes.system.overview import Overview, WithOverview
 
-from .entry_files import entry_file, entry_files
+from .entry_files import EntryFile, entry_file, entry_files
 from .names import lookup
 
 if TYPE_CHECKING:
@@ -18,6 +19,35 @@ if TYPE_CHECKING:
 
     from ..mechanics.rolling.equations import RollingBody
     from .catalogue_entry import Entry
+
+
+def entry_of(file: EntryFile) -> Entry:
+    """The entry of a file with equations, a Lagrangian or a body, or of a Python module.
+
+    Names and titles need no SymPy, equations no mechanics, and a body no Lagrangian; all of them
+    take time to import.
+    """
+    if file.python:
+        entries = import_module(f".{file.python}", __package__).ENTRIES
+        found: Entry = next(item for item in entries if item.name == file.name)
+        return found
+    if "body" in file.tables:
+        from ..system_files.bodies import is_ball_file
+
+        if is_ball_file(file.tables):
+            from .ball_entries import entry_of_ball
+
+            return entry_of_ball(file)
+        from .body_entries import body_entry
+
+        return body_entry(file)
+    if "lagrangian" in file.tables:
+        from .mechanism_systems import mechanism_entry
+
+        return mechanism_entry(file)
+    from .file_systems import equations_entry
+
+    return equations_entry(file)
 
 
 class Catalogue(WithOverview, MutableMapping[str, "Entry"]):
@@ -29,9 +59,6 @@ class Catalogue(WithOverview, MutableMapping[str, "Entry"]):
     def __getitem__(self, name: str) -> Entry:
         found = lookup(self._entries, name)
         if found is None:
-            # what reads equations needs SymPy, and the names and titles do without
-            from .file_systems import entry_of
-
             found = self._entries[name] = entry_of(entry_file(name))
         return found
 
@@ -91,6 +118,17 @@ def entry(name: str) -> Entry:
     '§3.2'
     """
     return lookup(CATALOGUE, name)
+
+
+def catalogue_system(name: str, parameters: Mapping[str, Any]) -> System:
+    """A system of the catalogue, onto which an isomorphism may lead.
+
+    Raises
+    ------
+    InputError
+        If there is none of that name, or it has no such parameter.
+    """
+    return lookup(CATALOGUE, name).system(parameters)
 
 
 @arguments_checked
@@ -160,7 +198,8 @@ def known_laws_of(rolling: RollingBody, system: System) -> tuple[Law, ...]:
         return laws_with_fluid(rolling)
     # of those with one name the first
     laws: dict[str, Law] = {}
-    items = (CATALOGUE[name] for name in CATALOGUE if entry_file(name).python)
+    files = ((name, entry_file(name)) for name in CATALOGUE)
+    items = (CATALOGUE[name] for name, file in files if file.python or file.laws)
     for law in chain.from_iterable(item.laws(rolling, system) for item in items):
         laws.setdefault(law.name, law)
     return tuple(laws.values())

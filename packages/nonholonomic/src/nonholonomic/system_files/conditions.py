@@ -31,6 +31,7 @@ def read_condition(names: Names, text: str, *key: str) -> Condition:
     InputError
         If it is none; the message names its place.
     """
+    # "and" binds more tightly than "or", so that the text is split at "or" first
     for word, join in (("or", sp.Or), ("and", sp.And)):
         parts = re.split(rf"\b{word}\b", text)
         if len(parts) > 1:
@@ -70,6 +71,7 @@ def _holds(condition: Condition, numbers: Mapping[sp.Symbol, sp.Float]) -> bool:
     if condition in (sp.true, sp.false):
         return bool(condition)
     left, right = (float(side.xreplace(numbers)) for side in condition.args)
+    # a flat body has I_3 = I_1 + I_2, which decimal numbers miss by their last digit
     slack = ROUNDING * (abs(left) + abs(right))
     match condition.rel_op:
         case "<=":
@@ -100,6 +102,7 @@ def require_fulfilled(
         if not math.isfinite(p.default):
             raise InputError(f"{owner}: {_words(p)} must be a finite number")
     values = {p.symbol: p.default for p in items}
+    # conditions on several parameters first, since each of these may be right by itself
     for condition in further:
         if not fulfilled((condition,), values):
             named = sorted(map(str, condition.free_symbols))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from pydantic import Field, StrictBool
+from pydantic import Field
 
+from .catalogue_table import CatalogueTable
 from .law_tables import EquationsTables, SystemTables
 from .sourced import SourcedTables
-from .table import Table
 from .tables import (
     ConstraintsTable,
     FormulaValue,
@@ -18,20 +18,8 @@ from .tables import (
 )
 
 
-class CatalogueTable(Table):
-    """The place of a system in the catalogue."""
-
-    group: Text = Field(description="the name of a group of the catalogue")
-    integrable: StrictBool = Field(default=False, description="true or false")
-    """Whether the system is proven integrable with the values of its parameters."""
-    python: Text = Field(default="", description="the name of a module of the catalogue")
-    """Of what no file can say."""
-    general: Text = Field(default="", description="the name of a module and a function")
-    """Where the system is made with what is arbitrary left arbitrary."""
-
-
 class DescribedFile(SystemTables, SourcedTables):
-    """What a file has besides, whichever way it describes a system."""
+    """The tables common to files with equations and with a Lagrangian."""
 
     variables: dict[str, MeaningTable] = Field(default={}, description="a table of tables")
     """Meaning and unit of coordinates and velocities."""
@@ -52,4 +40,4 @@ class MechanismFile(DescribedFile):
 
 
 class EquationsFile(DescribedFile, EquationsTables):
-    """Equations of motion as they stand."""
+    """A file with equations of motion."""

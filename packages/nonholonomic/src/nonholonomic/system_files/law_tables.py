@@ -92,7 +92,7 @@ class IntegralTable(_ValueTable):
 
 
 class MeasureTable(_ValueTable):
-    """An invariant measure, by its density or by the powers of which this is the product."""
+    """An invariant measure, by its density or by the factors of this and their exponents."""
 
     choices = (frozenset({"value", "density"}),)
 
@@ -108,7 +108,7 @@ class MeasureTable(_ValueTable):
 
 
 class SymmetryTable(LawTable):
-    """A symmetry field; what is not named of the state has component zero."""
+    """A symmetry field; the components that are not named are zero."""
 
     field: Formulas = Field(description=NAMED)
 
@@ -253,7 +253,7 @@ class LawsTable(Table):
 
 
 class SystemTables(Table):
-    """What every description of a system has."""
+    """The tables common to all descriptions of a system."""
 
     name: Text | None = Field(default=None, description=TEXT, min_length=1)
     """The identifier; by default the title in small letters."""

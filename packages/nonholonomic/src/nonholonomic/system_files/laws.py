@@ -89,6 +89,7 @@ class LawReader:
 
     def powers(self, density: sp.Expr) -> dict[sp.Expr, sp.Expr]:
         """A density as powers whose exponents are constant."""
+        # a product of powers is kept apart: its logarithmic derivative needs no root
         powers = {sp.sympify(b): sp.sympify(e) for b, e in density.as_powers_dict().items()}
         if any(to_components(e).free_symbols & self.moving for e in powers.values()):
             return {density: sp.S.One}
@@ -115,6 +116,7 @@ class LawReader:
 
     def _skew(self, texts: Mapping[str, str], *key: str) -> sp.ImmutableDenseMatrix:
         """The matrix of a bracket by the entries that are not zero."""
+        # {y, x} = −{x, y}, so that a pair in both orders could only contradict itself
         scalars = flat(self.state)
         matrix = sp.zeros(len(scalars), len(scalars))
         given: set[frozenset[sp.Symbol]] = set()
@@ -222,6 +224,8 @@ def _isomorphism(r: LawReader, name: str, t: IsomorphismTable, common: Any, key:
     for parameter, text in t.constants.items():
         symbol = r.names.get(parameter, target.defaults, *key, "constants", parameter)
         constants[symbol] = r.names.scalar(text, *key, "constants", parameter)
+    # `onto` is written in the variables of the target; where both systems have a name, it is the
+    # target's, and what else of this system occurs must be constant there
     onto = r.names.copy()
     there = {str(n): n for n in (*target.state, *target.defaults, *dict(target.definitions))}
     onto.by_name.update(there)
@@ -300,9 +304,11 @@ def read_laws(
         If a formula cannot be read, a symmetry moves what does not belong to the state, or a
         name is unknown.
     """
+    # a definition without the state is a constant, and may be an exponent of a density
     _, moved = by_dependence(system.scalar_definitions, system.symbols)
     moving = frozenset({*system.symbols, *(symbol for symbol, _ in moved)})
     reader = LawReader(names, system.state, moving, target, {})
+    # brackets first, since the Hamiltonian forms refer to them by name
     brackets = {name: reader.law("brackets", name, t) for name, t in tables.brackets.items()}
     reader = replace(reader, brackets=brackets)  # type: ignore[arg-type]
     claims: list[tuple[int, Claim]] = []

@@ -27,6 +27,7 @@ from ..mechanics.lagrangian.mechanism import TIME
 from .tables import ComponentsTable
 
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+#: A vector of the plane has 2 components, a quaternion 4.
 _SIZE = re.compile(r"(.*?)(?:\[([234])\])?", re.DOTALL)
 _KINDS: dict[str, type[Vector] | type[Diagonal] | type[Symmetric]] = {
     "vector": Vector,
@@ -58,7 +59,7 @@ class Names:
         return replace(self, **parts, definitions=dict(self.definitions))  # type: ignore[arg-type]
 
     def below(self, *key: str) -> Names:
-        """No names yet, for tables that stand below a key."""
+        """An empty set of names for the tables below a key."""
         return Names(lambda *further: self.where(*key, *further))
 
     def declare(self, text: str, *key: str) -> NamedQuantity:
@@ -88,7 +89,7 @@ class Names:
         return self.add(quantity, *key)
 
     def abbreviate(self, name: str, value: Formula, *key: str) -> None:
-        """A name that stands for a formula wherever it occurs."""
+        """Add a name that abbreviates a formula."""
         self._check(name, *key)
         if name in {*self.by_name, *self.whole, *map(str, flat(self.by_name.values()))}:
             raise self.error(f"'{name}' stands for two things; rename one of them", *key)
@@ -98,6 +99,7 @@ class Names:
         """A new quantity under its own name."""
         name = str(quantity)
         self._check(name, *key)
+        # a definition is noted before its quantity is added, and may have its own name
         short = self.definitions.keys() - {name}
         words = {*self.by_name, *self.whole, *short, *map(str, flat(self.by_name.values()))}
         for word in (name, *map(str, flat([quantity]))):
@@ -108,6 +110,7 @@ class Names:
 
     def group(self, components: ComponentsTable) -> None:
         """Vectors and tensors whose components are declared by themselves, before or after."""
+        # whether the components are declared is seen at the end (`require_components`)
         for name, kind in components.items():
             self._check(name, "components", name)
             if name in self.by_name:
@@ -129,6 +132,7 @@ class Names:
 
     def get(self, name: str, among: Iterable[NamedQuantity], *key: str) -> NamedQuantity:
         """The quantity of that name, one of these or a component of one."""
+        # a component may be named by itself, such as the velocity omega_3 in a commutator
         quantities: dict[str, NamedQuantity] = {}
         for named in among:
             quantities[str(named)] = named
@@ -143,7 +147,7 @@ class Names:
         return parse_formula(text, names, self.where(*key), "[parameters]", self.definitions)
 
     def formula(self, text: str, *key: str) -> Formula:
-        """A formula that stands at that place, scalar or vector."""
+        """The formula of a text, scalar or vector."""
         value = self.law_formula(text, *key)
         if value.has(Rate):
             raise self.error("Rate(...) stands in laws alone; write the rate itself", *key)

@@ -62,7 +62,7 @@ def _finite(value: object) -> float | None:
 
 
 def _decimal(value: object) -> str:
-    """The decimals that should replace a formula such as ``pi/2``."""
+    """A hint with the decimal value of a formula such as ``pi/2``."""
     if not isinstance(value, str):
         return ""
     try:

@@ -35,6 +35,7 @@ from pydantic import (
     StrictBool,
     StrictInt,
     TypeAdapter,
+    ValidationInfo,
     create_model,
 )
 from pydantic.fields import FieldInfo
@@ -83,7 +84,7 @@ class _Open:
     def _adapter(self, kind: str | None) -> TypeAdapter[Any]:
         raise NotImplementedError
 
-    def _validate(self, value: object) -> object:
+    def _validate(self, value: object, info: ValidationInfo) -> object:
         raise NotImplementedError
 
     def added(self) -> dict[str, type[KindTable]]:
@@ -100,7 +101,7 @@ class _Open:
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
-        return core_schema.no_info_plain_validator_function(self._validate)
+        return core_schema.with_info_plain_validator_function(self._validate)
 
     def __get_pydantic_json_schema__(
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
@@ -135,6 +136,7 @@ class OpenKinds(_Open):
         """All tables, or those of this package alone if one of them has that kind."""
         if isinstance(kind, str) and kind in self._own:
             return tuple(self._own.values())
+        # plug-ins take time to import, and most files name a kind of this package
         tables = {**self.added(), **self._own}
         if isinstance(kind, str) and kind not in tables:
             import_entry_points()
@@ -144,9 +146,9 @@ class OpenKinds(_Open):
     def _adapter(self, kind: object) -> TypeAdapter[Any]:
         return _union(self.tables(kind))
 
-    def _validate(self, value: object) -> object:
+    def _validate(self, value: object, info: ValidationInfo) -> object:
         kind = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
-        return self._adapter(kind).validate_python(value)
+        return self._adapter(kind).validate_python(value, context=info.context)
 
 
 class OpenTable(_Open):
@@ -167,14 +169,14 @@ class OpenTable(_Open):
     def _adapter(self, kind: object) -> TypeAdapter[Any]:
         return TypeAdapter(self.table())
 
-    def _validate(self, value: object) -> object:
+    def _validate(self, value: object, info: ValidationInfo) -> object:
         if value is None:
             return None
         if isinstance(value, dict) and value.keys() - self.added().keys():
             import_entry_points()
         if isinstance(value, Table):
             value = value.model_dump(exclude_none=True)
-        return self._adapter(None).validate_python(value)
+        return self._adapter(None).validate_python(value, context=info.context)
 
 
 def choices_of(field: FieldInfo) -> object:
@@ -240,7 +242,7 @@ _NUMBERS = {2: "2 finite numbers", 3: "3 finite numbers", 4: "4 finite numbers"}
 
 
 def _allowed(hint: Any, where: str) -> tuple[Any, str]:
-    """The type of a key for a field, and what it must be in words."""
+    """The type of a key for a field, and its description in words."""
     plain = {
         float: (Number, "a finite number"),
         int: (StrictInt, "a whole number"),

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from typing import TypeVar
+from typing import Self, TypeVar
 
 from pydantic import PrivateAttr, ValidationError
 
@@ -15,7 +15,7 @@ from flowlanes.errors import InputError
 
 from .source import Source
 from .table import Table
-from .toml import Key, Tables
+from .toml import Key, Tables, dumps
 from .validation import validation_messages
 
 FileTables = TypeVar("FileTables", bound="SourcedTables")
@@ -25,6 +25,21 @@ class SourcedTables(Table):
     """The tables of a file, with the text that they were read from."""
 
     _source: Source = PrivateAttr(Source("<experiment>", ""))
+
+    # tables of named values are dictionaries, which have no hash of their own
+    def __hash__(self) -> int:
+        return hash(dumps(self.model_dump(exclude_none=True)))
+
+    @classmethod
+    def of_tables(cls, tables: Tables) -> Self:
+        """The model of the tables of a file.
+
+        Raises
+        ------
+        pydantic.ValidationError
+            If something is wrong in them.
+        """
+        return cls.model_validate(tables)
 
     @property
     def overrides(self) -> tuple[str, ...]:
@@ -85,7 +100,7 @@ def validated(model: type[FileTables], tables: Tables, source: Source) -> FileTa
         allowed.
     """
     try:
-        made = model.model_validate(tables)
+        made = model.of_tables(tables)
     except ValidationError as error:
         raise mistakes(validation_messages(error, model, tables), source) from None
     made._source = source

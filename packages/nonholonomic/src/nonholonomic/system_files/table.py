@@ -8,11 +8,14 @@ from __future__ import annotations
 
 import keyword
 import re
-from typing import TYPE_CHECKING, Annotated, ClassVar
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from pydantic import (
     AfterValidator,
     BaseModel,
+    BeforeValidator,
     ConfigDict,
     Field,
     Strict,
@@ -21,14 +24,65 @@ from pydantic import (
 )
 
 from flowlanes import parsing, system as core
+from flowlanes.errors import InputError
 
 if TYPE_CHECKING:
     import sympy as sp
 
     from flowlanes.system.system import Parameter
 
-Number = Annotated[float, Strict()]
-Positive = Annotated[Number, Field(gt=0)]
+
+@dataclass(frozen=True)
+class ParameterValues:
+    """The values of the parameters of a file, in which its numbers may be written.
+
+    Examples
+    --------
+    >>> from nonholonomic.system_files.table import ParameterValues
+    >>> ParameterValues({"m": 2.0, "R": 0.5}).number("m*R**2")
+    0.5
+    """
+
+    values: Mapping[str, float]
+
+    def number(self, text: str) -> float:
+        """The value of a formula.
+
+        Raises
+        ------
+        ValueError
+            If it cannot be read, or its value is no real number.
+        """
+        if text in self.values:
+            return self.values[text]
+        symbols = {name: core.real_symbol(name) for name in self.values}
+        try:
+            formula = parsing.parse(text, symbols, further="[parameters]")
+        except InputError as error:
+            raise ValueError(error.message) from None
+        value = formula.xreplace({symbols[name]: self.values[name] for name in self.values})
+        if not (value.is_real and value.is_finite):
+            raise ValueError(f"'{text}' has no finite value for these parameters")
+        return float(value)
+
+
+def _evaluated(value: object, info: ValidationInfo) -> object:
+    """The value of a formula in the parameters of the file, where it has any; else as given."""
+    if isinstance(value, str) and isinstance(info.context, ParameterValues):
+        return info.context.number(value)
+    return value
+
+
+def or_formula(**bounds: Any) -> BeforeValidator:
+    """Accept a formula in the parameters of the file where a number within bounds is allowed."""
+    return BeforeValidator(
+        _evaluated, json_schema_input_type=Annotated[float, Field(**bounds)] | str
+    )
+
+
+Number = Annotated[float, Strict(), or_formula()]
+Positive = Annotated[float, Strict(), Field(gt=0), or_formula(gt=0)]
+NotNegative = Annotated[float, Strict(), Field(ge=0), or_formula(ge=0)]
 Vector = tuple[Number, Number, Number]
 
 
@@ -73,6 +127,14 @@ class Table(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)
 
 
+def require_name(name: str) -> None:
+    """Raise ValueError unless a formula can contain a name."""
+    if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) or keyword.iskeyword(name):
+        raise ValueError(
+            f"'{name}' cannot be used in a formula; a name has Latin letters, digits and _"
+        )
+
+
 class FormulaTable(Table):
     """A table whose formulas may use named numbers."""
 
@@ -106,10 +168,7 @@ class FormulaTable(Table):
         if parameters and not cls.variables:
             raise ValueError("only a shape given by a formula (revolution, implicit) has any")
         for name in parameters:
-            if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) or keyword.iskeyword(name):
-                raise ValueError(
-                    f"'{name}' cannot be used in a formula; a name has Latin letters, digits and _"
-                )
+            require_name(name)
             if name in parsing.RESERVED_WORDS or name in _CORRECTIONS or name in cls.variables:
                 raise ValueError(f"the name '{name}' has a meaning already; choose another")
         return parameters

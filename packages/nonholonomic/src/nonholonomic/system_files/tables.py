@@ -1,7 +1,7 @@
 """The tables of a file with a Lagrangian or with equations of motion.
 
 Formulas are stored as typed; they are parsed once all names are known
-(:mod:`nonholonomic.system_files.systems`).  The description of a field completes
+(:mod:`nonholonomic.system_files.equations`).  The description of a field completes
 the sentence "… must be".
 """
 
@@ -115,7 +115,7 @@ class DefinitionTable(ValueWithNotes):
 
 
 class MeaningTable(Table):
-    """The laws claimed for the system, to be proved or refuted."""
+    """Meaning and unit of a variable."""
 
     meaning: Text = Field(description="a text in quotes")
     unit: Text = Field(default="", description="a text in quotes")
@@ -241,7 +241,7 @@ class EquationsTable(Table):
 
 
 class ReconstructionTable(EquationsTable):
-    """The motion in space of which a system is the reduction: further variables and their rates."""
+    """The motion in space that a reduced system leaves out: further variables and their rates."""
 
     observables: dict[str, ObservableTable] = Field(default={}, description="a table of formulas")
 

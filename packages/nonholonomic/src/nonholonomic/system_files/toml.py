@@ -148,7 +148,7 @@ def _blocks(path: Key, table: Mapping[str, object]) -> Iterator[str]:
 
 
 def _tables(value: object) -> list[Mapping[str, object]]:
-    """The tables that a value is made of: itself, or those of an array; empty for other values."""
+    """The tables in a value: itself, or the elements of an array; empty for other values."""
     if isinstance(value, Inline):
         return []
     if isinstance(value, Mapping):

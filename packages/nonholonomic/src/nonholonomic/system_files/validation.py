@@ -181,4 +181,16 @@ def _sentence(details: ErrorDetails, place: _Location, value: object) -> tuple[K
         case "value_error":
             return place.key, str(context["error"])
         case _:
-            return place.key, f"must be {allowed}, not {value_text(value)}"
+            return place.key, f"must be {allowed}, not {_refused(value, details)}"
+
+
+def _refused(value: object, details: ErrorDetails) -> str:
+    """A refused value, and of a formula the number that it has."""
+    last, number = details["loc"][-1], details["input"]
+    if isinstance(value, list) and isinstance(last, int) and last < len(value):
+        written = value[last]
+    else:
+        written = value
+    if isinstance(written, str) and isinstance(number, float):
+        return f"{written} = {number!r}"
+    return value_text(value)

@@ -58,7 +58,7 @@ def no_catalogue(name: str, parameters: Mapping[str, Any]) -> System:
 
 
 def tables_of(system: System, targets: Targets = no_catalogue) -> Tables:
-    """The tables of a file that brings the same system, with all its laws.
+    """The tables of a file that describes the same system, with all its laws.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def tables_of(system: System, targets: Targets = no_catalogue) -> Tables:
     Raises
     ------
     InputError
-        If the system has what no file can say, such as an unspecified function or a proof.
+        If no file can express it, for instance an unspecified function or a proof.
     """
     if system.theorems or system.printed_definitions:
         what = "laws with a proof of their own" if system.theorems else "equations in blocks"
@@ -78,7 +78,7 @@ def tables_of(system: System, targets: Targets = no_catalogue) -> Tables:
 
 
 def system_text(system: System, further: Mapping[str, Any], targets: Targets = no_catalogue) -> str:
-    """The text of a file that brings the same system, with further tables such as the start.
+    """The text of a file that describes the same system, with further tables such as the start.
 
     Raises
     ------
@@ -104,7 +104,7 @@ def _positions(system: System) -> Callable[..., int]:
 
 
 def writable_laws(system: System) -> System:
-    """The system with those laws alone that have a form in a file, and without theorems."""
+    """The system with only the laws that a file can express, and without theorems."""
     plain = replace(system, theorems=(), printed_definitions=())
     laws = []
     for law in plain.laws:
@@ -140,7 +140,7 @@ def file_text(tables: Mapping[str, Any], line: Callable[..., int] | None = None)
 
 
 def _blocks(tables: Mapping[str, Any], path: Key, line: Callable[..., int]) -> Iterator[str]:
-    """The text of the tables of a system, which stand below a path."""
+    """The text of the tables of a system below a path."""
     whole = {key: value for key, value in tables.items() if key not in _LAST}
     whole |= {key: tables[key] for key in _LAST if key in tables and tables[key] not in ({}, None)}
     for name in _OF_LINES:
@@ -163,7 +163,7 @@ def _blocks(tables: Mapping[str, Any], path: Key, line: Callable[..., int]) -> I
 
 
 def _below(path: Key, table: Mapping[str, object]) -> str:
-    """The text of a table that stands below a path."""
+    """The text of a table below a path."""
     for part in reversed(path):
         table = {part: table}
     return dumps(table)
@@ -229,7 +229,7 @@ class _Writer:
         return formula_text(value, self.formulas | self.shorthand)
 
     def abbreviate(self, name: sp.Symbol, value: sp.Basic) -> None:
-        """Note the formula of which a gradient is taken, but for the usual name U."""
+        """Note the name and the formula of a function whose gradient is taken."""
         if self.shorthand.setdefault(name, value) != value:
             raise InputError(f"two formulas are called {name}, which no file can say")
 
@@ -300,7 +300,7 @@ class _Writer:
         return dict(entries)
 
     def components(self) -> Tables:
-        """Kinds of the vectors and tensors of which only the components are declared."""
+        """Kinds of the vectors and tensors that are declared by their components."""
         system = self.system
         motion = system.reconstruction.field if system.reconstruction else ()
         declared = {str(name) for name, _ in (*system.field, *system.definitions, *motion)}
@@ -355,7 +355,7 @@ class _Writer:
         return table
 
     def common(self, law: Any) -> Tables:
-        """What laws of all kinds have."""
+        """The keys common to laws of all kinds."""
         return _given(meaning=law.meaning, on=self.texts(law.level), source=law.source)
 
     @singledispatchmethod

@@ -9,32 +9,40 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Annotated, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Field,
+    StrictFloat,
+    field_validator,
+    model_validator,
+)
 
 from nonholonomic.contact.simulation.event_rules import COARSEST_WITH_FRICTION
 from nonholonomic.system_files.open_kinds import KindTable, OpenTable
+from nonholonomic.system_files.rolling_tables import PlaneTable, SphereTable
 from nonholonomic.system_files.table import (
     DIRECTION,
     POSITIVE,
     THREE,
     TURN,
     Direction,
+    NotNegative,
     Number,
     Positive,
     Quaternion,
     Table,
     Vector,
+    or_formula,
 )
 
-from .tables import FINEST_DOUBLE, CommonRunTable, PlaneTable, SphereTable
+from .tables import FINEST_DOUBLE, CommonRunTable
 
 if TYPE_CHECKING:
     from nonholonomic.contact.friction.friction_law import FrictionLaw
 
 COEFFICIENT = "a finite number not below zero"
 FRICTION_COEFFICIENT = "a number not below zero, or inf"
-
-Coefficient = Annotated[Number, Field(ge=0)]
 
 
 def _infinity(value: object) -> object:
@@ -49,8 +57,9 @@ def _not_below_zero(value: float) -> float:
 
 
 FrictionCoefficient = Annotated[
-    Number,
+    StrictFloat,
     Field(allow_inf_nan=True),
+    or_formula(allow_inf_nan=True),
     BeforeValidator(_infinity),
     AfterValidator(_not_below_zero),
 ]
@@ -81,15 +90,15 @@ class FrictionTable(Table):
     model: Literal["friction"] = Field(description='"marble", "rubber" or "friction"')
     mu: FrictionCoefficient | None = Field(default=None, description=FRICTION_COEFFICIENT)
     """Coefficient of dry friction; inf for a contact that never slips."""
-    spin_arm: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    spin_arm: NotNegative | None = Field(default=None, description=COEFFICIENT)
     """The friction couple against spin is at most this length (m) times the normal force."""
     patch: Positive | None = Field(default=None, description=POSITIVE)
     """Radius of the patch of contact (m), over which mu acts by Hertz' pressure."""
-    viscous: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    viscous: NotNegative | None = Field(default=None, description=COEFFICIENT)
     """Viscous friction (kg/s): the force is this times the slip."""
-    spin_viscous: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    spin_viscous: NotNegative | None = Field(default=None, description=COEFFICIENT)
     """Viscous friction against spin (kg m²/s): the couple is this times the spin."""
-    slip: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    slip: NotNegative | None = Field(default=None, description=COEFFICIENT)
     """The force is this (s/m) times normal force and slip."""
     slip_order: Positive | None = Field(default=None, description=POSITIVE)
     """The power of the slip in the law of `slip`, 1 if it is not given."""
@@ -97,23 +106,23 @@ class FrictionTable(Table):
     """Force for each unit of normal force: a formula in slip_speed, spin and normal_force."""
     couple: str | None = Field(default=None, description="a formula")
     """Couple against spin for each unit of normal force (m), besides `force`."""
-    mu_static: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    mu_static: NotNegative | None = Field(default=None, description=COEFFICIENT)
     """Coefficient of static friction, where it exceeds the limit of `force` at zero slip."""
     values: dict[str, Number] = Field(default_factory=dict, description="names with numbers")
     """Numbers for further names in `force` and `couple`."""
-    rolling: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    rolling: NotNegative | None = Field(default=None, description=COEFFICIENT)
     """The couple against rolling is this length (m) times the normal force."""
-    rolling_viscous: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    rolling_viscous: NotNegative | None = Field(default=None, description=COEFFICIENT)
     """The couple against rolling is this (m s) times normal force and angular velocity."""
-    contour: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    contour: NotNegative | None = Field(default=None, description=COEFFICIENT)
     """Power lost by the wandering contact point: this times normal force and its speed."""
-    air: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    air: NotNegative | None = Field(default=None, description=COEFFICIENT)
     """Viscosity (Pa s) of the air in the wedge between a disk and the plane."""
     laws: Annotated[Table | None, LAWS] = Field(
         default=None, description="a table with a table for each law of another module"
     )
     """Laws of friction that other modules have added, by their kinds."""
-    restitution: Annotated[Number, Field(ge=0, le=1)] = Field(
+    restitution: Annotated[StrictFloat, Field(ge=0, le=1), or_formula(ge=0, le=1)] = Field(
         default=0.0, description="a number from 0 to 1"
     )
     """Of impacts: 0 without bounce, 1 without loss."""
@@ -222,7 +231,7 @@ class FrictionRunTable(CommonRunTable):
     until: Positive = Field(default=10.0, description="a positive finite time")
     precision: Literal["double"] = Field(default="double", description='"double" with friction')
     method: Literal["taylor"] = Field(default="taylor", description='"taylor" with friction')
-    tolerance: Annotated[Number, Field(ge=FINEST_DOUBLE, le=COARSEST_WITH_FRICTION)] = Field(
+    tolerance: Annotated[StrictFloat, Field(ge=FINEST_DOUBLE, le=COARSEST_WITH_FRICTION)] = Field(
         default=FINEST_DOUBLE,
         description=f"a number from {FINEST_DOUBLE:g} to {COARSEST_WITH_FRICTION:g} with friction",
     )

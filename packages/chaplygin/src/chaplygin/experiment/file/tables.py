@@ -7,13 +7,14 @@ Units are SI, angles in radians.
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import (
     AfterValidator,
     Field,
     PlainValidator,
     StrictBool,
+    StrictFloat,
     StrictInt,
     ValidationInfo,
     field_validator,
@@ -21,167 +22,23 @@ from pydantic import (
 )
 
 from flowlanes.system.tolerance import FINEST_TOLERANCE, TOLERANCE
-from nonholonomic.mechanics import shapes
+from nonholonomic.system_files.body_tables import FluidStartTable
 from nonholonomic.system_files.number_lists import ParameterValue, given_rows
-from nonholonomic.system_files.open_kinds import KindTable, OpenKinds
 from nonholonomic.system_files.table import (
     DIRECTION,
-    FORMULA,
-    POSITIVE,
-    SIDES,
     THREE,
     Direction,
-    FormulaTable,
     Number,
     Positive,
-    SphereRadius,
     Table,
     Vector,
 )
-
-from .body_tables import FluidStartTable
-
-if TYPE_CHECKING:
-    from nonholonomic.mechanics.shapes.surfaces import Surface
 
 STATE = "a finite number, or finite numbers in brackets"
 
 COARSEST = 1e-3
 FINEST, FINEST_DOUBLE = FINEST_TOLERANCE["quad"], FINEST_TOLERANCE["double"]
 MOST_SAMPLES = 10_000_000
-
-
-class SurfaceTable(KindTable):
-    """A surface at rest."""
-
-    surface_class: ClassVar[str]
-    """The name of the class, which is imported when a surface is made of the table."""
-
-    kind: str
-
-    def surface(self) -> Surface:
-        """The surface, whose attributes have the names of the keys.
-
-        Raises
-        ------
-        InputError
-            If a number is not admissible.
-        """
-        if self.described is not None:
-            made: Surface = self.made()
-            return made
-        surface: Surface = getattr(shapes, self.surface_class)(**self.model_dump(exclude={"kind"}))
-        return surface
-
-    @property
-    def sphere(self) -> tuple[float, bool] | None:
-        """Radius of a sphere and whether the body is inside; None of another surface."""
-        return None
-
-    @model_validator(mode="before")
-    @classmethod
-    def _at_rest(cls, table: object) -> object:
-        if isinstance(table, dict) and "turntable" in table.keys() - cls.model_fields.keys():
-            raise ValueError(
-                "turntable is for a contact with friction; a body rolls without slipping on a "
-                'surface at rest alone (contact.model = "friction" has both)'
-            )
-        return table
-
-
-class PlaneTable(SurfaceTable):
-    """The horizontal plane z = 0 of space."""
-
-    surface_class = "Plane"
-
-    kind: Literal["plane"] = "plane"
-
-
-class SphereTable(SurfaceTable):
-    """A sphere about the origin of space, with the body outside or inside."""
-
-    surface_class = "Sphere"
-
-    kind: Literal["sphere"] = "sphere"
-    radius: SphereRadius = Field(description=POSITIVE)
-    side: Literal["outside", "inside"] = Field(default="outside", description=SIDES)
-    """The side on which the body rolls: the outside, or the inside of a bowl."""
-
-    @property
-    def sphere(self) -> tuple[float, bool]:
-        """Radius, and whether the body is inside."""
-        return self.radius, self.side == "inside"
-
-
-SURFACES = OpenKinds(SurfaceTable, (PlaneTable, SphereTable), lambda: shapes.Surface)
-
-
-#: Keys of [contact] that apply only to a contact with friction.
-FRICTION_KEYS = (
-    "mu",
-    "spin_arm",
-    "patch",
-    "viscous",
-    "spin_viscous",
-    "slip",
-    "slip_order",
-    "force",
-    "couple",
-    "mu_static",
-    "values",
-    "rolling",
-    "rolling_viscous",
-    "contour",
-    "air",
-    "laws",
-    "restitution",
-    "impact_law",
-    "on_paradox",
-)
-
-
-class ContactTable(Table):
-    """The contact: ``marble`` does not slip, ``rubber`` does not spin either."""
-
-    model: Literal["marble", "rubber"] = Field(
-        default="marble", description='"marble", "rubber" or "friction"'
-    )
-
-    @model_validator(mode="before")
-    @classmethod
-    def _without_friction(cls, table: object) -> object:
-        # If the model has another name, that is the mistake to report.
-        if not isinstance(table, dict) or table.get("model", "marble") not in ("marble", "rubber"):
-            return table
-        keys = [key for key in table if key in FRICTION_KEYS]
-        if keys:
-            raise ValueError(
-                f'{keys[0]} is for a contact with friction: write model = "friction" with it, or '
-                "leave it out"
-            )
-        return table
-
-
-class FieldTable(FormulaTable):
-    """The forces: gravity along −z of space, and a couple with the potential U(γ)."""
-
-    place: ClassVar[str] = "field"
-    variables: ClassVar[tuple[str, ...]] = (
-        "gamma_1", "gamma_2", "gamma_3", "I_1", "I_2", "I_3", "m",
-    )  # fmt: skip
-
-    gravity: Annotated[Number, Field(ge=0)] = Field(
-        default=9.81, description="a finite number not below zero"
-    )
-    potential: str = Field(default="", description=FORMULA)
-    """A formula in γ₁, γ₂, γ₃, I₁, I₂, I₃, m and the parameters; empty for none."""
-
-    @field_validator("potential")
-    @classmethod
-    def _readable(cls, text: str, info: ValidationInfo) -> str:
-        if text:
-            cls._formula(text, info)
-        return text
 
 
 #: Keys of [system] that an n-dimensional system has besides its parameters.
@@ -301,7 +158,7 @@ class CommonRunTable(Table):
         default="taylor", description='"taylor" or "gauss"', json_schema_extra=_method_choices
     )
     """Taylor series of a tolerance, or Gauss–Legendre collocation with all digits."""
-    tolerance: Annotated[Number, Field(ge=FINEST, le=COARSEST)] = Field(
+    tolerance: Annotated[StrictFloat, Field(ge=FINEST, le=COARSEST)] = Field(
         default=None,
         validate_default=True,
         description=f"a number from {FINEST:g} to {COARSEST:g}",

@@ -35,5 +35,4 @@ class ExperimentBase(SourcedTables):
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and self.__dict__ == other.__dict__
 
-    def __hash__(self) -> int:
-        return hash(self.toml())
+    __hash__ = SourcedTables.__hash__

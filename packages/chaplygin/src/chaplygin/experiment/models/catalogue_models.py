@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from ..file.body_tables import FilledBodyTable
+from nonholonomic.system_files.body_tables import FilledBodyTable
+
 from ..file.tables import StateTable, SystemRunTable, SystemStartTable, SystemTable
 from .base import ExperimentBase
 

@@ -12,7 +12,7 @@ computation of the motion.  Most systems of the catalogue are bodies whose start
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -22,14 +22,14 @@ from pydantic import ValidationError
 from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError, nearest
 from flowlanes.files.partial_files import require_file_name
+from nonholonomic.system_files.bodies import BodyFile, is_ball_file
 from nonholonomic.system_files.source import Source
 from nonholonomic.system_files.sourced import mistakes
 from nonholonomic.system_files.table import Table
 from nonholonomic.system_files.toml import Key, Tables
 from nonholonomic.system_files.validation import validation_messages
 
-from ..file.ball_tables import SMOOTH_SURFACES
-from ..file.tables import OF_A_DIMENSION, SURFACES
+from ..file.tables import OF_A_DIMENSION
 from .ball_model import BallExperiment
 from .catalogue_models import StateExperiment, SystemExperiment
 from .described_models import EquationsExperiment, MechanismExperiment
@@ -187,7 +187,7 @@ def _read(source: Source) -> Experiment:
     wrong |= _no_keys(tables, model, source)
     accepted = {key: table for key, table in tables.items() if (key,) not in wrong}
     try:
-        experiment = model.model_validate(accepted)
+        experiment = model.of_tables(accepted)
     except ValidationError as error:
         wrong |= validation_messages(error, model, accepted)
     if wrong := _first_the_contact(wrong, model):
@@ -280,7 +280,7 @@ def _own_model(tables: Tables) -> type[Experiment]:
         return MechanismExperiment
     if _means_friction(tables):
         return FrictionExperiment
-    return BallExperiment if _is_ball_experiment(tables) else RollingExperiment
+    return BallExperiment if is_ball_file(tables) else RollingExperiment
 
 
 def _means_friction(tables: Tables) -> bool:
@@ -305,22 +305,12 @@ def _first_the_contact(wrong: dict[Key, str], model: type[Experiment]) -> dict[K
 
 def _decided_by_system(tables: Tables) -> dict[Key, str]:
     """The tables that are not allowed beside [system]."""
-    decided = [name for name in RollingExperiment.model_fields if name in tables]
+    mechanical = RollingExperiment.model_fields.keys() - BodyFile.model_fields.keys()
+    decided = [
+        name for name in RollingExperiment.model_fields if name in mechanical & tables.keys()
+    ]
     return {
         (name,): f"must be absent, as the table [system] decides the {name}"
         for name in decided
         if name not in SystemExperiment.model_fields
     }
-
-
-def _is_ball_experiment(tables: Mapping[str, object]) -> bool:
-    """Whether the tables describe a surface on which only a ball rolls.
-
-    This includes a plane or a sphere if the start gives the position of the ball, not γ.
-    """
-    surface, start = tables.get("surface"), tables.get("start")
-    kind = surface.get("kind") if isinstance(surface, dict) else None
-    placed = isinstance(start, dict) and start.keys() & {"contact", "centre"}
-    return bool(placed) or (
-        isinstance(kind, str) and SMOOTH_SURFACES.knows(kind) and not SURFACES.knows(kind)
-    )

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, TypeVar
+from typing import TypeVar
 
 from pydantic import Field, ValidationInfo, field_validator
 
-from ..file.body_tables import BodyTable, ShapeTable
+from nonholonomic.system_files.bodies import BodyOnSurface, RollingFile
+from nonholonomic.system_files.body_tables import BodyTable
+from nonholonomic.system_files.rolling_tables import FieldTable, PlaneTable
+
 from ..file.contact_tables import (
     WAYS,
     FrictionPlaneTable,
@@ -15,59 +18,14 @@ from ..file.contact_tables import (
     FrictionSurfaceTable,
     FrictionTable,
 )
-from ..file.tables import (
-    SURFACES,
-    ContactTable,
-    FieldTable,
-    PlaneTable,
-    RunTable,
-    StartTable,
-    SurfaceTable,
-)
+from ..file.tables import RunTable, StartTable
 from .base import ExperimentBase
 
 AnyStart = TypeVar("AnyStart", StartTable, FrictionStartTable)
 
-#: The required description of a file.
-BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
 
-
-class BodyOnSurface(ExperimentBase):
-    """The part common to all bodies on a plane or a sphere."""
-
-    body: BodyTable = Field(description=BODY)
-    surface: Annotated[SurfaceTable, SURFACES] = Field(
-        default=PlaneTable(), description="a table", validate_default=True
-    )
-    contact: ContactTable | FrictionTable
-    field: FieldTable = Field(default=FieldTable(), description="a table")
-
-    @field_validator("surface", mode="before", check_fields=False)
-    @classmethod
-    def _plane_by_default(cls, surface: object) -> object:
-        if isinstance(surface, dict) and surface.keys() <= {"turntable"}:
-            return {"kind": "plane", **surface}
-        return surface
-
-    @field_validator("surface", check_fields=False)
-    @classmethod
-    def _body_fits(cls, surface: SurfaceTable, info: ValidationInfo) -> SurfaceTable:
-        body = info.data.get("body")
-        misfit = _misfit(body.shape, surface) if body else None
-        if misfit:
-            raise ValueError(misfit)
-        return surface
-
-    @field_validator("field")
-    @classmethod
-    def _names_once(cls, field: FieldTable, info: ValidationInfo) -> FieldTable:
-        body = info.data.get("body")
-        twice = sorted(field.parameters.keys() & body.shape.parameters.keys()) if body else []
-        if twice:
-            raise ValueError(
-                f"the parameter '{twice[0]}' is one of body.shape.parameters too; rename one"
-            )
-        return field
+class _Started(ExperimentBase):
+    """A body on a plane or a sphere with its start."""
 
     @field_validator("start", check_fields=False)
     @classmethod
@@ -80,7 +38,7 @@ class BodyOnSurface(ExperimentBase):
         return start
 
 
-class RollingExperiment(BodyOnSurface):
+class RollingExperiment(RollingFile, _Started):
     """A body rolls on a surface.
 
     Raises
@@ -89,7 +47,6 @@ class RollingExperiment(BodyOnSurface):
         (A ValueError.) If it is made in Python of parts that do not fit; `load` raises InputError.
     """
 
-    contact: ContactTable = Field(default=ContactTable(), description="a table")
     start: StartTable = Field(description="a table [start] with gamma and omega")
     run: RunTable = Field(default=RunTable(), description="a table")
 
@@ -102,7 +59,7 @@ class RollingExperiment(BodyOnSurface):
         return start
 
 
-class FrictionExperiment(BodyOnSurface):
+class FrictionExperiment(BodyOnSurface, _Started):
     """A body on a support that it touches with friction, and may leave.
 
     Raises
@@ -139,24 +96,3 @@ class FrictionExperiment(BodyOnSurface):
                 "a potential U(gamma) with friction is for a plane alone; leave it out"
             )
         return field
-
-
-def _misfit(shape: ShapeTable, surface: SurfaceTable) -> str | None:
-    """Why a body certainly cannot roll on a surface, or None."""
-    radius, inside = surface.sphere or (None, False)
-    size, meaning = shape.size
-    if shape.goes_around:
-        if radius is None or inside:
-            return 'a hollow ball rolls around a sphere: its side must be "outside"'
-        if size <= radius:
-            return (
-                f"a hollow ball of radius {size:.15g} does not go around a sphere of "
-                f"radius {radius:.15g}; the ball must be the larger one"
-            )
-        return None
-    if radius is None or not inside or size < radius:
-        return None
-    return (
-        f"a bowl of radius {radius:.15g} is too small for this {shape.kind}, whose {meaning} is "
-        f"{size:.15g}; the bowl must be larger than that"
-    )

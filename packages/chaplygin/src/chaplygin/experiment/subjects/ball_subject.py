@@ -5,21 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import mpmath
-import sympy as sp
 
 from flowlanes.printing.numerals import number
-from flowlanes.system.vectors import Vector
-from nonholonomic.catalogue.balls.ball_entry import ball_variables
-from nonholonomic.catalogue.balls.ball_laws import known_ball_laws
+from nonholonomic.catalogue.ball_entry import ball_variables
+from nonholonomic.catalogue.ball_laws import known_ball_laws
 from nonholonomic.mechanics.ball.ball import RollingBall
-from nonholonomic.mechanics.ball.surface import ImplicitSurface, SmoothSurface
 from nonholonomic.starts import initial_state
+from nonholonomic.system_files.ball_objects import rolling_ball
 from nonholonomic.system_files.sourced import identifier
 
-from ..models.ball_model import BallExperiment, moment
+from ..models.ball_model import BallExperiment
 from .subject import BallSubject
-
-R = Vector("R")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,12 +60,7 @@ def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:
     InputError
         If its parts do not fit together; the message names the place in the file.
     """
-    with experiment.placing_errors("surface"):
-        surface = experiment.surface.surface()
-    with experiment.placing_errors("field"):
-        potential = _potential(experiment)
-    with experiment.placing_errors("body", "shape"):
-        ball = _rolling_ball(experiment, surface, potential)
+    ball = rolling_ball(experiment)
     with experiment.placing_errors("surface"):
         title = experiment.title or _title(experiment, ball)
         system = ball.system(identifier(title), title)
@@ -80,41 +71,6 @@ def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:
         variables=ball_variables,
         setting_words=_description(experiment, ball),
         ball=ball,
-    )
-
-
-def _potential(experiment: BallExperiment) -> sp.Expr:
-    """U in the components of R."""
-    table = experiment.field
-    if not table.potential:
-        return sp.S.Zero
-    centre = dict(zip(ImplicitSurface.coordinates, R.symbols, strict=True))
-    return table.expression(table.potential).xreplace(centre)
-
-
-def _rolling_ball(
-    experiment: BallExperiment, surface: SmoothSurface, potential: sp.Expr
-) -> RollingBall:
-    """The ball of an experiment.
-
-    Raises
-    ------
-    InputError
-        If it does not fit the surface.
-    """
-    body, field = experiment.body, experiment.field
-    radius = body.shape.size[0] if body.shape.is_ball else 0.0
-    return RollingBall(
-        mass=body.mass,
-        inertia=moment(body) or 0.0,
-        radius=radius,
-        surface=surface,
-        carrier=experiment.surface.given,
-        contact=experiment.contact.model,
-        gravity=field.gravity,
-        direction=field.direction,
-        potential=potential,
-        numbers=field.numbers("number in the potential"),
     )
 
 

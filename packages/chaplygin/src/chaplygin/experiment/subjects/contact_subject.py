@@ -36,6 +36,7 @@ from nonholonomic.contact.starts import SLACK, clearance
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.shapes.surfaces import Surface
 from nonholonomic.starts import initial_state
+from nonholonomic.system_files.body_objects import body_of, forces_of
 from nonholonomic.system_files.open_kinds import KindTable
 from nonholonomic.system_files.sourced import identifier
 
@@ -44,7 +45,6 @@ from ..file.contact_tables import FrictionTable
 from ..file.tables import CommonRunTable
 from ..models.rolling_model import FrictionExperiment
 from .glossary import glossary
-from .rolling_subject import body_of, forces_of
 from .subject import Subject, Variables
 
 #: Letters of a sliding body, in body axes, besides those of every body on a surface.

@@ -22,13 +22,10 @@ from nonholonomic.mechanics.lagrangian.mechanism import TIME, Mechanism
 from nonholonomic.mechanics.lagrangian.plan import plan_of
 from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion
 from nonholonomic.starts import initial_state
-from nonholonomic.system_files.systems import (
-    described_plan,
-    mechanism_of,
-    name_of,
-    system_of,
-    with_claims,
-)
+from nonholonomic.system_files.equations import system_of
+from nonholonomic.system_files.mechanisms import mechanism_of, with_claims
+from nonholonomic.system_files.parts import name_of
+from nonholonomic.system_files.plans import described_plan
 from nonholonomic.system_files.toml import Key
 
 from ..models.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
@@ -182,7 +179,7 @@ def described_subject(
 def catalogue_system(name: str, parameters: Mapping[str, Any]) -> System:
     """A system of the catalogue, onto which an isomorphism may lead."""
     # few files need one
-    from nonholonomic.catalogue.file_systems import catalogue_system as found
+    from nonholonomic.catalogue.systems import catalogue_system as found
 
     return found(name, parameters)
 

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from nonholonomic.catalogue import known_laws_of
-from nonholonomic.mechanics.rolling.body import Body
-from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
+from nonholonomic.mechanics.rolling.equations import RollingBody
 from nonholonomic.mechanics.rolling.fluid import Fluid
+from nonholonomic.system_files.body_objects import rolling_body
 from nonholonomic.system_files.sourced import identifier
 
-from ..models.rolling_model import BodyOnSurface, RollingExperiment
+from ..models.rolling_model import RollingExperiment
 from .subject import BodySubject
 
 
@@ -22,7 +20,7 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
     InputError
         If its parts do not fit together; the message names the place in the file.
     """
-    rolling = _rolling(experiment)
+    rolling = rolling_body(experiment)
     with experiment.placing_errors("body"):
         title = experiment.title or _title(rolling)
         system = rolling.system(identifier(title), title)
@@ -41,28 +39,6 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
         normal=start.normal,
         letters=letters_with_fluid(rolling.body.fluids),
     )
-
-
-def _rolling(experiment: RollingExperiment) -> RollingBody:
-    body = body_of(experiment)
-    with experiment.placing_errors("surface"):
-        ground = experiment.surface.surface()
-    return RollingBody(body, ground, experiment.contact.model, forces_of(experiment))
-
-
-def body_of(experiment: BodyOnSurface) -> Body:
-    """The body of an experiment.
-
-    Raises
-    ------
-    InputError
-        If its parts do not fit together; the message names the place in the file.
-    """
-    with experiment.placing_errors("body", "shape"):
-        shape = experiment.body.shape.shape()
-    table = experiment.body
-    with experiment.placing_errors("body"):
-        return Body(table.mass, table.inertia, shape, table.gyrostat, table.cavities)
 
 
 def letters_with_fluid(fluids: tuple[Fluid, ...], rolls: bool = True) -> dict[str, str]:
@@ -86,20 +62,6 @@ def letters_with_fluid(fluids: tuple[Fluid, ...], rolls: bool = True) -> dict[st
             str(fluid.W): f"inverse of the inertia that the fluid{where} would have as a solid",
         }
     return letters
-
-
-def forces_of(experiment: BodyOnSurface) -> Forces:
-    """Gravity and potential of an experiment.
-
-    Raises
-    ------
-    InputError
-        If the potential is unusable; the message names the place in the file.
-    """
-    forces = experiment.field
-    with experiment.placing_errors("field"):
-        potential = forces.expression(forces.potential) if forces.potential else sp.S.Zero
-        return Forces(forces.gravity, potential, forces.values)
 
 
 def _title(rolling: RollingBody) -> str:

@@ -1,1 +1,1 @@
-"""Balls that roll on a sphere or around one, and what they are isomorphic to."""
+"""Balls that roll on a sphere or around one, and systems isomorphic to them."""

@@ -77,7 +77,7 @@ def force(top: sp.Expr) -> sp.Expr:
 
 
 def chaplygin_system(force_u: sp.Expr, force_v: sp.Expr, *laws: Law) -> System:
-    """(8.6) with the given right-hand sides, those of P_u and P_v."""
+    """(8.6) with given forces in the equations for P_u and P_v."""
     moments = (
         Parameter(s, f"moment of inertia about a tangent along body axis {i}", value, "kg m^2")
         for i, (s, value) in enumerate(zip(J.symbols, (2.0, 2.5, 3.1), strict=True), 1)

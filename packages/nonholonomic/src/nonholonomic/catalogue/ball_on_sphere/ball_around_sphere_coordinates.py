@@ -70,7 +70,7 @@ def variable(z: sp.Expr) -> sp.Expr:
 
 
 def _products() -> tuple[sp.Expr, sp.Expr]:
-    """(u₁ − τ)(u₂ − τ)/p(τ) and u₁u₂/(τe₃), of which the sums over the axes are made."""
+    """(u₁ − τ)(u₂ − τ)/p(τ) and u₁u₂/(τe₃), from which sums over the axes are built."""
     return (u[0] - tau) * (u[1] - tau) / cubic(tau), u[0] * u[1] / (tau * E_3)
 
 

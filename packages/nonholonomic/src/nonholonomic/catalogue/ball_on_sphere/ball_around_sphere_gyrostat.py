@@ -11,22 +11,14 @@ from flowlanes.system.vectors import norm_squared, vectors
 from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Numbers, bruns_factor, laws_for
-from ..chaplygin_ball.chaplygin_ball import BRUNS, MOMENTUM_UNIT, K
+from ..body_entries import catalogue_body
+from ..catalogue_entry import bruns_factor, laws_for
+from ..chaplygin_ball.chaplygin_ball import MOMENTUM_UNIT, K
 from ..chaplygin_ball.chaplygin_bracket import DET_IQ
-from ..entry_files import entry_file
-from ..file_systems import python_entry
 from . import ball_on_sphere
 from .bruns_field import HALF, SOURCE
 
 M, k = vectors("M k")
-
-
-def build(p: Numbers) -> RollingBody:
-    """The hollow ball around a sphere, with rotors, in the potential U = ½K(γ, Iγ)."""
-    ball = ball_on_sphere.build_around(p)
-    body = replace(ball.body, gyrostat=(p["k_1"], p["k_2"], p["k_3"]))
-    return replace(ball, body=body, field=Forces(potential=BRUNS, values=((K, p["K"]),)))
 
 
 @laws_for("marble", Sphere, Ball)
@@ -56,17 +48,6 @@ MOMENTUM = Integral(
 
 def general() -> System:
     """With the integral of a ball without a field."""
-    system = build(entry_file("ball-around-sphere-gyrostat-bruns").parameters).system(
-        "ball-around-sphere-gyrostat-bruns"
-    )
+    name = "ball-around-sphere-gyrostat-bruns"
+    system = catalogue_body(name).system(name)
     return replace(system, laws=(MOMENTUM,))
-
-
-ENTRIES = (
-    python_entry(
-        name="ball-around-sphere-gyrostat-bruns",
-        build=build,
-        laws=laws,
-        general=general,
-    ),
-)

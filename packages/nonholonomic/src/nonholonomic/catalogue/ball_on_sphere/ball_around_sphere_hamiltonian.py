@@ -27,9 +27,8 @@ from flowlanes.system.vectors import (
     zero,
 )
 
-from ..catalogue_entry import Numbers
+from ..catalogue_entry import Numbers, entry_with
 from ..e3 import Gamma, M, e3_system
-from ..file_systems import python_entry
 from . import ball_around_sphere_chaplygin as chaplygin, ball_on_sphere_equations as ball
 
 J = Diagonal("J")
@@ -175,7 +174,7 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name=NAME,
         build=build,
         general=chaplygin.reduced_system,

@@ -22,9 +22,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Numbers, laws_for
-from ..file_systems import python_entry
-from .ball_around_sphere_coordinates import coordinates_around_sphere
+from ..catalogue_entry import Numbers, entry_with, laws_for
 from .ball_on_sphere_equations import equations_on_sphere
 
 M, gamma, k_rotors = vectors("M gamma k")
@@ -35,12 +33,6 @@ k, m, R = real_symbol("k"), real_symbol("m"), real_symbol("R")
 def build(p: Numbers) -> RollingBody:
     """A ball of radius R on a sphere of signed radius a: k = a/(a + R)."""
     body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"]))
-    return RollingBody(body, Sphere.of_signed_radius(p["a"]))
-
-
-def build_around(p: Numbers) -> RollingBody:
-    """A hollow ball whose inner surface, of radius R, rolls around the sphere: k = a/(a − R)."""
-    body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"], hollow=True))
     return RollingBody(body, Sphere.of_signed_radius(p["a"]))
 
 
@@ -78,6 +70,7 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
             source="§8.1, after (8.2)",
         ),
     ]
+    # k is a quotient of two numbers, and −1 only up to rounding
     if abs(value + 1) < 1e-12 and rolling.body.principal and not rotors:
         known.append(
             replace(
@@ -104,16 +97,10 @@ def _linear(shift: sp.Expr) -> Integral:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="ball-on-sphere",
         build=build,
         laws=laws,
         general=equations_on_sphere,
-    ),
-    python_entry(
-        name="ball-around-sphere",
-        build=build_around,
-        laws=laws,
-        general=coordinates_around_sphere,
     ),
 )

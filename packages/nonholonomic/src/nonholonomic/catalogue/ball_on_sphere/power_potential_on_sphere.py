@@ -11,13 +11,10 @@ from dataclasses import replace
 
 import sympy as sp
 
-from flowlanes.errors import InputError
 from flowlanes.system.laws import Integral
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import dot, norm_squared, real_symbol
 
-from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
 from .rubber_ball_on_e3 import DET_J, J, M, gamma, k, on_e3
 
 h = real_symbol("h")
@@ -78,26 +75,6 @@ def moving(p: Mapping[str, float] = DEFAULTS) -> System:
     return replace(system, name=NAME, title=TITLE, summary=SUMMARY, source=SOURCE)
 
 
-def build(p: Numbers) -> System:
-    """The point at given J, k and h."""
-    if p["k"] == 0:
-        raise InputError("k 0.0: the exponent −1/k of the potential must be finite")
-    for name in ("J_1", "J_2", "J_3"):
-        if not p[name] > 0:
-            raise InputError(f"{name} {p[name]}: it must be positive")
-    special = {1.0: (BRADEN,), -1.0: (NEUMANN,)}.get(p["k"], ())
-    return moving(p).with_laws(*special)
-
-
 def integrable() -> System:
     """The point for any k, with the integrals of the two integrable exponents."""
     return moving().with_laws(BRADEN, NEUMANN)
-
-
-ENTRIES = (
-    python_entry(
-        name=NAME,
-        build=build,
-        general=integrable,
-    ),
-)

@@ -9,11 +9,9 @@ that is, M′ = M×∂H/∂M + γ×∂H/∂γ, γ′ = γ×∂H/∂M.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import sympy as sp
 
-from flowlanes.errors import InputError
 from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, PoissonStructure
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vector_operators import gradient, hat
@@ -27,9 +25,7 @@ from flowlanes.system.vectors import (
     vectors,
 )
 
-from ...mechanics.rolling.inertia import check_inertia
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
 
 M, gamma = vectors("M gamma")
 J = Diagonal("J")
@@ -138,20 +134,3 @@ def product(stiffness: sp.Expr, kinetic: sp.Expr) -> System:
 def any_product() -> System:
     """H = G(γ) F(M) with both functions unspecified."""
     return product(sp.Function("G")(*gamma.symbols), sp.Function("F")(*M.symbols))
-
-
-def build(p: Numbers) -> System:
-    """(9.14) at given J and k."""
-    check_inertia((p["J_1"], p["J_2"], p["J_3"]))
-    if p["k"] == 0:
-        raise InputError("k 0.0: the ratio of the radii must not be zero")
-    return replace(hamiltonian_form(p), name=NAME)
-
-
-ENTRIES = (
-    python_entry(
-        name=NAME,
-        build=build,
-        general=any_product,
-    ),
-)

@@ -15,8 +15,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Numbers, laws_for
-from ..file_systems import python_entry
+from ..catalogue_entry import Numbers, entry_with, laws_for
 from . import ball_on_sphere, rubber_ball_ratio
 
 omega, gamma = vectors("omega gamma")
@@ -29,11 +28,6 @@ def build(p: Numbers) -> RollingBody:
     return replace(ball_on_sphere.build(p), contact="rubber")
 
 
-def build_around(p: Numbers) -> RollingBody:
-    """The hollow ball of §8, kept from spinning."""
-    return replace(ball_on_sphere.build_around(p), contact="rubber")
-
-
 #: (γ, J⁻¹γ), the square of ρ in (9.9).
 RHO_SQUARED = dot(gamma, A * gamma)
 
@@ -43,6 +37,7 @@ def measure(rolling: RollingBody, system: System) -> tuple[Measure, ...]:
     """(9.3), with rotors, under gravity and in every potential."""
     if any(rolling.body.shape.centre):
         return ()
+    # the tensor of a body that is not given in its principal axes has six components
     tensor = A if rolling.body.principal else Symmetric("A")
     density = {dot(gamma, tensor * gamma): 1 / (2 * k)}
     return (Measure("measure", density, "invariant measure", source="(9.3)"),)
@@ -69,6 +64,7 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     if value is None or any(body.gyrostat) or not body.principal:
         return known
     known = (*known, as_family())
+    # k is a quotient of two numbers, and −1 only up to rounding
     if abs(value + 1) > 1e-12:
         return known
     J_1, J_2, J_3 = J.symbols
@@ -93,15 +89,10 @@ def general_system() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="rubber-ball-on-sphere",
         build=build,
         laws=laws,
         general=general_system,
-    ),
-    python_entry(
-        name="rubber-ball-around-sphere",
-        build=build_around,
-        laws=laws,
     ),
 )

@@ -12,12 +12,9 @@ and the time dτ = ρ^(1/k − 2) dt it is the system of :mod:`.rubber_ball_on_e
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from flowlanes.errors import InputError
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import Identity, Integral, Law, Measure, Rate
 from flowlanes.system.system import Observable, System
@@ -33,9 +30,6 @@ from flowlanes.system.vectors import (
     zero,
 )
 
-from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
 from . import power_potential_on_sphere, rubber_ball_on_e3
 from .rubber_ball_on_e3 import DEFAULTS, parameters
 
@@ -177,14 +171,6 @@ def laws_for(ratio: float) -> tuple[Law, ...]:
     return (ENERGY, MEASURE, to_e3(), to_sphere(), *special)
 
 
-def build(p: Numbers) -> System:
-    """The family at given J and k."""
-    check_inertia((p["J_1"], p["J_2"], p["J_3"]))
-    if p["k"] == 0:
-        raise InputError("k 0.0: the ratio of the radii must not be zero")
-    return replace(rolling(), parameters=parameters(p)).with_laws(*laws_for(p["k"]))
-
-
 def general() -> System:
     """The family in an arbitrary couple M_Q(n)."""
     return rolling(any_couple()).with_laws(CONSTRAINT, MEASURE)
@@ -196,12 +182,3 @@ def velocity_from_normal() -> Identity:
     return Identity(
         "velocity", omega - cross(rate, n) / k, "ω from the motion of the normal", source="§9.3"
     )
-
-
-ENTRIES = (
-    python_entry(
-        name=NAME,
-        build=build,
-        general=general,
-    ),
-)

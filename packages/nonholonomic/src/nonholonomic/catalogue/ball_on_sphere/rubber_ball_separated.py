@@ -7,19 +7,13 @@ u and v are the roots of Σ nᵢ²/(Jᵢ(Jᵢ − z)); with ρ² = 1/(tr J − u
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import sympy as sp
 
-from flowlanes.errors import InputError
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import ConformallyHamiltonian, Identity, Integral, Law, Rate, Separation
-from flowlanes.system.system import Guard, System
+from flowlanes.system.system import System
 from flowlanes.system.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
 
-from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
 from . import rubber_ball_on_e3, rubber_ball_ratio as ratio
 from .rubber_ball_ratio import DET_J, RHO_SQUARED, A, J, k
 from .rubber_ball_sphero_conical import CANONICAL, cubic
@@ -212,26 +206,3 @@ def laws() -> tuple[Law, ...]:
         momenta(),
         to_ball(),
     )
-
-
-def build(p: Numbers) -> System:
-    """The canonical form at given J."""
-    moments = (p["J_1"], p["J_2"], p["J_3"])
-    check_inertia(moments)
-    if not moments[0] < moments[1] < moments[2]:
-        raise InputError("J_1, J_2, J_3: the separating coordinates need J_1 < J_2 < J_3")
-    guard = Guard(
-        "octant",
-        -cubic(u) * cubic(v),
-        "the normal reaches a plane of symmetry, where the coordinates end",
-    )
-    parameters = rubber_ball_on_e3.parameters({**p, "k": -1.0})[:3]
-    return replace(canonical_form(), parameters=parameters, guards=(guard,)).with_laws(*laws())
-
-
-ENTRIES = (
-    python_entry(
-        name=NAME,
-        build=build,
-    ),
-)

@@ -7,19 +7,14 @@ multiplier N = (ξη / det J)^(1/(2k) − 1).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import sympy as sp
 
-from flowlanes.errors import InputError
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import ConformallyHamiltonian, Integral, Measure, PoissonStructure
 from flowlanes.system.system import Guard, System
 from flowlanes.system.vectors import Components, constant, cross, real_symbol, vectors
 
-from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
 from . import rubber_ball_on_e3, rubber_ball_ratio as ratio
 from .rubber_ball_ratio import DET_J, J, k
 
@@ -226,30 +221,3 @@ def to_ball(time: sp.Expr = sp.S.One) -> Isomorphism:
         meaning="from sphero-conical coordinates to the angular velocity and the normal",
         source="(9.6), (9.8)",
     )
-
-
-def build(p: Numbers) -> System:
-    """The canonical form at given J and k."""
-    moments = (p["J_1"], p["J_2"], p["J_3"])
-    check_inertia(moments)
-    if not moments[0] < moments[1] < moments[2]:
-        raise InputError("J_1, J_2, J_3: sphero-conical coordinates need J_1 < J_2 < J_3")
-    if p["k"] == 0:
-        raise InputError("k 0.0: the ratio of the radii must not be zero")
-    system = canonical_form().with_laws(to_ball(1 / N))
-    guard = Guard(
-        "octant",
-        -cubic(xi) * cubic(eta),
-        "the normal reaches a plane of symmetry, where the coordinates end",
-    )
-    return replace(
-        system, parameters=rubber_ball_on_e3.parameters(p), guards=(*system.guards, guard)
-    )
-
-
-ENTRIES = (
-    python_entry(
-        name=NAME,
-        build=build,
-    ),
-)

@@ -1,4 +1,4 @@
-"""Homogeneous balls on surfaces given by an equation: those of a user, in a few examples.
+"""Homogeneous balls on surfaces given by an equation, as examples of surfaces of your own.
 
 A basin z = h(ρ/s)⁴ carries the ball, so that the state is the contact point x; on a cushion
 x⁴ + y⁴ + z⁴ = s⁴ the centre moves.  Laws that hold on every surface are proven with f unspecified.
@@ -15,9 +15,9 @@ from flowlanes.system.vectors import cross, dot, real_symbol, vectors
 
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.surface import ImplicitSurface
+from ..ball_entry import ball_entry
+from ..ball_laws import meridian_law
 from ..catalogue_entry import Numbers
-from .ball_entry import ball_entry
-from .ball_laws import meridian_law
 from .ball_on_any_surface import any_marble, any_supported_marble, any_supported_rubber
 
 R, v = vectors("R v")

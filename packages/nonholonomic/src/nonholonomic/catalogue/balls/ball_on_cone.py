@@ -17,29 +17,10 @@ from flowlanes.system.system import System
 from flowlanes.system.vector_operators import gradient
 from flowlanes.system.vectors import dot, norm_squared, vectors
 
-from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
-from ...mechanics.ball.surface import Cone
-from ..catalogue_entry import Numbers
-from .ball_entry import ball_entry
-from .ball_laws import ROLLING
+from ..ball_laws import ROLLING
 
-R, omega, v, df = vectors("R omega v df")
-
-
-def _funnel(numbers: Numbers) -> RollingBall:
-    return RollingBall(
-        mass=numbers["m"],
-        inertia=numbers["mu"],
-        radius=numbers["b"],
-        surface=Cone(numbers["k"], side="inside"),
-        carrier="centre",
-        gravity=numbers["g"],
-    )
-
-
-def _rubber_funnel(numbers: Numbers) -> RollingBall:
-    return replace(_funnel(numbers), contact="rubber")
+R, omega, v = vectors("R omega v")
 
 
 def any_cone() -> System:
@@ -72,16 +53,3 @@ def any_cone() -> System:
             unit="m rad/s",
         )
     )
-
-
-ENTRIES = (
-    ball_entry(
-        name="marble-ball-on-cone",
-        ball=_funnel,
-        general=any_cone,
-    ),
-    ball_entry(
-        name="rubber-ball-on-cone",
-        ball=_rubber_funnel,
-    ),
-)

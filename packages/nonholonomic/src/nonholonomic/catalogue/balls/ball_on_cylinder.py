@@ -20,25 +20,11 @@ from flowlanes.system.system import Parameter, System
 from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import real_symbol, vectors
 
-from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
-from ...mechanics.ball.surface import CircularCylinder
-from ..catalogue_entry import Numbers
-from .ball_entry import ball_entry
-from .ball_laws import ROLLING
+from ..ball_laws import ROLLING
 
 R, omega = vectors("R omega")
 m, g = real_symbol("m"), real_symbol("g")
-
-
-def _pipe(numbers: Numbers) -> RollingBall:
-    return RollingBall(
-        mass=numbers["m"],
-        inertia=numbers["mu"],
-        radius=numbers["b"],
-        surface=CircularCylinder(numbers["a"], side="inside"),
-        gravity=numbers["g"],
-    )
 
 
 def any_cylinder() -> System:
@@ -61,12 +47,3 @@ def any_cylinder() -> System:
         unit="rad/s",
     )
     return replace(system, reconstruction=None).with_laws(rotation)
-
-
-ENTRIES = (
-    ball_entry(
-        name="marble-ball-on-cylinder",
-        ball=_pipe,
-        general=any_cylinder,
-    ),
-)

@@ -25,9 +25,9 @@ from flowlanes.system.vectors import (
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
 from ...mechanics.ball.surface import EllipsoidSurface
+from ..ball_entry import ball_entry
+from ..ball_laws import ROLLING, quadratic
 from ..catalogue_entry import Numbers
-from .ball_entry import ball_entry
-from .ball_laws import ROLLING, quadratic
 from .ball_on_any_surface import TANGENT, any_rubber, particle
 
 R, omega, v = vectors("R omega v")

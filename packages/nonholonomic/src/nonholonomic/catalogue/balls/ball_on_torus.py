@@ -14,29 +14,11 @@ from flowlanes.system.system import Parameter, System
 from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import real_symbol, vectors
 
-from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
-from ...mechanics.ball.surface import Ring
-from ..catalogue_entry import Numbers
-from .ball_entry import ball_entry
-from .ball_laws import meridian_law
+from ..ball_laws import meridian_law
 
 (R,) = vectors("R")
 m, g = real_symbol("m"), real_symbol("g")
-
-
-def _ball(numbers: Numbers) -> RollingBall:
-    return RollingBall(
-        mass=numbers["m"],
-        inertia=numbers["mu"],
-        radius=numbers["b"],
-        surface=Ring(numbers["a"], numbers["c"], side="inside"),
-        gravity=numbers["g"],
-    )
-
-
-def _rubber_ball(numbers: Numbers) -> RollingBall:
-    return replace(_ball(numbers), contact="rubber")
 
 
 def any_revolution() -> System:
@@ -53,16 +35,3 @@ def any_revolution() -> System:
         title="Marble ball on any surface of revolution",
     )
     return replace(system, reconstruction=None).with_laws(meridian_law())
-
-
-ENTRIES = (
-    ball_entry(
-        name="marble-ball-on-torus",
-        ball=_ball,
-        general=any_revolution,
-    ),
-    ball_entry(
-        name="rubber-ball-on-torus",
-        ball=_rubber_ball,
-    ),
-)

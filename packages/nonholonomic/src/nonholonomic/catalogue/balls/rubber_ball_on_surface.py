@@ -25,10 +25,7 @@ from flowlanes.system.vectors import constant, cross, dot, real_symbol, vectors
 
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_equations, ball_parameters, centre_surface
-from ...mechanics.ball.surface import Paraboloid
-from ..catalogue_entry import Numbers
 from ..vector_rates import rate
-from .ball_entry import ball_entry
 from .ball_on_any_surface import TANGENT, particle, tangential
 
 R, omega, v, n, r, N, F = vectors("R omega v n r N F")
@@ -81,19 +78,7 @@ def general() -> System:
     return any_graph().with_laws(stays, *laws())
 
 
-def _ball(numbers: Numbers) -> RollingBall:
-    return RollingBall(
-        mass=numbers["m"],
-        inertia=numbers["mu"],
-        radius=numbers["b"],
-        surface=Paraboloid((numbers["p"], numbers["q"])),
-        carrier="centre",
-        contact="rubber",
-        gravity=numbers["g"],
-    )
-
-
-def _as_particle(ball: RollingBall) -> tuple[Law, ...]:
+def particle_laws(ball: RollingBall) -> tuple[Law, ...]:
     """The ball in the bowl is a particle that falls more slowly."""
     fall = real_symbol("w")
     falling = Parameter(fall, "acceleration of the particle in free fall", 7.0, "m/s^2")
@@ -113,13 +98,3 @@ def _as_particle(ball: RollingBall) -> tuple[Law, ...]:
             source="Proposition 3, Remark 6",
         ),
     )
-
-
-ENTRIES = (
-    ball_entry(
-        name=NAME,
-        ball=_ball,
-        further=_as_particle,
-        general=general,
-    ),
-)

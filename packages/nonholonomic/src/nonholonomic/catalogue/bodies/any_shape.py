@@ -25,11 +25,10 @@ from flowlanes.system.vectors import (
 )
 
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import ContactModel, Forces, RollingBody
+from ...mechanics.rolling.equations import ContactModel, RollingBody
 from ...mechanics.shapes.shapes import Ellipsoid
 from ...mechanics.shapes.surfaces import Sphere
-from ..catalogue_entry import Entry, Numbers
-from ..file_systems import python_entry
+from ..catalogue_entry import Entry, Numbers, entry_with
 
 omega, gamma, r, rdot, gammadot = vectors("omega gamma r rdot gammadot")
 M, dh, torque, c = vectors("M dh torque c")
@@ -166,34 +165,21 @@ def kinematics(curvature: sp.Expr) -> Identity:
 # --- an example that can be run ------------------------------------------------------------
 
 
-#: An ellipsoid with three different axes and its centre of mass away from its centre.
-def ellipsoid(p: Numbers) -> Body:
-    """The body with axes b and the centre c of its ellipsoid."""
-    shape = Ellipsoid((p["b_1"], p["b_2"], p["b_3"]), centre=(p["c_1"], p["c_2"], p["c_3"]))
-    return Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), shape)
-
-
-def ellipsoid_entries(
-    contact: ContactModel, general: tuple[Callable[[], System], Callable[[], System]]
-) -> tuple[Entry, Entry]:
-    """The entries of a body of any shape on a plane and on a sphere, run as an ellipsoid.
+def on_sphere(contact: ContactModel, general: Callable[[], System]) -> Entry:
+    """The entry of a body of any shape on a sphere, run as an ellipsoid.
 
     Parameters
     ----------
     contact : str
         ``"marble"`` or ``"rubber"``.
-    general : 2 callables
-        The systems with any shape and potential, on a plane and on a sphere.
+    general : callable
+        The system with any shape and potential.
     """
-    return (
-        python_entry(
-            f"{contact}-body",
-            build=lambda p: RollingBody(ellipsoid(p), contact=contact, field=Forces(p["g"])),
-            general=general[0],
-        ),
-        python_entry(
-            f"{contact}-body-on-sphere",
-            build=lambda p: RollingBody(ellipsoid(p), Sphere.of_signed_radius(p["a"]), contact),
-            general=general[1],
-        ),
-    )
+
+    def build(p: Numbers) -> RollingBody:
+        shape = Ellipsoid((p["b_1"], p["b_2"], p["b_3"]), centre=(p["c_1"], p["c_2"], p["c_3"]))
+        body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), shape)
+        # a negative radius stands for the inside of the sphere
+        return RollingBody(body, Sphere.of_signed_radius(p["a"]), contact)
+
+    return entry_with(f"{contact}-body-on-sphere", build=build, general=general)

@@ -6,12 +6,10 @@ from flowlanes.system.laws import Law, Measure, Rate, Reduction, Symmetry
 from flowlanes.system.system import System
 from flowlanes.system.vectors import dot, real_symbol, vectors
 
-from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Forces, RollingBody
+from ...mechanics.rolling.equations import RollingBody
 from ...mechanics.shapes.shapes import Disk
 from ...mechanics.shapes.surfaces import Plane
-from ..catalogue_entry import Numbers, laws_for
-from ..file_systems import python_entry
+from ..catalogue_entry import laws_for
 
 M, gamma = vectors("M gamma")
 m, R, I_1, I_2, I_3 = (real_symbol(name) for name in ("m", "R", "I_1", "I_2", "I_3"))
@@ -21,12 +19,6 @@ u, p, q = (real_symbol(name) for name in ("u", "p", "q"))
 M_1, M_2, M_3 = M.symbols
 g_1, g_2, g_3 = gamma.symbols
 SOURCE = "§4.1, §11.4"
-
-
-def build(p: Numbers) -> RollingBody:
-    """A disk of radius R with axis of symmetry along body axis 3."""
-    body = Body(p["m"], (p["I_1"], p["I_1"], p["I_3"]), Disk(p["R"]))
-    return RollingBody(body, field=Forces(p["g"]))
 
 
 @laws_for("marble", Plane(), Disk)
@@ -41,6 +33,7 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
         or body.inertia[0] != body.inertia[1]
     ):
         return ()
+    # the entry has one number for both moments, but the equations have two symbols
     level = (I_1 - I_2,)
     share = (p - u * q) / (I_1 * (1 - u**2))
     reach = m * R**2
@@ -65,12 +58,3 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
             source=SOURCE,
         ),
     )
-
-
-ENTRIES = (
-    python_entry(
-        name="heavy-disk",
-        build=build,
-        laws=laws,
-    ),
-)

@@ -11,10 +11,10 @@ from .any_shape import (
     INERTIA,
     SHAPE,
     contact_kinematics,
-    ellipsoid_entries,
     energy,
     inverse,
     kinematics,
+    on_sphere,
 )
 
 omega, gamma, M, r, rdot, torque = vectors("omega gamma M r rdot torque")
@@ -60,4 +60,4 @@ def general_on_sphere() -> System:
     return any_marble_body(1 / a).with_laws(kinematics(1 / a))
 
 
-ENTRIES = ellipsoid_entries("marble", (general, general_on_sphere))
+ENTRIES = (on_sphere("marble", general_on_sphere),)

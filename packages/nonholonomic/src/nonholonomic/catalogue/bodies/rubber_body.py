@@ -14,11 +14,11 @@ from .any_shape import (
     POTENTIAL,
     SHAPE,
     contact_kinematics,
-    ellipsoid_entries,
     energy,
     inverse,
     kinematics,
     momentum,
+    on_sphere,
 )
 
 omega, gamma, r, rdot = vectors("omega gamma r rdot")
@@ -86,4 +86,4 @@ def general_on_sphere() -> System:
     )
 
 
-ENTRIES = ellipsoid_entries("rubber", (general, general_on_sphere))
+ENTRIES = (on_sphere("rubber", general_on_sphere),)

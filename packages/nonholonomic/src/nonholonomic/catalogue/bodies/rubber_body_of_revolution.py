@@ -15,10 +15,8 @@ from flowlanes.system.vectors import dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import AnyBody, Body
 from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.revolution import Revolution
-from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid
 from ...mechanics.shapes.surfaces import Plane
-from ..catalogue_entry import Numbers, laws_for
-from ..file_systems import python_entry
+from ..catalogue_entry import laws_for
 from .rubber_profile import HEIGHT, POTENTIAL, from_support, profile_system
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
@@ -29,27 +27,6 @@ u, K, h = (real_symbol(name) for name in ("u", "K", "h"))
 HALF = sp.Rational(1, 2)
 g_1, g_2, g_3 = gamma.symbols
 w_1, w_2, w_3 = omega.symbols
-
-
-def build(p: Numbers) -> RollingBody:
-    """An ellipsoid of revolution with its centre of mass on the axis."""
-    shape = Ellipsoid((p["b_1"], p["b_1"], p["b_3"]), centre=(0.0, 0.0, p["c_3"]))
-    return _rubber(p, shape)
-
-
-def build_disk(p: Numbers) -> RollingBody:
-    """A disk whose centre lies at −a on the axis."""
-    return _rubber(p, Disk(p["R"], centre=(0.0, 0.0, p["c_3"])))
-
-
-def build_ball(p: Numbers) -> RollingBody:
-    """A ball whose centre lies at −a on the axis of symmetry."""
-    return _rubber(p, Ball(p["R"], centre=(0.0, 0.0, p["c_3"])))
-
-
-def _rubber(p: Numbers, shape: Ball | Disk | Ellipsoid) -> RollingBody:
-    body = Body(p["m"], (p["I_1"], p["I_1"], p["I_3"]), shape)
-    return RollingBody(body, contact="rubber", field=Forces(p["g"]))
 
 
 def _conditions(body: AnyBody) -> tuple[sp.Expr, ...] | None:
@@ -69,6 +46,7 @@ def _conditions(body: AnyBody) -> tuple[sp.Expr, ...] | None:
 def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """(5.1) and (5.2), for every profile and every potential U(γ₃); symmetry and measure."""
     body = rolling.body
+    # only a potential of γ₃ alone has no couple about the axis
     depends = rolling.field.potential.free_symbols & {g_1, g_2}
     conditions = _conditions(body)
     if depends or any(body.gyrostat) or conditions is None:
@@ -201,7 +179,7 @@ def rolling_equations(gravity: float = 0.0) -> System:
 
 
 def onto_rolled() -> Isomorphism:
-    """The equations of `unspecified` are those of `rolled`."""
+    """An isomorphism onto the equations of any rubber body: those of §5 are a special case."""
     return Isomorphism(
         "rolling",
         with_any_parameters(rolling_equations()),
@@ -218,23 +196,3 @@ def general() -> System:
 
 
 # --- catalogue -----------------------------------------------------------------------------
-
-
-ENTRIES = (
-    python_entry(
-        name="rubber-body-of-revolution",
-        build=build,
-        laws=laws,
-        general=general,
-    ),
-    python_entry(
-        name="rubber-disk",
-        build=build_disk,
-        laws=laws,
-    ),
-    python_entry(
-        name="rubber-routh-sphere",
-        build=build_ball,
-        laws=laws,
-    ),
-)

@@ -1,4 +1,4 @@
-"""The rubber body of revolution with an unspecified profile, for proofs of what §5 says of all.
+"""The rubber body of revolution with an unspecified profile, for statements of §5 on all of them.
 
 The profile is given by the support function p(γ₃), the height of the centre of mass above the
 plane, from which

@@ -35,12 +35,13 @@ from flowlanes.system.vectors import (
 )
 
 from ..e3 import inertia_parameters, lie_poisson
-from .disk_on_ice import HALF, MOMENTUM
 
 M, omega, gamma, b, bdot, X = vectors("M omega gamma b bdot X")
 I, A = Diagonal("I"), Diagonal("A")
 m, g, R, I_1, I_3, h, N = (real_symbol(name) for name in ("m", "g", "R", "I_1", "I_3", "h", "N"))
 SOURCE = "holonomic counterpart of §11.3"
+MOMENTUM = "kg m^2/s"
+HALF = sp.Rational(1, 2)
 AREA = dot(M, gamma)
 
 #: What b adds to the tensor of inertia: 1 + m (b, Ab).
@@ -135,6 +136,3 @@ def any_body() -> System:
         title="Body on a smooth plane",
         summary="A body of any convex shape slides on a smooth horizontal plane.",
     )
-
-
-# --- the disk ------------------------------------------------------------------------------

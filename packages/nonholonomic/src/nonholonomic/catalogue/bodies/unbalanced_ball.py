@@ -12,19 +12,18 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import ContactModel, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane, Sphere
-from ..catalogue_entry import Numbers, laws_for
-from ..file_systems import python_entry
+from ..catalogue_entry import Numbers, entry_with, laws_for
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
 m, R = real_symbol("m"), real_symbol("R")
 
 
 def build(p: Numbers, contact: ContactModel = "marble") -> RollingBody:
-    """A ball whose geometric centre is at c from its centre of mass; on a sphere if a is given."""
+    """A ball on a sphere, with its geometric centre at c from its centre of mass."""
     centre = (p["c_1"], p["c_2"], p["c_3"])
     body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"], centre=centre))
-    surface = Sphere.of_signed_radius(p["a"]) if "a" in p else Plane()
-    return RollingBody(body, surface, contact)
+    # a negative radius stands for the inside of the sphere
+    return RollingBody(body, Sphere.of_signed_radius(p["a"]), contact)
 
 
 @laws_for(None, None, Ball)
@@ -53,22 +52,12 @@ def laws(rolling: RollingBody, system: System) -> tuple[Integral, ...]:
 
 
 ENTRIES = (
-    python_entry(
-        name="unbalanced-ball",
-        build=build,
-        laws=laws,
-    ),
-    python_entry(
+    entry_with(
         name="unbalanced-ball-on-sphere",
         build=build,
         laws=laws,
     ),
-    python_entry(
-        name="unbalanced-rubber-ball",
-        build=partial(build, contact="rubber"),
-        laws=laws,
-    ),
-    python_entry(
+    entry_with(
         name="unbalanced-rubber-ball-on-sphere",
         build=partial(build, contact="rubber"),
         laws=laws,

@@ -23,7 +23,6 @@ from dataclasses import replace
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from flowlanes.errors import InputError
 from flowlanes.system.laws import Identity, Integral, Rate
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import (
@@ -37,10 +36,8 @@ from flowlanes.system.vectors import (
     vectors,
 )
 
-from ...mechanics.rolling.inertia import check_inertia
 from ..ball_on_sphere.rubber_ball_sphero_conical import cubic, normal, square
 from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
 
 omega, gamma, kappa, M, X = vectors("omega gamma kappa M X")
 J, K, A = Diagonal("J"), Diagonal("K"), Diagonal("A")
@@ -220,20 +217,3 @@ def on_torus(system: System | None = None) -> tuple[System, Identity]:
         Rate(eta) ** 2 - 4 * cubic(eta) * (eta - level) * (eta - s),
     )
     return system, Identity("torus", (*squares, *rates), "motion on the torus", source="§10.2")
-
-
-def build(p: Numbers) -> System:
-    """The ball at given J and κ."""
-    moments = tuple(p[str(symbol)] for symbol in J.symbols)
-    check_inertia(moments)
-    if not sum(p[str(symbol)] ** 2 for symbol in kappa.symbols) < min(moments) ** 2:
-        raise InputError("kappa: its length must be less than the smallest of J_1, J_2, J_3")
-    return system_at_centre(p).with_laws(ENERGY, QUADRATIC)
-
-
-ENTRIES = (
-    python_entry(
-        name=NAME,
-        build=build,
-    ),
-)

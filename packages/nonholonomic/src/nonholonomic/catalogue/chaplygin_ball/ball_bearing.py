@@ -38,9 +38,9 @@ from flowlanes.system.vectors import (
 )
 
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Numbers
+from ..catalogue_entry import Numbers, entry_with
 from ..e3 import inertia_parameters
-from ..file_systems import file_system, python_entry
+from ..file_systems import file_system
 
 M, omega, alpha, beta, gamma = vectors("M omega alpha beta gamma")
 I = Diagonal("I")
@@ -138,6 +138,7 @@ def build(p: Numbers) -> System:
         ),
         definitions={
             B: tensor(),
+            # B⁻¹ = C/Δ, with Δ a quantity of its own: it is the density of the measure
             C: B.entries.adjugate(),
             Delta: B.entries.det(method="berkowitz"),
             omega: C * M / Delta,
@@ -156,7 +157,7 @@ def build(p: Numbers) -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="ball-bearing",
         build=build,
     ),

@@ -14,9 +14,8 @@ from flowlanes.system.laws import Integral, Law, Measure
 from flowlanes.system.system import System
 from flowlanes.system.vectors import Diagonal, cross, dot, real_symbol, vectors
 
-from ..catalogue_entry import Numbers
+from ..catalogue_entry import Numbers, entry_with
 from ..entry_files import entry_file
-from ..file_systems import python_entry
 from ..parameter_conditions import holding
 from ..rotors_and_field import rotors_and_field
 from . import ball_bearing
@@ -84,7 +83,7 @@ def general() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="ball-bearing-gyrostat-bruns",
         build=build,
         general=general,

@@ -26,8 +26,7 @@ from flowlanes.system.vectors import (
     zero,
 )
 
-from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..catalogue_entry import Numbers, entry_with
 from .chaplygin_bracket import (
     DET_IQ,
     DET_J,
@@ -157,6 +156,7 @@ def gyroscopic(rotors: MatrixExpr) -> sp.Expr:
 
 def hamiltonian(rotors: MatrixExpr) -> sp.Expr:
     """The energy in θ, φ, p_θ, p_φ, with nothing left to differentiate but these."""
+    # γ and N are definitions of the system; a derivative would take them for constants
     place = dict(zip(gamma.symbols, scalars(VERTICAL), strict=True))
     momentum = to_components(MOMENTUM).subs(N, 1 / sp.sqrt(to_components(DET_IQ_ANGLES)))
     motion = dict(zip(L.symbols, momentum, strict=True))
@@ -215,6 +215,7 @@ def reduced_system(rotors: MatrixExpr, twist: sp.Expr) -> System:
     twist : sympy.Expr
         S̄ in the angles.
     """
+    # {p_φ, p_θ} = S̄ adds −S̄ ∂H/∂p_φ to the rate of p_θ and S̄ ∂H/∂p_θ to that of p_φ
     energy_here = hamiltonian(rotors)
     slopes = [sp.diff(energy_here, s) for s in (theta, phi, p_theta, p_phi)]
     structure = PoissonStructure(
@@ -306,12 +307,12 @@ def general_with_rotors() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="chaplygin-ball-angles",
         build=build,
         general=general_with_rotors,
     ),
-    python_entry(
+    entry_with(
         name="chaplygin-ball-reduced",
         build=build_reduced,
     ),

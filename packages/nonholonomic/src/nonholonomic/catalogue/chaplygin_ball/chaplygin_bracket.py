@@ -75,6 +75,7 @@ TENSORS = {J: I + D * identity, A: J**-1}
 
 def energy(rotors: MatrixExpr) -> sp.Expr:
     """½(M, ω) with M = L/ρ − k and ω = I_Q⁻¹M, in L and γ: (7.7) for k = 0."""
+    # without rotors ρ² cancels, and H is a polynomial in L as in (7.7)
     if rotors == zero:
         share = DET_IQ / DET_J * dot(L, A * L) + D * dot(A * L, gamma) ** 2
         return DET_J / 2 * share
@@ -129,6 +130,7 @@ def hamiltonian_form(potential: sp.Expr, rotors: MatrixExpr = zero) -> System:
         meaning="minus the bracket (7.6), so that dx/dτ = {x, H}",
         source="(7.6)" if rotors == zero else "§7.4",
     )
+    # the paper has dx/dτ = {H, x} and this law dx/dτ = {x, H}: the bracket changes its sign
     form = ConformallyHamiltonian(
         "hamiltonian", sp.S.One, structure, hamiltonian, "Hamiltonian form", source="§7.2"
     )

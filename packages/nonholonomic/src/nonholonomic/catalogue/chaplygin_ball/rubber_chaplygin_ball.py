@@ -14,8 +14,9 @@ from flowlanes.system.vectors import Diagonal, cross, dot, norm_squared, vectors
 from ...mechanics.rolling.equations import Forces, RollingBody
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
-from ..catalogue_entry import Numbers, bruns_factor, laws_for
-from ..file_systems import file_system, python_entry
+from ..body_entries import catalogue_body
+from ..catalogue_entry import bruns_factor, laws_for
+from ..file_systems import file_system
 from ..fixed_point import veselova
 from . import chaplygin_ball
 
@@ -24,11 +25,6 @@ I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
 
 SOURCE = "§2.4"
 MOMENTUM_UNIT = chaplygin_ball.MOMENTUM_UNIT
-
-
-def build(p: Numbers) -> RollingBody:
-    """The Chaplygin ball with rubber contact."""
-    return replace(chaplygin_ball.build(p), contact="rubber")
 
 
 @laws_for("rubber", Plane(), Ball)
@@ -79,16 +75,6 @@ def _onto(target: System) -> Isomorphism:
 def general_system() -> System:
     """The ball in an arbitrary potential U(γ)."""
     potential = sp.Function("U")(*gamma.symbols)
-    rolling = replace(build(chaplygin_ball.NUMBERS), field=Forces(potential=potential))
+    rolling = replace(catalogue_body("rubber-chaplygin-ball"), field=Forces(potential=potential))
     system = rolling.system("rubber-chaplygin-ball")
     return system.with_laws(_measure(), _onto(veselova.general()))
-
-
-ENTRIES = (
-    python_entry(
-        name="rubber-chaplygin-ball",
-        build=build,
-        laws=laws,
-        general=general_system,
-    ),
-)

@@ -26,9 +26,8 @@ from flowlanes.system.vectors import Components, Diagonal, cross, dot, real_symb
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from ...mechanics.rolling.body import check_mass
 from ...mechanics.rolling.inertia import check_inertia
-from ..catalogue_entry import Numbers
+from ..catalogue_entry import Numbers, entry_with
 from ..e3 import inertia_parameters
-from ..file_systems import python_entry
 
 omega, alpha, beta, gamma, M, X, q = vectors("omega alpha beta gamma M X q")
 I, A = Diagonal("I"), Diagonal("A")
@@ -83,6 +82,7 @@ def _inertia_across() -> dict[sp.Symbol, sp.Expr]:
 
 def _velocity(vector: MatrixExpr) -> MatrixExpr:
     """(I + m R² β⊗β)⁻¹ applied to a vector, by Sherman and Morrison."""
+    # m R² β⊗β has rank one, so that the inverse is that of I with one term subtracted
     lever = A * beta
     return A * vector - m * R**2 * dot(lever, vector) / (1 + m * R**2 * dot(beta, lever)) * lever
 
@@ -196,11 +196,11 @@ def momenta(p: Numbers) -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="straight-line-ball",
         build=build,
     ),
-    python_entry(
+    entry_with(
         name="straight-line-ball-momenta",
         build=momenta,
     ),

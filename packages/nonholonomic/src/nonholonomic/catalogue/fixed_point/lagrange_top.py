@@ -10,10 +10,4 @@ import sympy as sp
 
 I_1, I_3, P = sp.symbols("I_1 I_3 P", real=True)
 theta, phi, psi = sp.symbols("theta phi psi", real=True)
-p_theta, p_phi, p_psi = sp.symbols("p_theta p_phi p_psi", real=True)
-
-
-# --- on e(3) -------------------------------------------------------------------------------
-
-
-# --- in Euler angles -----------------------------------------------------------------------
+p_phi, p_psi = sp.symbols("p_phi p_psi", real=True)

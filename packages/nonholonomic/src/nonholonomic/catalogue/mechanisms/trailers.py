@@ -22,8 +22,7 @@ from flowlanes.system.vectors import real_symbol
 from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations_of_motion
-from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..catalogue_entry import Numbers, entry_with
 from ..positive_numbers import positive
 
 x, y, theta, u, v, m, J = (real_symbol(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))
@@ -81,6 +80,7 @@ def train(count: int, values: Mapping[str, float] | None = None) -> Mechanism:
     along, across = _numbered_symbols("a", count), _numbered_symbols("b", count)
     turn = real_symbol("Omega")
     definitions: dict[sp.Symbol, sp.Expr] = {}
+    # the car does not slip sideways
     constraints: list[sp.Expr] = [v]
     rates = {x: u * sp.cos(theta) - v * sp.sin(theta), y: u * sp.sin(theta) + v * sp.cos(theta)}
     rates[theta] = turn
@@ -140,4 +140,4 @@ def trailers(p: Numbers) -> System:
     return equations_of_motion(train(2, p))
 
 
-ENTRIES = (python_entry(name="trailers", build=trailers, plan=drawing_of_trailers(2)),)
+ENTRIES = (entry_with(name="trailers", build=trailers, plan=drawing_of_trailers(2)),)

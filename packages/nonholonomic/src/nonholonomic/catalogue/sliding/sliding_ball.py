@@ -7,8 +7,7 @@ from dataclasses import replace
 from flowlanes.system.system import System
 
 from ...contact.invariants import sliding_ball as ball
-from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..catalogue_entry import Numbers, entry_with
 from ..positive_numbers import positive
 
 TITLE = "Homogeneous ball that slides"
@@ -47,7 +46,7 @@ def under_any_friction() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="sliding-ball",
         build=build,
         general=under_any_friction,

@@ -10,8 +10,7 @@ from ...contact.invariants import sliding_top as top
 from ...contact.invariants.free_contact import free_contact, jellett
 from ...mechanics.rolling.body import Body, check_mass
 from ...mechanics.shapes.shapes import Ball
-from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..catalogue_entry import Numbers, entry_with
 from ..positive_numbers import positive
 
 TITLE = "Tippe top that slides"
@@ -44,7 +43,7 @@ def build(p: Numbers) -> System:
 
 
 def _with_positive_numbers(parameters: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
-    """The parameters, those that must be positive checked."""
+    """The parameters, after checking those that must be positive."""
     free = (top.c, top.g)
     return tuple(
         p if p.symbol in free else positive(p.symbol, p.meaning, p.default, p.unit)
@@ -67,7 +66,7 @@ def under_any_force() -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="sliding-top",
         build=build,
         general=under_any_force,

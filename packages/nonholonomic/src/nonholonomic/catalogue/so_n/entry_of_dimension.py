@@ -62,7 +62,7 @@ class Family(ABC):
 
     @property
     def summary(self) -> str:
-        """What moves."""
+        """A description of the moving body."""
         return entry_file(self.name).summary
 
     @property
@@ -72,7 +72,7 @@ class Family(ABC):
 
     @abstractmethod
     def equations(self, inertia: Inertia, parameters: tuple[Parameter, ...]) -> System:
-        """The system with this inertia; `parameters` are those of the ball besides."""
+        """The system with this inertia; `parameters` are the further ones of a ball."""
 
     @property
     def constraint(self) -> str:

@@ -14,7 +14,7 @@ from .entry_of_dimension import SOURCE, SQUARE
 
 
 def invariants(k: Skew, gamma: Column) -> tuple[Pairs, tuple[Integral, ...]]:
-    """The n − 1 independent invariants of k and γ under rotations, with what they need.
+    """The n − 1 independent invariants of k and γ under rotations, and definitions that they use.
 
     Returns
     -------

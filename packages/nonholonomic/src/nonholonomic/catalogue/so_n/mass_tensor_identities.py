@@ -51,7 +51,7 @@ def _times(vector: Sum, power: int) -> Sum:
 
 
 def _number(x: str, y: str, power: int) -> sp.Expr:
-    """(x, Rᵃy) as an independent number, but for what γ and vectors across it fix."""
+    """(x, Rᵃy) as an independent number, unless γ and the vectors across it determine it."""
     first, second = sorted((x, y))
     if power == 0 and ALONG in (x, y):
         return sp.Integer(int(x == y))
@@ -70,7 +70,7 @@ def _product(first: Sum, second: Sum) -> sp.Expr:
 
 
 def _with_names(name: str, vector: Sum) -> tuple[Sum, Pairs]:
-    """A vector with names for its coefficients, and what they stand for."""
+    """A vector with names for its coefficients, and the values of these names."""
     names = {key: real_symbol(f"{name}_{i}") for i, key in enumerate(vector, 1)}
     return names, tuple((names[key], value) for key, value in vector.items())
 

@@ -1,4 +1,4 @@
-"""The systems of n dimensions for n = 3, where they are those of the paper.
+"""The systems of n dimensions for n = 3, which are systems of the paper.
 
 The skew matrix ω belongs to the vector of angular velocity, ω_12 = −ω_3, ω_13 = ω_2, ω_23 = −ω_1,
 as γ̇ = −ωγ and γ̇ = γ×ω; moments I_12, I_13, I_23 are I_3, I_2, I_1.
@@ -18,7 +18,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import Components, Vector, vectors
 
 from ...mechanics.rolling.attitude import rotation
-from ..file_systems import catalogue_system
+from ..systems import catalogue_system
 from .entry_of_dimension import SOURCE
 from .inertia import Inertia, Moments
 from .motion_in_space import attitude_of, contact_of, gamma_of, omega_of

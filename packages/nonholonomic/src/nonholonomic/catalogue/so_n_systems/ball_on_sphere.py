@@ -46,7 +46,7 @@ NORMAL = ("outward normal of the sphere at the contact, body axes", "1")
 
 @dataclass(frozen=True, kw_only=True)
 class OnSphere(Family):
-    """The part of balls on a sphere that those on a hyperplane do not have."""
+    """The properties of balls on a sphere that differ from those of balls on a hyperplane."""
 
     #: Radius of the sphere in the example, m.
     sphere: float = SPHERE

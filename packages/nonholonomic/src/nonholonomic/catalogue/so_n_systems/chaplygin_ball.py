@@ -54,7 +54,7 @@ def momentum_of(dimension: int) -> Skew:
 
 
 def by_moments(inertia: Moments) -> tuple[Pairs, Pairs]:
-    """ω by n linear equations: the steps, and what a page shows of them."""
+    """ω by n linear equations: the steps, and their printed form."""
     n = inertia.dimension
     k, omega, gamma, u = momentum_of(n), omega_of(n), gamma_of(n), Column("u", n)
     B, y = SymmetricMatrix("B", n), gamma.symbols
@@ -108,7 +108,7 @@ def by_mass_tensor(inertia: MassTensor) -> tuple[Pairs, Pairs]:
 
 
 def velocity_steps(inertia: Inertia) -> tuple[Pairs, Pairs]:
-    """ω by the momentum: the steps, and what a page shows of them."""
+    """ω by the momentum: the steps, and their printed form."""
     match inertia:
         case MassTensor():
             return by_mass_tensor(inertia)

@@ -27,8 +27,7 @@ from flowlanes.system.system import Parameter, System, Theorem
 from flowlanes.system.vectors import real_symbol
 
 from ...mechanics.rolling.body import check_mass
-from ..catalogue_entry import Numbers
-from ..file_systems import python_entry
+from ..catalogue_entry import Numbers, entry_with
 
 PAIRS = tuple(combinations(range(4), 2))
 gamma, u, p, f = (
@@ -219,11 +218,11 @@ def veselova(numbers: Numbers) -> System:
 
 
 ENTRIES = (
-    python_entry(
+    entry_with(
         name="chaplygin-ball-4d",
         build=ball,
     ),
-    python_entry(
+    entry_with(
         name="veselova-4d",
         build=veselova,
     ),

@@ -129,7 +129,7 @@ def _energy(value: sp.Expr) -> Integral:
 def _by_mass_tensor(
     inertia: MassTensor, w: Column
 ) -> tuple[Pairs, Pairs, sp.MatrixExpr, tuple[Law, ...]]:
-    """Definitions, what a page shows of them, the rate of w, and the laws."""
+    """Definitions, their printed form, the rate of w, and the laws."""
     n = inertia.dimension
     entries = inertia.matrix.entries
     j, acceleration = Column("j", n - 1), Column("wdot", n - 1)

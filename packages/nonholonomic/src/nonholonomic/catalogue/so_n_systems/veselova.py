@@ -86,7 +86,7 @@ def operator(inertia: Inertia, shift: sp.Expr) -> sp.Matrix:
 
 
 def quadratic_integrals(inertia: Inertia, p: Column) -> tuple[Pairs, tuple[Integral, ...]]:
-    """Those besides energy and momentum for k = p∧γ, with what they are written in.
+    """The integrals besides energy and momentum for k = p∧γ, and the definitions that they use.
 
     With a mass tensor Σ (Jᵃp, ωJᵇγ) over a + b = m, m = 2, …, n − 2, are coefficients of the pencil
     of :mod:`nonholonomic.catalogue.so_n.quadratic_pencil`; moments have those of

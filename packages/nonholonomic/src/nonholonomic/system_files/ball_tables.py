@@ -1,6 +1,6 @@
 """The tables of an experiment with a homogeneous ball on an arbitrary surface.
 
-As in :mod:`chaplygin.experiment.file.tables` the description of a field completes "… must be".
+The description of a field completes "… must be", in errors and in documentation.
 """
 
 from __future__ import annotations
@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from nonholonomic.mechanics import ball as balls
-from nonholonomic.system_files.open_kinds import KindTable, OpenKinds
-from nonholonomic.system_files.table import (
+from ..mechanics import ball as balls
+from .open_kinds import KindTable, OpenKinds
+from .table import (
     DIRECTION,
     FORMULA,
     POSITIVE,
@@ -19,6 +19,7 @@ from nonholonomic.system_files.table import (
     THREE,
     Direction,
     FormulaTable,
+    NotNegative,
     Number,
     Positive,
     SphereRadius,
@@ -27,7 +28,7 @@ from nonholonomic.system_files.table import (
 )
 
 if TYPE_CHECKING:
-    from nonholonomic.mechanics.ball import SmoothSurface
+    from ..mechanics.ball import SmoothSurface
 
 
 class SmoothTable(FormulaTable, KindTable):
@@ -208,7 +209,7 @@ class BallFieldTable(FormulaTable):
     place: ClassVar[str] = "field"
     variables: ClassVar[tuple[str, ...]] = ("x", "y", "z", "m")
 
-    gravity: Number = Field(default=9.81, ge=0, description="a finite number not below zero")
+    gravity: NotNegative = Field(default=9.81, description="a finite number not below zero")
     direction: Direction = Field(default=(0.0, 0.0, -1.0), description=DIRECTION)
     """Direction of gravity, space axes; any length."""
     potential: str = Field(default="", description=FORMULA)

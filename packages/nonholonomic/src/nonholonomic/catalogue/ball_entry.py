@@ -8,11 +8,10 @@ from dataclasses import replace
 from flowlanes.system.laws import Law
 from flowlanes.system.system import System
 
-from ...mechanics.ball.ball import RollingBall
-from ..catalogue_entry import Entry, Numbers
-from ..entry_files import entry_file
-from ..file_systems import python_entry
+from ..mechanics.ball.ball import RollingBall
 from .ball_laws import known_ball_laws
+from .catalogue_entry import Entry, Numbers, entry_with
+from .entry_files import entry_file
 
 #: Meaning and unit of the variables in which the start of a ball is given.
 ball_variables: Mapping[str, tuple[str, str]] = {
@@ -54,5 +53,5 @@ def ball_entry(
         return replace(system, source=file.source, summary=file.summary)
 
     return replace(
-        python_entry(name, build=build, general=general, ball=ball), variables=ball_variables
+        entry_with(name, build=build, general=general, ball=ball), variables=ball_variables
     )

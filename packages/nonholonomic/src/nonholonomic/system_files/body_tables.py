@@ -19,15 +19,17 @@ from pydantic import (
 )
 
 from flowlanes.errors import InputError
-from nonholonomic.mechanics import rolling, shapes
-from nonholonomic.mechanics.rolling.inertia import check_inertia
-from nonholonomic.system_files.open_kinds import KindTable, OpenKinds
-from nonholonomic.system_files.table import (
+
+from ..mechanics import rolling, shapes
+from ..mechanics.rolling.inertia import check_inertia
+from .open_kinds import KindTable, OpenKinds
+from .table import (
     FORMULA,
     POSITIVE,
     THREE,
     TURN,
     FormulaTable,
+    NotNegative,
     Number,
     Positive,
     Quaternion,
@@ -36,8 +38,8 @@ from nonholonomic.system_files.table import (
 )
 
 if TYPE_CHECKING:
-    from nonholonomic.mechanics.rolling.cavity import Cavity
-    from nonholonomic.mechanics.shapes.shape_base import Shape
+    from ..mechanics.rolling.cavity import Cavity
+    from ..mechanics.shapes.shape_base import Shape
 
 Inertia = Vector | tuple[Vector, Vector, Vector]
 
@@ -222,7 +224,7 @@ class CavityTable(Table):
     """An ellipsoidal cavity filled with an ideal fluid."""
 
     axes: tuple[Positive, Positive, Positive] = Field(description="3 positive semi-axes")
-    mass: Annotated[Number, Field(ge=0)] = Field(description="a finite number not below zero")
+    mass: NotNegative = Field(description="a finite number not below zero")
     """Of the fluid; it adds to the mass of the body."""
     turn: Quaternion = Field(default=(1.0, 0.0, 0.0, 0.0), description=TURN)
     """Quaternion that turns the axes of the cavity into its axes in the body; any length."""

@@ -15,8 +15,8 @@ from flowlanes.system.named_formulas import scalars
 from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import constant, cross, dot, real_symbol, vectors
 
-from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.surface import (
+from ..mechanics.ball.ball import RollingBall
+from ..mechanics.ball.surface import (
     CircularCylinder,
     Cone,
     EllipsoidSurface,
@@ -27,7 +27,7 @@ from ...mechanics.ball.surface import (
     SphericalSurface,
 )
 
-R, omega, v, n, ndot, F = vectors("R omega v n ndot F")
+R, omega, v, n, F = vectors("R omega v n F")
 m, mu, b, k, p, q = (real_symbol(name) for name in ("m", "mu", "b", "k", "p", "q"))
 ell, mtilde, sigma = (real_symbol(name) for name in ("ell", "mtilde", "sigma"))
 semi_axes = tuple(real_symbol(f"a_{i}") for i in (1, 2, 3))
@@ -41,6 +41,7 @@ def known_ball_laws(ball: RollingBall) -> tuple[Law, ...]:
 
     Laws of the surface of the centre are stated only where that surface is known.
     """
+    # every law below is for gravity alone; an entry with a potential states its own
     if ball.potential != 0:
         return ()
     if ball.contact == "rubber":
@@ -66,6 +67,7 @@ def _axis_of_revolution(ball: RollingBall) -> tuple[sp.Expr, ...] | None:
     match ball.surface:
         case FlatSurface() | SphericalSurface() | CircularCylinder() | Cone() | Ring():
             return ()
+        # parameters are symbols in a law: that two of them are equal is a condition on it
         case EllipsoidSurface(axes=(first, second, _)) if first == second:
             return (semi_axes[0] - semi_axes[1],)
         case Paraboloid(radii=(first, second)) if first == second:
@@ -126,6 +128,7 @@ def _golf(ball: RollingBall) -> tuple[Law, ...]:
     """The ball in an upright pipe goes up and down: it does not fall."""
     i = _third(ball)
     x, y, z = ball.surface.own_coordinates(R.symbols)
+    # inside, the normal points to the axis, and the ball goes round against its spin
     sign = ball.surface.sign
     about = 2 * sign * omega.symbols[i] / ell
     turn, total = b * about, sigma + about * z
@@ -156,6 +159,7 @@ def _ray(ball: RollingBall) -> Integral:
     """(ω, R) with R from the apex of the cone on which the centre moves."""
     value = dot(omega, R)
     if ball.carrier == "support":
+        # the cone of the centre is the given one moved by the radius along the normal
         apex = -ball.surface.sign * b * sp.sqrt(1 + k**2) / k
         value = value - apex * omega.symbols[_third(ball)]
     return Integral(
