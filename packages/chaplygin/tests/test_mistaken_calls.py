@@ -66,12 +66,20 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (lambda v: c.Ellipsoid((1, 2, 3), v), "north"),
     (lambda v: c.Torus(1.0, v), None),
     (lambda v: c.Torus({}, v), 1),
-    (c.Revolution, "1 + gamma_3**2", None),
-    (lambda v: c.Revolution(sp.Symbol("gamma_3", real=True), v), 3),
-    (lambda v: c.Revolution(sp.Symbol("a") + sp.Symbol("gamma_3", real=True) ** 2, v), {"a": "x"}),
-    (lambda v: c.Revolution.from_profile(None, v), None),
-    (lambda v: c.Revolution.from_profile(sp.Integer(1), sp.Symbol("gamma_3", real=True), v), "a=1"),
-    (c.Implicit, "x**2+y**2+z**2-1", sp.Integer(3), [x]),
+    (c.ShapeOfRevolution, "1 + gamma_3**2", None),
+    (lambda v: c.ShapeOfRevolution(sp.Symbol("gamma_3", real=True), v), 3),
+    (
+        lambda v: c.ShapeOfRevolution(sp.Symbol("a") + sp.Symbol("gamma_3", real=True) ** 2, v),
+        {"a": "x"},
+    ),
+    (lambda v: c.ShapeOfRevolution.from_profile(None, v), None),
+    (
+        lambda v: c.ShapeOfRevolution.from_profile(
+            sp.Integer(1), sp.Symbol("gamma_3", real=True), v
+        ),
+        "a=1",
+    ),
+    (c.ImplicitShape, "x**2+y**2+z**2-1", sp.Integer(3), [x]),
     (c.Sphere, "2", 0, -2.0, None),
     (lambda v: c.Body(1.0, (1, 1, 1), v), "ball", c.Ball),
     (lambda v: c.Body(v, (1, 1, 1), c.Ball(1.0)), "1", None),

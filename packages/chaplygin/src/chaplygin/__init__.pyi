@@ -118,10 +118,10 @@ from nonholonomic.mechanics.rolling.mechanism import (
     rolling_mechanism as rolling_mechanism,
 )
 from nonholonomic.mechanics.shapes.implicit import (
-    Implicit as Implicit,
+    ImplicitShape as ImplicitShape,
 )
 from nonholonomic.mechanics.shapes.revolution import (
-    Revolution as Revolution,
+    ShapeOfRevolution as ShapeOfRevolution,
 )
 from nonholonomic.mechanics.shapes.shapes import (
     Ball as Ball,

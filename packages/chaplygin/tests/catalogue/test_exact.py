@@ -24,7 +24,7 @@ from nonholonomic.catalogue import CATALOGUE, known_laws_of
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.initial_state import initial_state
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Torus
 from nonholonomic.mechanics.shapes.surfaces import Sphere
 from spread import spread
@@ -192,7 +192,7 @@ VARIANTS = {
     ),
     "rubber body of revolution by its support function": (
         RollingBody(
-            Body(1.2, (0.6, 0.6, 0.8), Revolution(1 + gamma.symbols[2] ** 2 / 5)),
+            Body(1.2, (0.6, 0.6, 0.8), ShapeOfRevolution(1 + gamma.symbols[2] ** 2 / 5)),
             contact="rubber",
             field=Forces(9.81),
         ),

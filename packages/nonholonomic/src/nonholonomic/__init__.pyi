@@ -35,8 +35,8 @@ from .mechanics.rolling.equations import (
 )
 from .mechanics.rolling.initial_state import initial_state as initial_state
 from .mechanics.rolling.mechanism import rolling_mechanism as rolling_mechanism
-from .mechanics.shapes.implicit import Implicit as Implicit
-from .mechanics.shapes.revolution import Revolution as Revolution
+from .mechanics.shapes.implicit import ImplicitShape as ImplicitShape
+from .mechanics.shapes.revolution import ShapeOfRevolution as ShapeOfRevolution
 from .mechanics.shapes.shapes import (
     Ball as Ball,
     Disk as Disk,

@@ -33,7 +33,7 @@ IMPLICIT_POINT, IMPLICIT_GRADIENT, IMPLICIT_HESSIAN = Vector("x"), Vector("nu"),
 
 @arguments_checked
 @dataclass(frozen=True)
-class Implicit(Shape):
+class ImplicitShape(Shape):
     """Any smooth convex body f = 0.
 
     Parameters
@@ -56,7 +56,7 @@ class Implicit(Shape):
     >>> import nonholonomic
     >>> import sympy as sp
     >>> x, y, z = sp.symbols("x y z")
-    >>> cushion = nonholonomic.Implicit(x**4 + y**4 + z**4 + x**2 + y**2 + z**2 - 1)
+    >>> cushion = nonholonomic.ImplicitShape(x**4 + y**4 + z**4 + x**2 + y**2 + z**2 - 1)
     >>> nonholonomic.rolling_system(nonholonomic.Body(1.0, (0.2, 0.2, 0.2), cushion)).state
     (M, r)
     """

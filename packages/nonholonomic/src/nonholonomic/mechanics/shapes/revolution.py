@@ -30,7 +30,7 @@ from .shape_base import (
 
 @arguments_checked
 @dataclass(frozen=True)
-class Revolution(SupportShape):
+class ShapeOfRevolution(SupportShape):
     """A convex body of revolution about body axis 3.
 
     Parameters
@@ -49,7 +49,7 @@ class Revolution(SupportShape):
 
     See Also
     --------
-    Revolution.from_profile : the same from the functions χ₁, χ₂ of §5.
+    ShapeOfRevolution.from_profile : the same from the functions χ₁, χ₂ of §5.
 
     Examples
     --------
@@ -57,7 +57,9 @@ class Revolution(SupportShape):
     >>> import nonholonomic
     >>> import sympy as sp
     >>> u, a, b = sp.symbols("gamma_3 a b")
-    >>> egg = nonholonomic.Revolution(sp.sqrt(a**2 * (1 - u**2) + b**2 * u**2), {a: 0.02, b: 0.03})
+    >>> egg = nonholonomic.ShapeOfRevolution(
+    ...     sp.sqrt(a**2 * (1 - u**2) + b**2 * u**2), {a: 0.02, b: 0.03}
+    ... )
     >>> system = nonholonomic.rolling_system(
     ...     nonholonomic.Body(0.05, (8e-6, 8e-6, 6e-6), egg), contact="rubber"
     ... )
@@ -98,7 +100,7 @@ class Revolution(SupportShape):
         chi_2: sp.Expr,
         values: Mapping[sp.Symbol, float] | None = None,
         centre: tuple[float, float, float] = (0.0, 0.0, 0.0),
-    ) -> Revolution:
+    ) -> ShapeOfRevolution:
         """The body with r − c = (χ₁γ₁, χ₁γ₂, χ₂), χ₁ and χ₂ in ``gamma_3`` (§5).
 
         Raises

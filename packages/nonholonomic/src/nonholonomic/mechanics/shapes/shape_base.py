@@ -289,7 +289,7 @@ class SupportShape(Shape):
     >>> from nonholonomic.mechanics.shapes.shape_base import SupportShape
     >>> (
     ...     isinstance(nonholonomic.Disk(1.0), SupportShape),
-    ...     isinstance(nonholonomic.Implicit, SupportShape),
+    ...     isinstance(nonholonomic.ImplicitShape, SupportShape),
     ... )
     (True, False)
     """
