@@ -23,10 +23,11 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin import Integral, System, batch_integrator, lyapunov_spectrum
+from chaplygin import Integral, System, lyapunov_spectrum
 from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
 from chaplygin.report.figures.scan import chart as draw_chart
+from flowlanes import batch_integrator
 from flowlanes.flow import Section, project_to_level
 from flowlanes.flow.ensembles import compute
 from flowlanes.formulas import Formulas

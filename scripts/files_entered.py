@@ -17,6 +17,7 @@ from types import FrameType
 from unittest.mock import patch
 
 import chaplygin as ch
+import nonholonomic
 from chaplygin.cli import main
 
 HOME = str(Path(ch.__file__).parent)
@@ -64,7 +65,7 @@ def walk_of(name: str, folder: str) -> Callable[[], object]:
         "study": lambda: ch.Study.from_experiment(ch.load_experiment(EXAMPLE)),
         "report": lambda: write_report(folder),
         "verdict": lambda: ch.prove(veselova, veselova.integrals[0]),
-        "solution": lambda: ch.solve(veselova, ch.CATALOGUE["veselova"].start.values),
+        "solution": lambda: ch.solve(veselova, nonholonomic.CATALOGUE["veselova"].start.values),
     }
     return walks[name]
 

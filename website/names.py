@@ -8,7 +8,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-import chaplygin
+from reference_pages import public
 
 #: Packages whose names docstrings mention.
 PACKAGES = (
@@ -43,7 +43,7 @@ def _resolve(app: Any, env: Any, node: Any, content: Any) -> Any:
     if thing is None:
         return None
     name = target.rpartition(".")[2]
-    if getattr(chaplygin, name, None) is thing and f"reference/names/{name}" in env.all_docs:
+    if f"reference/names/{name}" in env.all_docs and public(name) is thing:
         from sphinx.util.nodes import make_refnode
 
         return make_refnode(app.builder, node["refdoc"], f"reference/names/{name}", None, content)

@@ -5,9 +5,13 @@ from __future__ import annotations
 import html
 import inspect
 from collections.abc import Iterator, Mapping
+from types import ModuleType
 from typing import Any
 
 import chaplygin
+import flowlanes
+import lawproof
+import nonholonomic
 
 #: The folders of the packages by what their names are for, in the order of a study.
 SUBJECTS = {
@@ -15,6 +19,7 @@ SUBJECTS = {
     "nonholonomic.catalogue": "The catalogue",
     "flowlanes.system": "Systems and laws",
     "lawproof.proof": "Proofs",
+    "lawproof.search": "Laws found",
     "nonholonomic.classification": "The hierarchy of dynamics",
     "nonholonomic.invariant_measures": "Invariant measures",
     "nonholonomic.closed_form": "Closed forms",
@@ -24,6 +29,15 @@ SUBJECTS = {
     "chaplygin.experiment": "Experiments and files",
     "flowlanes.printing": "Formulas as code",
     "flowlanes.errors": "Errors",
+}
+
+
+#: The package of each public name: the laboratory for the names of everyday work.
+HOMES: dict[str, ModuleType] = {
+    name: package
+    for package in (nonholonomic, lawproof, flowlanes, chaplygin)
+    for name in package.__all__
+    if name not in ("__version__", "CATALOGUE") and not inspect.ismodule(getattr(package, name))
 }
 
 
@@ -46,25 +60,34 @@ def pages(schema: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
 def names_by_subject() -> dict[str, list[str]]:
     """The public names by the folder that they come from."""
     groups: dict[str, list[str]] = {folder: [] for folder in SUBJECTS}
-    for name in sorted(set(chaplygin.__all__) - {"__version__", "CATALOGUE"}, key=str.lower):
-        thing = getattr(chaplygin, name)
-        if not inspect.ismodule(thing):
-            groups[".".join(inspect.unwrap(thing).__module__.split(".")[:2])].append(name)
+    for name in sorted(HOMES, key=str.lower):
+        folder = ".".join(inspect.unwrap(public(name)).__module__.split(".")[:2])
+        groups[folder].append(name)
     return groups
+
+
+def public(name: str) -> Any:
+    """What a public name means."""
+    return getattr(HOMES[name], name)
+
+
+def title(name: str) -> str:
+    """A public name with that of the package from which it is imported."""
+    return f"{HOMES[name].__name__}.{name}"
 
 
 def names_page(groups: Mapping[str, list[str]]) -> str:
     """The public names in groups, each with the first line of its docstring."""
     parts = [
         "# Public names\n",
-        "`import chaplygin as ch` makes all of them available as `ch.NAME`. `ch.CATALOGUE` is the "
-        "dictionary of the catalogue's entries by name; the [gallery](/gallery/index.md) shows "
-        "them.\n",
+        "`import chaplygin as ch` has those of everyday work as `ch.NAME`; the others are "
+        "imported from the package before their name. `nonholonomic.CATALOGUE` is the dictionary "
+        "of the catalogue's entries by name; the [gallery](/gallery/index.md) shows them.\n",
     ]
     for folder, listed in groups.items():
         if listed:
             rows = "\n".join(
-                f"| [{name}](names/{name}.md) | {first_line(name)} |" for name in listed
+                f"| [{title(name)}](names/{name}.md) | {first_line(name)} |" for name in listed
             )
             parts.append(f"## {SUBJECTS[folder]}\n\n| | |\n|---|---|\n{rows}\n")
     parts.append("```{toctree}\n:hidden:\n:glob:\n\nnames/*\n```\n")
@@ -73,18 +96,19 @@ def names_page(groups: Mapping[str, list[str]]) -> str:
 
 def first_line(name: str) -> str:
     """The first line of the docstring of a public name."""
-    return (inspect.getdoc(inspect.unwrap(getattr(chaplygin, name))) or "").partition("\n")[0]
+    return (inspect.getdoc(inspect.unwrap(public(name))) or "").partition("\n")[0]
 
 
 def name_page(name: str) -> str:
     """The docstring of a public name, and of its public methods."""
-    thing = inspect.unwrap(getattr(chaplygin, name))
+    thing = inspect.unwrap(public(name))
     if inspect.isclass(thing):
         members = "\n   :members:\n   :undoc-members:" if not issubclass(thing, Exception) else ""
         directive = f".. autoclass:: {name}{members}"
     else:
         directive = f".. autofunction:: {name}"
-    return f"# {name}\n\n```{{eval-rst}}\n.. currentmodule:: chaplygin\n\n{directive}\n```\n"
+    module = f".. currentmodule:: {HOMES[name].__name__}"
+    return f"# {name}\n\n```{{eval-rst}}\n{module}\n\n{directive}\n```\n"
 
 
 def commands_page() -> str:

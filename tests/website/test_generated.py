@@ -12,6 +12,7 @@ import pytest
 
 import borisov_mamaev_2008.audit
 import chaplygin
+import nonholonomic
 from borisov_mamaev_2008 import Claim
 from borisov_mamaev_2008.audit import Judgement
 from chaplygin.experiment.models.schema import experiment_schema
@@ -43,7 +44,7 @@ def test_an_exhibit_has_laws_file_and_live_page(tmp_path: Path) -> None:
 
 def test_every_system_and_every_experiment_is_an_exhibit() -> None:
     names = [what for _, what in import_module("exhibits").sources()]
-    assert set(chaplygin.CATALOGUE) <= set(names)
+    assert set(nonholonomic.CATALOGUE) <= set(names)
     files = {
         p.relative_to(WEBSITE.parent).as_posix() for p in WEBSITE.parent.glob("examples/**/*.toml")
     }
@@ -77,7 +78,11 @@ def test_a_claim_that_is_proven_where_conditions_hold_is_no_misprint() -> None:
 
 def test_the_reference_has_every_name_command_and_key() -> None:
     written: dict[str, Any] = dict(import_module("reference_pages").pages(experiment_schema()))
-    for name in ("rolling_system", "integrate", "prove", "Body", "InputError"):
+    for name in ("rolling_system", "integrate", "prove", "Body", "InputError", "prove_all"):
         assert f"reference/names/{name}.md" in written
+    index = written["reference/names.md"]
+    assert "[chaplygin.prove](names/prove.md)" in index
+    assert "[lawproof.prove_all](names/prove_all.md)" in index
+    assert ".. currentmodule:: lawproof" in written["reference/names/prove_all.md"]
     assert "## chaplygin section" in written["reference/command-line.md"]
     assert "<code>keep_integrals</code>" in written["reference/experiment-keys.md"]
