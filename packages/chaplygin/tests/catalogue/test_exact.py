@@ -129,14 +129,14 @@ TURNED = ((1.0, 0.1, 0.0), (0.1, 1.5, -0.05), (0.0, -0.05, 2.1))
 
 VARIANTS = {
     "marble ball in Bruns' field": (
-        RollingBody(Body(1.2, MOMENTS, Ball(0.9)), field=Forces(0.0, BRUNS, ((K, 0.7),))),
+        RollingBody(Body(1.2, MOMENTS, Ball(0.9)), field=Forces(0.0, BRUNS, {K: 0.7})),
         {"energy", "area", "momentum"},
     ),
     "rubber ball in Bruns' field": (
         RollingBody(
             Body(1.2, MOMENTS, Ball(0.9)),
             contact="rubber",
-            field=Forces(0.0, BRUNS, ((K, 0.7),)),
+            field=Forces(0.0, BRUNS, {K: 0.7}),
         ),
         {"energy", "momentum"},
     ),

@@ -90,7 +90,7 @@ SHAPES = {
     ),
     "revolution": (
         'kind = "revolution"\nsupport = "sqrt(1 + b*gamma_3**2)"\nparameters = { b = 0.4 }',
-        ShapeOfRevolution(sp.sqrt(1 + P * sp.Symbol("gamma_3", real=True) ** 2), ((P, 0.4),)),
+        ShapeOfRevolution(sp.sqrt(1 + P * sp.Symbol("gamma_3", real=True) ** 2), {P: 0.4}),
         "Body of revolution on a plane",
     ),
     "profile": (
@@ -100,7 +100,7 @@ SHAPES = {
     ),
     "implicit": (
         'kind = "implicit"\nsurface = "x**2 + y**2/b + z**2 - 1"\nparameters = { b = 0.8 }',
-        ImplicitShape(X**2 + Y**2 / P + Z**2 - 1, ((P, 0.8),)),
+        ImplicitShape(X**2 + Y**2 / P + Z**2 - 1, {P: 0.8}),
         "Convex body on a plane",
     ),
 }
@@ -114,7 +114,7 @@ def test_every_shape_is_made_and_rolls(kind):
     found = made.rolling.body.shape
     if isinstance(found, ShapeOfRevolution):
         assert sp.simplify(found.support - shape.support) == 0
-        assert found.values == shape.values
+        assert found.parameters == shape.parameters
     else:
         assert found == shape
     assert made.system.title == title

@@ -30,6 +30,7 @@ from typing import (
 from .argument_kinds import (
     Kind,
     are_conditions,
+    are_formula_parameters,
     are_formulas,
     are_named_formulas,
     are_numbers,
@@ -63,6 +64,14 @@ ParameterValue: TypeAlias = SupportsFloat | str | Iterable[SupportsFloat | str]
 Parameters: TypeAlias = Annotated[
     "Mapping[str, ParameterValue] | Mapping[Symbol, ParameterValue] | None",
     Kind("a mapping of parameters to numbers", are_parameters),
+]
+#: Parameters of a formula: values by name or symbol, or declared with their meaning.
+FormulaParameters: TypeAlias = Annotated[
+    Any,
+    Kind(
+        "a mapping of names or symbols to numbers, or a sequence of Parameters",
+        are_formula_parameters,
+    ),
 ]
 #: One number, as a length or a duration is.
 Positive: TypeAlias = Annotated[

@@ -42,7 +42,7 @@ def _shape(kind: str, rng: random.Random) -> Shape:
     if kind == "ellipsoid":
         return Ellipsoid((first, first, second), centre=centre)
     support = 1 + bulge * u**2
-    return ShapeOfRevolution(support, ((bulge, round(rng.uniform(-0.2, 0.3), 3)),), centre=centre)
+    return ShapeOfRevolution(support, {bulge: round(rng.uniform(-0.2, 0.3), 3)}, centre=centre)
 
 
 def start(rolling: RollingBody, rng: random.Random) -> tuple[object, ...]:

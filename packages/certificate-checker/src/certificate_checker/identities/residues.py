@@ -10,7 +10,7 @@ its basis.  Every formula of the claim has a value in A by the rules
   |f|^2a;
 - two values of a function are the same symbol where their arguments are equal in A; sine and
   cosine of a sum of whole multiples of angles follow from those of the angles, exponentials alike;
-- derivatives follow the rules of :mod:`..claim.functions`.
+- derivatives follow the rules of :mod:`certificate_checker.claim.functions`.
 
 All of them hold for real numbers wherever the law is defined, whatever else may relate these
 functions; so an identity in A is one of real functions.  It is tested at one random x modulo one

@@ -20,5 +20,6 @@ TOLERANCE: Mapping[Precision, float] = {"double": 1e-15, "quad": 1e-30}
 #: read to a few digits, and the last two cost as much time again.
 ENSEMBLE_TOLERANCE = 1e-13
 
-#: The finest that is accepted.
+#: The finest that is accepted.  Motions through many events have it by default, since an event
+#: passes an error on magnified.
 FINEST_TOLERANCE: Mapping[Precision, float] = {"double": 1e-16, "quad": 1e-30}

@@ -1,7 +1,7 @@
 """Symbolic 3-vectors, and their components.
 
 A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
-:func:`dot`, :func:`cross` and :func:`outer` keep their vector form, so that they print as
+:func:`dot`, :func:`cross` and ``outer`` keep their vector form, so that they print as
 ``M×ω + m ṙ×(ω×r)``; :func:`to_components` turns the same formula into three scalars.
 """
 

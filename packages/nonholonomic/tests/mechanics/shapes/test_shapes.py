@@ -449,19 +449,19 @@ def test_quartic_body_is_convex():
 def test_symbols_are_known_by_their_names() -> None:
     """A symbol without real=True is meant as the one of this name."""
     loose, a = sp.Symbol("gamma_3"), sp.Symbol("a")
-    shape = ShapeOfRevolution(1 + a * loose / 10, ((a, 0.5),))
+    shape = ShapeOfRevolution(1 + a * loose / 10, {a: 0.5})
     assert shape == ShapeOfRevolution(
-        1 + real_symbol("a") * real_symbol("gamma_3") / 10, ((real_symbol("a"), 0.5),)
+        1 + real_symbol("a") * real_symbol("gamma_3") / 10, {real_symbol("a"): 0.5}
     )
     assert ShapeOfRevolution.from_profile(sp.S(-1), -loose).support == 1
     x, y, z = sp.symbols("x y z")
-    assert ImplicitShape(x**2 + y**2 + a * z**2 - 1, ((a, 2.0),)).surface.free_symbols == {
+    assert ImplicitShape(x**2 + y**2 + a * z**2 - 1, {a: 2.0}).surface.free_symbols == {
         *ImplicitShape.coordinates,
         real_symbol("a"),
     }
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
     loaded = [
-        rolling_system(body, Plane(), "marble", Forces(0.0, potential, ((b, 2.0),)))
+        rolling_system(body, Plane(), "marble", Forces(0.0, potential, {b: 2.0}))
         for potential, b in (
             (a * loose**2, a),
             (real_symbol("a") * real_symbol("gamma_3") ** 2, real_symbol("a")),

@@ -184,10 +184,10 @@ class RevolutionTable(ShapeTable):
         """The body, with its support function read or derived from χ₁ and χ₂."""
         if self.support is not None:
             return shapes.ShapeOfRevolution(
-                self.expression(self.support), self.values, centre=self.centre
+                self.expression(self.support), self.parameters, centre=self.centre
             )
         chi_1, chi_2 = (self.expression(text or "0") for text in (self.chi_1, self.chi_2))
-        return shapes.ShapeOfRevolution.from_profile(chi_1, chi_2, dict(self.values), self.centre)
+        return shapes.ShapeOfRevolution.from_profile(chi_1, chi_2, self.parameters, self.centre)
 
 
 class ImplicitTable(ShapeTable):
@@ -207,7 +207,9 @@ class ImplicitTable(ShapeTable):
 
     def shape(self) -> Shape:
         """The body, with its equation read."""
-        return shapes.ImplicitShape(self.expression(self.surface), self.values, centre=self.centre)
+        return shapes.ImplicitShape(
+            self.expression(self.surface), self.parameters, centre=self.centre
+        )
 
 
 SHAPES = OpenKinds(

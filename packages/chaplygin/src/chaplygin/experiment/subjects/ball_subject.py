@@ -114,7 +114,7 @@ def _rolling_ball(
         gravity=field.gravity,
         direction=field.direction,
         potential=potential,
-        numbers=field.numbers("number in the potential"),
+        parameters=field.parameters,
     )
 
 

@@ -99,7 +99,7 @@ def forces_of(experiment: BodyOnSurface) -> Forces:
     forces = experiment.field
     with experiment.placing_errors("field"):
         potential = forces.expression(forces.potential) if forces.potential else sp.S.Zero
-        return Forces(forces.gravity, potential, forces.values)
+        return Forces(forces.gravity, potential, forces.parameters)
 
 
 def _title(rolling: RollingBody) -> str:

@@ -26,7 +26,7 @@ def build(p: Numbers) -> RollingBody:
     """The hollow ball around a sphere, with rotors, in the potential U = ½K(γ, Iγ)."""
     ball = ball_on_sphere.build_around(p)
     body = replace(ball.body, gyrostat=(p["k_1"], p["k_2"], p["k_3"]))
-    return replace(ball, body=body, field=Forces(potential=BRUNS, values=((K, p["K"]),)))
+    return replace(ball, body=body, field=Forces(potential=BRUNS, parameters={K: p["K"]}))
 
 
 @laws_for("marble", Sphere, Ball)
@@ -39,7 +39,8 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     if not (body.principal and any(body.gyrostat)):
         return ()
     measure = Measure("measure", {DET_IQ: -HALF}, "invariant measure ρ d³M d³γ", source=SOURCE)
-    if bruns_factor(field.potential) == K and not dict(field.values)[K]:
+    values = {p.symbol: p.default for p in field.parameters}
+    if bruns_factor(field.potential) == K and not values[K]:
         return (MOMENTUM, measure)
     return (measure,)
 

@@ -34,14 +34,14 @@ HALF = sp.Rational(1, 2)
 def with_rotors(p: Numbers) -> RollingBody:
     """The Chaplygin ball with rotors, in Bruns' field."""
     return replace(
-        chaplygin_ball.with_rotors(p), field=Forces(potential=BRUNS, values=((K, p["K"]),))
+        chaplygin_ball.with_rotors(p), field=Forces(potential=BRUNS, parameters={K: p["K"]})
     )
 
 
 def ball_around_sphere(p: Numbers) -> RollingBody:
     """The hollow ball around a sphere, in Bruns' field."""
     return replace(
-        ball_on_sphere.build_around(p), field=Forces(potential=BRUNS, values=((K, p["K"]),))
+        ball_on_sphere.build_around(p), field=Forces(potential=BRUNS, parameters={K: p["K"]})
     )
 
 

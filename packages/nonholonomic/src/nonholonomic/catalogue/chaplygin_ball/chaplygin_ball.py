@@ -61,7 +61,7 @@ def with_rotors(p: Numbers) -> RollingBody:
 
 def in_bruns_field(p: Numbers) -> RollingBody:
     """The ball in the potential U = ½K(γ, Iγ)."""
-    return replace(ball(p), field=Forces(potential=BRUNS, values=((K, p["K"]),)))
+    return replace(ball(p), field=Forces(potential=BRUNS, parameters={K: p["K"]}))
 
 
 @laws_for("marble", Plane(), Ball)

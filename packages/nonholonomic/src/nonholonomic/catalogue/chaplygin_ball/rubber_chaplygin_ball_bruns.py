@@ -19,7 +19,7 @@ from . import chaplygin_ball, rubber_chaplygin_ball
 
 def build(p: Numbers) -> RollingBody:
     """The ball in the potential U = ½K(γ, Iγ)."""
-    field = Forces(potential=chaplygin_ball.BRUNS, values=((veselova.K, p["K"]),))
+    field = Forces(potential=chaplygin_ball.BRUNS, parameters={veselova.K: p["K"]})
     return replace(rubber_chaplygin_ball.build(p), field=field)
 
 
