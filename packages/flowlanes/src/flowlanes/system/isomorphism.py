@@ -20,7 +20,7 @@ from .system import System
 class Isomorphism(BasicLaw):
     """A change of variables and time that carries the field onto another system's.
 
-    A level is where the conditions of this system hold (its relations and `on`) and all
+    A level is where the conditions of this system hold (its relations and `level`) and all
     `constants` that depend on the state have fixed values.  On almost all of every level the map
     is a local diffeomorphism onto the phase space of the target, which is cut out by the relations
     of the target and by `onto`: its differential is injective, and both have one dimension.

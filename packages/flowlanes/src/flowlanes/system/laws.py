@@ -1,7 +1,7 @@
 """Laws: statements about a system, for a prover to prove or refute.
 
 Every law is a tensor invariant of the field v of its system, or an identity on its phase space.  It
-concerns the points where the relations of the system and the expressions `on` vanish, such as
+concerns the points where the relations of the system and the expressions `level` vanish, such as
 ``k + 1`` or ``(M, γ)``, and where all its formulas have real values.  The docstring of each class
 defines its statement.
 

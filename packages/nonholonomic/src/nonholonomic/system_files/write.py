@@ -356,7 +356,7 @@ class _Writer:
 
     def common(self, law: Any) -> Tables:
         """What laws of all kinds have."""
-        return _given(meaning=law.meaning, on=self.texts(law.level), source=law.source)
+        return _given(meaning=law.meaning, level=self.texts(law.level), source=law.source)
 
     @singledispatchmethod
     def part(self, law: Law) -> Tables:
